@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a caller can ask of a run. Angles in degrees, lengths in model units, errors in percent of
+// the bounding box diagonal. An unset optional means the scheme's own default, which `resolved`
+// fills in.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher {
+
+enum class Scheme { Best, Rounds };          // ours | the report's Algorithm 2
+enum class Projection { Patches, Current };  // onto the original | on the current mesh
+enum class Fidelity { Strict, Loose, Fold };
+enum class Boundary { Resample, Keep };
+
+struct RemeshOptions {
+  std::optional<Index> vertices;     // exact number of distinct positions of the result
+  std::optional<double> ratio;       // the same as a share of the input's
+  std::optional<double> edgeLength;  // the same from a mean edge length
+  Scheme scheme = Scheme::Best;
+  Projection projection = Projection::Patches;
+  std::optional<Fidelity> fidelity;
+  double vertexAngle = 20;    // θ1
+  double triangleAngle = 20;  // θ2
+  bool splitObtuse = false;
+  std::optional<double> adaptivity;  // 0 to 1
+  double gradation = 1.5;            // > 1
+  bool detectFeatures = true;        // false: --feature-angle off
+  std::optional<double> featureAngle;
+  Boundary boundary = Boundary::Resample;
+  std::optional<double> maxError;                     // percent of the diagonal
+  std::vector<float> density;                         // per input vertex, relative; empty: even
+  std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+};
+
+}  // namespace remesher

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What a run or an inspection has to say; the names are those of the JSON report.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher {
+
+// Something the caller should know and need not act on. `code` is stable, `message` is for people.
+struct Warning {
+  std::string code;
+  std::string message;
+  std::size_t count = 1;
+};
+
+// Angles in degrees; histogram in percent of the triangles, by minimum angle 0–10, 10–20, … 50–60.
+struct AngleStatistics {
+  double worst = 0;
+  double mean = 0;
+  std::array<double, 6> histogram{};
+};
+
+struct MeshReport {
+  std::size_t vertices = 0;  // distinct positions
+  std::size_t triangles = 0;
+  std::size_t components = 0;
+  std::size_t boundaryEdges = 0;
+  std::size_t nonManifoldEdges = 0;
+  long eulerCharacteristic = 0;
+  std::size_t degenerateTriangles = 0;
+  AngleStatistics minAngle;
+  double maxAngle = 0;  // the largest angle of any triangle
+  double valence6 = 0;  // percent of the interior vertices
+};
+
+// Two-sided distance between the result and the original, percent of the original's diagonal.
+struct FidelityReport {
+  double hausdorff = 0;
+  double rms = 0;
+};
+
+enum class Stopped { Target, Fidelity, MaxError, Cancelled };
+
+struct Timings {  // milliseconds
+  double read = 0;
+  double build = 0;
+  double remesh = 0;
+  double write = 0;
+};
+
+struct Report {
+  MeshReport input;
+  std::optional<MeshReport> output;  // none after an inspection
+  std::optional<FidelityReport> fidelity;
+  Timings timings;
+  std::uint64_t peakBytes = 0;
+  std::vector<Warning> warnings;
+  Stopped stopped = Stopped::Target;
+};
+
+}  // namespace remesher

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A triangle mesh as files and callers know it: plain arrays, no connectivity. Vertices that share
+// a position but differ in an attribute (a texture seam, a hard edge) are separate here; the mesh
+// builder welds them by position and remembers which corner of which triangle used which.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher {
+
+// One value per vertex: `itemSize` numbers each, vertex after vertex. The semantic is glTF's
+// (NORMAL, TEXCOORD_0, JOINTS_0, _CUSTOM); a morph target's is prefixed: TARGET_0/POSITION.
+struct Attribute {
+  std::string semantic;
+  int itemSize = 0;
+  std::vector<float> values;
+};
+
+struct TriangleMesh {
+  std::vector<Vec3> positions;
+  std::vector<Index> indices;  // three per triangle, counterclockwise seen from outside
+  std::vector<Index> groups;   // one per triangle (a glTF primitive, an OBJ material), or empty
+  std::vector<Attribute> attributes;
+
+  std::size_t triangleCount() const { return indices.size() / 3; }
+};
+
+}  // namespace remesher

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A triangle in space, and what can be asked of it. Angles in radians.
+#pragma once
+
+#include <array>
+
+#include "base/types.h"
+
+namespace remesher {
+
+using Triangle = std::array<Vec3, 3>;
+
+// Twice the area times the unit normal.
+inline Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+inline double area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * areaVector(a, b, c).norm();
+}
+
+// The unit normal; zero for a triangle without area.
+Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// The angles at a, b and c. A triangle without area has angles 0 and π.
+std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c);
+double minAngle(const Vec3& a, const Vec3& b, const Vec3& c);
+double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Barycentric coordinates of the point of the closed triangle nearest to p [Ericson, Real-Time
+// Collision Detection, §5.1.5]. Works for triangles without area.
+Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace remesher

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/halfedge_mesh.h"
+
+#include <algorithm>
+
+namespace remesher {
+
+HalfedgeMesh::HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles)
+    : origin_(triangles.size()), twin_(triangles.size()), outgoing_(vertexCount) {
+  for (Index h = 0; h < triangles.size(); ++h) {
+    origin_[h] = Vertex(triangles[h]);
+    outgoing_[triangles[h]] = Halfedge(h);
+  }
+  pairTwins();
+  for (Index v = 0; v < vertexCount; ++v) {
+    if (isAlive(Vertex(v))) {
+      setOutgoingToBoundary(Vertex(v));
+    } else {
+      freeVertices_.push_back(v);
+    }
+  }
+}
+
+// Halfedges are bucketed by their origin (a counting sort), then each looks for its opposite among
+// the few that leave its tip.
+void HalfedgeMesh::pairTwins() {
+  std::vector<Index> start(outgoing_.size() + 1, 0);
+  for (const Vertex v : origin_) ++start[v.index + 1];
+  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
+  std::vector<Index> leaving(origin_.size());
+  std::vector<Index> fill(start.begin(), start.end() - 1);
+  for (Index h = 0; h < origin_.size(); ++h) leaving[fill[origin_[h].index]++] = h;
+  for (Index h = 0; h < origin_.size(); ++h) {
+    const Vertex from = origin_[h], to = tip(Halfedge(h));
+    for (Index i = start[to.index]; i < start[to.index + 1]; ++i)
+      if (tip(Halfedge(leaving[i])) == from) twin_[h] = Halfedge(leaving[i]);
+  }
+}
+
+void HalfedgeMesh::setOutgoingToBoundary(Vertex v) {
+  const Halfedge first = outgoing(v);
+  Halfedge h = first;
+  while (!isBoundary(h)) {
+    h = next(twin(h));
+    if (h == first) return;
+  }
+  outgoing_[v.index] = h;
+}
+
+void HalfedgeMesh::link(Halfedge h, Halfedge t) {
+  twin_[h.index] = t;
+  if (t) twin_[t.index] = h;
+}
+
+int HalfedgeMesh::valence(Vertex v) const {
+  int n = 0;
+  forEachNeighbor(v, [&](Vertex) { ++n; });
+  return n;
+}
+
+Halfedge HalfedgeMesh::find(Vertex from, Vertex to) const {
+  const Halfedge first = outgoing(from);
+  Halfedge h = first;
+  do {
+    if (tip(h) == to) return h;
+    h = twin(prev(h));
+  } while (h && h != first);
+  return {};
+}
+
+HalfedgeMesh::Renumbering HalfedgeMesh::compact() {
+  Renumbering map{std::vector<Index>(vertexCapacity(), kNone),
+                  std::vector<Index>(faceCapacity(), kNone)};
+  Index vertices = 0, faces = 0;
+  for (Index v = 0; v < vertexCapacity(); ++v)
+    if (isAlive(Vertex(v))) map.vertex[v] = vertices++;
+  for (Index f = 0; f < faceCapacity(); ++f)
+    if (isAlive(Face(f))) map.face[f] = faces++;
+  const auto moved = [&](Halfedge h) {
+    return h ? Halfedge(3 * map.face[h.index / 3] + h.index % 3) : Halfedge();
+  };
+  for (Index h = 0; h < halfedgeCapacity(); ++h) {
+    if (!isAlive(Halfedge(h))) continue;
+    const Index to = moved(Halfedge(h)).index;  // never behind h: the order is kept
+    origin_[to] = Vertex(map.vertex[origin_[h].index]);
+    twin_[to] = moved(twin_[h]);
+  }
+  for (Index v = 0; v < vertexCapacity(); ++v)
+    if (map.vertex[v] != kNone) outgoing_[map.vertex[v]] = moved(outgoing_[v]);
+  origin_.resize(3 * std::size_t{faces});
+  twin_.resize(3 * std::size_t{faces});
+  outgoing_.resize(vertices);
+  freeVertices_.clear();
+  freeFaces_.clear();
+  return map;
+}
+
+std::vector<Index> HalfedgeMesh::triangles() const {
+  std::vector<Index> result;
+  result.reserve(3 * faceCount());
+  for (const Vertex v : origin_)
+    if (v) result.push_back(v.index);
+  return result;
+}
+
+}  // namespace remesher

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From a bag of triangles to a manifold: vertices welded by exactly equal position, triangles
+// without three distinct corners dropped, orientation made consistent where it can be, edges with
+// more than two triangles and vertices with more than one fan cut apart. What was repaired is said
+// in warnings.
+#pragma once
+
+#include <vector>
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+struct BuiltMesh {
+  HalfedgeMesh mesh;
+  VertexData<Vec3> positions;
+  HalfedgeData<Index> wedges;  // per corner: the input vertex it came from (its attributes)
+  FaceData<Index> triangles;   // per face: the input triangle it came from
+  VertexData<Index> sources;   // per vertex: the first input vertex at its place
+  std::vector<Warning> warnings;
+};
+
+// Throws Error: NO_TRIANGLES, INDEX_OUT_OF_RANGE, NON_FINITE, each naming the triangle or vertex.
+BuiltMesh buildMesh(const TriangleMesh& input);
+
+}  // namespace remesher

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The public C++ interface: everything the bindings need, and all that a C++ program should
+// include. Every failure the caller can cause is an Error; nothing here prints, exits or keeps
+// state.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct RemeshResult {
+  TriangleMesh mesh;
+  Report report;
+};
+
+RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress = {});
+
+// A file as bytes. The extension of `name` tells the format.
+struct File {
+  std::string name;
+  std::vector<std::uint8_t> bytes;
+};
+
+struct RemeshFileResult {
+  std::vector<File> files;  // the one asked for first; then what lies beside it (a .bin, a .mtl)
+  Report report;
+};
+
+// resources: files that the input refers to (a .bin, images, a .mtl), by the names it uses for
+// them.
+RemeshFileResult remeshFile(const File& input, const std::vector<File>& resources,
+                            const std::string& outputName, const RemeshOptions& options,
+                            const Progress& progress = {});
+
+Report inspect(const TriangleMesh& mesh);
+Report inspectFile(const File& input, const std::vector<File>& resources = {});
+
+}  // namespace remesher
