@@ -22,6 +22,7 @@ enum class ErrorCode {
   ParseError,         // the bytes are not what the format promises
   MissingResource,    // a file refers to another that was not given
   Unsupported,        // valid, but beyond what we read
+  InvalidMesh,        // arrays of the wrong type or length
   IndexOutOfRange,    // a triangle names a vertex that is not there
   NonFinite,          // NaN or infinity among the coordinates
   NoTriangles,        // nothing to remesh
@@ -32,12 +33,12 @@ enum class ErrorCode {
 };
 
 // In the order of ErrorCode.
-inline constexpr std::array<std::string_view, 17> kErrorCodeNames = {
-    "INTERNAL",         "CANCELLED",        "OUT_OF_MEMORY",       "INVALID_OPTION",
-    "UNKNOWN_OPTION",   "UNKNOWN_FORMAT",   "EMPTY_FILE",          "PARSE_ERROR",
-    "MISSING_RESOURCE", "UNSUPPORTED",      "INDEX_OUT_OF_RANGE",  "NON_FINITE",
-    "NO_TRIANGLES",     "TARGET_TOO_SMALL", "TARGET_BELOW_CURVES", "INPUT_UNREADABLE",
-    "OUTPUT_UNWRITABLE"};
+inline constexpr std::array<std::string_view, 18> kErrorCodeNames = {
+    "INTERNAL",         "CANCELLED",        "OUT_OF_MEMORY",    "INVALID_OPTION",
+    "UNKNOWN_OPTION",   "UNKNOWN_FORMAT",   "EMPTY_FILE",       "PARSE_ERROR",
+    "MISSING_RESOURCE", "UNSUPPORTED",      "INVALID_MESH",     "INDEX_OUT_OF_RANGE",
+    "NON_FINITE",       "NO_TRIANGLES",     "TARGET_TOO_SMALL", "TARGET_BELOW_CURVES",
+    "INPUT_UNREADABLE", "OUTPUT_UNWRITABLE"};
 
 constexpr std::string_view name(ErrorCode code) {
   return kErrorCodeNames[static_cast<std::size_t>(code)];

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Installs what is missing, then builds what is asked for, one line per step:
+//   node bindings/build.js package          the npm package in dist/
+//   node bindings/build.js package tests    and the native unit tests with the tools that check
+// Repeating it costs seconds. It needs nothing but Node, and root or sudo where packages are
+// missing. All output goes to standard error.
+
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import {
+  chmodSync, copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+
+const debianPackages = {
+  package: ['g++', 'cmake', 'ninja-build', 'emscripten', 'libeigen3-dev', 'libfast-float-dev',
+    'libtinygltf-dev', 'nlohmann-json3-dev'],
+  tests: ['clang', 'libclang-rt-dev', 'clang-format', 'clang-tidy', 'doctest-dev', 'chromium'],
+};
+const emscriptenToolchain = '/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake';
+
+class BuildError extends Error {}
+
+/** @param {string} text */
+function say(text) {
+  process.stderr.write(`${text}\n`);
+}
+
+/**
+ * Runs quietly; what it printed is shown if it fails.
+ * @param {string} command
+ * @param {string[]} words
+ */
+function run(command, words) {
+  const { status, error, stdout, stderr } = spawnSync(command, words,
+    { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28 });
+  if (error) throw new BuildError(`${command} cannot be started: ${error.message}`);
+  if (status !== 0) throw new BuildError(`${command} ${words.join(' ')}\n${stdout}${stderr}`);
+  return stdout;
+}
+
+/** @param {string} name */
+function isInstalled(name) {
+  const { stdout } = spawnSync('dpkg-query', ['-W', '-f=${db:Status-Status}', name],
+    { encoding: 'utf8' });
+  return stdout === 'installed';
+}
+
+/** @param {readonly string[]} names */
+function installDebianPackages(names) {
+  const missing = names.filter((name) => !isInstalled(name));
+  if (missing.length === 0) return;
+  say(`Installing Debian packages: ${missing.join(' ')}`);
+  const isRoot = process.getuid?.() === 0;
+  const words = [...(isRoot ? [] : ['sudo', '-n']), 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
+  const apt = (/** @type {string[]} */ ...more) => run(words[0], [...words.slice(1), ...more]);
+  apt('update', '-qq');
+  apt('install', '-y', '-qq', '--no-install-recommends', ...missing);
+}
+
+/** Whether these contents are those of the last time; and from now on they are. */
+class Stamp {
+  /** @param {string} path @param {readonly string[]} files */
+  constructor(path, files) {
+    this.path = join(root, path);
+    const hash = createHash('sha256');
+    for (const file of files) hash.update(file).update(readFileSync(join(root, file)));
+    this.value = hash.digest('hex');
+  }
+
+  isCurrent() {
+    return existsSync(this.path) && readFileSync(this.path, 'utf8') === this.value;
+  }
+
+  set() {
+    writeFileSync(this.path, this.value);
+  }
+}
+
+function installNpmPackages() {
+  const stamp = new Stamp('node_modules/.remesher-lock', ['package-lock.json']);
+  if (stamp.isCurrent()) return;
+  say('Installing npm packages');
+  run('npm', ['ci', '--no-audit', '--no-fund']);
+  stamp.set();
+}
+
+/**
+ * @param {string} what
+ * @param {string} folder
+ * @param {string[]} definitions
+ * @param {string} target
+ */
+function buildWithCMake(what, folder, definitions, target) {
+  if (!existsSync(join(root, folder, 'build.ninja'))) {
+    run('cmake', ['-G', 'Ninja', '-S', '.', '-B', folder, ...definitions]);
+  }
+  const pending = run('ninja', ['-C', folder, '-n', target]);
+  if (pending.includes('no work to do')) return;
+  say(`Building ${what}`);
+  run('ninja', ['-C', folder, target]);
+}
+
+function buildWebAssembly() {
+  buildWithCMake('the WebAssembly module', 'build/wasm',
+    [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain}`, '-DCMAKE_BUILD_TYPE=Release'], 'remesher');
+}
+
+function buildUnitTests() {
+  buildWithCMake('the unit tests (clang, with sanitizers)', 'build/test',
+    ['-DCMAKE_CXX_COMPILER=clang++', '-DCMAKE_BUILD_TYPE=Debug', '-DREMESHER_SANITIZE=ON',
+      '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1'],
+    'unit_tests');
+}
+
+/** dist/: the sources as they are, the WebAssembly, and the types read from the comments. */
+function assemblePackage() {
+  const sources = readdirSync(join(root, 'bindings/package')).map((f) => `bindings/package/${f}`);
+  const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
+    'bindings/remesher.d.mts', 'bindings/tsconfig.json', 'package.json'];
+  mkdirSync(join(root, 'build'), { recursive: true });
+  const stamp = new Stamp('build/dist.stamp', inputs);
+  if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;
+  say('Assembling the package in dist/');
+  rmSync(join(root, 'dist'), { recursive: true, force: true });
+  mkdirSync(join(root, 'dist'));
+  const toDist = (/** @type {string} */ file) =>
+    copyFileSync(join(root, file), join(root, 'dist', file.slice(file.lastIndexOf('/') + 1)));
+  [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', 'bindings/remesher.d.mts']
+    .forEach(toDist);
+  chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
+  chmodSync(join(root, 'dist/cli.js'), 0o755);
+  run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);
+  stamp.set();
+}
+
+/** @param {readonly string[]} parts */
+function build(parts) {
+  if (process.platform !== 'linux' || !existsSync('/usr/bin/dpkg-query')) {
+    throw new BuildError('Building needs Debian 12 or Ubuntu. To only use remesher: npm install remesher');
+  }
+  const withTests = parts.includes('tests');
+  installDebianPackages([...debianPackages.package, ...(withTests ? debianPackages.tests : [])]);
+  installNpmPackages();
+  buildWebAssembly();
+  assemblePackage();
+  if (withTests) buildUnitTests();
+}
+
+try {
+  build(process.argv.slice(2));
+} catch (error) {
+  if (!(error instanceof BuildError)) throw error;
+  say(error.message);
+  process.exitCode = 1;
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// THE table of options: the command line's flags and help, the checks, the page's form and the
+// TypeScript types are all made from these rows. Angles in degrees, lengths in model units, errors
+// in percent of the bounding-box diagonal. A default that depends on the scheme is written
+// { best, rounds }; no default means "not set". Rows without a flag exist in JavaScript only.
+
+import { RemeshError } from './errors.js';
+
+export const options = /** @type {const} */ ([
+  { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
+    help: 'exact number of vertices of the result (distinct positions); the input’s if not given' },
+  { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
+    help: 'the number of vertices as a share of the input’s' },
+  { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
+    help: 'the number of vertices from a mean edge length' },
+  { name: 'scheme', flag: '--scheme S', type: 'choice', choices: ['best', 'rounds'],
+    default: 'best', help: 'rounds: the report’s Algorithm 2 step by step; best: our own' },
+  { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
+    default: 'patches',
+    help: 'onto the original surface through overlapping disk patches, or on the current mesh' },
+  { name: 'fidelity', flag: '--fidelity F', type: 'choice', choices: ['strict', 'loose', 'fold'],
+    default: { best: 'fold', rounds: 'loose' },
+    help: 'refuse an operation unless every pair of normals is within the angles below (strict), ' +
+      'unless at least one is (loose), or only where a triangle would fold over (fold)' },
+  { name: 'vertexAngle', flag: '--vertex-angle D', type: 'number', min: 0, max: 180,
+    unit: 'degrees', default: 20, help: 'θ1: between the vertex normals of a triangle' },
+  { name: 'triangleAngle', flag: '--triangle-angle D', type: 'number', min: 0, max: 180,
+    unit: 'degrees', default: 20,
+    help: 'θ2: between a triangle’s normal and its vertices’ normals' },
+  { name: 'splitObtuse', flag: '--split-obtuse', type: 'boolean', default: false,
+    help: 'after the target is met, split every edge facing an obtuse angle, once' },
+  { name: 'adaptivity', flag: '--adaptivity A', type: 'number', min: 0, max: 1,
+    default: { best: 0.5, rounds: 0 },
+    help: '0: even triangles; 1: sizes follow curvature, for the least error; between: a mix' },
+  { name: 'gradation', flag: '--gradation G', type: 'number', above: 1, default: 1.5,
+    help: 'largest ratio between the sizes at the two ends of an edge' },
+  { name: 'featureAngle', flag: '--feature-angle D', type: 'number', min: 0, max: 180,
+    unit: 'degrees', off: true, default: { best: 40, rounds: 'off' },
+    help: 'dihedral angle from which an edge can belong to a feature curve, which survives' },
+  { name: 'boundary', flag: '--boundary B', type: 'choice', choices: ['resample', 'keep'],
+    default: 'resample', help: 'move vertices along open boundaries, or keep them exactly' },
+  { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
+    unit: '% of the diagonal', off: true, default: 'off',
+    help: 'refuse what would leave the original by more' },
+  { name: 'density', type: 'floats',
+    help: 'relative vertex density, one value per input vertex' },
+  { name: 'featureEdges', type: 'pairs',
+    help: 'feature edges of the caller’s own, as pairs of input vertices' },
+]);
+
+/**
+ * A row as the code that walks the table sees it.
+ * @typedef {object} Option
+ * @property {string} name
+ * @property {string} [flag]
+ * @property {'integer' | 'number' | 'choice' | 'boolean' | 'floats' | 'pairs'} type
+ * @property {string} help
+ * @property {string} [unit]
+ * @property {number} [min] smallest value allowed
+ * @property {number} [max] largest value allowed
+ * @property {number} [above] allowed values are larger than this
+ * @property {readonly string[]} [choices]
+ * @property {boolean} [off] 'off' is a value too
+ * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default]
+ */
+
+/** @typedef {string | number | boolean} DefaultValue */
+
+/**
+ * The JavaScript type of a row's value.
+ * @template Row
+ * @typedef {Row extends { choices: readonly (infer Choice)[] } ? Choice
+ *   : Row extends { type: 'boolean' } ? boolean
+ *   : Row extends { type: 'floats' } ? Float32Array
+ *   : Row extends { type: 'pairs' } ? Uint32Array | ReadonlyArray<readonly [number, number]>
+ *   : Row extends { off: true } ? number | 'off'
+ *   : number} ValueOf
+ */
+
+/** @typedef {{ [Row in typeof options[number] as Row['name']]?: ValueOf<Row> }} RemeshOptions */
+
+/** The table again, typed for walking. @type {readonly Option[]} */
+export const optionTable = options;
+
+/** @type {Map<string, Option>} */
+const byName = new Map(optionTable.map((option) => [option.name, option]));
+
+/**
+ * The value that holds when the option is not given; undefined: none does.
+ * @param {Option} option
+ * @param {'best' | 'rounds'} scheme
+ * @returns {DefaultValue | undefined}
+ */
+export function defaultOf(option, scheme) {
+  return typeof option.default === 'object' ? option.default[scheme] : option.default;
+}
+
+/**
+ * Of the names known, the one that was probably meant, or undefined.
+ * @param {string} name
+ * @param {readonly string[]} known
+ */
+export function nearest(name, known) {
+  let best;
+  let least = Math.max(2, name.length / 2) + 1;
+  for (const candidate of known) {
+    const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
+    if (distance < least) [best, least] = [candidate, distance];
+  }
+  return best;
+}
+
+/** @param {string} a @param {string} b */
+function editDistance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; i += 1) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j += 1) {
+      const change = row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1);
+      next.push(Math.min(change, row[j] + 1, next[j - 1] + 1));
+    }
+    row = next;
+  }
+  return row[b.length];
+}
+
+/** What an option's value must be, in words. @param {Option} option */
+export function rangeInWords(option) {
+  if (option.choices) return `one of ${option.choices.join(', ')}`;
+  if (option.type === 'boolean') return 'true or false';
+  if (option.type === 'floats') return 'a Float32Array with one value per vertex';
+  if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
+  const kind = option.type === 'integer' ? 'a whole number' : 'a number';
+  const off = option.off ? ', or off' : '';
+  if (option.above !== undefined) return `${kind} above ${option.above}${off}`;
+  if (option.type === 'integer') return `${kind} from ${option.min} up${off}`;
+  return `${kind} from ${option.min} to ${option.max}${off}`;
+}
+
+/** @param {Option} option @param {unknown} value @returns {boolean} */
+function isAllowed(option, value) {
+  switch (option.type) {
+    case 'boolean':
+      return typeof value === 'boolean';
+    case 'choice':
+      return option.choices !== undefined && option.choices.includes(String(value));
+    case 'floats':
+      return value instanceof Float32Array || value instanceof Float64Array;
+    case 'pairs':
+      return value instanceof Uint32Array || Array.isArray(value);
+    default:
+      return (value === 'off' && option.off === true) || isInRange(option, value);
+  }
+}
+
+/** @param {Option} option @param {unknown} value */
+function isInRange(option, value) {
+  if (typeof value !== 'number' || !Number.isFinite(value)) return false;
+  if (option.type === 'integer' && !Number.isInteger(value)) return false;
+  if (option.above !== undefined && !(value > option.above)) return false;
+  return value >= (option.min ?? -Infinity) && value <= (option.max ?? Infinity);
+}
+
+/** @param {unknown} value */
+function inWords(value) {
+  return typeof value === 'object' && value !== null ? value.constructor.name : String(value);
+}
+
+/**
+ * Throws unless the value is one the option can have.
+ * @param {Option} option
+ * @param {unknown} value
+ * @param {string} label how the caller knows the option
+ */
+export function checkValue(option, value, label) {
+  if (isAllowed(option, value)) return;
+  throw new RemeshError('INVALID_OPTION',
+    `${label} must be ${rangeInWords(option)}, not ${inWords(value)}.`);
+}
+
+/** @param {readonly (readonly number[])[]} pairs */
+function flattened(pairs) {
+  const valid = (/** @type {unknown} */ pair) => Array.isArray(pair) && pair.length === 2
+    && pair.every((vertex) => Number.isInteger(vertex) && vertex >= 0 && vertex < 2 ** 32);
+  if (!pairs.every(valid)) {
+    throw new RemeshError('INVALID_OPTION',
+      'featureEdges must hold pairs of vertex numbers, like [[0, 1], [1, 2]].');
+  }
+  return Uint32Array.from(pairs.flat());
+}
+
+/** The value in the form that travels to the core. @param {Option} option @param {any} value */
+function canonical(option, value) {
+  if (option.type === 'floats') return Float32Array.from(value);
+  if (option.type === 'pairs') {
+    return value instanceof Uint32Array ? value.slice() : flattened(value);
+  }
+  return value;
+}
+
+/** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
+function checkTogether(given, label) {
+  const targets = optionTable.filter(({ name }) =>
+    given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
+  if (targets.length < 2) return;
+  throw new RemeshError('INVALID_OPTION',
+    `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
+}
+
+/**
+ * The options given, checked and ready to travel; unset ones are left out.
+ * @param {Record<string, unknown>} given
+ * @param {object} [context]
+ * @param {readonly string[]} [context.others] names that belong to the call, not to the table
+ * @param {(option: Option) => string} [context.label] how the caller knows an option
+ * @returns {Record<string, unknown>}
+ */
+export function checkOptions(given, { others = [], label = ({ name }) => name } = {}) {
+  /** @type {Record<string, unknown>} */
+  const result = {};
+  for (const [name, value] of Object.entries(given)) {
+    if (value === undefined || others.includes(name)) continue;
+    const option = byName.get(name);
+    if (!option) {
+      const meant = nearest(name, [...byName.keys(), ...others]);
+      throw new RemeshError('UNKNOWN_OPTION', `There is no option ${name}.`,
+        meant ? `Did you mean ${meant}?` : '');
+    }
+    checkValue(option, value, label(option));
+    result[name] = canonical(option, value);
+  }
+  checkTogether(result, label);
+  if (result.maxError === 'off') delete result.maxError;
+  return result;
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What differs in browsers: where the WebAssembly is and how a worker is started. The two
+// `new URL(…, import.meta.url)` are written out so that bundlers see them.
+
+import { compileUrl } from './wasm_source.js';
+
+/** @returns {Promise<WebAssembly.Module>} */
+export function compileDefault() {
+  return compileUrl(new URL('./remesher.wasm', import.meta.url));
+}
+
+export { compileUrl };
+
+/** @typedef {import('./client.js').WorkerPort} WorkerPort */
+
+/** @returns {WorkerPort | undefined} undefined: there are no workers here */
+export function spawn() {
+  if (typeof Worker === 'undefined') return undefined;
+  const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  return {
+    post: (message, transfer) => worker.postMessage(message, transfer),
+    listen(onMessage, onFailure) {
+      worker.addEventListener('message', (event) => onMessage(event.data));
+      worker.addEventListener('error', (event) => onFailure(event.message));
+    },
+    terminate: () => worker.terminate(),
+    keepAlive() {},
+  };
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What differs in Node: where the WebAssembly is and how a worker is started.
+
+import { readFile } from 'node:fs/promises';
+import { Worker } from 'node:worker_threads';
+
+import { compileBinary, compileUrl as compileFetched } from './wasm_source.js';
+
+/** @param {string | URL} url @returns {Promise<WebAssembly.Module>} */
+export async function compileUrl(url) {
+  const parsed = new URL(url, import.meta.url);
+  if (parsed.protocol !== 'file:') return compileFetched(parsed);
+  return compileBinary(await readFile(parsed), String(url));
+}
+
+/** @returns {Promise<WebAssembly.Module>} */
+export function compileDefault() {
+  return compileUrl(new URL('./remesher.wasm', import.meta.url));
+}
+
+/** @typedef {import('./client.js').WorkerPort} WorkerPort */
+
+/** @returns {WorkerPort} */
+export function spawn() {
+  // No execArgv: what the program was started with (--input-type, --test) is not the worker's.
+  const worker = new Worker(new URL('./worker_node.js', import.meta.url), { execArgv: [] });
+  return {
+    post: (message, transfer) => worker.postMessage(message, transfer),
+    listen(onMessage, onFailure) {
+      worker.on('message', onMessage);
+      worker.on('error', (error) => onFailure(error.message));
+    },
+    terminate: () => void worker.terminate(),
+    keepAlive: (busy) => (busy ? worker.ref() : worker.unref()),
+  };
+}
