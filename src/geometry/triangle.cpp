@@ -33,6 +33,10 @@ double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 namespace {
 
+double squaredDistance(const Vec3& p, const Vec3& w, const Triangle& t) {
+  return (w[0] * t[0] + w[1] * t[1] + w[2] * t[2] - p).squaredNorm();
+}
+
 Vec3 closestOnEdge(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2 = ab.squaredNorm();
@@ -45,24 +49,44 @@ Vec3 closestOnAnyEdge(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c
   const std::array<Vec3, 3> candidates = {Vec3(ab[0], ab[1], 0), Vec3(0, bc[0], bc[1]),
                                           Vec3(ca[1], 0, ca[0])};
   return *std::min_element(candidates.begin(), candidates.end(), [&](const Vec3& x, const Vec3& y) {
-    const auto distance = [&](const Vec3& w) {
-      return (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
-    };
-    return distance(x) < distance(y);
+    return squaredDistance(p, x, {a, b, c}) < squaredDistance(p, y, {a, b, c});
   });
 }
 
 }  // namespace
 
+// A corner, the interior or an edge, in the order of what is cheapest to tell.
 Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = areaVector(a, b, c);
-  const double n2 = n.squaredNorm();
-  if (n2 > 0) {
-    const double wa = areaVector(p, b, c).dot(n) / n2, wb = areaVector(a, p, c).dot(n) / n2;
-    const double wc = 1 - wa - wb;
-    if (wa >= 0 && wb >= 0 && wc >= 0) return {wa, wb, wc};
+  // Below this squared sine of the angle at a, the interior's answer may be rounding: it has to be
+  // better than the edges'.
+  constexpr double kThin = 1e-12;
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double abA = ab.dot(ap), acA = ac.dot(ap);
+  if (abA <= 0 && acA <= 0) return {1, 0, 0};
+  const Vec3 bp = p - b, cp = p - c;
+  const double abB = ab.dot(bp), acB = ac.dot(bp);
+  if (abB >= 0 && acB <= abB) return {0, 1, 0};
+  const double abC = ab.dot(cp), acC = ac.dot(cp);
+  if (acC >= 0 && abC <= acC) return {0, 0, 1};
+
+  const Vec3 n = ab.cross(ac);
+  const double wa = bp.cross(cp).dot(n), wb = cp.cross(ap).dot(n), wc = ap.cross(bp).dot(n);
+  const double sum = wa + wb + wc;
+  if (!(wa > 0 && wb > 0 && wc > 0)) {
+    if (wc <= 0 && abA >= 0 && abB <= 0) return {abB / (abB - abA), abA / (abA - abB), 0};
+    if (wb <= 0 && acA >= 0 && acC <= 0) return {acC / (acC - acA), 0, acA / (acA - acC)};
+    return closestOnAnyEdge(p, a, b, c);
   }
-  return closestOnAnyEdge(p, a, b, c);
+  const Vec3 inside = Vec3(wa, wb, wc) / sum;
+  if (n.squaredNorm() > kThin * ab.squaredNorm() * ac.squaredNorm()) return inside;
+  const Vec3 outline = closestOnAnyEdge(p, a, b, c);
+  return squaredDistance(p, inside, {a, b, c}) < squaredDistance(p, outline, {a, b, c}) ? inside
+                                                                                        : outline;
+}
+
+Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 w = closestBarycentric(p, a, b, c);
+  return w[0] * a + w[1] * b + w[2] * c;
 }
 
 }  // namespace remesher

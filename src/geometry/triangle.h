@@ -27,5 +27,6 @@ double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c);
 // Barycentric coordinates of the point of the closed triangle nearest to p [Ericson, Real-Time
 // Collision Detection, §5.1.5]. Works for triangles without area.
 Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace remesher

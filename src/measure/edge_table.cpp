@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "measure/edge_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace remesher {
+
+namespace {
+
+// 0.0 and -0.0 are one place but two bit patterns.
+Vec3 canonical(const Vec3& p) { return p + Vec3::Zero(); }
+
+std::uint64_t hashOf(const Vec3& p) {
+  std::array<std::uint64_t, 3> words;
+  std::memcpy(words.data(), p.data(), sizeof words);
+  std::uint64_t hash = 0;
+  for (const std::uint64_t word : words) {
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+// Positions by open addressing: a position's number is its place in order of first use.
+class PositionTable {
+ public:
+  explicit PositionTable(std::size_t most)
+      : slots_(std::bit_ceil(2 * most + 1), kNone), mask_(slots_.size() - 1) {}
+
+  Index numberOf(const Vec3& position) {
+    const Vec3 p = canonical(position);
+    for (std::size_t slot = hashOf(p) & mask_;; slot = (slot + 1) & mask_) {
+      if (slots_[slot] == kNone) {
+        slots_[slot] = static_cast<Index>(positions.size());
+        positions.push_back(p);
+      }
+      if (positions[slots_[slot]] == p) return slots_[slot];
+    }
+  }
+
+  std::vector<Vec3> positions;
+
+ private:
+  std::vector<Index> slots_;
+  std::size_t mask_;
+};
+
+}  // namespace
+
+WeldedMesh weld(const TriangleMesh& mesh) {
+  PositionTable table(mesh.positions.size());
+  std::vector<Index> numbers(mesh.positions.size(), kNone);
+  WeldedMesh result;
+  result.indices.reserve(mesh.indices.size());
+  for (const Index v : mesh.indices) {
+    if (numbers[v] == kNone) numbers[v] = table.numberOf(mesh.positions[v]);
+    result.indices.push_back(numbers[v]);
+  }
+  result.positions = std::move(table.positions);
+  return result;
+}
+
+bool hasDistinctVertices(const std::array<Index, 3>& t) {
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+EdgeTable::EdgeTable(const WeldedMesh& mesh) {
+  const auto forEachSide = [&mesh](auto&& visit) {
+    for (Index t = 0; t < mesh.triangleCount(); ++t) {
+      const std::array<Index, 3> v = mesh.triangle(t);
+      if (!hasDistinctVertices(v)) continue;
+      for (Index k = 0; k < 3; ++k) {
+        const Index a = v[(k + 1) % 3], b = v[(k + 2) % 3];
+        visit(std::min(a, b), std::max(a, b), 3 * t + k);
+      }
+    }
+  };
+  // A counting sort by the lower vertex, then a sort of each vertex's few sides by the higher one.
+  std::vector<Index> bucket(mesh.positions.size() + 1, 0);
+  forEachSide([&](Index low, Index, Index) { ++bucket[low + 1]; });
+  for (std::size_t v = 1; v < bucket.size(); ++v) bucket[v] += bucket[v - 1];
+  std::vector<Side> sides(bucket.back());
+  std::vector<Index> next(bucket.begin(), bucket.end() - 1);
+  forEachSide([&](Index low, Index high, Index corner) { sides[next[low]++] = {high, corner}; });
+
+  corners_.reserve(sides.size());
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    const auto begin = sides.begin() + bucket[v], end = sides.begin() + bucket[v + 1];
+    std::sort(begin, end, [](const Side& x, const Side& y) {
+      return x.high < y.high || (x.high == y.high && x.opposite < y.opposite);
+    });
+    for (auto side = begin; side != end; ++side) {
+      if (side == begin || side->high != (side - 1)->high) {
+        lows_.push_back(v);
+        highs_.push_back(side->high);
+        begins_.push_back(static_cast<Index>(corners_.size()));
+      }
+      corners_.push_back(side->opposite);
+    }
+  }
+  begins_.push_back(static_cast<Index>(corners_.size()));
+}
+
+EdgeTable::Edge EdgeTable::operator[](std::size_t e) const {
+  return {lows_[e], highs_[e],
+          std::span(corners_).subspan(begins_[e], begins_[e + 1] - begins_[e])};
+}
+
+}  // namespace remesher

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "measure/mesh_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "geometry/triangle.h"
+#include "measure/edge_table.h"
+
+namespace remesher {
+
+namespace {
+
+// Twice the area over the longest edge squared, below which a triangle is a line: a few hundred
+// roundings of double.
+constexpr double kFlattest = 1e-13;
+// How far beyond 180° two opposite angles may go by rounding (radians).
+constexpr double kAngleRounding = 1e-7;
+
+Triangle cornersOf(const WeldedMesh& mesh, std::size_t t) {
+  const std::array<Index, 3> v = mesh.triangle(t);
+  return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+}
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parents_(size) {
+    std::iota(parents_.begin(), parents_.end(), Index{0});
+  }
+
+  Index find(Index x) {
+    while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
+    return x;
+  }
+
+  // The lower number stays the root, so that a set is named by its first member.
+  void unite(Index x, Index y) {
+    x = find(x), y = find(y);
+    parents_[std::max(x, y)] = std::min(x, y);
+  }
+
+ private:
+  std::vector<Index> parents_;
+};
+
+// Fills in what only connectivity decides.
+void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
+  const EdgeTable edges(mesh);
+  DisjointSets components(mesh.triangleCount());
+  std::vector<Index> valence(mesh.positions.size(), 0);
+  std::vector<std::uint8_t> isInterior(mesh.positions.size(), 1);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    ++valence[edge.low], ++valence[edge.high];
+    report.boundaryEdges += edge.opposites.size() == 1;
+    report.nonManifoldEdges += edge.opposites.size() > 2;
+    if (edge.opposites.size() != 2) isInterior[edge.low] = isInterior[edge.high] = 0;
+    for (const Index corner : edge.opposites) components.unite(edge.opposites[0] / 3, corner / 3);
+  }
+
+  std::size_t faces = 0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (!hasDistinctVertices(mesh.triangle(t))) continue;
+    ++faces;
+    report.components += components.find(t) == t;
+  }
+  std::size_t vertices = 0, interior = 0, regular = 0;
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    vertices += valence[v] > 0;
+    interior += valence[v] > 0 && isInterior[v];
+    regular += valence[v] == 6 && isInterior[v];
+  }
+  report.eulerCharacteristic =
+      static_cast<long>(vertices) - static_cast<long>(edges.size()) + static_cast<long>(faces);
+  if (interior > 0)
+    report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
+}
+
+bool isDegenerate(const Triangle& t) {
+  const double longest = std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+  return areaVector(t[0], t[1], t[2]).norm() <= kFlattest * longest;
+}
+
+void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
+  const std::size_t n = mesh.triangleCount();
+  if (n == 0) return;
+  std::array<std::size_t, 6> counts{};
+  double sum = 0, worst = std::numbers::pi, largest = 0;
+  for (std::size_t t = 0; t < n; ++t) {
+    const Triangle corners = cornersOf(mesh, t);
+    report.degenerateTriangles += isDegenerate(corners);
+    const double smallest = minAngle(corners[0], corners[1], corners[2]);
+    worst = std::min(worst, smallest);
+    largest = std::max(largest, maxAngle(corners[0], corners[1], corners[2]));
+    sum += smallest;
+    ++counts[static_cast<std::size_t>(std::clamp(degrees(smallest) / 10, 0.0, 5.0))];
+  }
+  report.minAngle.worst = degrees(worst);
+  report.minAngle.mean = degrees(sum / static_cast<double>(n));
+  report.maxAngle = degrees(largest);
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    report.minAngle.histogram[k] = 100.0 * static_cast<double>(counts[k]) / static_cast<double>(n);
+}
+
+}  // namespace
+
+MeshReport inspectMesh(const TriangleMesh& mesh) {
+  const WeldedMesh welded = weld(mesh);
+  MeshReport report;
+  report.vertices = welded.positions.size();
+  report.triangles = welded.triangleCount();
+  reportConnectivity(welded, report);
+  reportAngles(welded, report);
+  return report;
+}
+
+double nonDelaunayPercentage(const TriangleMesh& mesh) {
+  const WeldedMesh welded = weld(mesh);
+  const EdgeTable edges(welded);
+  std::size_t inner = 0, bad = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    if (edge.opposites.size() != 2) continue;
+    double sum = 0;
+    for (const Index corner : edge.opposites) {
+      const Vec3& apex = welded.positions[welded.indices[corner]];
+      const Vec3 a = welded.positions[edge.low] - apex, b = welded.positions[edge.high] - apex;
+      sum += std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    ++inner;
+    bad += sum > std::numbers::pi + kAngleRounding;
+  }
+  return inner > 0 ? 100.0 * static_cast<double>(bad) / static_cast<double>(inner) : 0;
+}
+
+}  // namespace remesher

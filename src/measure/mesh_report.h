@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What a mesh is like: its connectivity and the quality of its triangles, whatever its faults.
+#pragma once
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+// Every index must name a position and every coordinate be finite; all else is allowed. Corners at
+// equal positions are one vertex; positions no triangle uses do not count. Two triangles are in one
+// component when a chain of shared edges joins them. A triangle is degenerate when two of its
+// corners coincide or its area is nothing but rounding.
+MeshReport inspectMesh(const TriangleMesh& mesh);
+
+// The share of the edges between two triangles, in percent, whose opposite angles sum to more than
+// 180°: a Delaunay mesh has none.
+double nonDelaunayPercentage(const TriangleMesh& mesh);
+
+}  // namespace remesher

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/triangle_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+double bruteForce(const TriangleMesh& mesh, const Vec3& p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+    const Vec3 q = closestPoint(p, mesh.positions[t], mesh.positions[t + 1], mesh.positions[t + 2]);
+    best = std::min(best, (q - p).squaredNorm());
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("triangle: the closest point has no corner of the triangle on its far side") {
+  // q is the point of a convex set nearest to p exactly when no point x of the set has
+  // (p - q)·(x - q) > 0; for a triangle its corners decide.
+  soups::Random random(1);
+  for (int round = 0; round < 20000; ++round) {
+    const Vec3 a = random.point(), b = random.point();
+    Vec3 c = random.point();
+    if (round % 4 == 1) c = a + random.number() * (b - a);           // no area
+    if (round % 4 == 2) c = b + 1e-9 * random.point();               // a needle
+    if (round % 4 == 3) c = 0.5 * (a + b) + 1e-13 * random.point();  // a flat cap
+    const Vec3 p = 3 * random.point() - Vec3::Ones();
+    const Vec3 q = closestPoint(p, a, b, c);
+    double farthest = 0;
+    for (const Vec3& corner : {a, b, c}) farthest = std::max(farthest, (p - q).dot(corner - q));
+    CHECK(farthest < 1e-9);
+  }
+}
+
+TEST_CASE("triangle_tree: nearest agrees with looking at every triangle, from any start") {
+  for (const std::size_t n : {1u, 4u, 5u, 300u}) {
+    const TriangleMesh mesh = soups::randomSoup(n, 0.2, n);
+    const TriangleTree tree(mesh.positions, mesh.indices);
+    soups::Random random(7);
+    for (int round = 0; round < 500; ++round) {
+      const Vec3 p = 2 * random.point() - 0.5 * Vec3::Ones();
+      const double expected = bruteForce(mesh, p);
+      const Index start = static_cast<Index>(random.number() * static_cast<double>(n));
+      for (const TriangleTree::Nearest& hit : {tree.nearest(p), tree.nearest(p, start)}) {
+        CHECK(hit.squaredDistance == doctest::Approx(expected).epsilon(1e-12));
+        CHECK((hit.point - p).squaredNorm() == hit.squaredDistance);
+        CHECK(hit.triangle < n);
+      }
+    }
+  }
+}
+
+TEST_CASE("triangle_tree: nearest keeps the start when nothing is nearer") {
+  const TriangleMesh mesh = soups::square(4);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+    for (Index k = 0; k < 3; ++k) CHECK(tree.nearest(mesh.positions[3 * t + k], t).triangle == t);
+}
+
+TEST_CASE("triangle_tree: nearest to a list without triangles is none") {
+  const TriangleTree tree({}, {});
+  CHECK(tree.nearest(Vec3::Zero()).triangle == kNone);
+  CHECK(tree.order().empty());
+}
+
+TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
+  const TriangleMesh mesh = soups::randomSoup(300, 0.2, 3);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  soups::Random random(5);
+  for (int round = 0; round < 200; ++round) {
+    Box box;
+    box.extend(random.point());
+    box.extend(random.point());
+    std::vector<Index> visited, expected;
+    tree.visitOverlapping(box, [&](Index t) { visited.push_back(t); });
+    for (Index t = 0; t < mesh.triangleCount(); ++t) {
+      Box own;
+      for (Index k = 0; k < 3; ++k) own.extend(mesh.positions[3 * t + k]);
+      if ((own.low.array() <= box.high.array()).all() &&
+          (own.high.array() >= box.low.array()).all())
+        expected.push_back(t);
+    }
+    std::sort(visited.begin(), visited.end());
+    CHECK(visited == expected);
+  }
+}
+
+TEST_CASE("triangle_tree: the order names every triangle once, also when all are in one place") {
+  TriangleMesh mesh = soups::square(9);
+  for (Vec3& p : mesh.positions) p = Vec3(0.1, 0.2, 0.3);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  std::vector<Index> order(tree.order().begin(), tree.order().end()), all(mesh.triangleCount());
+  std::sort(order.begin(), order.end());
+  std::iota(all.begin(), all.end(), Index{0});
+  CHECK(order == all);
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "measure/hausdorff.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/soups.h"
+
+using namespace remesher;
+using doctest::Approx;
+
+TEST_CASE("hausdorff: a surface is no distance from itself, however it is cut") {
+  const auto check = [](const TriangleMesh& a, const TriangleMesh& b) {
+    const FidelityReport report = measureFidelity(a, b);
+    CHECK(report.hausdorff < 1e-10);
+    CHECK(report.rms < 1e-10);
+  };
+  check(soups::sphere(6), soups::sphere(6));
+  check(soups::square(3), soups::square(7));
+  check(soups::cube(0, 1), soups::cube(0, 1));
+}
+
+TEST_CASE("hausdorff: parallel squares are everywhere as far apart as their planes") {
+  const DeviationBothWays d =
+      measureDeviation(soups::square(3), soups::moved(soups::square(5), {0, 0, 0.25}));
+  CHECK(d.diagonal == Approx(std::sqrt(2)));
+  for (const Deviation& way : {d.toResult, d.toOriginal}) {
+    CHECK(way.maximum == Approx(0.25).epsilon(1e-12));
+    CHECK(way.rms == Approx(0.25).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("hausdorff: a cube around a cube is farthest at its corners") {
+  const TriangleMesh inner = soups::cube(0, 1), outer = soups::cube(-0.1, 1.1);
+  const DeviationBothWays d = measureDeviation(inner, outer);
+  CHECK(d.toResult.maximum == Approx(0.1));
+  CHECK(d.toOriginal.maximum == Approx(0.1 * std::sqrt(3)));
+  CHECK(measureFidelity(inner, outer).hausdorff == Approx(10));  // of the diagonal, √3
+}
+
+TEST_CASE("hausdorff: the root mean square over a pyramid is its height over √6") {
+  // The height over the base is linear on each face, with values 0, 0, h at the corners: the mean
+  // of its square over a triangle is h²/6.
+  const double h = 0.01;
+  TriangleMesh pyramid;
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0), top(0.5, 0.5, h);
+  soups::addTriangle(pyramid, a, b, top);
+  soups::addTriangle(pyramid, b, c, top);
+  soups::addTriangle(pyramid, c, d, top);
+  soups::addTriangle(pyramid, d, a, top);
+  const Deviation way = measureDeviation(soups::square(1), pyramid).toOriginal;
+  CHECK(way.maximum == Approx(h).epsilon(1e-12));
+  CHECK(way.rms == Approx(h / std::sqrt(6)).epsilon(0.01));
+}
+
+TEST_CASE("hausdorff: a hole too small for any sample to fall into is found") {
+  // The middle of a hole of width w is farthest, off the middle of the square by 0.13 each way, so
+  // that nothing halves into it.
+  const double w = 0.004, low = 0.63 - w / 2, high = 0.63 + w / 2;
+  TriangleMesh frame;
+  soups::addQuad(frame, {0, 0, 0}, {1, 0, 0}, {1, low, 0}, {0, low, 0});
+  soups::addQuad(frame, {0, high, 0}, {1, high, 0}, {1, 1, 0}, {0, 1, 0});
+  soups::addQuad(frame, {0, low, 0}, {low, low, 0}, {low, high, 0}, {0, high, 0});
+  soups::addQuad(frame, {high, low, 0}, {1, low, 0}, {1, high, 0}, {high, high, 0});
+  const Deviation way = measureDeviation(soups::square(1), frame).toResult;
+  CHECK(way.maximum <= w / 2 + 1e-15);
+  CHECK(way.maximum >= w / 2 * 0.998 - 2e-5);
+}
+
+TEST_CASE("hausdorff: flat triangles are as far from a sphere as their planes cut into it") {
+  // Deepest in the middle of a triangle: the radius less the distance of its plane from the centre.
+  const TriangleMesh coarse = soups::sphere(4), fine = soups::sphere(64);
+  double deepest = 0;
+  for (std::size_t t = 0; t < coarse.indices.size(); t += 3) {
+    const Vec3 a = coarse.positions[t], b = coarse.positions[t + 1], c = coarse.positions[t + 2];
+    deepest = std::max(deepest, 1 - std::abs((b - a).cross(c - a).normalized().dot(a)));
+  }
+  CHECK(measureDeviation(fine, coarse).toResult.maximum == Approx(deepest).epsilon(0.005));
+}
