@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/halfedge_mesh.h"
 
-#include <algorithm>
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 
@@ -11,29 +11,15 @@ HalfedgeMesh::HalfedgeMesh(std::size_t vertexCount, std::span<const Index> trian
     origin_[h] = Vertex(triangles[h]);
     outgoing_[triangles[h]] = Halfedge(h);
   }
-  pairTwins();
+  const EdgeGroups edges(vertexCount, triangles);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].size() == 2) link(Halfedge(edges[e][0]), Halfedge(edges[e][1]));
   for (Index v = 0; v < vertexCount; ++v) {
     if (isAlive(Vertex(v))) {
       setOutgoingToBoundary(Vertex(v));
     } else {
       freeVertices_.push_back(v);
     }
-  }
-}
-
-// Halfedges are bucketed by their origin (a counting sort), then each looks for its opposite among
-// the few that leave its tip.
-void HalfedgeMesh::pairTwins() {
-  std::vector<Index> start(outgoing_.size() + 1, 0);
-  for (const Vertex v : origin_) ++start[v.index + 1];
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<Index> leaving(origin_.size());
-  std::vector<Index> fill(start.begin(), start.end() - 1);
-  for (Index h = 0; h < origin_.size(); ++h) leaving[fill[origin_[h].index]++] = h;
-  for (Index h = 0; h < origin_.size(); ++h) {
-    const Vertex from = origin_[h], to = tip(Halfedge(h));
-    for (Index i = start[to.index]; i < start[to.index + 1]; ++i)
-      if (tip(Halfedge(leaving[i])) == from) twin_[h] = Halfedge(leaving[i]);
   }
 }
 

@@ -106,7 +106,6 @@ class HalfedgeMesh {
   friend class EulerOperators;
 
   void link(Halfedge h, Halfedge t);  // makes h and t twins; t may be none
-  void pairTwins();
   void setOutgoingToBoundary(Vertex v);
 
   std::vector<Vertex> origin_;      // per halfedge; none: the face is dead

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Every law of HalfedgeMesh, looked at one by one: for tests, and to find where a mesh first broke.
+#pragma once
+
+#include <string>
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+// The first broken invariant in words, empty if all hold.
+std::string check(const HalfedgeMesh& mesh);
+
+}  // namespace remesher

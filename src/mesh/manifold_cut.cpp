@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/manifold_cut.h"
+
+#include <algorithm>
+
+namespace remesher {
+
+namespace {
+
+// Beyond this many triangles an edge has no sensible pairs: all are cut apart.
+constexpr std::size_t kMaxTrianglesPaired = 64;
+
+struct Soup {
+  std::span<const Vec3> positions;
+  std::span<const Index> corners;
+  const EdgeGroups& edges;
+
+  bool upward(Index h) const { return corners[h] < corners[nextCorner(h)]; }
+};
+
+struct Pair {
+  double bend;
+  Index up, down;
+  bool operator<(const Pair& other) const {
+    if (bend != other.bend) return bend < other.bend;
+    return up != other.up ? up < other.up : down < other.down;
+  }
+};
+
+Vec3 normalAt(const Soup& soup, Index h) {
+  const Vec3& a = soup.positions[soup.corners[h]];
+  const Vec3& b = soup.positions[soup.corners[nextCorner(h)]];
+  const Vec3& c = soup.positions[soup.corners[prevCorner(h)]];
+  return (b - a).cross(c - a).stableNormalized();
+}
+
+// 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one is the tighter: two
+// solids that touch along an edge come apart.
+double bend(const Soup& soup, Index h, Index other) {
+  constexpr double kReflexPenalty = 1e-6;  // beyond rounding, below any angle that matters
+  const Vec3 normal = normalAt(soup, h);
+  const Vec3 away =
+      soup.positions[soup.corners[prevCorner(other)]] - soup.positions[soup.corners[other]];
+  return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kReflexPenalty : 0);
+}
+
+void pairStraightest(const Soup& soup, std::span<const Index> group, std::vector<Index>& mates) {
+  std::vector<Pair> pairs;
+  for (const Index up : group)
+    for (const Index down : group)
+      if (soup.upward(up) && !soup.upward(down)) pairs.push_back({bend(soup, up, down), up, down});
+  std::sort(pairs.begin(), pairs.end());
+  for (const Pair& pair : pairs) {
+    if (mates[pair.up] != kNone || mates[pair.down] != kNone) continue;
+    mates[pair.up] = pair.down;
+    mates[pair.down] = pair.up;
+  }
+}
+
+// Per halfedge the one it stays joined to, or kNone. Joined halfedges run in opposite directions.
+std::vector<Index> pairHalfedges(const Soup& soup) {
+  std::vector<Index> mates(soup.corners.size(), kNone);
+  for (std::size_t e = 0; e < soup.edges.size(); ++e) {
+    const std::span<const Index> group = soup.edges[e];
+    if (group.size() == 2 && soup.upward(group[0]) != soup.upward(group[1])) {
+      mates[group[0]] = group[1];
+      mates[group[1]] = group[0];
+    } else if (group.size() > 2 && group.size() <= kMaxTrianglesPaired) {
+      pairStraightest(soup, group, mates);
+    }
+  }
+  return mates;
+}
+
+// Gives the fan of corner h the vertex v, both ways around from h.
+void labelFan(std::span<const Index> mates, Index h, Index v, std::vector<Index>& label) {
+  Index k = h;
+  do {
+    label[k] = v;
+    k = mates[prevCorner(k)];
+  } while (k != kNone && k != h);
+  if (k == h) return;
+  for (k = mates[h]; k != kNone; k = mates[k]) {
+    k = nextCorner(k);
+    label[k] = v;
+  }
+}
+
+// The first fan at a vertex takes the vertex's place in the order, further fans follow at the end.
+void splitFans(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut) {
+  std::vector<Index> firstCopy(soup.positions.size(), kNone);
+  for (const Index v : soup.corners) firstCopy[v] = 0;
+  cut.origins.clear();
+  for (Index v = 0; v < firstCopy.size(); ++v) {
+    if (firstCopy[v] == kNone) continue;
+    firstCopy[v] = Index(cut.origins.size());
+    cut.origins.push_back(v);
+  }
+  std::vector<char> taken(cut.origins.size(), 0);
+  cut.corners.assign(soup.corners.size(), kNone);
+  for (Index h = 0; h < soup.corners.size(); ++h) {
+    if (cut.corners[h] != kNone) continue;
+    Index v = firstCopy[soup.corners[h]];
+    if (taken[v]) {
+      v = Index(cut.origins.size());
+      cut.origins.push_back(soup.corners[h]);
+    } else {
+      taken[v] = 1;
+    }
+    labelFan(mates, h, v, cut.corners);
+  }
+}
+
+// Two edges cut apart from one another may still share both ends, when fans run from one to the
+// other. Then all pairs there are cut, which parts those fans. One pass suffices: parting fans
+// makes no two vertices one, and a fan has one end in either direction.
+bool cutDoubleEdges(const Soup& soup, const ManifoldCut& cut, std::vector<Index>& mates) {
+  bool any = false;
+  std::vector<Index> doubled;
+  for (std::size_t e = 0; e < soup.edges.size(); ++e) {
+    const std::span<const Index> group = soup.edges[e];
+    if (group.size() <= 2 || group.size() > kMaxTrianglesPaired) continue;
+    const auto ends = [&](Index h) {
+      const Index from = cut.corners[h], to = cut.corners[nextCorner(h)];
+      return soup.upward(h) ? std::pair(from, to) : std::pair(to, from);
+    };
+    doubled.clear();
+    for (const Index h : group)
+      for (const Index other : group)
+        if (other != h && other != mates[h] && ends(other) == ends(h)) doubled.push_back(h);
+    for (const Index h : doubled) {
+      any = any || mates[h] != kNone;
+      mates[h] = kNone;
+    }
+  }
+  return any;
+}
+
+void countCuts(const Soup& soup, ManifoldCut& cut) {
+  std::vector<char> counted(soup.positions.size(), 0);
+  for (std::size_t e = 0; e < soup.edges.size(); ++e) {
+    const std::span<const Index> group = soup.edges[e];
+    const bool disagreeing = group.size() == 2 && soup.upward(group[0]) == soup.upward(group[1]);
+    if (group.size() <= 2 && !disagreeing) continue;
+    cut.edges += group.size() > 2;
+    counted[soup.corners[group[0]]] = counted[soup.corners[nextCorner(group[0])]] = 1;
+  }
+  std::vector<char> seen(soup.positions.size(), 0);
+  for (const Index v : cut.origins) {
+    if (seen[v] && !counted[v]) {
+      counted[v] = 1;
+      ++cut.vertices;
+    }
+    seen[v] = 1;
+  }
+}
+
+}  // namespace
+
+ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index> corners,
+                          const EdgeGroups& edges) {
+  const Soup soup{positions, corners, edges};
+  ManifoldCut cut;
+  std::vector<Index> mates = pairHalfedges(soup);
+  splitFans(soup, mates, cut);
+  if (cutDoubleEdges(soup, cut, mates)) splitFans(soup, mates, cut);
+  countCuts(soup, cut);
+  return cut;
+}
+
+}  // namespace remesher

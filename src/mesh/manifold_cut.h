@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Cuts a bag of oriented triangles into a manifold. At an edge of more than two triangles the
+// straightest pairs of agreeing orientation stay together and the rest is cut apart; then every fan
+// of triangles around a vertex gets a vertex of its own.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/edge_groups.h"
+
+namespace remesher {
+
+struct ManifoldCut {
+  std::vector<Index> corners;  // as given, in the new vertices
+  std::vector<Index> origins;  // per new vertex the given one it stands for
+  std::size_t edges = 0;       // edges cut because of more than two triangles
+  std::size_t vertices = 0;    // vertices with several fans, away from cut edges
+};
+
+// corners: vertices of `positions`, three distinct ones per triangle. New vertices are numbered in
+// the order of the given ones, further copies after all of them.
+ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index> corners,
+                          const EdgeGroups& edges);
+
+}  // namespace remesher

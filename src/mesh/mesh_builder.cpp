@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/mesh_builder.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/edge_groups.h"
+#include "mesh/manifold_cut.h"
+#include "mesh/orientation.h"
+#include "mesh/weld.h"
+
+namespace remesher {
+
+namespace {
+
+// The triangles still kept: corners by place (the first vertex there), wedges by input vertex.
+struct Soup {
+  std::vector<Index> corners;
+  std::vector<Index> wedges;
+  std::vector<Index> triangles;
+};
+
+void warn(std::vector<Warning>& warnings, const char* code, const char* message,
+          std::size_t count) {
+  if (count > 0) warnings.push_back({code, message, count});
+}
+
+void validate(const TriangleMesh& input) {
+  if (input.indices.empty())
+    throw Error(ErrorCode::NoTriangles, "The mesh has no triangles.",
+                "Points and lines alone cannot be remeshed.");
+  if (input.indices.size() % 3 != 0)
+    throw Error(ErrorCode::IndexOutOfRange,
+                "Triangle " + std::to_string(input.triangleCount()) + " has fewer than 3 corners.",
+                "Give three indices per triangle.");
+  for (std::size_t i = 0; i < input.indices.size(); ++i)
+    if (input.indices[i] >= input.positions.size())
+      throw Error(ErrorCode::IndexOutOfRange,
+                  "Triangle " + std::to_string(i / 3) + " names vertex " +
+                      std::to_string(input.indices[i]) + ", but there are only " +
+                      std::to_string(input.positions.size()) + " vertices.",
+                  "Indices count from 0.");
+  for (std::size_t v = 0; v < input.positions.size(); ++v)
+    if (!input.positions[v].allFinite())
+      throw Error(ErrorCode::NonFinite,
+                  "Vertex " + std::to_string(v) + " has a coordinate that is NaN or infinite.",
+                  "Repair or remove the vertex.");
+}
+
+Soup gather(const TriangleMesh& input) {
+  const std::vector<Index> place = weld(input.positions);
+  Soup soup;
+  soup.corners.reserve(input.indices.size());
+  soup.wedges.reserve(input.indices.size());
+  soup.triangles.reserve(input.triangleCount());
+  for (Index f = 0; f < input.triangleCount(); ++f) {
+    const Index* wedge = &input.indices[3 * f];
+    const Index a = place[wedge[0]], b = place[wedge[1]], c = place[wedge[2]];
+    if (a == b || b == c || c == a) continue;
+    soup.corners.insert(soup.corners.end(), {a, b, c});
+    soup.wedges.insert(soup.wedges.end(), wedge, wedge + 3);
+    soup.triangles.push_back(f);
+  }
+  if (soup.triangles.empty())
+    throw Error(ErrorCode::NoTriangles,
+                "None of the " + std::to_string(input.triangleCount()) +
+                    " triangles has three distinct corners.",
+                "The mesh may have been scaled to zero or rounded too coarsely.");
+  return soup;
+}
+
+// Removes triangles with the same corners in the same order as an earlier one. All copies of a
+// triangle meet at each of its edges, so looking at the edges finds them.
+std::size_t removeDuplicates(Soup& soup, const EdgeGroups& edges) {
+  const auto key = [&](Index h) {
+    return std::tuple(soup.corners[h], soup.corners[prevCorner(h)], h);
+  };
+  const auto same = [&](Index h, Index other) {
+    return soup.corners[h] == soup.corners[other] &&
+           soup.corners[prevCorner(h)] == soup.corners[prevCorner(other)];
+  };
+  std::vector<char> duplicate(soup.triangles.size(), 0);
+  std::vector<Index> sorted;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].size() < 2) continue;
+    sorted.assign(edges[e].begin(), edges[e].end());
+    if (sorted.size() > 2)
+      std::sort(sorted.begin(), sorted.end(), [&](Index h, Index k) { return key(h) < key(k); });
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (same(sorted[i - 1], sorted[i])) duplicate[sorted[i] / 3] = 1;
+  }
+  Index kept = 0;
+  for (Index f = 0; f < duplicate.size(); ++f) {
+    if (duplicate[f]) continue;
+    for (Index i = 0; i < 3; ++i) {
+      soup.corners[3 * kept + i] = soup.corners[3 * f + i];
+      soup.wedges[3 * kept + i] = soup.wedges[3 * f + i];
+    }
+    soup.triangles[kept++] = soup.triangles[f];
+  }
+  soup.corners.resize(3 * std::size_t{kept});
+  soup.wedges.resize(3 * std::size_t{kept});
+  soup.triangles.resize(kept);
+  return duplicate.size() - kept;
+}
+
+void turnOver(Soup& soup, std::span<const char> turn) {
+  for (Index f = 0; f < turn.size(); ++f) {
+    if (!turn[f]) continue;
+    std::swap(soup.corners[3 * f + 1], soup.corners[3 * f + 2]);
+    std::swap(soup.wedges[3 * f + 1], soup.wedges[3 * f + 2]);
+  }
+}
+
+BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
+  BuiltMesh built;
+  built.mesh = HalfedgeMesh(cut.origins.size(), cut.corners);
+  built.positions.reserve(cut.origins.size());
+  for (const Index source : cut.origins)
+    built.positions.values().push_back(input.positions[source]);
+  built.sources.values() = std::move(cut.origins);
+  built.wedges.values() = std::move(soup.wedges);
+  built.triangles.values() = std::move(soup.triangles);
+  return built;
+}
+
+}  // namespace
+
+BuiltMesh buildMesh(const TriangleMesh& input) {
+  validate(input);
+  const std::size_t vertexCount = input.positions.size();
+  std::vector<Warning> warnings;
+
+  Soup soup = gather(input);
+  warn(warnings, "DEGENERATE_TRIANGLES_REMOVED",
+       "Triangles without three distinct corners were removed.",
+       input.triangleCount() - soup.triangles.size());
+
+  EdgeGroups edges(vertexCount, soup.corners);
+  const std::size_t duplicates = removeDuplicates(soup, edges);
+  warn(warnings, "DUPLICATE_TRIANGLES_REMOVED",
+       "Triangles that repeat another one exactly were removed.", duplicates);
+  if (duplicates > 0) edges = EdgeGroups(vertexCount, soup.corners);
+
+  const Orientation orientation = orient(soup.corners, edges);
+  warn(warnings, "INCONSISTENT_ORIENTATION_FIXED",
+       "Triangles were turned over to face the same side as most of their neighbours.",
+       orientation.turned);
+  warn(warnings, "NON_ORIENTABLE_CUT",
+       "The surface has only one side and was cut open along these edges.", orientation.conflicts);
+  turnOver(soup, orientation.turn);
+  if (orientation.turned > 0) edges = EdgeGroups(vertexCount, soup.corners);
+
+  ManifoldCut cut = cutToManifold(input.positions, soup.corners, edges);
+  warn(warnings, "NON_MANIFOLD_EDGES_SPLIT",
+       "Edges shared by more than two triangles were cut apart.", cut.edges);
+  warn(warnings, "NON_MANIFOLD_VERTICES_SPLIT",
+       "Vertices where the surface touches itself in a point were separated.", cut.vertices);
+
+  BuiltMesh built = assemble(input, std::move(soup), std::move(cut));
+  built.warnings = std::move(warnings);
+  return built;
+}
+
+}  // namespace remesher

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// What no legal operator may change: the numbers that tell one surface from another.
+#pragma once
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+std::size_t edgeCount(const HalfedgeMesh& mesh);
+long eulerCharacteristic(const HalfedgeMesh& mesh);  // vertices − edges + faces
+std::size_t componentCount(const HalfedgeMesh& mesh);
+std::size_t boundaryLoopCount(const HalfedgeMesh& mesh);
+
+}  // namespace remesher
