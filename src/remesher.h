@@ -4,11 +4,11 @@
 // state.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
@@ -23,12 +23,6 @@ struct RemeshResult {
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
-
-// A file as bytes. The extension of `name` tells the format.
-struct File {
-  std::string name;
-  std::vector<std::uint8_t> bytes;
-};
 
 struct RemeshFileResult {
   std::vector<File> files;  // the one asked for first; then what lies beside it (a .bin, a .mtl)

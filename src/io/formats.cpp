@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "io/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "base/error.h"
+#include "io/obj.h"
+#include "io/off.h"
+
+namespace remesher::io {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  std::string_view magic;  // the first bytes of every such file; empty: it has none
+  Model (*read)(const File& file, const std::vector<File>& resources);
+  WrittenFiles (*write)(const Model& model, const std::string& outputName);
+};
+
+constexpr std::array<Format, 2> kFormats = {{
+    {".obj", "", readObj, writeObj},
+    {".off", "OFF", readOff, writeOff},
+}};
+
+std::string lowerCase(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+std::string listOfExtensions() {
+  std::string list;
+  for (const Format& format : kFormats)
+    list += (list.empty() ? "" : " ") + std::string(format.extension);
+  return list;
+}
+
+const Format* findByExtension(const std::string& name) {
+  const std::string lower = lowerCase(name);
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+    return lower.ends_with(format.extension);
+  });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const Format* findByMagic(const File& file) {
+  const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+    return !format.magic.empty() && bytes.substr(0, format.magic.size()) == format.magic;
+  });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Model read(const File& file, const std::vector<File>& resources) {
+  if (file.bytes.empty())
+    throw Error(ErrorCode::EmptyFile, file.name + " is empty.", "Was it copied completely?");
+  const Format* const byName = findByExtension(file.name);
+  const Format* const format = byName != nullptr ? byName : findByMagic(file);
+  if (format == nullptr)
+    throw Error(ErrorCode::UnknownFormat, file.name + " is of no format that can be read.",
+                "Give a file that ends in one of " + listOfExtensions() + ".");
+  return format->read(file, resources);
+}
+
+WrittenFiles write(const Model& model, const std::string& outputName) {
+  const Format* const format = findByExtension(outputName);
+  if (format == nullptr)
+    throw Error(ErrorCode::UnknownFormat, outputName + " is of no format that can be written.",
+                "Let its name end in one of " + listOfExtensions() + ".");
+  return format->write(model, outputName);
+}
+
+}  // namespace remesher::io

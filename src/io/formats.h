@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Files in, files out: the one table of formats, by extension and by first bytes. To add a format,
+// write its pair of functions and add a row in formats.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/file.h"
+#include "io/model.h"
+
+namespace remesher::io {
+
+// resources: the files that `file` refers to (a .bin, images, a .mtl), by the names it uses for
+// them. Throws Error: EMPTY_FILE, UNKNOWN_FORMAT, PARSE_ERROR, MISSING_RESOURCE, UNSUPPORTED,
+// INDEX_OUT_OF_RANGE, NON_FINITE. A file without triangles is no error here: its model has no
+// parts.
+Model read(const File& file, const std::vector<File>& resources = {});
+
+struct WrittenFiles {
+  std::vector<File> files;  // the one asked for first; the names of the others are relative to it
+  std::vector<Warning> warnings;
+};
+
+// The format follows the extension of `outputName`. Into the format it came from, a model takes
+// its whole scene along; into another, its parts where their instances are.
+// Throws Error: UNKNOWN_FORMAT, NO_TRIANGLES.
+WrittenFiles write(const Model& model, const std::string& outputName);
+
+}  // namespace remesher::io

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What a file holds: its surfaces as plain triangle meshes, each where the file puts it in the
+// world, and whatever else the file says, kept unseen for the writer of the same format to put
+// back. Between reading and writing a part's `mesh` may be replaced by another one with the same
+// attribute semantics and group numbers; a part left as it was is written as it was.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "base/types.h"
+
+namespace remesher::io {
+
+using Transform = Eigen::Affine3d;
+
+// One glTF mesh with all its triangle primitives, one OBJ file, one OFF file.
+//
+// The groups of the mesh are the glTF primitives or the OBJ runs of equal object, group, material
+// and smoothing. An attribute that only some groups have is zero (COLOR_n: one) at the vertices of
+// the others, and the writer leaves it out there. This is sound because no triangle mixes vertices
+// of two groups' attributes: a group border is a feature curve.
+struct Part {
+  std::string name;
+  TriangleMesh mesh;                 // in local space
+  std::vector<Transform> instances;  // local to world, one per place where the file shows it
+};
+
+// The origin of TEXCOORD_n: glTF's is the image's top left corner, OBJ's the bottom left.
+enum class TextureOrigin { TopLeft, BottomLeft };
+
+// Everything a format's writer needs to put back what the parts do not hold. Each format derives
+// its own; the model owns it, nobody changes it.
+class Source {
+ public:
+  Source() = default;
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  virtual ~Source() = default;
+};
+
+struct Model {
+  std::vector<Part> parts;
+  TextureOrigin textureOrigin = TextureOrigin::TopLeft;
+  std::vector<Warning> warnings;
+  std::shared_ptr<const Source> source;
+};
+
+}  // namespace remesher::io

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Each list is written without repetitions: vertices that share a position share a v, whatever
+// texture coordinates and normals they have, so that the surface is as closed in the file as it
+// is in the mesh.
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "io/bake.h"
+#include "io/obj.h"
+#include "io/text_writer.h"
+
+namespace remesher::io {
+namespace {
+
+// What one part says before its faces of group g.
+struct ObjPart {
+  const TriangleMesh* mesh;
+  std::vector<ObjGroup> groups;
+};
+
+// Per vertex: the number, counted from one, of its value in a list of the file.
+using Numbers = std::vector<std::size_t>;
+
+const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic) {
+  for (const Attribute& attribute : mesh.attributes)
+    if (attribute.semantic == semantic) return &attribute;
+  return nullptr;
+}
+
+// Vertices in the order of their values, equal ones by index; the values compared bit by bit.
+template <class Value>
+Numbers numberDistinct(const std::vector<Value>& values, std::size_t firstNumber,
+                       std::vector<Index>& representatives) {
+  std::vector<Index> order(values.size());
+  for (Index i = 0; i < order.size(); ++i) order[i] = i;
+  const auto compare = [&](Index a, Index b) {
+    return std::memcmp(&values[a], &values[b], sizeof(Value));
+  };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const int difference = compare(a, b);
+    return difference != 0 ? difference < 0 : a < b;
+  });
+  std::vector<Index> leader(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    leader[order[i]] =
+        i > 0 && compare(order[i - 1], order[i]) == 0 ? leader[order[i - 1]] : order[i];
+
+  Numbers numbers(values.size());
+  for (Index i = 0; i < leader.size(); ++i) {
+    if (leader[i] == i) {
+      numbers[i] = firstNumber + representatives.size();
+      representatives.push_back(i);
+    } else {
+      numbers[i] = numbers[leader[i]];
+    }
+  }
+  return numbers;
+}
+
+class ObjWriter {
+ public:
+  explicit ObjWriter(TextureOrigin origin) : origin_(origin) {}
+
+  void writeLibraries(const std::vector<std::string>& libraries);
+  void writePart(const ObjPart& part);
+  std::vector<std::uint8_t> bytes() const { return out_.bytes(); }
+
+ private:
+  Numbers writePositions(const TriangleMesh& mesh);
+  Numbers writeTexcoords(const TriangleMesh& mesh);
+  Numbers writeNormals(const TriangleMesh& mesh);
+  void writeState(const ObjGroup& group);
+  void writeFaces(const ObjPart& part);
+
+  TextureOrigin origin_;
+  TextWriter out_;
+  std::size_t positionCount_ = 0;
+  std::size_t texcoordCount_ = 0;
+  std::size_t normalCount_ = 0;
+  Numbers positions_;
+  Numbers texcoords_;
+  Numbers normals_;
+  std::optional<ObjGroup> state_;
+};
+
+void ObjWriter::writeLibraries(const std::vector<std::string>& libraries) {
+  for (const std::string& library : libraries) out_.text("mtllib ").text(library).text("\n");
+}
+
+// A position's colour is that of the first vertex there: OBJ has no colour seams.
+Numbers ObjWriter::writePositions(const TriangleMesh& mesh) {
+  std::vector<std::array<double, 3>> values(mesh.positions.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Vec3& position = mesh.positions[i];
+    // + 0.0 makes the two zeros one.
+    values[i] = {position.x() + 0.0, position.y() + 0.0, position.z() + 0.0};
+  }
+  const Attribute* const color = findAttribute(mesh, "COLOR_0");
+  std::vector<Index> written;
+  Numbers numbers = numberDistinct(values, positionCount_ + 1, written);
+  for (const Index i : written) {
+    out_.text("v").numbers(mesh.positions[i]);
+    for (int channel = 0; color != nullptr && channel < 3; ++channel)
+      out_.text(" ").number(color->values[std::size_t{i} * color->itemSize + channel]);
+    out_.text("\n");
+  }
+  positionCount_ += written.size();
+  return numbers;
+}
+
+Numbers ObjWriter::writeTexcoords(const TriangleMesh& mesh) {
+  const Attribute* const texcoord = findAttribute(mesh, "TEXCOORD_0");
+  if (texcoord == nullptr) return {};
+  std::vector<std::array<float, 2>> values(mesh.positions.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = {texcoord->values[2 * i], texcoord->values[2 * i + 1]};
+  std::vector<Index> written;
+  Numbers numbers = numberDistinct(values, texcoordCount_ + 1, written);
+  for (const Index i : written) {
+    const float v = origin_ == TextureOrigin::BottomLeft ? values[i][1] : 1 - values[i][1];
+    out_.text("vt ").number(values[i][0]).text(" ").number(v).text("\n");
+  }
+  texcoordCount_ += written.size();
+  return numbers;
+}
+
+Numbers ObjWriter::writeNormals(const TriangleMesh& mesh) {
+  const Attribute* const normal = findAttribute(mesh, "NORMAL");
+  if (normal == nullptr) return {};
+  std::vector<std::array<float, 3>> values(mesh.positions.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    std::copy_n(normal->values.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, values[i].begin());
+  std::vector<Index> written;
+  Numbers numbers = numberDistinct(values, normalCount_ + 1, written);
+  for (const Index i : written) {
+    out_.text("vn");
+    for (const float coordinate : values[i]) out_.text(" ").number(coordinate);
+    out_.text("\n");
+  }
+  normalCount_ += written.size();
+  return numbers;
+}
+
+// Says what differs from the state before.
+void ObjWriter::writeState(const ObjGroup& group) {
+  const ObjGroup before = state_.value_or(ObjGroup{});
+  const auto say = [&](std::string_view keyword, const std::string& now, const std::string& then) {
+    if (now != then) out_.text(keyword).text(" ").text(now).text("\n");
+  };
+  say("o", group.object, before.object);
+  say("g", group.groups, before.groups);
+  say("usemtl", group.material, before.material);
+  say("s", group.smoothing.empty() ? "off" : group.smoothing,
+      before.smoothing.empty() ? "off" : before.smoothing);
+  state_ = group;
+}
+
+void ObjWriter::writeFaces(const ObjPart& part) {
+  const TriangleMesh& mesh = *part.mesh;
+  std::vector<Index> order(mesh.triangleCount());
+  for (Index i = 0; i < order.size(); ++i) order[i] = i;
+  const auto groupOf = [&](Index triangle) {
+    return mesh.groups.empty() ? Index{0} : mesh.groups[triangle];
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return groupOf(a) < groupOf(b); });
+  for (const Index triangle : order) {
+    ObjGroup group = part.groups[groupOf(triangle)];
+    group.hasTexcoords = group.hasTexcoords && !texcoords_.empty();
+    group.hasNormals = group.hasNormals && !normals_.empty();
+    if (!state_ || *state_ != group) writeState(group);
+    out_.text("f");
+    for (int corner = 0; corner < 3; ++corner) {
+      const Index vertex = mesh.indices[3 * std::size_t{triangle} + corner];
+      out_.text(" ").integer(positions_[vertex]);
+      if (group.hasTexcoords || group.hasNormals) out_.text("/");
+      if (group.hasTexcoords) out_.integer(texcoords_[vertex]);
+      if (group.hasNormals) out_.text("/").integer(normals_[vertex]);
+    }
+    out_.text("\n");
+  }
+}
+
+void ObjWriter::writePart(const ObjPart& part) {
+  positions_ = writePositions(*part.mesh);
+  texcoords_ = writeTexcoords(*part.mesh);
+  normals_ = writeNormals(*part.mesh);
+  writeFaces(part);
+}
+
+std::vector<ObjGroup> groupsFor(const Part& part, const ObjSource* source) {
+  if (source != nullptr) return source->groups;
+  const TriangleMesh& mesh = part.mesh;
+  const Index last =
+      mesh.groups.empty() ? 0 : *std::max_element(mesh.groups.begin(), mesh.groups.end());
+  ObjGroup group;
+  group.object = part.name;
+  group.hasTexcoords = findAttribute(mesh, "TEXCOORD_0") != nullptr;
+  group.hasNormals = findAttribute(mesh, "NORMAL") != nullptr;
+  std::vector<ObjGroup> groups(last + 1, group);
+  for (Index i = 0; last > 0 && i <= last; ++i) groups[i].groups = "primitive_" + std::to_string(i);
+  return groups;
+}
+
+}  // namespace
+
+WrittenFiles writeObj(const Model& model, const std::string& outputName) {
+  const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
+  ObjWriter writer(model.textureOrigin);
+  if (source != nullptr) writer.writeLibraries(source->libraries);
+  for (const Part& part : bakeInstances(model))
+    writer.writePart({&part.mesh, groupsFor(part, source)});
+  WrittenFiles written;
+  written.files.push_back({outputName, writer.bytes()});
+  if (source != nullptr)
+    written.files.insert(written.files.end(), source->libraryFiles.begin(),
+                         source->libraryFiles.end());
+  return written;
+}
+
+}  // namespace remesher::io

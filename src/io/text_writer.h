@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Text files in the making. Numbers are written with as few digits as read back to the same
+// value: a number that is a float as the same float, any other as the same double.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher::io {
+
+class TextWriter {
+ public:
+  TextWriter& text(std::string_view text);
+  TextWriter& number(double value);
+  TextWriter& integer(std::size_t value);
+  TextWriter& numbers(const Vec3& values);  // each behind a blank
+
+  std::vector<std::uint8_t> bytes() const { return {text_.begin(), text_.end()}; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace remesher::io
