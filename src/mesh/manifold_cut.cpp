@@ -16,6 +16,10 @@ struct Soup {
   const EdgeGroups& edges;
 
   bool upward(Index h) const { return corners[h] < corners[nextCorner(h)]; }
+  // Whether two triangles at one edge are the two sides of one.
+  bool mirrored(Index h, Index other) const {
+    return upward(h) != upward(other) && corners[prevCorner(h)] == corners[prevCorner(other)];
+  }
 };
 
 struct Pair {
@@ -44,30 +48,51 @@ double bend(const Soup& soup, Index h, Index other) {
   return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kReflexPenalty : 0);
 }
 
-void pairStraightest(const Soup& soup, std::span<const Index> group, std::vector<Index>& mates) {
-  std::vector<Pair> pairs;
-  for (const Index up : group)
-    for (const Index down : group)
-      if (soup.upward(up) && !soup.upward(down)) pairs.push_back({bend(soup, up, down), up, down});
-  std::sort(pairs.begin(), pairs.end());
-  for (const Pair& pair : pairs) {
-    if (mates[pair.up] != kNone || mates[pair.down] != kNone) continue;
-    mates[pair.up] = pair.down;
-    mates[pair.down] = pair.up;
+// Per triangle whether it belongs to a sheet given with both sides: at one of its edges there are
+// several triangles and each has its mirror image.
+std::vector<char> findTwoSided(const Soup& soup) {
+  std::vector<char> twoSided(soup.corners.size() / 3, 0);
+  for (std::size_t e = 0; e < soup.edges.size(); ++e) {
+    const std::span<const Index> group = soup.edges[e];
+    if (group.size() < 4 || group.size() > kMaxTrianglesPaired) continue;
+    const bool all = std::all_of(group.begin(), group.end(), [&](Index h) {
+      return std::any_of(group.begin(), group.end(), [&](Index k) { return soup.mirrored(h, k); });
+    });
+    for (std::size_t i = 0; all && i < group.size(); ++i) twoSided[group[i] / 3] = 1;
   }
+  return twoSided;
+}
+
+// The two sides of such a sheet do not join at its rim: they would share every edge between two
+// vertices of the rim.
+bool canJoin(const Soup& soup, const std::vector<char>& twoSided, Index h, Index other) {
+  return soup.upward(h) != soup.upward(other) &&
+         !(soup.mirrored(h, other) && twoSided[h / 3] && twoSided[other / 3]);
+}
+
+void join(Index h, Index other, std::vector<Index>& mates) {
+  mates[h] = other;
+  mates[other] = h;
 }
 
 // Per halfedge the one it stays joined to, or kNone. Joined halfedges run in opposite directions.
 std::vector<Index> pairHalfedges(const Soup& soup) {
+  const std::vector<char> twoSided = findTwoSided(soup);
   std::vector<Index> mates(soup.corners.size(), kNone);
+  std::vector<Pair> pairs;
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
     const std::span<const Index> group = soup.edges[e];
-    if (group.size() == 2 && soup.upward(group[0]) != soup.upward(group[1])) {
-      mates[group[0]] = group[1];
-      mates[group[1]] = group[0];
-    } else if (group.size() > 2 && group.size() <= kMaxTrianglesPaired) {
-      pairStraightest(soup, group, mates);
-    }
+    if (group.size() == 2 && canJoin(soup, twoSided, group[0], group[1]))
+      join(group[0], group[1], mates);
+    if (group.size() <= 2 || group.size() > kMaxTrianglesPaired) continue;
+    pairs.clear();
+    for (const Index up : group)
+      for (const Index down : group)
+        if (soup.upward(up) && canJoin(soup, twoSided, up, down))
+          pairs.push_back({bend(soup, up, down), up, down});
+    std::sort(pairs.begin(), pairs.end());
+    for (const Pair& pair : pairs)
+      if (mates[pair.up] == kNone && mates[pair.down] == kNone) join(pair.up, pair.down, mates);
   }
   return mates;
 }
@@ -136,12 +161,12 @@ bool cutDoubleEdges(const Soup& soup, const ManifoldCut& cut, std::vector<Index>
   return any;
 }
 
-void countCuts(const Soup& soup, ManifoldCut& cut) {
+void countCuts(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut) {
   std::vector<char> counted(soup.positions.size(), 0);
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
     const std::span<const Index> group = soup.edges[e];
-    const bool disagreeing = group.size() == 2 && soup.upward(group[0]) == soup.upward(group[1]);
-    if (group.size() <= 2 && !disagreeing) continue;
+    const bool apart = group.size() == 2 && mates[group[0]] == kNone;
+    if (group.size() <= 2 && !apart) continue;
     cut.edges += group.size() > 2;
     counted[soup.corners[group[0]]] = counted[soup.corners[nextCorner(group[0])]] = 1;
   }
@@ -164,7 +189,7 @@ ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index
   std::vector<Index> mates = pairHalfedges(soup);
   splitFans(soup, mates, cut);
   if (cutDoubleEdges(soup, cut, mates)) splitFans(soup, mates, cut);
-  countCuts(soup, cut);
+  countCuts(soup, mates, cut);
   return cut;
 }
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "surface/surface_walk.h"
+
+#include <limits>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// A walk that has not ended after this many faces is not a local one any more; where it stands is
+// the answer.
+constexpr int kMaxSteps = 4096;
+
+class Walk {
+ public:
+  struct Found {
+    SurfacePoint point;
+    Vec3 toTarget = Vec3::Zero();  // from the point
+    double distance2 = std::numeric_limits<double>::infinity();
+  };
+
+  Walk(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+       const HalfedgeData<char>& barriers, const Vec3& target)
+      : mesh_(mesh), positions_(positions), barriers_(barriers), target_(target) {}
+
+  Found closestOn(Face f) const {
+    const auto [a, b, c] = mesh_.vertices(f);
+    const Vec3 &pa = positions_[a], &pb = positions_[b], &pc = positions_[c];
+    Found found{{f, closestBarycentric(target_, pa, pb, pc)}, {}, 0};
+    const Vec3& w = found.point.barycentric;
+    found.toTarget = target_ - (w[0] * pa + w[1] * pb + w[2] * pc);
+    found.distance2 = found.toTarget.squaredNorm();
+    return found;
+  }
+
+  // The best point on the faces that touch the one found; infinitely far where none is nearer.
+  Found closestAround(const Found& found) const {
+    const Vec3& w = found.point.barycentric;
+    const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
+    if (zeros == 0) return {};
+    if (zeros == 1) return closestAcross(found, w[0] == 0 ? 1 : w[1] == 0 ? 2 : 0);
+    return closestAtVertex(found, w[0] != 0 ? 0 : w[1] != 0 ? 1 : 2);
+  }
+
+ private:
+  Halfedge across(Halfedge h) const {
+    return barriers_.size() > 0 && barriers_[h] ? Halfedge() : mesh_.twin(h);
+  }
+
+  // From inside the edge at `corner` only the face beyond can be nearer, and only if it runs
+  // towards the target.
+  Found closestAcross(const Found& found, int corner) const {
+    const Halfedge h = across(HalfedgeMesh::halfedge(found.point.face, corner));
+    if (!h || !ascends(found, mesh_.origin(h), mesh_.opposite(h))) return {};
+    return closestOn(HalfedgeMesh::face(h));
+  }
+
+  Found closestAtVertex(const Found& found, int corner) const {
+    const Halfedge start = HalfedgeMesh::halfedge(found.point.face, corner);
+    Found best;
+    Halfedge h = across(HalfedgeMesh::prev(start));
+    for (; h && h != start; h = across(HalfedgeMesh::prev(h))) improve(found, h, best);
+    if (h == start) return best;
+    for (h = across(start); h; h = across(h)) {
+      h = HalfedgeMesh::next(h);
+      improve(found, h, best);
+    }
+    return best;
+  }
+
+  // The point found is the origin of h. Where neither edge there runs towards the target, nothing
+  // between them does.
+  void improve(const Found& found, Halfedge h, Found& best) const {
+    const Vertex v = mesh_.origin(h);
+    if (!ascends(found, v, mesh_.tip(h)) && !ascends(found, v, mesh_.opposite(h))) return;
+    const Found candidate = closestOn(HalfedgeMesh::face(h));
+    if (candidate.distance2 < best.distance2) best = candidate;
+  }
+
+  bool ascends(const Found& found, Vertex from, Vertex to) const {
+    return found.toTarget.dot(positions_[to] - positions_[from]) > 0;
+  }
+
+  const HalfedgeMesh& mesh_;
+  const VertexData<Vec3>& positions_;
+  const HalfedgeData<char>& barriers_;
+  const Vec3& target_;
+};
+
+}  // namespace
+
+SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                              const HalfedgeData<char>& barriers, const SurfacePoint& start,
+                              const Vec3& target) {
+  const Walk walk(mesh, positions, barriers, target);
+  Walk::Found best = walk.closestOn(start.face);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Walk::Found next = walk.closestAround(best);
+    if (!(next.distance2 < best.distance2)) break;
+    best = next;
+  }
+  return best.point;
+}
+
+}  // namespace remesher

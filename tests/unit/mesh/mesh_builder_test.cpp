@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/mesh_builder.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "mesh/check.h"
+#include "mesh/topology.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+std::size_t warned(const BuiltMesh& built, const std::string& code) {
+  for (const Warning& warning : built.warnings)
+    if (warning.code == code) return warning.count;
+  return 0;
+}
+
+ErrorCode refusal(const TriangleMesh& input) {
+  try {
+    buildMesh(input);
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()).ends_with("."));
+    return error.code;
+  }
+  return ErrorCode::Internal;
+}
+
+// Each corner of the result is the corner of the input it says it is.
+void checkSources(const TriangleMesh& input, const BuiltMesh& built) {
+  const HalfedgeMesh& mesh = built.mesh;
+  REQUIRE(built.positions.size() == mesh.vertexCapacity());
+  REQUIRE(built.sources.size() == mesh.vertexCapacity());
+  REQUIRE(built.wedges.size() == mesh.halfedgeCapacity());
+  REQUIRE(built.triangles.size() == mesh.faceCapacity());
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const Index wedge = built.wedges[h], triangle = built.triangles[HalfedgeMesh::face(h)];
+    const auto corner = input.indices.begin() + 3 * triangle;
+    CHECK(std::count(corner, corner + 3, wedge) == 1);
+    CHECK(input.positions[wedge] == built.positions[mesh.origin(h)]);
+  }
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Index source = built.sources[Vertex(i)];
+    const auto first =
+        std::find(input.positions.begin(), input.positions.end(), built.positions[Vertex(i)]);
+    CHECK(source == Index(first - input.positions.begin()));
+  }
+}
+
+TriangleMesh randomBag(soups::Random& random) {
+  TriangleMesh bag;
+  const auto upTo = [&](double n) { return Index(n * random.number()); };
+  const Index vertices = 3 + upTo(8), triangles = 1 + upTo(14);
+  for (Index v = 0; v < vertices; ++v) bag.positions.emplace_back(upTo(3), upTo(3), upTo(2));
+  for (Index i = 0; i < 3 * triangles; ++i) bag.indices.push_back(upTo(vertices));
+  return bag;
+}
+
+}  // namespace
+
+TEST_CASE("mesh_builder: a manifold comes through whole and without a warning") {
+  for (const auto& [name, input, chi, components, loops] : shapes::manifolds()) {
+    CAPTURE(name);
+    const BuiltMesh built = buildMesh(input);
+    CHECK(check(built.mesh) == "");
+    CHECK(built.warnings.empty());
+    CHECK(built.mesh.faceCount() == input.triangleCount());
+    CHECK(eulerCharacteristic(built.mesh) == chi);
+    CHECK(componentCount(built.mesh) == components);
+    CHECK(boundaryLoopCount(built.mesh) == loops);
+    checkSources(input, built);
+  }
+}
+
+TEST_CASE("mesh_builder: what is no manifold is cut into one") {
+  for (const auto& [name, input, chi, components, loops] : shapes::nonManifolds()) {
+    CAPTURE(name);
+    const BuiltMesh built = buildMesh(input);
+    CHECK(check(built.mesh) == "");
+    CHECK(built.mesh.faceCount() == input.triangleCount());
+    CHECK(eulerCharacteristic(built.mesh) == chi);
+    CHECK(componentCount(built.mesh) == components);
+    CHECK(boundaryLoopCount(built.mesh) == loops);
+    checkSources(input, built);
+  }
+}
+
+TEST_CASE("mesh_builder: vertices at one place become one") {
+  // Frequency n of an icosphere has 10 n² + 2 places, and three vertices per triangle are given.
+  const BuiltMesh built = buildMesh(shapes::icosphere(4));
+  CHECK(built.mesh.vertexCount() == 10 * 4 * 4 + 2);
+}
+
+TEST_CASE("mesh_builder: vertices keep the order of the input, unused ones are left out") {
+  TriangleMesh input = shapes::grid(3, 2);
+  input.positions.insert(input.positions.begin(), Vec3(9, 9, 9));
+  for (Index& v : input.indices) ++v;
+  const BuiltMesh built = buildMesh(input);
+  CHECK(built.mesh.vertexCount() == 12);
+  for (Index v = 0; v < 12; ++v) CHECK(built.sources[Vertex(v)] == v + 1);
+  CHECK(built.mesh.triangles().size() == input.indices.size());
+}
+
+TEST_CASE("mesh_builder: triangles without three distinct corners are removed") {
+  TriangleMesh input = shapes::grid(1, 1);
+  const Index copy = shapes::addVertex(input, input.positions[0]);
+  shapes::addTriangle(input, 0, 1, 1);
+  shapes::addTriangle(input, 0, copy, 3);
+  const BuiltMesh built = buildMesh(input);
+  CHECK(warned(built, "DEGENERATE_TRIANGLES_REMOVED") == 2);
+  CHECK(built.mesh.faceCount() == 2);
+  checkSources(input, built);
+}
+
+TEST_CASE("mesh_builder: a triangle without area but with three corners stays") {
+  TriangleMesh input;
+  input.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  input.indices = {0, 2, 1, 0, 1, 3, 1, 2, 3};
+  const BuiltMesh built = buildMesh(input);
+  CHECK(built.mesh.faceCount() == 3);
+  CHECK(built.warnings.empty());
+}
+
+TEST_CASE("mesh_builder: a repeated triangle is removed, its mirror image is not") {
+  TriangleMesh input = shapes::tetrahedron();
+  shapes::addTriangle(input, 1, 2, 0);  // the first one, begun at another corner
+  shapes::addTriangle(input, 0, 1, 2);
+  const BuiltMesh built = buildMesh(input);
+  CHECK(warned(built, "DUPLICATE_TRIANGLES_REMOVED") == 2);
+  CHECK(built.mesh.faceCount() == 4);
+  CHECK(eulerCharacteristic(built.mesh) == 2);
+
+  TriangleMesh pillow;
+  pillow.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pillow.indices = {0, 1, 2, 0, 2, 1};
+  CHECK(buildMesh(pillow).warnings.empty());
+  CHECK(eulerCharacteristic(buildMesh(pillow).mesh) == 2);
+}
+
+TEST_CASE("mesh_builder: the majority of a component keeps its orientation") {
+  TriangleMesh input = shapes::twoComponents();
+  std::swap(input.indices[0], input.indices[1]);
+  for (const std::size_t f : {4, 5, 6}) std::swap(input.indices[3 * f], input.indices[3 * f + 1]);
+  const BuiltMesh built = buildMesh(input);
+  CHECK(warned(built, "INCONSISTENT_ORIENTATION_FIXED") == 2);
+  CHECK(check(built.mesh) == "");
+  CHECK(eulerCharacteristic(built.mesh) == 4);
+  CHECK(built.mesh.vertices(Face(1)) == std::array{Vertex(0), Vertex(2), Vertex(3)});
+  checkSources(input, built);
+}
+
+TEST_CASE("mesh_builder: every repair is counted in its warning") {
+  CHECK(warned(buildMesh(shapes::moebiusStrip(7)), "NON_ORIENTABLE_CUT") > 0);
+  CHECK(warned(buildMesh(shapes::threeAtAnEdge()), "NON_MANIFOLD_EDGES_SPLIT") == 1);
+  CHECK(warned(buildMesh(shapes::threeAtAnEdge()), "NON_MANIFOLD_VERTICES_SPLIT") == 0);
+  CHECK(warned(buildMesh(shapes::bowTie()), "NON_MANIFOLD_VERTICES_SPLIT") == 1);
+}
+
+TEST_CASE("mesh_builder: any bag of triangles becomes a manifold") {
+  soups::Random random(5);
+  for (int round = 0; round < 1000; ++round) {
+    CAPTURE(round);
+    const TriangleMesh bag = randomBag(random);
+    try {
+      const BuiltMesh built = buildMesh(bag);
+      REQUIRE(check(built.mesh) == "");
+      REQUIRE(built.mesh.vertexCount() == built.mesh.vertexCapacity());
+      REQUIRE(built.mesh.faceCount() + warned(built, "DEGENERATE_TRIANGLES_REMOVED") +
+                  warned(built, "DUPLICATE_TRIANGLES_REMOVED") ==
+              bag.triangleCount());
+    } catch (const Error& error) {
+      REQUIRE(error.code == ErrorCode::NoTriangles);
+    }
+  }
+}
+
+TEST_CASE("mesh_builder: input that cannot be a mesh is refused with its reason") {
+  TriangleMesh input;
+  CHECK(refusal(input) == ErrorCode::NoTriangles);
+  input.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+  input.indices = {0, 1, 2, 1, 0, 1};
+  CHECK(refusal(input) == ErrorCode::NoTriangles);
+  input.indices = {0, 1, 3};
+  CHECK(refusal(input) == ErrorCode::IndexOutOfRange);
+  input.indices = {0, 1};
+  CHECK(refusal(input) == ErrorCode::IndexOutOfRange);
+  input.indices = {0, 1, 2};
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    input.positions[2] = {0, bad, 0};
+    CHECK(refusal(input) == ErrorCode::NonFinite);
+  }
+}
