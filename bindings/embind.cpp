@@ -52,9 +52,9 @@ val remeshArrays(const val& mesh, const val& options, const val& onProgress) {
 // request: { name, bytes, resources, output }
 val remeshBytes(const val& request, const val& options, const val& onProgress) {
   return guarded([&] {
-    const RemeshFileResult run = remeshFile(fileFrom(request), filesFrom(request["resources"]),
-                                            request["output"].as<std::string>(),
-                                            optionsFrom(options), progressFrom(onProgress));
+    const RemeshFileResult run =
+        remeshFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
+                   progressFrom(onProgress));
     val result = val::object();
     result.set("files", objectFrom(run.files));
     result.set("report", objectFrom(run.report));
@@ -68,8 +68,7 @@ val inspectArrays(const val& mesh) {
 
 // request: { name, bytes, resources }
 val inspectBytes(const val& request) {
-  return guarded(
-      [&] { return objectFrom(inspectFile(fileFrom(request), filesFrom(request["resources"]))); });
+  return guarded([&] { return objectFrom(inspectFile(bundleFrom(request))); });
 }
 
 // For the tests that hold the lists of both languages together.

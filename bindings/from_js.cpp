@@ -28,6 +28,10 @@ void forEach(const val& array, Visit visit) {
   for (unsigned i = 0; i < length; ++i) visit(array[i]);
 }
 
+File fileFrom(const val& object) {
+  return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
+}
+
 // The options that are set, read into what has the same name.
 struct OptionReader {
   val options;
@@ -63,14 +67,11 @@ TriangleMesh meshFrom(const val& object) {
   return mesh;
 }
 
-File fileFrom(const val& object) {
-  return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
-}
-
-std::vector<File> filesFrom(const val& array) {
-  std::vector<File> files;
-  forEach(array, [&](const val& object) { files.push_back(fileFrom(object)); });
-  return files;
+FileBundle bundleFrom(const val& object) {
+  FileBundle bundle{fileFrom(object), {}};
+  forEach(object["resources"],
+          [&](const val& resource) { bundle.resources.push_back(fileFrom(resource)); });
+  return bundle;
 }
 
 RemeshOptions optionsFrom(const val& object) {

@@ -12,8 +12,7 @@
 namespace remesher {
 
 TriangleMesh meshFrom(const emscripten::val& object);
-File fileFrom(const emscripten::val& object);
-std::vector<File> filesFrom(const emscripten::val& array);
+FileBundle bundleFrom(const emscripten::val& object);
 RemeshOptions optionsFrom(const emscripten::val& object);
 
 // callback: (phase, fraction) => false to cancel; undefined for none.

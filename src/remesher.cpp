@@ -22,16 +22,15 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions&, const Progre
   return result;
 }
 
-RemeshFileResult remeshFile(const File& input, const std::vector<File>& resources,
-                            const std::string& outputName, const RemeshOptions&,
-                            const Progress&) {
-  return {{File{outputName, input.bytes}}, inspectFile(input, resources)};
+RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
+                            const RemeshOptions&, const Progress&) {
+  return {{File{outputName, input.file.bytes}}, inspectFile(input)};
 }
 
 Report inspect(const TriangleMesh& mesh) { return inspected(mesh); }
 
-Report inspectFile(const File& input, const std::vector<File>&) {
-  if (input.bytes.empty()) throw Error(ErrorCode::EmptyFile, input.name + " is empty.");
+Report inspectFile(const FileBundle& input) {
+  if (input.file.bytes.empty()) throw Error(ErrorCode::EmptyFile, input.file.name + " is empty.");
   return {};
 }
 
