@@ -31,8 +31,7 @@ function gltfReferences(bytes) {
 
 /** @param {Uint8Array} bytes @returns {string[]} */
 function objReferences(bytes) {
-  const references = asText(bytes).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*\r?$/gm);
-  return [...references].map(([, name]) => name);
+  return [...asText(bytes).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*\r?$/gm)].map(([, name]) => name);
 }
 
 /**

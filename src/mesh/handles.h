@@ -29,12 +29,14 @@ template <class H, class T>
 class HandleData {
  public:
   HandleData() = default;
-  explicit HandleData(std::size_t size, const T& value = T()) : data_(size, value) {}
+  explicit HandleData(std::size_t size) : data_(size) {}
+  HandleData(std::size_t size, const T& value) : data_(size, value) {}
 
   decltype(auto) operator[](H handle) { return data_[handle.index]; }
   decltype(auto) operator[](H handle) const { return data_[handle.index]; }
   std::size_t size() const { return data_.size(); }
-  void resize(std::size_t size, const T& value = T()) { data_.resize(size, value); }
+  void resize(std::size_t size) { data_.resize(size); }
+  void resize(std::size_t size, const T& value) { data_.resize(size, value); }
   void assign(std::size_t size, const T& value) { data_.assign(size, value); }
   void reserve(std::size_t size) { data_.reserve(size); }
   std::vector<T>& values() { return data_; }

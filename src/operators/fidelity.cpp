@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "operators/fidelity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+struct Corners {
+  std::array<Vec3, 3> positions;
+  Vec3 normal;  // unit, zero for a triangle without area
+  std::array<Vec3, 3> surfaceNormals;
+
+  double dot(int i) const { return normal.dot(surfaceNormals[i]); }
+  double worst() const { return std::min({dot(0), dot(1), dot(2)}); }
+  double best() const { return std::max({dot(0), dot(1), dot(2)}); }
+  std::array<double, 3> pairs() const {
+    const auto& n = surfaceNormals;
+    return {n[0].dot(n[1]), n[1].dot(n[2]), n[2].dot(n[0])};
+  }
+};
+
+Corners cornersOf(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
+                  const Placement& moved) {
+  Corners result;
+  for (int i = 0; i < 3; ++i)
+    result.positions[i] = triangle[i] == kMoved ? moved.position : mesh.position(triangle[i]);
+  result.normal = unitNormal(result.positions[0], result.positions[1], result.positions[2]);
+  for (int i = 0; i < 3; ++i)
+    result.surfaceNormals[i] = triangle[i] == kMoved
+                                   ? mesh.normalFacing(moved, result.normal)
+                                   : mesh.normalFacing(triangle[i], result.normal);
+  return result;
+}
+
+double worstBefore(const WorkingMesh& mesh, const LocalChange& change) {
+  double worst = 1;
+  for (const Face f : change.going)
+    worst = std::min(worst, cornersOf(mesh, mesh.mesh().vertices(f), change.place).worst());
+  return worst;
+}
+
+Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, double fold) {
+  double worst = 1;
+  for (const auto& triangle : change.coming)
+    worst = std::min(worst, cornersOf(mesh, triangle, change.place).worst());
+  if (worst > fold) return Verdict::Accepted;
+  return worst > -1 && worst >= worstBefore(mesh, change) ? Verdict::Accepted : Verdict::FoldsOver;
+}
+
+Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
+  const bool strict = rule.mode == Fidelity::Strict;
+  for (const auto& triangle : change.coming) {
+    const Corners corners = cornersOf(mesh, triangle, change.place);
+    const auto pairs = corners.pairs();
+    const double pair = strict ? *std::min_element(pairs.begin(), pairs.end())
+                               : *std::max_element(pairs.begin(), pairs.end());
+    if (!(pair > rule.cosVertexAngle)) return Verdict::VertexAngle;
+    const double own = strict ? corners.worst() : corners.best();
+    if (!(own > rule.cosTriangleAngle)) return Verdict::TriangleAngle;
+  }
+  return Verdict::Accepted;
+}
+
+}  // namespace
+
+FidelityRule fidelityRule(const RemeshOptions& options) {
+  const Fidelity byScheme = options.scheme == Scheme::Rounds ? Fidelity::Loose : Fidelity::Fold;
+  return {options.fidelity.value_or(byScheme), std::cos(radians(options.vertexAngle)),
+          std::cos(radians(options.triangleAngle))};
+}
+
+Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
+  return rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
+                                     : judgeAngles(mesh, change, rule);
+}
+
+}  // namespace remesher

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "operators/projection.h"
+
+#include <limits>
+
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+Projector::Projector(const OriginalSurface& surface, Projection mode, double reach)
+    : surface_(surface),
+      mode_(mode),
+      atlas_(surface.mesh(), surface.positions(), 1.5 * reach, surface.barriers()) {}
+
+// Through a patch; where none serves, the closest point found by walking from the nearest corner,
+// and of the walks from the three corners the one that ends nearest.
+SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners, const Vec3& weights,
+                                   const Vec3& flat) {
+  if (mode_ == Projection::Patches)
+    if (const auto point = atlas_.interpolate(corners, weights)) return *point;
+  SurfacePoint best;
+  double bestDistance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (weights[i] <= 0) continue;
+    const SurfacePoint point = closestPointFrom(surface_.mesh(), surface_.positions(),
+                                                surface_.barriers(), corners[i], flat);
+    const double distance = (surface_.position(point) - flat).squaredNorm();
+    if (distance < bestDistance) {
+      bestDistance = distance;
+      best = point;
+    }
+  }
+  return best;
+}
+
+Placement Projector::project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights) {
+  const Halfedge n = mesh.mesh().next(h), p = mesh.mesh().prev(h);
+  const Vec3 flat = weights[0] * mesh.position(mesh.mesh().origin(h)) +
+                    weights[1] * mesh.position(mesh.mesh().origin(n)) +
+                    weights[2] * mesh.position(mesh.mesh().origin(p));
+  const SurfacePoint point =
+      onOriginal({mesh.cornerPoint(h), mesh.cornerPoint(n), mesh.cornerPoint(p)}, weights, flat);
+  Placement place = mesh.onSurface(point);
+  if (mode_ == Projection::Current) place.position = flat;
+  return place;
+}
+
+}  // namespace remesher

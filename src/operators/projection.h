@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// From a place on a current triangle to a placement [report, "Projection on the Initial Surface"]:
+// onto the original through the overlapping disk patches, or, for comparison, on the current mesh.
+#pragma once
+
+#include "base/options.h"
+#include "operators/working_mesh.h"
+#include "surface/patch_atlas.h"
+
+namespace remesher {
+
+class Projector {
+ public:
+  // reach: the longest edge that will be projected, model units; patches overlap accordingly.
+  Projector(const OriginalSurface& surface, Projection mode, double reach);
+
+  // The point with the given weights between the corners of the face of h, first that at origin(h).
+  Placement project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights);
+
+ private:
+  SurfacePoint onOriginal(const std::array<SurfacePoint, 3>& corners, const Vec3& weights,
+                          const Vec3& flat);
+
+  const OriginalSurface& surface_;
+  Projection mode_;
+  PatchAtlas atlas_;
+};
+
+}  // namespace remesher

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/adapt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "operators/delaunay.h"
+#include "schemes/lengths.h"
+#include "schemes/sweeps.h"
+#include "schemes/valence.h"
+
+namespace remesher {
+
+namespace {
+
+// [Botsch & Kobbelt 2004]: an edge is split or collapsed where that brings it nearer to its target.
+constexpr double kSplitAbove = 4.0 / 3;
+constexpr double kCollapseBelow = 4.0 / 5;
+// So short an edge goes even at the price of a fold.
+constexpr double kMustGo = 0.4;
+constexpr int kRounds = 5;
+constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
+
+// Splits the long edges there are; new ones wait for the next time. Returns the number of splits.
+std::size_t splitLong(Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t splits = 0;
+  const Index present = Index(mesh.halfedgeCapacity());
+  for (Index i = 0; i < present; ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h) || relativeLength(run, h) <= kSplitAbove) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+  }
+  return splits;
+}
+
+// Much too long edges need several halvings, with Delaunay flips between or slivers would be split
+// into ever thinner ones.
+void refine(Run& run) {
+  constexpr int kHalvings = 16;
+  for (int i = 0; i < kHalvings; ++i) {
+    if (splitLong(run) * 10 < run.mesh.mesh().vertexCount()) return;
+    delaunayFlips(run.mesh, run.rule);
+  }
+}
+
+// Whether the star of the vertex that goes would get an edge that is to be split again.
+bool makesLongEdge(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Vertex into = mesh.tip(h);
+  bool found = false;
+  mesh.forEachNeighbor(mesh.origin(h), [&](Vertex w) {
+    found = found || (w != into && relativeLength(run, into, w) > kSplitAbove);
+  });
+  return found;
+}
+
+void collapseShort(Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = relativeLength(run, h);
+    if (length >= kCollapseBelow) continue;
+    const FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
+    for (const Halfedge direction : {h, mesh.twin(h)}) {
+      if (!direction || makesLongEdge(run, direction)) continue;
+      if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;
+    }
+  }
+}
+
+struct Ranked {
+  double length;
+  Vertex from, to;
+};
+
+std::vector<Ranked> edgesByLength(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<Ranked> edges;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (mesh.isEdge(h)) edges.push_back({relativeLength(run, h), mesh.origin(h), mesh.tip(h)});
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.length < b.length; });
+  return edges;
+}
+
+std::size_t splitLongest(Run& run, std::size_t vertices) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<Ranked> edges = edgesByLength(run);
+  std::size_t splits = 0;
+  for (auto edge = edges.rbegin(); edge != edges.rend() && mesh.vertexCount() < vertices; ++edge)
+    if (const Halfedge h = mesh.find(edge->from, edge->to))
+      if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+  return splits;
+}
+
+std::size_t collapseShortest(Run& run, std::size_t vertices) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexData<char> touched(mesh.vertexCapacity(), 0);
+  std::size_t collapses = 0;
+  for (const Ranked& edge : edgesByLength(run)) {
+    if (mesh.vertexCount() <= vertices) break;
+    if (touched[edge.from] || touched[edge.to]) continue;
+    const Halfedge h = mesh.find(edge.from, edge.to);
+    for (const Halfedge direction : {h, mesh.twin(h)}) {
+      if (!direction || !proposeCollapse(run.mesh, run.projector, direction, run.change)) continue;
+      if (!commit(run)) continue;
+      ++collapses;
+      touched[edge.from] = touched[edge.to] = 1;
+      mesh.forEachNeighbor(run.result, [&](Vertex w) { touched[w] = 1; });
+      break;
+    }
+  }
+  return collapses;
+}
+
+}  // namespace
+
+void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
+  for (int i = 0; i < kRounds; ++i) {
+    progress.at(double(i) / kRounds);
+    refine(run);
+    collapseShort(run);
+    valenceFlips(run);
+    if (i == 0 || i + 1 == kRounds) delaunayFlips(run.mesh, run.rule);
+    for (int k = 0; k < 2; ++k) laplacianSweep(run);
+    const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
+    if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+  }
+}
+
+bool matchCount(Run& run, std::size_t vertices) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t changes = 1;
+  while (mesh.vertexCount() != vertices && changes > 0)
+    changes = mesh.vertexCount() < vertices ? splitLongest(run, vertices)
+                                            : collapseShortest(run, vertices);
+  return mesh.vertexCount() == vertices;
+}
+
+}  // namespace remesher

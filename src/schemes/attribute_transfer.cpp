@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/attribute_transfer.h"
+
+#include <algorithm>
+
+namespace remesher {
+
+namespace {
+
+// Collects output vertices; one per working vertex and side of the curves through it.
+class Extraction {
+ public:
+  Extraction(const WorkingMesh& mesh, const TriangleMesh& input) : mesh_(mesh), input_(input) {
+    for (const Attribute& attribute : input.attributes)
+      result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+  }
+
+  TriangleMesh run() {
+    const HalfedgeMesh& m = mesh_.mesh();
+    HalfedgeData<Index> outputOf(m.halfedgeCapacity(), kNone);
+    for (Index i = 0; i < m.vertexCapacity(); ++i)
+      if (m.isAlive(Vertex(i))) addVertex(Vertex(i), outputOf);
+    for (Index f = 0; f < m.faceCapacity(); ++f) {
+      if (!m.isAlive(Face(f))) continue;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) result_.indices.push_back(outputOf[Halfedge(h)]);
+      if (!input_.groups.empty()) result_.groups.push_back(groupOf(Face(f)));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Turns around v; every curve edge begins a new side. Sides with equal attributes share one
+  // output.
+  void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
+    const HalfedgeMesh& m = mesh_.mesh();
+    Halfedge first = m.outgoing(v);
+    if (mesh_.kind(v) != VertexKind::Interior)
+      while (!mesh_.isCurve(first)) first = m.next(m.twin(first));
+    const Index begin = Index(result_.positions.size());
+    Index current = kNone;
+    Halfedge h = first;
+    do {
+      if (current == kNone || mesh_.isCurve(h)) current = addSide(v, h, begin);
+      outputOf[h] = current;
+      h = m.twin(m.prev(h));
+    } while (h && h != first);
+  }
+
+  Index addSide(Vertex v, Halfedge h, Index begin) {
+    const Index made = Index(result_.positions.size());
+    result_.positions.push_back(mesh_.position(v));
+    if (!result_.attributes.empty()) {
+      const SurfacePoint point = mesh_.cornerPoint(h);
+      for (std::size_t a = 0; a < input_.attributes.size(); ++a) appendValue(a, point);
+    }
+    for (Index other = begin; other < made; ++other)
+      if (sameAttributes(other, made)) {
+        dropLast();
+        return other;
+      }
+    return made;
+  }
+
+  void appendValue(std::size_t a, const SurfacePoint& point) {
+    const Attribute& source = input_.attributes[a];
+    const auto& wedges = mesh_.surface().built().wedges;
+    for (int k = 0; k < source.itemSize; ++k) {
+      double value = 0;
+      for (int corner = 0; corner < 3; ++corner) {
+        const Index wedge = wedges[HalfedgeMesh::halfedge(point.face, corner)];
+        value += point.barycentric[corner] *
+                 double(source.values[std::size_t{wedge} * source.itemSize + k]);
+      }
+      result_.attributes[a].values.push_back(float(value));
+    }
+  }
+
+  bool sameAttributes(Index a, Index b) const {
+    return std::all_of(result_.attributes.begin(), result_.attributes.end(), [&](const auto& x) {
+      const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
+      return std::equal(at(a), at(a) + x.itemSize, at(b));
+    });
+  }
+
+  void dropLast() {
+    result_.positions.pop_back();
+    for (Attribute& attribute : result_.attributes)
+      attribute.values.resize(attribute.values.size() - attribute.itemSize);
+  }
+
+  Index groupOf(Face f) const {
+    const SurfacePoint point = mesh_.cornerPoint(HalfedgeMesh::halfedge(f));
+    return input_.groups[mesh_.surface().built().triangles[point.face]];
+  }
+
+  const WorkingMesh& mesh_;
+  const TriangleMesh& input_;
+  TriangleMesh result_;
+};
+
+}  // namespace
+
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input) {
+  return Extraction(mesh, input).run();
+}
+
+}  // namespace remesher

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The result as plain arrays, with the attributes of the original at every vertex's place on it.
+#pragma once
+
+#include "base/triangle_mesh.h"
+#include "operators/working_mesh.h"
+
+namespace remesher {
+
+// A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the
+// original triangle they lie on.
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input);
+
+}  // namespace remesher

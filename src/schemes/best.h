@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// `--scheme best`: adapt to the sizes on a coarse level, where irregular vertices are cheap to
+// remove; subdivide through the projection; smooth what still moves; land on the exact count;
+// polish; fit.
+#pragma once
+
+#include "schemes/run.h"
+
+namespace remesher {
+
+// Returns whether the number of vertices was reached.
+bool runBest(Run& run, std::size_t vertices, const Progress& progress);
+
+}  // namespace remesher

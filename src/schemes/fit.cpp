@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/fit.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/triangle.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kPasses = 3;
+// Angles above this may shrink, but never below it; what is below may not shrink at all.
+constexpr double kKeepAngle = radians(33);
+
+// Sample points of a triangle: two symmetric orbits of three and the centre.
+constexpr double kNear = 0.7, kNearRest = 0.15, kFar = 0.1, kFarRest = 0.45;
+constexpr std::array<std::array<double, 3>, 7> kSamples = {{
+    {kNear, kNearRest, kNearRest},
+    {kNearRest, kNear, kNearRest},
+    {kNearRest, kNearRest, kNear},
+    {kFar, kFarRest, kFarRest},
+    {kFarRest, kFar, kFarRest},
+    {kFarRest, kFarRest, kFar},
+    {1.0 / 3, 1.0 / 3, 1.0 / 3},
+}};
+
+struct Offset {
+  double sum = 0;
+  double weight = 0;
+};
+
+// The signed distances from the samples of a triangle to the original, shared out to its corners.
+void addOffsets(const WorkingMesh& mesh, Face f, VertexData<Offset>& offsets) {
+  const auto corners = mesh.mesh().vertices(f);
+  const std::array<Vec3, 3> p = {mesh.position(corners[0]), mesh.position(corners[1]),
+                                 mesh.position(corners[2])};
+  const Vec3 n = areaVector(p[0], p[1], p[2]);
+  const double area = n.norm();
+  if (!(area > 0)) return;
+  SurfacePoint near = mesh.cornerPoint(HalfedgeMesh::halfedge(f));
+  for (const auto& w : kSamples) {
+    const Vec3 sample = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
+    const OriginalSurface& surface = mesh.surface();
+    near = closestPointFrom(surface.mesh(), surface.positions(), surface.barriers(), near, sample);
+    const double distance = (surface.position(near) - sample).dot(n) / area;
+    for (int i = 0; i < 3; ++i) {
+      offsets[corners[i]].sum += area * w[i] * distance;
+      offsets[corners[i]].weight += area * w[i];
+    }
+  }
+}
+
+double worstAngle(const WorkingMesh& mesh, Vertex v, const Vec3& at) {
+  double worst = 10;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    worst = std::min(worst, minAngle(at, mesh.position(mesh.mesh().tip(h)),
+                                     mesh.position(mesh.mesh().opposite(h))));
+  });
+  return worst;
+}
+
+bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  const double after = worstAngle(mesh, v, to);
+  return after >= kKeepAngle || after >= worstAngle(mesh, v, mesh.position(v));
+}
+
+// Along the mean normal of the triangles around v, by the mean of their samples' distances.
+void offsetVertex(Run& run, Vertex v, double distance) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Vec3 normal = Vec3::Zero();
+  const Vec3 at = run.mesh.position(v);
+  mesh.forEachOutgoing(v, [&](Halfedge h) {
+    normal += areaVector(at, run.mesh.position(mesh.tip(h)), run.mesh.position(mesh.opposite(h)));
+  });
+  if (!(normal.norm() > 0)) return;
+  Placement place = run.mesh.placement(v);
+  place.position += distance * normal.normalized();
+  if (!staysGood(run.mesh, v, place.position)) return;
+  proposePlacement(run.mesh, v, place, run.change);
+  commit(run);
+}
+
+}  // namespace
+
+void fit(Run& run, const Progress& progress) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  for (int pass = 0; pass < kPasses; ++pass) {
+    progress.at(double(pass) / kPasses);
+    VertexData<Offset> offsets(mesh.vertexCapacity());
+    for (Index f = 0; f < mesh.faceCapacity(); ++f)
+      if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), offsets);
+    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (mesh.isAlive(v) && run.mesh.kind(v) == VertexKind::Interior && offsets[v].weight > 0)
+        offsetVertex(run, v, offsets[v].sum / offsets[v].weight);
+    }
+  }
+}
+
+}  // namespace remesher

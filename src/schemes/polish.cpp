@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/polish.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/polar_map.h"
+#include "geometry/triangle.h"
+#include "schemes/adapt.h"
+#include "schemes/lengths.h"
+#include "schemes/relax.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kRounds = 6;
+constexpr int kTries = 3;  // per triangle and round of topological changes
+// A pattern search: eight directions, with steps that shrink as none of them helps.
+constexpr int kDirections = 8;
+constexpr double kFirstStep = 0.3;  // of the mean spoke
+constexpr double kLastStep = 0.02;
+// Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
+constexpr double kSplitAbove = 0.7;
+constexpr double kCollapseBelow = 1.2;
+
+double angleOf(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
+               const Placement& moved) {
+  const auto at = [&](Vertex v) { return v == kMoved ? moved.position : mesh.position(v); };
+  return minAngle(at(triangle[0]), at(triangle[1]), at(triangle[2]));
+}
+
+double worstComing(const Run& run) {
+  double worst = 10;
+  for (const auto& triangle : run.change.coming)
+    worst = std::min(worst, angleOf(run.mesh, triangle, run.change.place));
+  return worst;
+}
+
+double worstGoing(const Run& run) {
+  double worst = 10;
+  for (const Face f : run.change.going)
+    worst = std::min(worst, angleOf(run.mesh, run.mesh.mesh().vertices(f), run.change.place));
+  return worst;
+}
+
+// The best proposal seen so far, by the worst angle it leaves.
+struct Best {
+  LocalChange change;
+  double gain = 0;
+
+  void offer(const Run& run) {
+    const double better = worstComing(run) - worstGoing(run);
+    if (better <= gain || judge(run.mesh, run.change, run.rule) != Verdict::Accepted) return;
+    gain = better;
+    change = run.change;
+  }
+};
+
+void offerFlips(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i)
+    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
+}
+
+// Where `p` (in the plane of v's polar map) lies on the original.
+bool proposeMove(Run& run, const PolarMap& star, Vertex v, const Vec2& p) {
+  const auto location = star.locate(p);
+  if (!location) return false;
+  const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
+  return proposeRelocation(run.mesh, run.projector, h, location->barycentric, run.change);
+}
+
+// Searches around v for a place where the worst angle of its star is largest.
+void offerMove(Run& run, PolarMap& star, Vertex v, Best& best) {
+  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  star.build(run.mesh.mesh(), run.mesh.positions(), v);
+  double spoke = 0;
+  for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
+  Vec2 at = Vec2::Zero();
+  double angle = 0;
+  for (double step = kFirstStep; step >= kLastStep; step /= 2) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double turn = 2 * std::numbers::pi * i / kDirections;
+      const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
+      if (!proposeMove(run, star, v, to)) continue;
+      const double worst = worstComing(run);
+      if (worst <= angle) continue;
+      angle = worst;
+      at = to;
+      best.offer(run);
+    }
+  }
+}
+
+void offerCollapses(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) > kCollapseBelow) continue;
+    for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
+      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+        best.offer(run);
+  }
+}
+
+void offerSplits(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) < kSplitAbove) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+  }
+}
+
+enum class Means { KeepCount, ChangeCount };
+
+// Whether something was found that makes the worst angle around f larger.
+bool mend(Run& run, PolarMap& star, Face f, Means means) {
+  Best best;
+  offerFlips(run, f, best);
+  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, star, v, best);
+  if (means == Means::ChangeCount) {
+    offerCollapses(run, f, best);
+    offerSplits(run, f, best);
+  }
+  if (best.gain <= 0) return false;
+  run.result = apply(run.mesh, best.change);
+  return true;
+}
+
+std::vector<Face> badTriangles(const Run& run, double angle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<std::pair<double, Face>> bad;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    if (!mesh.isAlive(Face(i))) continue;
+    const double own = angleOf(run.mesh, mesh.vertices(Face(i)), {});
+    if (own < angle) bad.emplace_back(own, Face(i));
+  }
+  std::sort(bad.begin(), bad.end());
+  std::vector<Face> faces;
+  for (const auto& [own, f] : bad) faces.push_back(f);
+  return faces;
+}
+
+bool isBad(const Run& run, Face f, double angle) {
+  return run.mesh.mesh().isAlive(f) && angleOf(run.mesh, run.mesh.mesh().vertices(f), {}) < angle;
+}
+
+}  // namespace
+
+void polish(Run& run, double angle) {
+  const std::size_t vertices = run.mesh.mesh().vertexCount();
+  PolarMap star;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Face> bad = badTriangles(run, angle);
+    if (bad.empty()) break;
+    const Means means =
+        round % 2 == 1 && round + 2 < kRounds ? Means::ChangeCount : Means::KeepCount;
+    for (const Face f : bad)
+      for (int i = 0; i < kTries && isBad(run, f, angle); ++i)
+        if (!mend(run, star, f, means)) break;
+    if (run.mesh.mesh().vertexCount() == vertices) continue;
+    matchCount(run, vertices);
+    relax(run, 2);
+  }
+}
+
+}  // namespace remesher

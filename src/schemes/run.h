@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What every step of a scheme works with, and the one way it changes the mesh: propose, judge,
+// apply.
+#pragma once
+
+#include <array>
+
+#include "base/progress.h"
+#include "operators/fidelity.h"
+#include "operators/local_operators.h"
+#include "surface/size_field.h"
+
+namespace remesher {
+
+struct Run {
+  WorkingMesh& mesh;
+  Projector& projector;
+  const SizeField& sizes;
+  FidelityRule rule;
+  double scale = 1;              // of the sizes at the present level
+  VertexData<char> pinned = {};  // vertices that smoothing leaves alone; empty: none
+  LocalChange change = {};       // the proposal at hand
+  Vertex result = {};            // what the last change made, moved or kept; none after a flip
+  std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
+
+  bool isPinned(Vertex v) const { return v.index < pinned.size() && pinned[v]; }
+  std::size_t refused() const { return verdicts[1] + verdicts[2] + verdicts[3] + verdicts[4]; }
+};
+
+// Judges the proposal at hand by `rule` and carries it out if it is accepted.
+inline bool commit(Run& run, const FidelityRule& rule) {
+  const Verdict verdict = judge(run.mesh, run.change, rule);
+  ++run.verdicts[std::size_t(verdict)];
+  if (verdict != Verdict::Accepted) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
+inline bool commit(Run& run) { return commit(run, run.rule); }
+
+// The run's rule, but more tolerant of folds: for what must go.
+inline FidelityRule lenient(const Run& run) {
+  FidelityRule rule = run.rule;
+  rule.fold = kTightFold;
+  return rule;
+}
+
+}  // namespace remesher

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/sweeps.h"
+
+#include "operators/smoothing.h"
+
+namespace remesher {
+
+namespace {
+
+// Moves v to `target` in the plane of its polar map, if that lies inside the star.
+bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
+  const auto location = star.locate(target);
+  if (!location) return false;
+  const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
+  return proposeRelocation(run.mesh, run.projector, h, location->barycentric, run.change) &&
+         commit(run);
+}
+
+template <class Visit>
+void forEachOfKind(const WorkingMesh& mesh, VertexKind kind, Visit visit) {
+  for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i)
+    if (mesh.mesh().isAlive(Vertex(i)) && mesh.kind(Vertex(i)) == kind) visit(Vertex(i));
+}
+
+// The chain's two edges at a curve vertex lead to these.
+struct CurveNeighbors {
+  Vertex before, after;
+};
+
+CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
+  CurveNeighbors result;
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto add = [&](Vertex w) { (result.before ? result.after : result.before) = w; };
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    if (mesh.isCurve(h)) add(m.tip(h));
+    const Halfedge back = m.prev(h);
+    if (m.isBoundary(back)) add(m.origin(back));
+  });
+  return result;
+}
+
+// To where the two edges along the chain are as long as the sizes at their ends ask, in proportion.
+bool slide(Run& run, Vertex v) {
+  const auto [before, after] = curveNeighbors(run.mesh, v);
+  const Index chain = run.mesh.on(v).chain;
+  const double from = run.mesh.onChain(before, chain).arc, to = run.mesh.onChain(after, chain).arc;
+  const double own = run.sizes.at(run.mesh.at(v));
+  const double left = own + run.sizes.at(run.mesh.at(before));
+  const double right = own + run.sizes.at(run.mesh.at(after));
+  const double arc = from + (to - from) * left / (left + right);
+  proposePlacement(run.mesh, v, run.mesh.onCurve({chain, arc}), run.change);
+  return commit(run);
+}
+
+Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<double>& mu) {
+  const auto size = [&](Vertex w) { return run.sizes.at(run.mesh.at(w)); };
+  mu.clear();
+  for (int i = 0; i < star.size(); ++i) {
+    const double mean = size(v) + size(star.neighbor(i)) + size(star.neighbor(star.after(i)));
+    mu.push_back(mean * mean);
+  }
+  return areaBasedTarget(star, mu);
+}
+
+}  // namespace
+
+void areaBasedSweep(Run& run) {
+  PolarMap star;
+  std::vector<double> mu;
+  forEachOfKind(run.mesh, VertexKind::Interior, [&](Vertex v) {
+    star.build(run.mesh.mesh(), run.mesh.positions(), v);
+    relocateTo(run, star, v, areaTarget(run, star, v, mu));
+  });
+  curveSweep(run);
+}
+
+bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
+  if (run.mesh.kind(v) == VertexKind::Corner || run.isPinned(v)) return false;
+  if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
+  star.build(run.mesh.mesh(), run.mesh.positions(), v);
+  return relocateTo(run, star, v, laplacianTarget(star));
+}
+
+void laplacianSweep(Run& run) {
+  PolarMap star;
+  forEachOfKind(run.mesh, VertexKind::Interior, [&](Vertex v) { laplacianMove(run, star, v); });
+  curveSweep(run);
+}
+
+void curveSweep(Run& run) {
+  forEachOfKind(run.mesh, VertexKind::Curve, [&](Vertex v) { slide(run, v); });
+}
+
+}  // namespace remesher

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Sweeps over all vertices, each relocated in turn, as both schemes make them.
+#pragma once
+
+#include "geometry/polar_map.h"
+#include "schemes/run.h"
+
+namespace remesher {
+
+// Area-based relocation; the weights μ of a triangle follow the target area at its corners, so that
+// grading is kept.
+void areaBasedSweep(Run& run);
+
+// Laplacian smoothing in the polar map.
+void laplacianSweep(Run& run);
+
+// The same for one vertex, of any kind. `star` is scratch space.
+bool laplacianMove(Run& run, PolarMap& star, Vertex v);
+
+// Curve vertices slide along their chain to where the target sizes want them between their two
+// neighbours.
+void curveSweep(Run& run);
+
+}  // namespace remesher

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "surface/curvature.h"
+
+#include <algorithm>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kSmoothing = 4;
+
+// The largest turn of the normal per length along an edge at v, on v's own side of every curve.
+VertexData<double> sharpestTurns(const OriginalSurface& surface) {
+  const HalfedgeMesh& mesh = surface.mesh();
+  VertexData<double> result(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const Vertex a = mesh.origin(h), b = mesh.tip(h);
+    const double length = (surface.positions()[b] - surface.positions()[a]).norm();
+    if (!(length > 0)) continue;
+    const double turn = (surface.cornerNormal(mesh.next(h)) - surface.cornerNormal(h)).norm();
+    for (const Vertex v : {a, b}) result[v] = std::max(result[v], turn / length);
+  }
+  return result;
+}
+
+VertexData<double> smoothed(const HalfedgeMesh& mesh, const VertexData<double>& values) {
+  VertexData<double> result(values.size(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!mesh.isAlive(v)) continue;
+    double sum = values[v];
+    int n = 1;
+    mesh.forEachNeighbor(v, [&](Vertex w) {
+      sum += values[w];
+      ++n;
+    });
+    result[v] = sum / n;
+  }
+  return result;
+}
+
+}  // namespace
+
+VertexData<double> curvatures(const OriginalSurface& surface) {
+  VertexData<double> result = sharpestTurns(surface);
+  for (int i = 0; i < kSmoothing; ++i) result = smoothed(surface.mesh(), result);
+  return result;
+}
+
+VertexData<double> vertexAreas(const OriginalSurface& surface) {
+  const HalfedgeMesh& mesh = surface.mesh();
+  VertexData<double> areas(mesh.vertexCapacity(), 0);
+  for (Index f = 0; f < mesh.faceCapacity(); ++f) {
+    const auto corners = mesh.vertices(Face(f));
+    const auto& p = surface.positions();
+    for (const Vertex v : corners)
+      areas[v] += area(p[corners[0]], p[corners[1]], p[corners[2]]) / 3;
+  }
+  return areas;
+}
+
+}  // namespace remesher

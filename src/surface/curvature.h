@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How strongly the original bends, and where: what sizes and the number of levels are decided by.
+#pragma once
+
+#include "surface/original_surface.h"
+
+namespace remesher {
+
+// Per vertex the largest turn of the normal per length (radians per model unit) along an edge, on
+// the vertex's own side of every curve, smoothed over a few rings.
+VertexData<double> curvatures(const OriginalSurface& surface);
+
+// Per vertex a third of the area of its triangles.
+VertexData<double> vertexAreas(const OriginalSurface& surface);
+
+}  // namespace remesher

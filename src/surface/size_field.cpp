@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "surface/size_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "surface/curvature.h"
+
+namespace remesher {
+
+namespace {
+
+// At adaptivity 1 sizes range over this factor on either side of the even one.
+constexpr double kFinest = 0.25;
+constexpr double kCoarsest = 2.25;
+
+// Relative sizes by curvature, 1 where it is the median (by area).
+void applyCurvature(const OriginalSurface& surface, double adaptivity,
+                    const VertexData<double>& areas, VertexData<double>& sizes) {
+  const VertexData<double> k = curvatures(surface);
+  std::vector<std::pair<double, double>> byCurvature;
+  double total = 0;
+  for (Index i = 0; i < k.size(); ++i) {
+    byCurvature.emplace_back(k[Vertex(i)], areas[Vertex(i)]);
+    total += areas[Vertex(i)];
+  }
+  std::sort(byCurvature.begin(), byCurvature.end());
+  double median = 0, below = 0;
+  for (const auto& [curvature, share] : byCurvature) {
+    median = curvature;
+    if ((below += share) >= total / 2) break;
+  }
+  if (!(median > 0)) median = 1 / surface.diagonal();
+  for (Index i = 0; i < k.size(); ++i) {
+    const double bend = std::max(k[Vertex(i)], 1e-6 * median) / median;
+    const double full = std::clamp(1 / std::sqrt(bend), kFinest, kCoarsest);
+    sizes[Vertex(i)] *= std::pow(full, adaptivity);
+  }
+}
+
+// Scales the sizes so that a mesh of them has as many vertices as an even one of edge length
+// `mean`.
+void normalize(const VertexData<double>& areas, double mean, VertexData<double>& sizes) {
+  double total = 0, weighted = 0;
+  for (Index i = 0; i < sizes.size(); ++i) {
+    total += areas[Vertex(i)];
+    weighted += areas[Vertex(i)] / (sizes[Vertex(i)] * sizes[Vertex(i)]);
+  }
+  const double scale = mean * std::sqrt(weighted / total);
+  for (double& size : sizes.values()) size *= scale;
+}
+
+// No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
+// slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths.
+void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (Index i = 0; i < sizes.size(); ++i)
+    if (surface.mesh().isAlive(Vertex(i))) queue.emplace(sizes[Vertex(i)], i);
+  while (!queue.empty()) {
+    const auto [size, i] = queue.top();
+    queue.pop();
+    const Vertex v(i);
+    if (size > sizes[v]) continue;
+    surface.mesh().forEachNeighbor(v, [&](Vertex w) {
+      const double limit = size + slope * (surface.positions()[w] - surface.positions()[v]).norm();
+      if (sizes[w] <= limit) return;
+      sizes[w] = limit;
+      queue.emplace(limit, w.index);
+    });
+  }
+}
+
+}  // namespace
+
+double evenEdgeLength(double area, double vertices) {
+  return std::sqrt(2 * area / (std::sqrt(3.0) * vertices));
+}
+
+SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
+    : mesh_(&surface.mesh()),
+      sizes_(surface.mesh().vertexCapacity(), 1),
+      mean_(evenEdgeLength(surface.area(), rules.vertices)) {
+  const bool even = rules.adaptivity == 0 && rules.density.empty();
+  if (even) {
+    sizes_.assign(sizes_.size(), mean_);
+    return;
+  }
+  const VertexData<double> areas = vertexAreas(surface);
+  if (rules.adaptivity > 0) applyCurvature(surface, rules.adaptivity, areas, sizes_);
+  for (Index i = 0; i < rules.density.size(); ++i)
+    sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
+  // Edges are up to 4/3 of the size: the slope that keeps the ratio at their ends below the
+  // gradation.
+  const double slope = 0.75 * (rules.gradation - 1);
+  for (int i = 0; i < 3; ++i) {
+    normalize(areas, mean_, sizes_);
+    limitGradation(surface, slope, sizes_);
+  }
+}
+
+double SizeField::at(const SurfacePoint& p) const {
+  const auto [a, b, c] = mesh_->vertices(p.face);
+  return p.barycentric[0] * sizes_[a] + p.barycentric[1] * sizes_[b] + p.barycentric[2] * sizes_[c];
+}
+
+double SizeField::smallest() const {
+  return *std::min_element(sizes_.values().begin(), sizes_.values().end());
+}
+
+double SizeField::largest() const {
+  return *std::max_element(sizes_.values().begin(), sizes_.values().end());
+}
+
+}  // namespace remesher

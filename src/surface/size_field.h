@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// How long the edges of the result should be at each place of the original. With adaptivity the
+// size follows curvature: the error of a flat triangle with edges h over a surface of curvature k
+// goes with k·h², so h ∝ k^-1/2 spreads a given number of vertices for the least error.
+#pragma once
+
+#include <span>
+
+#include "surface/original_surface.h"
+
+namespace remesher {
+
+struct SizeRules {
+  double vertices = 0;     // how many a mesh of these sizes should have
+  double adaptivity = 0;   // 0: even, 1: fully by curvature
+  double gradation = 1.5;  // largest ratio between the sizes at the two ends of an edge
+  std::span<const float> density = {};  // per original vertex (as BuiltMesh::sources), or empty
+};
+
+class SizeField {
+ public:
+  SizeField(const OriginalSurface& surface, const SizeRules& rules);
+
+  // The target edge length at a point, model units.
+  double at(const SurfacePoint& p) const;
+  double at(Vertex original) const { return sizes_[original]; }
+
+  // The edge length of an even mesh with that many vertices.
+  double mean() const { return mean_; }
+  double smallest() const;
+  double largest() const;
+
+ private:
+  const HalfedgeMesh* mesh_;
+  VertexData<double> sizes_;
+  double mean_ = 0;
+};
+
+// The edge length of `vertices` vertices spread evenly over an area: each owns two equilateral
+// triangles.
+double evenEdgeLength(double area, double vertices);
+
+}  // namespace remesher
