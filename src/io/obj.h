@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/file.h"
@@ -26,7 +27,11 @@ struct ObjGroup {
   bool hasTexcoords = false;
   bool hasNormals = false;
 
-  auto operator<=>(const ObjGroup&) const = default;
+  auto members() const {
+    return std::tie(object, groups, smoothing, material, hasTexcoords, hasNormals);
+  }
+  bool operator==(const ObjGroup&) const = default;
+  bool operator<(const ObjGroup& other) const { return members() < other.members(); }
 };
 
 struct ObjSource : Source {
