@@ -60,16 +60,26 @@ std::string checkEdges(const HalfedgeMesh& mesh) {
          std::to_string(twice->second.index);
 }
 
-// The halfedges that leave each vertex, counted without a turn around it.
-std::vector<Index> countLeaving(const HalfedgeMesh& mesh) {
-  std::vector<Index> count(mesh.vertexCapacity(), 0);
-  for (Index h = 0; h < mesh.halfedgeCapacity(); ++h)
-    if (mesh.isAlive(Halfedge(h))) ++count[mesh.origin(Halfedge(h)).index];
-  return count;
+// What leaves a vertex, found without a turn around it.
+struct Leaving {
+  Index halfedges = 0;
+  bool boundary = false;
+};
+
+std::vector<Leaving> countLeaving(const HalfedgeMesh& mesh) {
+  std::vector<Leaving> result(mesh.vertexCapacity());
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isAlive(h)) continue;
+    Leaving& leaving = result[mesh.origin(h).index];
+    ++leaving.halfedges;
+    leaving.boundary = leaving.boundary || mesh.isBoundary(h);
+  }
+  return result;
 }
 
 std::string checkVertices(const HalfedgeMesh& mesh) {
-  const std::vector<Index> leaving = countLeaving(mesh);
+  const std::vector<Leaving> leaving = countLeaving(mesh);
   std::size_t alive = 0;
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
     const Vertex v(i);
@@ -78,15 +88,12 @@ std::string checkVertices(const HalfedgeMesh& mesh) {
     const Halfedge first = mesh.outgoing(v);
     if (first.index >= mesh.halfedgeCapacity() || mesh.origin(first) != v)
       return at("vertex", i, "has an outgoing halfedge that leaves another");
-    Index turned = 0;
-    bool boundary = false;
-    mesh.forEachOutgoing(v, [&](Halfedge h) {
-      ++turned;
-      boundary = boundary || mesh.isBoundary(h);
-    });
-    if (boundary && !mesh.isBoundary(v))
+    if (leaving[i].boundary && !mesh.isBoundary(v))
       return at("vertex", i, "lies on a boundary that its outgoing halfedge does not follow");
-    if (turned != leaving[i]) return at("vertex", i, "has faces that a turn around it misses");
+    Index turned = 0;
+    mesh.forEachOutgoing(v, [&](Halfedge) { ++turned; });
+    if (turned != leaving[i].halfedges)
+      return at("vertex", i, "has faces that a turn around it misses");
   }
   if (alive != mesh.vertexCount()) return "vertexCount() is not the number of living vertices";
   return {};

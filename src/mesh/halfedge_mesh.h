@@ -104,6 +104,7 @@ class HalfedgeMesh {
 
  private:
   friend class EulerOperators;
+  friend class MeshBreaker;  // tests only: breaks one law on purpose
 
   void link(Halfedge h, Halfedge t);  // makes h and t twins; t may be none
   void setOutgoingToBoundary(Vertex v);
