@@ -55,8 +55,9 @@ function installDebianPackages(names) {
   if (missing.length === 0) return;
   say(`Installing Debian packages: ${missing.join(' ')}`);
   const isRoot = process.getuid?.() === 0;
-  const words = [...(isRoot ? [] : ['sudo', '-n']), 'env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
-  const apt = (/** @type {string[]} */ ...more) => run(words[0], [...words.slice(1), ...more]);
+  const [command, ...first] = [...(isRoot ? [] : ['sudo', '-n']), 'env',
+    'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
+  const apt = (/** @type {string[]} */ ...words) => run(command, [...first, ...words]);
   apt('update', '-qq');
   apt('install', '-y', '-qq', '--no-install-recommends', ...missing);
 }
@@ -140,7 +141,8 @@ function assemblePackage() {
 /** @param {readonly string[]} parts */
 function build(parts) {
   if (process.platform !== 'linux' || !existsSync('/usr/bin/dpkg-query')) {
-    throw new BuildError('Building needs Debian 12 or Ubuntu. To only use remesher: npm install remesher');
+    throw new BuildError('Building needs Debian 12 or Ubuntu; only to use remesher, a plain\n'
+      + 'npm install remesher will do.');
   }
   const withTests = parts.includes('tests');
   installDebianPackages([...debianPackages.package, ...(withTests ? debianPackages.tests : [])]);

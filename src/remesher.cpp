@@ -1,43 +1,121 @@
 // SPDX-License-Identifier: MIT
-// The public functions: files in and out around the scheme, and the report of the run.
 #include "remesher.h"
 
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "io/formats.h"
 #include "measure/hausdorff.h"
-#include "measure/mesh_report.h"
+#include "part_report.h"
+#include "part_targets.h"
 #include "schemes/remesh.h"
 
 namespace remesher {
+namespace {
+
+// The shares of a run's time, about.
+constexpr double kReadShare = 0.05;
+constexpr double kMeasureShare = 0.15;
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+// Every part remeshed, and a report on all but reading and writing.
+struct Run {
+  std::vector<io::Part> parts;
+  Report report;
+};
+
+void remeshPart(Run& run, io::Part& part, const RemeshOptions& options, const Progress& progress) {
+  RemeshOutcome outcome = remeshSurface(part.mesh, options, progress);
+  part.mesh = std::move(outcome.mesh);
+  run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
+  if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
+}
+
+Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
+                const Progress& progress) {
+  Run run{originals, {}};
+  run.report.input = inspectParts(originals);
+  const Stopwatch stopwatch;
+  const std::vector<RemeshOptions> perPart = optionsPerPart(originals, options);
+  const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
+  double done = 0;
+  for (std::size_t i = 0; i < run.parts.size(); ++i) {
+    const double share = double(originals[i].mesh.triangleCount()) / total;
+    remeshPart(run, run.parts[i], perPart[i], progress.part("remesh", done, done + share));
+    done += share;
+  }
+  run.report.timings.remesh = stopwatch.milliseconds();
+  progress.part("measure", 1 - kMeasureShare, 1).at(0);
+  run.report.output = inspectParts(run.parts);
+  if (!originals.empty())
+    run.report.fidelity = measureFidelity(gathered(originals), gathered(run.parts));
+  return run;
+}
+
+// Errors that speak of a vertex or a triangle alone do not say of which file.
+template <class Body>
+auto inFile(const std::string& name, Body body) {
+  try {
+    return body();
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    const bool saysWhere = name.empty() || message.find(name) != std::string::npos;
+    if (error.code == ErrorCode::Cancelled || saysWhere) throw;
+    throw Error(error.code, name + ": " + message, error.hint);
+  }
+}
+
+}  // namespace
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
-  RemeshOutcome outcome = remeshSurface(mesh, options, progress.part("remesh", 0, 0.9));
-  const Progress measuring = progress.part("measure", 0.9, 1);
-  measuring.at(0);
-  Report report;
-  report.input = inspectMesh(mesh);
-  report.output = inspectMesh(outcome.mesh);
-  report.fidelity = measureFidelity(mesh, outcome.mesh);
-  report.warnings = std::move(outcome.warnings);
-  report.stopped = outcome.stopped;
-  measuring.at(1);
-  return {std::move(outcome.mesh), std::move(report)};
+  Run run = remeshParts({io::Part{"", mesh, {}}}, options, progress);
+  return {std::move(run.parts.front().mesh), std::move(run.report)};
 }
 
-RemeshFileResult remeshFile(const File& input, const std::vector<File>& resources,
-                            const std::string& outputName, const RemeshOptions&,
-                            const Progress&) {
-  return {{File{outputName, input.bytes}}, inspectFile(input, resources)};
+RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
+                            const RemeshOptions& options, const Progress& progress) {
+  progress.part("read", 0, kReadShare).at(0);
+  const Stopwatch reading;
+  io::Model model = io::read(input.file, input.resources);
+  const double readingTime = reading.milliseconds();
+  Run run = inFile(input.file.name, [&] {
+    return remeshParts(model.parts, options, progress.part("remesh", kReadShare, 1));
+  });
+  model.parts = std::move(run.parts);
+  const Stopwatch writing;
+  io::WrittenFiles written = io::write(model, outputName);
+  run.report.timings.write = writing.milliseconds();
+  run.report.timings.read = readingTime;
+  run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);
+  return {std::move(written.files), std::move(run.report)};
 }
 
 Report inspect(const TriangleMesh& mesh) {
   Report report;
-  report.input = inspectMesh(mesh);
+  report.input = inspectParts({io::Part{"", mesh, {}}});
   return report;
 }
 
-Report inspectFile(const File& input, const std::vector<File>&) {
-  if (input.bytes.empty()) throw Error(ErrorCode::EmptyFile, input.name + " is empty.");
-  return {};
+Report inspectFile(const FileBundle& input) {
+  Report report;
+  const Stopwatch stopwatch;
+  const io::Model model = io::read(input.file, input.resources);
+  report.timings.read = stopwatch.milliseconds();
+  report.warnings = model.warnings;
+  report.input = inFile(input.file.name, [&] { return inspectParts(model.parts); });
+  return report;
 }
 
 }  // namespace remesher

@@ -24,18 +24,21 @@ struct RemeshResult {
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
 
+// A file with those it refers to (a .bin, images, a .mtl), by the names it uses for them.
+struct FileBundle {
+  File file;
+  std::vector<File> resources;
+};
+
 struct RemeshFileResult {
   std::vector<File> files;  // the one asked for first; then what lies beside it (a .bin, a .mtl)
   Report report;
 };
 
-// resources: files that the input refers to (a .bin, images, a .mtl), by the names it uses for
-// them.
-RemeshFileResult remeshFile(const File& input, const std::vector<File>& resources,
-                            const std::string& outputName, const RemeshOptions& options,
-                            const Progress& progress = {});
+RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
+                            const RemeshOptions& options, const Progress& progress = {});
 
 Report inspect(const TriangleMesh& mesh);
-Report inspectFile(const File& input, const std::vector<File>& resources = {});
+Report inspectFile(const FileBundle& input);
 
 }  // namespace remesher

@@ -29,7 +29,10 @@ import { compileBinary } from './wasm_source.js';
  * @property {Record<string, Bytes>} [resources] files it refers to, by the names it uses for them
  */
 
-/** @typedef {{ output?: string }} OutputOptions a name or a bare format; the input's if not given */
+/**
+ * @typedef {object} OutputOptions
+ * @property {string} [output] a name, or a bare format; the input's if not given
+ */
 
 /** @typedef {{ mesh: Mesh, report: RemeshReport }} RemeshResult */
 
@@ -142,7 +145,11 @@ async function fileRequest(bytes, { name, output, resources = {} }) {
   };
 }
 
-/** `glb` becomes the input's name with that extension. @param {string} name @param {string} [output] */
+/**
+ * `glb` becomes the input's name with that extension.
+ * @param {string} name
+ * @param {string} [output]
+ */
 function outputName(name, output) {
   if (output === undefined) return name;
   if (output.includes('.')) return output;

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
 // The command line: read, remesh, write to the side, rename. Nothing is written before all has
-// succeeded. Standard output carries the report or the model alone; all else goes to standard error.
+// succeeded. Standard output carries the report or the model alone, standard error the rest.
 
 import { mkdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, extname, join } from 'node:path';
@@ -167,7 +167,8 @@ async function runRemesh({ input, output, format, json, quiet, options }) {
     { ...options, name: basename(input), output: name, resources, onProgress, worker: false })
     .finally(clear);
   if (isPiped && files.length > 1) {
-    throw new RemeshError('INVALID_OPTION', `${format} is ${files.length} files here, and - is one.`,
+    throw new RemeshError('INVALID_OPTION',
+      `${format} is ${files.length} files here, and - is one.`,
       'Use --format glb, or write to a file.');
   }
   if (isPiped) await writeToStandardOutput(files[0].bytes);

@@ -20,7 +20,10 @@ const initialMemory = 16 * 2 ** 20;
  */
 export function instantiate(module) {
   return new Promise((resolve, reject) => {
-    /** @param {WebAssembly.Imports} imports @param {(instance: WebAssembly.Instance) => void} use */
+    /**
+     * @param {WebAssembly.Imports} imports
+     * @param {(instance: WebAssembly.Instance) => void} use
+     */
     const instantiateWasm = (imports, use) => {
       WebAssembly.instantiate(module, imports).then(use).catch(reject);
       return {};

@@ -31,7 +31,8 @@ function gltfReferences(bytes) {
 
 /** @param {Uint8Array} bytes @returns {string[]} */
 function objReferences(bytes) {
-  return [...asText(bytes).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*\r?$/gm)].map(([, name]) => name);
+  const references = asText(bytes).matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*\r?$/gm);
+  return [...references].map(([, name]) => name);
 }
 
 /**

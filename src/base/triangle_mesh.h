@@ -28,4 +28,7 @@ struct TriangleMesh {
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
+// Throws Error: NO_TRIANGLES, INDEX_OUT_OF_RANGE, NON_FINITE, each naming the triangle or vertex.
+void requireValid(const TriangleMesh& mesh);
+
 }  // namespace remesher

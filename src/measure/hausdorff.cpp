@@ -135,9 +135,10 @@ class Measurement {
   // The distance to a convex set is a convex function, so over a triangle it is largest at a
   // corner: one triangle of `to` near enough to all three corners is near enough to every point.
   bool isNear(const std::array<Probe, 3>& corners, Index target) const {
-    const auto [a, b, c] = to_.triangle(target);
+    const auto triangle = to_.triangle(target);
     return std::all_of(corners.begin(), corners.end(), [&](const Probe& p) {
-      return isWithinMaximum((closestPoint(p.point, a, b, c) - p.point).squaredNorm());
+      const Vec3 closest = closestPoint(p.point, triangle[0], triangle[1], triangle[2]);
+      return isWithinMaximum((closest - p.point).squaredNorm());
     });
   }
 

@@ -28,28 +28,6 @@ void warn(std::vector<Warning>& warnings, const char* code, const char* message,
   if (count > 0) warnings.push_back({code, message, count});
 }
 
-void validate(const TriangleMesh& input) {
-  if (input.indices.empty())
-    throw Error(ErrorCode::NoTriangles, "The mesh has no triangles.",
-                "Points and lines alone cannot be remeshed.");
-  if (input.indices.size() % 3 != 0)
-    throw Error(ErrorCode::IndexOutOfRange,
-                "Triangle " + std::to_string(input.triangleCount()) + " has fewer than 3 corners.",
-                "Give three indices per triangle.");
-  for (std::size_t i = 0; i < input.indices.size(); ++i)
-    if (input.indices[i] >= input.positions.size())
-      throw Error(ErrorCode::IndexOutOfRange,
-                  "Triangle " + std::to_string(i / 3) + " names vertex " +
-                      std::to_string(input.indices[i]) + ", but there are only " +
-                      std::to_string(input.positions.size()) + " vertices.",
-                  "Indices count from 0.");
-  for (std::size_t v = 0; v < input.positions.size(); ++v)
-    if (!input.positions[v].allFinite())
-      throw Error(ErrorCode::NonFinite,
-                  "Vertex " + std::to_string(v) + " has a coordinate that is NaN or infinite.",
-                  "Repair or remove the vertex.");
-}
-
 Soup gather(const TriangleMesh& input) {
   const std::vector<Index> place = weld(input.positions);
   Soup soup;
@@ -130,7 +108,7 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
 }  // namespace
 
 BuiltMesh buildMesh(const TriangleMesh& input) {
-  validate(input);
+  requireValid(input);
   const std::size_t vertexCount = input.positions.size();
   std::vector<Warning> warnings;
 

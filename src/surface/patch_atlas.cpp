@@ -1,67 +1,54 @@
 // SPDX-License-Identifier: MIT
-// A query tries the patch of the heaviest corner's cell, then those of the other corners' cells,
-// and last a patch grown around just these three faces, as the report does for every query; such
-// patches are kept and shared, and the work spent on them is bounded.
+// A query looks into the patch of its heaviest corner's cell, then into those of the other corners'
+// cells, and last into patches made for three faces; these are kept and shared, and the work spent
+// on them is bounded.
 #include "surface/patch_atlas.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
-#include "surface/disk_parameterization.h"
-#include "surface/disk_patch.h"
-#include "surface/face_cells.h"
-#include "surface/point_location.h"
+#include "geometry/triangle.h"
+#include "surface/patch_builder.h"
 
 namespace remesher {
 namespace {
 
-// Faces of a cell. Larger cells make fewer, larger patches whose maps are more distorted.
-constexpr std::size_t kCellSize = 100;
+// Where a map is too distorted it throws points along the surface. Refused is a point farther from
+// the flat triangle than these shares of its longest side: along the triangle, where there is no
+// reason to move, and in all, where the surface may well bulge.
+constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
-// The margin takes no face whose normal points this far back (cosine to the cell's mean normal).
-constexpr float kMarginCone = -0.3f;
+// The same for rounding, a share of the bounding box's diagonal: corners may fall together.
+constexpr double kRounding = 1e-9;
 
-// However small the margin, a patch reaches this many faces beyond its cell, so that it holds the
-// star of each of the cell's vertices.
-constexpr int kMinReach = 3;
+// Faces that all patches made on demand may visit: per face of the mesh, and at least.
+constexpr std::size_t kOnDemandShare = 4, kMinOnDemandFaces = 100000;
 
-// A patch this large has outgrown its use; growth by breadth first keeps what is nearest.
-constexpr std::size_t kMaxPatchFaces = 3000;
+// A patch on demand reaches this many times its triangle's longest side from the centroid.
+constexpr double kOnDemandReach = 1.3;
 
-// A point thrown farther from the flat triangle than this share of its longest side is refused:
-// the map is too distorted there.
-constexpr double kMaxThrow = 0.25;
-
-// That and rounding, a share of the bounding box's diagonal: corners may fall together.
-constexpr double kRoundingShare = 1e-9;
-
-// Faces that all patches grown on demand may visit together, per face of the mesh, and at least.
-constexpr std::size_t kOnDemandShare = 4;
-constexpr std::size_t kMinOnDemandFaces = 100000;
-
-// A patch on demand reaches this many times the distance between the corners.
-constexpr float kOnDemandReach = 1.3f;
-
-double squaredRounding(const VertexData<Vec3>& positions) {
+double diagonal(const VertexData<Vec3>& positions) {
   Eigen::AlignedBox3d box;
   for (const Vec3& p : positions.values()) box.extend(p);
-  return box.isEmpty() ? 0 : kRoundingShare * kRoundingShare * box.diagonal().squaredNorm();
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+double squaredLongestSide(const Triangle& t) {
+  return std::max(
+      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
 }
 
 }  // namespace
 
 struct PatchAtlas::Impl {
-  Impl(const HalfedgeMesh& m, const VertexData<Vec3>& p, double marginLength, HalfedgeData<char> b)
+  Impl(const HalfedgeMesh& m, const VertexData<Vec3>& p, double margin, HalfedgeData<char> b)
       : mesh(m),
         positions(p),
         barriers(std::move(b)),
-        margin(float(marginLength)),
-        frames(faceFrames(mesh, positions)),
-        roundingSquared(squaredRounding(positions)),
-        cells(partitionFaces(mesh, frames, barriers.values(), kCellSize)),
-        grower(mesh, barriers.values()),
-        patches(cells.count()),
-        isBuilt(cells.count(), 0),
+        squaredRounding(std::pow(kRounding * diagonal(positions), 2)),
+        builder(mesh, positions, barriers.values(), margin),
+        patches(builder.cells().count()),
+        isBuilt(patches.size(), 0),
         onDemandBudget(std::max(kMinOnDemandFaces, kOnDemandShare * mesh.faceCapacity())) {}
 
   Vec3 position(const SurfacePoint& p) const {
@@ -70,167 +57,92 @@ struct PatchAtlas::Impl {
            p.barycentric[2] * positions[c];
   }
 
-  void growCore(Index cell);
-  void growMargin();
-  void growAround(const std::array<SurfacePoint, 3>& corners);
-  PlanarPatch finish(std::span<const Face> kept);
-  const PlanarPatch& patchOfCell(Index cell);
-  const PlanarPatch* patchOnDemand(const std::array<SurfacePoint, 3>& corners);
-
-  std::optional<SurfacePoint> mix(const PlanarPatch& patch,
-                                  const std::array<SurfacePoint, 3>& corners,
-                                  const Vec3& weights) const;
+  const PlanarPatch& patchAt(Face f);
+  const PlanarPatch* patchOnDemand(const std::array<SurfacePoint, 3>& corners,
+                                   const Triangle& triangle);
+  bool isThrown(const Vec3& point, const Triangle& triangle, const Vec3& weights) const;
 
   const HalfedgeMesh& mesh;
   const VertexData<Vec3>& positions;
   const HalfedgeData<char> barriers;
-  const float margin;
-  const FaceData<FaceFrame> frames;
-  const double roundingSquared;
-  const FaceCells cells;
-
-  DiskGrower grower;
-  DiskParameterizer parameterizer;
-  struct Reach {
-    Face source;  // the cell's face this one was reached from
-    int steps;
-  };
-  std::vector<Reach> reaches;  // of the grower's faces
-
+  const double squaredRounding;
+  PatchBuilder builder;
   std::vector<PlanarPatch> patches;  // of the cells; empty where no usable one was found
   std::vector<char> isBuilt;
   std::vector<PlanarPatch> extraPatches;  // on demand
   FaceData<Index> extraPatch;             // the last of them that holds the face
-  std::size_t onDemandBudget;
+  const std::size_t onDemandBudget;
 };
 
-void PatchAtlas::Impl::growCore(Index cell) {
-  const std::span<const Face> core = cells.faces(cell);
-  grower.clear();
-  grower.add(core[0]);
-  for (std::size_t head = 0; head < grower.faces().size(); ++head) {
-    const Face f = grower.faces()[head];
-    for (int i = 0; i < 3; ++i) {
-      const Face g = grower.neighbor(HalfedgeMesh::halfedge(f, i));
-      if (g && cells.cellOf(g) == cell) grower.add(g);
-    }
-  }
+namespace {
+
+using LocalCorners = std::array<LocalIndex, 3>;
+
+bool holdsAll(const LocalCorners& local) {
+  return local[0] != kNoLocal && local[1] != kNoLocal && local[2] != kNoLocal;
 }
 
-void PatchAtlas::Impl::growMargin() {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  reaches.clear();
-  for (const Face f : grower.faces()) {
-    normal += frames[f].normal;
-    reaches.push_back({f, 0});
-  }
-  const float lowest = kMarginCone * normal.norm();
-  for (std::size_t head = 0; head < grower.faces().size(); ++head) {
-    if (grower.faces().size() >= kMaxPatchFaces) break;
-    const Reach from = reaches[head];
-    const Face f = grower.faces()[head];
-    for (int i = 0; i < 3; ++i) {
-      const Face g = grower.neighbor(HalfedgeMesh::halfedge(f, i));
-      if (!g || grower.holds(g) || frames[g].normal.dot(normal) < lowest) continue;
-      const float distance = (frames[g].centroid - frames[from.source].centroid).norm();
-      if (distance > margin && from.steps >= kMinReach) continue;
-      if (grower.add(g)) reaches.push_back({from.source, from.steps + 1});
-    }
-  }
+LocalCorners findAll(const PlanarPatch& patch, const std::array<SurfacePoint, 3>& corners) {
+  return {patch.find(corners[0].face.index), patch.find(corners[1].face.index),
+          patch.find(corners[2].face.index)};
 }
 
-// Breadth first from one corner's face, within a ball about the triangle.
-void PatchAtlas::Impl::growAround(const std::array<SurfacePoint, 3>& corners) {
-  const Vec3 p = position(corners[0]), q = position(corners[1]), r = position(corners[2]);
-  const double side = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-  const Eigen::Vector3f centre = ((p + q + r) / 3).cast<float>();
-  const float reach = kOnDemandReach * float(side);
-  reaches.clear();
-  grower.clear();
-  grower.add(corners[0].face);
-  reaches.push_back({corners[0].face, 0});
-  for (std::size_t head = 0; head < grower.faces().size(); ++head) {
-    if (grower.faces().size() >= kMaxPatchFaces) break;
-    const Face f = grower.faces()[head];
-    const int steps = reaches[head].steps;
-    for (int i = 0; i < 3; ++i) {
-      const Face g = grower.neighbor(HalfedgeMesh::halfedge(f, i));
-      if (!g || grower.holds(g)) continue;
-      if (steps >= kMinReach && (frames[g].centroid - centre).norm() > reach) continue;
-      if (grower.add(g)) reaches.push_back({g, steps + 1});
-    }
-  }
+int heaviest(const Vec3& weights) {
+  int index = 0;
+  weights.maxCoeff(&index);
+  return index;
 }
 
-PlanarPatch PatchAtlas::Impl::finish(std::span<const Face> kept) {
-  grower.trimEars(kept);
-  const DiskPatch* disk = grower.cut();
-  if (!disk) return {};
-  const std::span<const Uv> uv = parameterizer.solve(*disk, positions);
-  return uv.empty() ? PlanarPatch() : PlanarPatch(*disk, uv);
+SurfacePoint mix(const PlanarPatch& patch, const LocalCorners& local,
+                 const std::array<SurfacePoint, 3>& corners, const Vec3& weights) {
+  const Vec2 target = weights[0] * patch.image(local[0], corners[0].barycentric) +
+                      weights[1] * patch.image(local[1], corners[1].barycentric) +
+                      weights[2] * patch.image(local[2], corners[2].barycentric);
+  const PlanarPatch::Location found = patch.locate(target, local[heaviest(weights)]);
+  return {Face(patch.faces()[found.face].face), found.barycentric};
 }
 
-const PlanarPatch& PatchAtlas::Impl::patchOfCell(Index cell) {
+}  // namespace
+
+const PlanarPatch& PatchAtlas::Impl::patchAt(Face f) {
+  const Index cell = builder.cells().cellOf(f);
   if (!isBuilt[cell]) {
     isBuilt[cell] = 1;
-    growCore(cell);
-    const std::size_t coreCount = grower.faces().size();
-    growMargin();
-    patches[cell] = finish(grower.faces().first(coreCount));
+    patches[cell] = builder.aroundCell(cell);
   }
   return patches[cell];
 }
 
 // A failed attempt costs as much as a good one: both are charged to the budget.
-const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint, 3>& corners) {
+const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint, 3>& corners,
+                                                   const Triangle& triangle) {
   if (extraPatch.size() == 0) extraPatch.resize(mesh.faceCapacity(), kNone);
-  const auto holdsAll = [&](const PlanarPatch& patch) {
-    return std::all_of(corners.begin(), corners.end(),
-                       [&](const SurfacePoint& c) { return patch.find(c.face.index) != kNoLocal; });
-  };
   for (const SurfacePoint& corner : corners) {
     const Index shared = extraPatch[corner.face];
-    if (shared != kNone && holdsAll(extraPatches[shared])) return &extraPatches[shared];
+    if (shared != kNone && holdsAll(findAll(extraPatches[shared], corners)))
+      return &extraPatches[shared];
   }
-  if (onDemandBudget == 0) return nullptr;
-  growAround(corners);
-  onDemandBudget -= std::min(onDemandBudget, grower.faces().size());
-  if (!std::all_of(corners.begin(), corners.end(),
-                   [&](const SurfacePoint& c) { return grower.holds(c.face); }))
-    return nullptr;
-  const std::array<Face, 3> kept = {corners[0].face, corners[1].face, corners[2].face};
-  PlanarPatch patch = finish(kept);
-  if (patch.isEmpty() || !holdsAll(patch)) return nullptr;
+  if (builder.visitedFaces() >= onDemandBudget) return nullptr;
+  const Vec3 centre = (triangle[0] + triangle[1] + triangle[2]) / 3;
+  const double reach = kOnDemandReach * std::sqrt(squaredLongestSide(triangle));
+  PlanarPatch patch =
+      builder.aroundFaces({corners[0].face, corners[1].face, corners[2].face}, centre, reach);
+  if (patch.isEmpty()) return nullptr;
   for (const LocalFace& f : patch.faces()) extraPatch[Face(f.face)] = Index(extraPatches.size());
   extraPatches.push_back(std::move(patch));
   return &extraPatches.back();
 }
 
-// None if the patch does not hold all corners or throws the point too far.
-std::optional<SurfacePoint> PatchAtlas::Impl::mix(const PlanarPatch& patch,
-                                                  const std::array<SurfacePoint, 3>& corners,
-                                                  const Vec3& weights) const {
-  Vec2 target = Vec2::Zero();
-  LocalIndex start = kNoLocal;
-  double heaviest = -1;
-  for (int i = 0; i < 3; ++i) {
-    const LocalIndex local = patch.find(corners[i].face.index);
-    if (local == kNoLocal) return std::nullopt;
-    target += weights[i] * patch.image(local, corners[i].barycentric);
-    if (weights[i] <= heaviest) continue;
-    heaviest = weights[i];
-    start = local;
-  }
-  const PlanarPatch::Location found = patch.locate(target, start);
-  const SurfacePoint point{Face(patch.faces()[found.face].face), found.barycentric};
-
-  const Vec3 p = position(corners[0]), q = position(corners[1]), r = position(corners[2]);
-  const Vec3 flat = weights[0] * p + weights[1] * q + weights[2] * r;
-  const double side =
-      std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
-  const double allowed = kMaxThrow * kMaxThrow * side + roundingSquared;
-  if ((position(point) - flat).squaredNorm() > allowed) return std::nullopt;
-  return point;
+bool PatchAtlas::Impl::isThrown(const Vec3& point, const Triangle& triangle,
+                                const Vec3& weights) const {
+  const Vec3 move =
+      point - (weights[0] * triangle[0] + weights[1] * triangle[1] + weights[2] * triangle[2]);
+  const double side = squaredLongestSide(triangle), moved = move.squaredNorm();
+  if (moved > kMaxThrow * kMaxThrow * side + squaredRounding) return true;
+  const Vec3 normal = areaVector(triangle[0], triangle[1], triangle[2]);
+  const double height = normal.dot(move), length = normal.squaredNorm();
+  const double bulge = length > 0 ? height * height / length : 0;
+  return moved - bulge > kMaxSlide * kMaxSlide * side + squaredRounding;
 }
 
 PatchAtlas::PatchAtlas(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin,
@@ -241,16 +153,25 @@ PatchAtlas::PatchAtlas(PatchAtlas&&) noexcept = default;
 
 std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoint, 3>& corners,
                                                     const Vec3& weights) {
-  int heaviest = 0;
-  weights.maxCoeff(&heaviest);
+  const Triangle triangle = {impl_->position(corners[0]), impl_->position(corners[1]),
+                             impl_->position(corners[2])};
+  const int first = heaviest(weights);
+  bool wasHeld = false;
   for (int i = 0; i < 3; ++i) {
-    const Face home = corners[(heaviest + i) % 3].face;
-    const PlanarPatch& patch = impl_->patchOfCell(impl_->cells.cellOf(home));
+    const PlanarPatch& patch = impl_->patchAt(corners[(first + i) % 3].face);
     if (patch.isEmpty()) continue;
-    if (const auto point = impl_->mix(patch, corners, weights)) return point;
+    const LocalCorners local = findAll(patch, corners);
+    if (!holdsAll(local)) continue;
+    wasHeld = true;
+    const SurfacePoint point = mix(patch, local, corners, weights);
+    if (!impl_->isThrown(impl_->position(point), triangle, weights)) return point;
   }
-  const PlanarPatch* patch = impl_->patchOnDemand(corners);
-  return patch ? impl_->mix(*patch, corners, weights) : std::nullopt;
+  if (wasHeld) return std::nullopt;
+  const PlanarPatch* patch = impl_->patchOnDemand(corners, triangle);
+  if (!patch) return std::nullopt;
+  const SurfacePoint point = mix(*patch, findAll(*patch, corners), corners, weights);
+  if (impl_->isThrown(impl_->position(point), triangle, weights)) return std::nullopt;
+  return point;
 }
 
 }  // namespace remesher

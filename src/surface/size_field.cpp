@@ -62,9 +62,10 @@ void limitGradation(const OriginalSurface& surface, double slope, VertexData<dou
     const auto [size, i] = queue.top();
     queue.pop();
     const Vertex v(i);
-    if (size > sizes[v]) continue;
+    if (size > sizes[v]) continue;  // reached by a shorter way meanwhile
     surface.mesh().forEachNeighbor(v, [&](Vertex w) {
-      const double limit = size + slope * (surface.positions()[w] - surface.positions()[v]).norm();
+      const double limit =
+          sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
       if (sizes[w] <= limit) return;
       sizes[w] = limit;
       queue.emplace(limit, w.index);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How JavaScript spells the choices.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "remesher.h"
+
+namespace remesher {
+
+template <class E, std::size_t n>
+using Names = std::array<std::pair<std::string_view, E>, n>;
+
+inline constexpr Names<Scheme, 2> kSchemes = {{{"best", Scheme::Best}, {"rounds", Scheme::Rounds}}};
+inline constexpr Names<Projection, 2> kProjections = {
+    {{"patches", Projection::Patches}, {"current", Projection::Current}}};
+inline constexpr Names<Fidelity, 3> kFidelities = {
+    {{"strict", Fidelity::Strict}, {"loose", Fidelity::Loose}, {"fold", Fidelity::Fold}}};
+inline constexpr Names<Boundary, 2> kBoundaries = {
+    {{"resample", Boundary::Resample}, {"keep", Boundary::Keep}}};
+inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
+                                                {"fidelity", Stopped::Fidelity},
+                                                {"max-error", Stopped::MaxError},
+                                                {"cancelled", Stopped::Cancelled}}};
+
+template <class E, std::size_t n>
+constexpr std::string_view nameOf(const Names<E, n>& names, E value) {
+  for (const auto& [name, known] : names)
+    if (known == value) return name;
+  return {};
+}
+
+}  // namespace remesher

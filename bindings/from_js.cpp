@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "from_js.h"
+
+#include <emscripten/emscripten.h>
+
+#include <string>
+
+#include "choice_names.h"
+
+namespace remesher {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+namespace {
+
+template <class T>
+std::vector<T> copied(const val& array) {
+  std::vector<T> result(array["length"].as<std::size_t>());
+  if (!result.empty())
+    val(typed_memory_view(result.size(), result.data())).call<void>("set", array);
+  return result;
+}
+
+template <class Visit>
+void forEach(const val& array, Visit visit) {
+  const auto length = array["length"].as<unsigned>();
+  for (unsigned i = 0; i < length; ++i) visit(array[i]);
+}
+
+File fileFrom(const val& object) {
+  return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
+}
+
+// The options that are set, read into what has the same name.
+struct OptionReader {
+  val options;
+
+  template <class T>
+  void number(const char* name, T& target) const {
+    if (const val value = options[name]; value.isNumber()) target = value.as<double>();
+  }
+  template <class E, std::size_t n, class T>
+  void choice(const char* name, const Names<E, n>& names, T& target) const {
+    const val value = options[name];
+    if (!value.isString()) return;
+    for (const auto& [known, choice] : names)
+      if (value.as<std::string>() == known) target = choice;
+  }
+};
+
+}  // namespace
+
+TriangleMesh meshFrom(const val& object) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  TriangleMesh mesh;
+  const val positions = object["positions"];
+  mesh.positions.resize(positions["length"].as<std::size_t>() / 3);
+  if (!mesh.positions.empty())
+    val(typed_memory_view(3 * mesh.positions.size(), mesh.positions.front().data()))
+        .call<void>("set", positions);
+  mesh.indices = copied<Index>(object["indices"]);
+  forEach(object["attributes"], [&](const val& attribute) {
+    mesh.attributes.push_back({attribute["semantic"].as<std::string>(),
+                               attribute["itemSize"].as<int>(), copied<float>(attribute["array"])});
+  });
+  return mesh;
+}
+
+FileBundle bundleFrom(const val& object) {
+  FileBundle bundle{fileFrom(object), {}};
+  forEach(object["resources"],
+          [&](const val& resource) { bundle.resources.push_back(fileFrom(resource)); });
+  return bundle;
+}
+
+RemeshOptions optionsFrom(const val& object) {
+  const OptionReader read{object};
+  RemeshOptions options;
+  if (const val count = object["vertices"]; count.isNumber()) options.vertices = count.as<Index>();
+  read.number("ratio", options.ratio);
+  read.number("edgeLength", options.edgeLength);
+  read.choice("scheme", kSchemes, options.scheme);
+  read.choice("projection", kProjections, options.projection);
+  read.choice("fidelity", kFidelities, options.fidelity);
+  read.number("vertexAngle", options.vertexAngle);
+  read.number("triangleAngle", options.triangleAngle);
+  options.splitObtuse = object["splitObtuse"].isTrue();
+  read.number("adaptivity", options.adaptivity);
+  read.number("gradation", options.gradation);
+  read.number("featureAngle", options.featureAngle);
+  options.detectFeatures = !object["featureAngle"].isString();
+  read.choice("boundary", kBoundaries, options.boundary);
+  read.number("maxError", options.maxError);
+  if (const val density = object["density"]; !density.isUndefined())
+    options.density = copied<float>(density);
+  if (const val edges = object["featureEdges"]; !edges.isUndefined()) {
+    const std::vector<Index> flat = copied<Index>(edges);
+    for (std::size_t i = 0; i + 1 < flat.size(); i += 2)
+      options.featureEdges.emplace_back(flat[i], flat[i + 1]);
+  }
+  return options;
+}
+
+// The callback is asked at most every 50 ms, and at the start of every phase: asking takes longer
+// than many a step.
+Progress progressFrom(const val& callback) {
+  if (callback.isUndefined()) return Progress();
+  return Progress([callback, last = -1e9, phase = std::string()](std::string_view now,
+                                                                 double fraction) mutable {
+    const double time = emscripten_get_now();
+    if (now == phase && time - last < 50) return true;
+    last = time;
+    phase = now;
+    return !callback(phase, fraction).isFalse();
+  });
+}
+
+}  // namespace remesher

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Plain JavaScript objects read into plain C++ values. Typed arrays are copied. The package has
+// checked names and types (package/api.js, package/options.js).
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <vector>
+
+#include "remesher.h"
+
+namespace remesher {
+
+TriangleMesh meshFrom(const emscripten::val& object);
+FileBundle bundleFrom(const emscripten::val& object);
+RemeshOptions optionsFrom(const emscripten::val& object);
+
+// callback: (phase, fraction) => false to cancel; undefined for none.
+Progress progressFrom(const emscripten::val& callback);
+
+}  // namespace remesher

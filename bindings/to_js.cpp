@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "to_js.h"
+
+#include <emscripten/heap.h>
+
+#include <string>
+
+#include "choice_names.h"
+
+namespace remesher {
+
+using emscripten::typed_memory_view;
+using emscripten::val;
+
+namespace {
+
+template <class T>
+val arrayFrom(const std::vector<T>& values) {
+  return val(typed_memory_view(values.size(), values.data())).template call<val>("slice");
+}
+
+val objectFrom(const AngleStatistics& angles) {
+  val result = val::object();
+  val histogram = val::array();
+  for (double percent : angles.histogram) histogram.call<void>("push", percent);
+  result.set("worst", angles.worst);
+  result.set("mean", angles.mean);
+  result.set("histogram", histogram);
+  return result;
+}
+
+val objectFrom(const MeshReport& mesh) {
+  val result = val::object();
+  result.set("vertices", double(mesh.vertices));
+  result.set("triangles", double(mesh.triangles));
+  result.set("components", double(mesh.components));
+  result.set("boundaryEdges", double(mesh.boundaryEdges));
+  result.set("nonManifoldEdges", double(mesh.nonManifoldEdges));
+  result.set("eulerCharacteristic", double(mesh.eulerCharacteristic));
+  result.set("degenerateTriangles", double(mesh.degenerateTriangles));
+  result.set("minAngle", objectFrom(mesh.minAngle));
+  result.set("maxAngle", mesh.maxAngle);
+  result.set("valence6", mesh.valence6);
+  return result;
+}
+
+val objectFrom(const FidelityReport& fidelity) {
+  val result = val::object();
+  result.set("hausdorff", fidelity.hausdorff);
+  result.set("rms", fidelity.rms);
+  return result;
+}
+
+val objectFrom(const Timings& timings) {
+  val result = val::object();
+  result.set("read", timings.read);
+  result.set("build", timings.build);
+  result.set("remesh", timings.remesh);
+  result.set("write", timings.write);
+  return result;
+}
+
+val objectFrom(const std::vector<Warning>& warnings) {
+  val result = val::array();
+  for (const Warning& warning : warnings) {
+    val object = val::object();
+    object.set("code", warning.code);
+    object.set("message", warning.message);
+    object.set("count", double(warning.count));
+    result.call<void>("push", object);
+  }
+  return result;
+}
+
+}  // namespace
+
+val objectFrom(const TriangleMesh& mesh) {
+  val attributes = val::array();
+  for (const Attribute& attribute : mesh.attributes) {
+    val object = val::object();
+    object.set("semantic", attribute.semantic);
+    object.set("itemSize", attribute.itemSize);
+    object.set("array", arrayFrom(attribute.values));
+    attributes.call<void>("push", object);
+  }
+  val result = val::object();
+  const double* positions = mesh.positions.empty() ? nullptr : mesh.positions.front().data();
+  result.set("positions",
+             val(typed_memory_view(3 * mesh.positions.size(), positions)).call<val>("slice"));
+  result.set("indices", arrayFrom(mesh.indices));
+  result.set("attributes", attributes);
+  return result;
+}
+
+val objectFrom(const std::vector<File>& files) {
+  val result = val::array();
+  for (const File& file : files) {
+    val object = val::object();
+    object.set("name", file.name);
+    object.set("bytes", arrayFrom(file.bytes));
+    result.call<void>("push", object);
+  }
+  return result;
+}
+
+// WebAssembly's memory only grows: its size now is the peak.
+val objectFrom(const Report& report) {
+  val memory = val::object();
+  memory.set("peakBytes", double(emscripten_get_heap_size()));
+  val result = val::object();
+  result.set("version", std::string(REMESHER_VERSION));
+  result.set("input", objectFrom(report.input));
+  if (report.output) result.set("output", objectFrom(*report.output));
+  if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
+  result.set("timings", objectFrom(report.timings));
+  result.set("memory", memory);
+  result.set("warnings", objectFrom(report.warnings));
+  if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
+  return result;
+}
+
+val objectFrom(const RemeshOptions& options) {
+  val result = val::object();
+  result.set("scheme", std::string(nameOf(kSchemes, options.scheme)));
+  result.set("projection", std::string(nameOf(kProjections, options.projection)));
+  result.set("vertexAngle", options.vertexAngle);
+  result.set("triangleAngle", options.triangleAngle);
+  result.set("splitObtuse", options.splitObtuse);
+  result.set("gradation", options.gradation);
+  result.set("boundary", std::string(nameOf(kBoundaries, options.boundary)));
+  return result;
+}
+
+}  // namespace remesher

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Plain C++ values written into plain JavaScript objects. Typed arrays are copies: nothing in
+// JavaScript points into this memory.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <vector>
+
+#include "remesher.h"
+
+namespace remesher {
+
+emscripten::val objectFrom(const TriangleMesh& mesh);
+emscripten::val objectFrom(const std::vector<File>& files);
+emscripten::val objectFrom(const Report& report);
+emscripten::val objectFrom(const RemeshOptions& options);  // those with a default in every scheme
+
+}  // namespace remesher

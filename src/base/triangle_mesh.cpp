@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "base/triangle_mesh.h"
+
+#include "base/error.h"
+
+namespace remesher {
+
+void requireValid(const TriangleMesh& mesh) {
+  if (mesh.indices.empty())
+    throw Error(ErrorCode::NoTriangles, "The mesh has no triangles.",
+                "Points and lines alone cannot be remeshed.");
+  if (mesh.indices.size() % 3 != 0)
+    throw Error(ErrorCode::IndexOutOfRange,
+                "Triangle " + std::to_string(mesh.triangleCount()) + " has fewer than 3 corners.",
+                "Give three indices per triangle.");
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    if (mesh.indices[i] >= mesh.positions.size())
+      throw Error(ErrorCode::IndexOutOfRange,
+                  "Triangle " + std::to_string(i / 3) + " names vertex " +
+                      std::to_string(mesh.indices[i]) + ", but there are only " +
+                      std::to_string(mesh.positions.size()) + " vertices.",
+                  "Indices count from 0.");
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    if (!mesh.positions[v].allFinite())
+      throw Error(ErrorCode::NonFinite,
+                  "Vertex " + std::to_string(v) + " has a coordinate that is NaN or infinite.",
+                  "Repair or remove the vertex.");
+}
+
+}  // namespace remesher

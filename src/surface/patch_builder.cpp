@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "surface/patch_builder.h"
+
+#include <algorithm>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+namespace {
+
+// Faces of a cell. Where the margin is wide, larger cells keep the patches from being little else:
+// 2.5 more for every face that a square of the margin's side could hold, up to a limit above which
+// a patch's map would be too distorted.
+constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.5;
+
+// However small the margin, a patch reaches this many faces beyond its cell, so that it holds the
+// star of each of the cell's vertices.
+constexpr int kMinReach = 3;
+
+// Beyond that it takes no face that points this far back (cosine to the cell's mean normal).
+constexpr float kMarginCone = -0.7f;
+
+// A patch this large has outgrown its use; growth by breadth first keeps what is nearest.
+constexpr std::size_t kMaxPatchFaces = 3000;
+
+std::size_t cellSize(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin) {
+  double total = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    if (!mesh.isAlive(Face(i))) continue;
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    total += area(positions[a], positions[b], positions[c]);
+  }
+  const double inMargin = total > 0 ? margin * margin * double(mesh.faceCount()) / total : 0;
+  return std::size_t(std::min(kMinCellSize + kCellSizePerMargin * inMargin, kMaxCellSize));
+}
+
+}  // namespace
+
+PatchBuilder::PatchBuilder(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                           std::span<const char> barriers, double margin)
+    : positions_(positions),
+      margin_(float(margin)),
+      frames_(faceFrames(mesh, positions)),
+      cells_(partitionFaces(mesh, frames_, barriers, cellSize(mesh, positions, margin))),
+      grower_(mesh, barriers) {}
+
+void PatchBuilder::growCore(Index cell) {
+  grower_.clear();
+  grower_.add(cells_.faces(cell)[0]);
+  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
+    const Face f = grower_.faces()[head];
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
+      if (g && cells_.cellOf(g) == cell) grower_.add(g);
+    }
+  }
+}
+
+void PatchBuilder::growMargin() {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  reaches_.clear();
+  for (const Face f : grower_.faces()) {
+    normal += frames_[f].normal;
+    reaches_.push_back({f, 0});
+  }
+  const float lowest = kMarginCone * normal.norm();
+  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
+    if (grower_.faces().size() >= kMaxPatchFaces) break;
+    const Reach from = reaches_[head];
+    const Face f = grower_.faces()[head];
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
+      if (!g || grower_.holds(g)) continue;
+      const float distance = (frames_[g].centroid - frames_[from.source].centroid).norm();
+      const bool isWanted = distance <= margin_ && frames_[g].normal.dot(normal) >= lowest;
+      if (!isWanted && from.steps >= kMinReach) continue;
+      if (grower_.add(g)) reaches_.push_back({from.source, from.steps + 1});
+    }
+  }
+}
+
+PlanarPatch PatchBuilder::finish(std::span<const Face> kept) {
+  grower_.trimEars(kept);
+  const DiskPatch* disk = grower_.cut();
+  if (!disk) return {};
+  const std::span<const Uv> uv = parameterizer_.solve(*disk, positions_);
+  return uv.empty() ? PlanarPatch() : PlanarPatch(*disk, uv);
+}
+
+PlanarPatch PatchBuilder::aroundCell(Index cell) {
+  growCore(cell);
+  const std::size_t coreCount = grower_.faces().size();
+  growMargin();
+  return finish(grower_.faces().first(coreCount));
+}
+
+PlanarPatch PatchBuilder::aroundFaces(const std::array<Face, 3>& faces, const Vec3& centre,
+                                      double reach) {
+  const Eigen::Vector3f middle = centre.cast<float>();
+  grower_.clear();
+  grower_.add(faces[0]);
+  reaches_.assign(1, {faces[0], 0});
+  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
+    if (grower_.faces().size() >= kMaxPatchFaces) break;
+    const int steps = reaches_[head].steps;
+    const Face f = grower_.faces()[head];
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
+      if (!g || grower_.holds(g)) continue;
+      if (steps >= kMinReach && (frames_[g].centroid - middle).norm() > float(reach)) continue;
+      if (grower_.add(g)) reaches_.push_back({faces[0], steps + 1});
+    }
+  }
+  visitedFaces_ += grower_.faces().size();
+  const bool holdsAll =
+      std::all_of(faces.begin(), faces.end(), [&](Face f) { return grower_.holds(f); });
+  return holdsAll ? finish(faces) : PlanarPatch();
+}
+
+}  // namespace remesher

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What machines can say about the sources: layout, names, traps, types.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { ESLint } from 'eslint';
+
+import { tidyAll } from './support/tidy.js';
+import { filesUnder, root } from './support/tree.js';
+
+test('C++ is laid out as .clang-format says', () => {
+  const files = ['src', 'bindings', 'tests/unit'].flatMap((f) => filesUnder(f, /\.(h|cpp)$/));
+  const { stderr } = spawnSync('clang-format', ['--dry-run', '--Werror', ...files],
+    { cwd: root, encoding: 'utf8' });
+  const complaints = stderr.matchAll(/^(\S+?):(\d+):\d+: error/gm);
+  const wrong = [...complaints].map(([, file, line]) => `${file}:${line}`);
+  assert.deepEqual(wrong, []);
+});
+
+test('C++ passes clang-tidy', async () => {
+  assert.equal(await tidyAll(), '');
+});
+
+test('JavaScript passes eslint', async () => {
+  const eslint = new ESLint({
+    cwd: root, overrideConfigFile: join(root, 'tests/lint/eslint.config.js'),
+  });
+  const results = await eslint.lintFiles(['bindings/**/*.js', 'web/**/*.js', 'tests/**/*.js']
+    .filter((pattern) => filesUnder(pattern.split('/')[0], /\.js$/).length > 0));
+  const complaints = results.flatMap(({ filePath, messages }) => messages.map(
+    ({ line, message }) => `${filePath.slice(root.length + 1)}:${line} ${message}`));
+  assert.deepEqual(complaints, []);
+});
+
+test('JavaScript passes tsc --strict', () => {
+  const tsc = join(root, 'node_modules/.bin/tsc');
+  const { status, stdout } = spawnSync(tsc, ['-p', 'tests/lint/tsconfig.json'],
+    { cwd: root, encoding: 'utf8' });
+  assert.equal(status, 0, stdout);
+});
