@@ -73,8 +73,11 @@ Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
   const double wa = bp.cross(cp).dot(n), wb = cp.cross(ap).dot(n), wc = ap.cross(bp).dot(n);
   const double sum = wa + wb + wc;
   if (!(wa > 0 && wb > 0 && wc > 0)) {
-    if (wc <= 0 && abA >= 0 && abB <= 0) return {abB / (abB - abA), abA / (abA - abB), 0};
-    if (wb <= 0 && acA >= 0 && acC <= 0) return {acC / (acC - acA), 0, acA / (acA - acC)};
+    // How far along bc, from either end.
+    const double bcB = acB - abB, cbC = abC - acC;
+    if (wc <= 0 && abA >= 0 && abB <= 0 && abA > abB) return Vec3(-abB, abA, 0) / (abA - abB);
+    if (wb <= 0 && acA >= 0 && acC <= 0 && acA > acC) return Vec3(-acC, 0, acA) / (acA - acC);
+    if (wa <= 0 && bcB >= 0 && cbC >= 0 && bcB + cbC > 0) return Vec3(0, cbC, bcB) / (bcB + cbC);
     return closestOnAnyEdge(p, a, b, c);
   }
   const Vec3 inside = Vec3(wa, wb, wc) / sum;

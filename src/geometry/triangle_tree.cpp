@@ -2,14 +2,12 @@
 #include "geometry/triangle_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace remesher {
 
 namespace {
-
-constexpr Index kLeafSize = 4;  // measured: fewer cost memory, more cost triangle tests
 
 float roundedDown(double x) {
   const float f = static_cast<float>(x);
@@ -21,140 +19,199 @@ float roundedUp(double x) {
   return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-double squared(double x) { return x * x; }
+struct Item {
+  std::array<float, 3> centre;
+  Index triangle;
+};
+
+std::size_t longestSide(std::span<const Item> items) {
+  std::array<float, 3> low = items[0].centre, high = low;
+  for (const Item& item : items)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], item.centre[axis]);
+      high[axis] = std::max(high[axis], item.centre[axis]);
+    }
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+  return longest;
+}
+
+// Halves the items along their longest side until one group is left. The parts but the last are
+// full: a power of four, or twice that. Ties are broken by number, so that equal input gives an
+// equal tree.
+void splitIntoGroups(std::span<Item> items) {
+  if (items.size() <= 4) return;
+  std::size_t unit = 4;
+  while (4 * unit <= items.size() / 2) unit *= 4;
+  const std::size_t half = (items.size() / 2 + unit / 2) / unit * unit;
+  const std::size_t axis = longestSide(items);
+  std::nth_element(items.begin(), items.begin() + half, items.end(),
+                   [axis](const Item& x, const Item& y) {
+                     return x.centre[axis] < y.centre[axis] ||
+                            (x.centre[axis] == y.centre[axis] && x.triangle < y.triangle);
+                   });
+  splitIntoGroups(items.first(half));
+  splitIntoGroups(items.subspan(half));
+}
 
 }  // namespace
 
-// Splits the triangles at the median of their box centres, along the longest side, until a leaf is
-// small. Ties are broken by number, so that equal input gives an equal tree.
-struct TriangleTree::Builder {
-  struct Item {
-    std::array<float, 3> centre;
-    Index triangle;
-  };
+TriangleTree::Group::Group() {
+  for (Lanes& lanes : low) lanes.setConstant(std::numeric_limits<float>::infinity());
+  for (Lanes& lanes : high) lanes.setConstant(-std::numeric_limits<float>::infinity());
+}
 
-  TriangleTree& tree;
-  std::vector<Item> items;
-
-  explicit Builder(TriangleTree& t) : tree(t), items(t.indices_.size() / 3) {
-    for (Index i = 0; i < items.size(); ++i) {
-      const Box box = boxOf(i);
-      const Eigen::Vector3f centre = (0.5 * (box.low + box.high)).cast<float>();
-      items[i] = {{centre[0], centre[1], centre[2]}, i};
-    }
+void TriangleTree::Group::set(Eigen::Index member, const Box& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis][member] = roundedDown(box.low[static_cast<Eigen::Index>(axis)]);
+    high[axis][member] = roundedUp(box.high[static_cast<Eigen::Index>(axis)]);
   }
+}
 
-  Box boxOf(Index triangle) const {
-    const Triangle t = tree.corners(triangle);
-    return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+Box TriangleTree::Group::hull() const {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    box.low[static_cast<Eigen::Index>(axis)] = low[axis].minCoeff();
+    box.high[static_cast<Eigen::Index>(axis)] = high[axis].maxCoeff();
   }
-
-  std::size_t longestSide(Index begin, Index end) const {
-    std::array<float, 3> low = items[begin].centre, high = low;
-    for (Index i = begin + 1; i < end; ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], items[i].centre[axis]);
-        high[axis] = std::max(high[axis], items[i].centre[axis]);
-      }
-    std::size_t longest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-      if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-    return longest;
-  }
-
-  Index splitAtMedian(Index begin, Index end) {
-    const std::size_t axis = longestSide(begin, end);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                     [axis](const Item& x, const Item& y) {
-                       return x.centre[axis] < y.centre[axis] ||
-                              (x.centre[axis] == y.centre[axis] && x.triangle < y.triangle);
-                     });
-    return middle;
-  }
-
-  void setBox(Index node, const Box& box) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      tree.nodes_[node].low[axis] = roundedDown(box.low[static_cast<Eigen::Index>(axis)]);
-      tree.nodes_[node].high[axis] = roundedUp(box.high[static_cast<Eigen::Index>(axis)]);
-    }
-  }
-
-  Box build(Index node, Index begin, Index end) {
-    Box box;
-    if (end - begin <= kLeafSize) {
-      for (Index i = begin; i < end; ++i) {
-        const Box triangle = boxOf(items[i].triangle);
-        box.extend(triangle.low);
-        box.extend(triangle.high);
-      }
-      tree.nodes_[node].first = begin;
-      tree.nodes_[node].count = end - begin;
-    } else {
-      const Index middle = splitAtMedian(begin, end);
-      const Index children = static_cast<Index>(tree.nodes_.size());
-      tree.nodes_.resize(tree.nodes_.size() + 2);
-      tree.nodes_[node].first = children;
-      tree.nodes_[node].count = 0;
-      const Box left = build(children, begin, middle), right = build(children + 1, middle, end);
-      box = {left.low.cwiseMin(right.low), left.high.cwiseMax(right.high)};
-    }
-    setBox(node, box);
-    return box;
-  }
-
-  void run() {
-    if (items.empty()) return;
-    tree.nodes_.reserve(items.size());
-    tree.nodes_.resize(2);
-    build(0, 0, static_cast<Index>(items.size()));
-    tree.order_.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) tree.order_[i] = items[i].triangle;
-  }
-};
+  return box;
+}
 
 TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices)
     : positions_(positions), indices_(indices) {
-  Builder(*this).run();
+  if (indices.empty()) return;
+  for (const Index v : indices) box_.extend(positions[v]);
+  origin_ = 0.5 * (box_.low + box_.high);
+  sortTriangles();
+  buildLevels();
+}
+
+void TriangleTree::sortTriangles() {
+  std::vector<Item> items(indices_.size() / 3);
+  for (Index t = 0; t < items.size(); ++t) {
+    const Box box = boxOf(t);
+    const Eigen::Vector3f centre = (0.5 * (box.low + box.high) - origin_).cast<float>();
+    items[t] = {{centre[0], centre[1], centre[2]}, t};
+  }
+  splitIntoGroups(items);
+  order_.resize(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) order_[i] = items[i].triangle;
+}
+
+void TriangleTree::buildLevels() {
+  Level& leaves = levels_.emplace_back((order_.size() + 3) / 4);
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const Box box = boxOf(order_[i]);
+    leaves[i / 4].set(static_cast<Eigen::Index>(i % 4), {box.low - origin_, box.high - origin_});
+  }
+  while (levels_.back().size() > 1) {
+    const Level& below = levels_.back();
+    Level level((below.size() + 3) / 4);
+    for (std::size_t i = 0; i < below.size(); ++i)
+      level[i / 4].set(static_cast<Eigen::Index>(i % 4), below[i].hull());
+    levels_.push_back(std::move(level));
+  }
+}
+
+// A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,
+// with a slack for what float arithmetic can overrate a distance by: a few roundings of its terms.
+struct TriangleTree::Query {
+  Vec3 point;
+  Eigen::Vector3f place;
+  double slack;
+  Nearest best;
+  float bound = std::numeric_limits<float>::infinity();  // on squared distances to boxes
+
+  void take(const Nearest& better) {
+    best = better;
+    const double distance = std::sqrt(best.squaredDistance) + slack;
+    bound = static_cast<float>(distance * distance * (1 + 0x1p-20));
+  }
+
+  Lanes squaredDistances(const Group& group) const {
+    const Lanes dx = (group.low[0] - place[0]).max(place[0] - group.high[0]).max(0.0f);
+    const Lanes dy = (group.low[1] - place[1]).max(place[1] - group.high[1]).max(0.0f);
+    const Lanes dz = (group.low[2] - place[2]).max(place[2] - group.high[2]).max(0.0f);
+    return dx * dx + dy * dy + dz * dz;
+  }
+};
+
+TriangleTree::Query TriangleTree::ask(const Vec3& p) const {
+  const Vec3 place = p - origin_;
+  const double slack = 0x1p-21 * ((box_.high - box_.low).norm() + place.norm());
+  return {p, place.cast<float>(), slack, {}};
+}
+
+void TriangleTree::lookAt(Index triangle, Query& query) const {
+  const auto [a, b, c] = corners(triangle);
+  const Vec3 point = closestPoint(query.point, a, b, c);
+  const double squaredDistance = (point - query.point).squaredNorm();
+  if (squaredDistance < query.best.squaredDistance) query.take({triangle, point, squaredDistance});
+}
+
+void TriangleTree::lookInto(const Group& group, Index firstPlace, Query& query) const {
+  const Lanes squaredDistances = query.squaredDistances(group);
+  if (!(squaredDistances < query.bound).any()) return;
+  for (Index k = 0; k < 4; ++k)
+    if (squaredDistances[k] < query.bound) lookAt(order_[firstPlace + k], query);
+}
+
+void TriangleTree::lookEverywhere(Query& query) const {
+  if (levels_.empty()) return;
+  std::array<Pending, 4 * kDeepest> stack;
+  std::size_t top = 0;
+  stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};
+  while (top > 0) {
+    const Pending next = stack[--top];
+    if (next.squaredDistance >= query.bound) continue;
+    const Group& group = levels_[next.level][next.group];
+    if (next.level == 0) {
+      lookInto(group, 4 * next.group, query);
+      continue;
+    }
+    // Farthest first: the nearest member is on top of the stack in the end.
+    const Lanes squaredDistances = query.squaredDistances(group);
+    const std::size_t bottom = top;
+    for (Index k = 0; k < 4; ++k) {
+      if (!(squaredDistances[k] < query.bound)) continue;
+      std::size_t place = top++;
+      for (; place > bottom && stack[place - 1].squaredDistance < squaredDistances[k]; --place)
+        stack[place] = stack[place - 1];
+      stack[place] = {next.level - 1, 4 * next.group + k, squaredDistances[k]};
+    }
+  }
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& p) const {
+  Query query = ask(p);
+  lookEverywhere(query);
+  return query.best;
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start) const {
-  const Triangle t = corners(start);
-  const Vec3 point = closestPoint(p, t[0], t[1], t[2]);
-  return improve(p, {start, point, (point - p).squaredNorm()});
+  Query query = ask(p);
+  lookAt(start, query);
+  lookEverywhere(query);
+  return query.best;
 }
 
-TriangleTree::Nearest TriangleTree::improve(const Vec3& p, Nearest best) const {
-  const auto squaredDistanceTo = [&p](const Node& node) {
-    return squared(std::max({node.low[0] - p[0], p[0] - node.high[0], 0.0})) +
-           squared(std::max({node.low[1] - p[1], p[1] - node.high[1], 0.0})) +
-           squared(std::max({node.low[2] - p[2], p[2] - node.high[2], 0.0}));
-  };
-  struct Pending {
-    Index node;
-    double squaredDistance;
-  };
-  std::array<Pending, 64> stack;
-  std::size_t top = 0;
-  if (!nodes_.empty()) stack[top++] = {0, 0};
-  while (top > 0) {
-    const Pending pending = stack[--top];
-    if (pending.squaredDistance >= best.squaredDistance) continue;
-    const Node& node = nodes_[pending.node];
-    for (Index k = node.first; k < node.first + node.count; ++k) {
-      const Triangle t = corners(order_[k]);
-      const Vec3 point = closestPoint(p, t[0], t[1], t[2]);
-      const double squaredDistance = (point - p).squaredNorm();
-      if (squaredDistance < best.squaredDistance) best = {order_[k], point, squaredDistance};
-    }
-    if (node.count > 0) continue;
-    Pending near = {node.first, squaredDistanceTo(nodes_[node.first])};
-    Pending far = {node.first + 1, squaredDistanceTo(nodes_[node.first + 1])};
-    if (far.squaredDistance < near.squaredDistance) std::swap(near, far);
-    if (far.squaredDistance < best.squaredDistance) stack[top++] = far;
-    if (near.squaredDistance < best.squaredDistance) stack[top++] = near;
-  }
-  return best;
+void TriangleTree::enter(Region& region, const Box& box, double reach) const {
+  region.reach_ = reach;
+  region.groups_.clear();
+  const Vec3 margin = Vec3::Constant(reach);
+  visitGroups({box.low - margin, box.high + margin},
+              [&](Index group, const auto&) { region.groups_.push_back(group); });
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start,
+                                            const Region& region) const {
+  Query query = ask(p);
+  lookAt(start, query);
+  for (const Index group : region.groups_) lookInto(levels_[0][group], 4 * group, query);
+  // What is not in the region is out of its reach.
+  if (query.best.squaredDistance > region.reach_ * region.reach_) lookEverywhere(query);
+  return query.best;
 }
 
 }  // namespace remesher

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A tree of bounding boxes over a list of triangles: the nearest point of the list, and the
 // triangles near a box. The tree keeps no copy of the mesh: positions and indices must outlive it.
+//
+// The triangles are put in an order along which neighbours are close in space; four consecutive
+// ones make a group, four consecutive groups one of the next level, up to a single one. So no
+// pointers are needed, and the boxes of a group's members lie side by side for the vector unit.
 #pragma once
 
 #include <array>
@@ -21,6 +25,9 @@ struct Box {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  bool overlaps(const Box& other) const {
+    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+  }
 };
 
 class TriangleTree {
@@ -31,73 +38,117 @@ class TriangleTree {
     double squaredDistance = std::numeric_limits<double>::infinity();
   };
 
+  // Where to look for points that are all in one place: the groups of triangles near a box.
+  class Region {
+    friend class TriangleTree;
+    double reach_ = 0;
+    std::vector<Index> groups_;
+  };
+
   // indices: three per triangle. Every index must name a position, every coordinate be finite.
   TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices);
 
   // The point of the triangles nearest to p; none when there are no triangles.
-  Nearest nearest(const Vec3& p) const { return improve(p, {}); }
+  Nearest nearest(const Vec3& p) const;
 
   // The same, faster when `start` is a triangle near p, such as the answer for a point close by.
+  // The start is kept when no other is nearer.
   Nearest nearest(const Vec3& p, Index start) const;
+
+  // The same again for one of many points in a box, fastest when the answer is within reach of it.
+  Nearest nearest(const Vec3& p, Index start, const Region& region) const;
+  void enter(Region& region, const Box& box, double reach) const;
 
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
 
-  // The triangles in an order where neighbours are close in space.
+  // The triangles in the tree's order: neighbours in it are close in space.
   std::span<const Index> order() const { return order_; }
 
- private:
-  // 32 bytes; the two children of an inner node lie side by side in one cache line. The box is
-  // rounded outwards to float.
-  struct Node {
-    std::array<float, 3> low, high;
-    Index first;  // a leaf's first place in order_, an inner node's first child
-    Index count;  // a leaf's number of triangles, 0 for an inner node
-  };
-  struct Builder;
+  Triangle corners(Index triangle) const {
+    const std::size_t corner = std::size_t{3} * triangle;
+    return {positions_[indices_[corner]], positions_[indices_[corner + 1]],
+            positions_[indices_[corner + 2]]};
+  }
 
-  Triangle corners(Index triangle) const;
-  Nearest improve(const Vec3& p, Nearest best) const;
-  static bool overlaps(const Node& node, const Box& box);
+ private:
+  using Lanes = Eigen::Array4f;
+
+  // The boxes of four members, relative to the origin and rounded outwards. A missing member's box
+  // is inside out: nothing overlaps it and everything is infinitely far from it.
+  struct Group {
+    std::array<Lanes, 3> low, high;  // per axis
+
+    Group();
+    void set(Eigen::Index member, const Box& box);
+    Box hull() const;
+  };
+  // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
+  // order_[4g + k].
+  using Level = std::vector<Group>;
+  struct Pending {
+    Index level, group;
+    float squaredDistance;
+  };
+  static constexpr std::size_t kDeepest = 17;  // 4^17 triangles are more than an Index can number
+
+  Box boxOf(Index triangle) const;
+  void sortTriangles();
+  void buildLevels();
+  struct Query;
+
+  Query ask(const Vec3& p) const;
+  void lookAt(Index triangle, Query& query) const;
+  void lookInto(const Group& group, Index firstPlace, Query& query) const;
+  void lookEverywhere(Query& query) const;
+  template <class Visit>
+  void visitGroups(const Box& box, Visit&& visit) const;
 
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
+  Box box_;
+  Vec3 origin_ = Vec3::Zero();  // the middle of the box
   std::vector<Index> order_;
-  std::vector<Node> nodes_;  // node 0 is the root, node 1 is unused: pairs start at even places
+  std::vector<Level> levels_;  // the last one is a single group
 };
 
-inline Triangle TriangleTree::corners(Index triangle) const {
-  const std::size_t corner = std::size_t{3} * triangle;
-  return {positions_[indices_[corner]], positions_[indices_[corner + 1]],
-          positions_[indices_[corner + 2]]};
+inline Box TriangleTree::boxOf(Index triangle) const {
+  const Triangle t = corners(triangle);
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
-inline bool TriangleTree::overlaps(const Node& node, const Box& box) {
-  return node.low[0] <= box.high[0] && node.high[0] >= box.low[0] &&  //
-         node.low[1] <= box.high[1] && node.high[1] >= box.low[1] &&  //
-         node.low[2] <= box.high[2] && node.high[2] >= box.low[2];
+// Calls visit(group of level 0, its members' overlaps) for each group that overlaps the box.
+template <class Visit>
+void TriangleTree::visitGroups(const Box& box, Visit&& visit) const {
+  if (levels_.empty() || !box.overlaps(box_)) return;
+  Group wanted;
+  wanted.set(0, {box.low - origin_, box.high - origin_});
+  std::array<Pending, 4 * kDeepest> stack;
+  std::size_t top = 0;
+  stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};
+  while (top > 0) {
+    const Pending next = stack[--top];
+    const Group& group = levels_[next.level][next.group];
+    const Eigen::Array<bool, 4, 1> overlaps =
+        group.low[0] <= wanted.high[0][0] && group.high[0] >= wanted.low[0][0] &&
+        group.low[1] <= wanted.high[1][0] && group.high[1] >= wanted.low[1][0] &&
+        group.low[2] <= wanted.high[2][0] && group.high[2] >= wanted.low[2][0];
+    if (next.level == 0) {
+      visit(next.group, overlaps);
+      continue;
+    }
+    for (Index k = 0; k < 4; ++k)
+      if (overlaps[k]) stack[top++] = {next.level - 1, 4 * next.group + k, 0};
+  }
 }
 
 template <class Visit>
 void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
-  if (nodes_.empty() || !overlaps(nodes_[0], box)) return;
-  std::array<Index, 64> stack;  // the tree is balanced: its depth is below 32
-  std::size_t top = 0;
-  stack[top++] = 0;
-  while (top > 0) {
-    const Node& node = nodes_[stack[--top]];
-    for (Index k = node.first; k < node.first + node.count; ++k) {
-      const Triangle t = corners(order_[k]);
-      const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
-      const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-      if ((low.array() <= box.high.array()).all() && (high.array() >= box.low.array()).all())
-        visit(order_[k]);
-    }
-    if (node.count > 0) continue;
-    if (overlaps(nodes_[node.first + 1], box)) stack[top++] = node.first + 1;
-    if (overlaps(nodes_[node.first], box)) stack[top++] = node.first;
-  }
+  visitGroups(box, [&](Index group, const Eigen::Array<bool, 4, 1>& overlaps) {
+    for (Index k = 0; k < 4; ++k)
+      if (overlaps[k] && boxOf(order_[4 * group + k]).overlaps(box)) visit(order_[4 * group + k]);
+  });
 }
 
 }  // namespace remesher

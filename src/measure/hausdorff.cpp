@@ -5,24 +5,29 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "measure/distance_bound.h"
 
 namespace remesher {
 
 namespace {
 
-// Samples by area, per side: two per triangle, within these limits. The rms of N samples is off by
+// Samples by area, per side: one per triangle, within these limits. The rms of N samples is off by
 // about 1/√N of itself.
 constexpr std::size_t kFewestSamples = 20'000, kMostSamples = 200'000;
-// A maximum this much larger than the one found is not looked for: a share of it, and a share of
-// the diagonal (where the surfaces agree, the first share is of nothing).
-constexpr double kRelativeTolerance = 2e-3, kAbsoluteTolerance = 1e-5;
-// Points to look at while proving the maximum. Surfaces so far apart, or so coarse, that these do
-// not suffice leave the largest distance found without its proof.
-constexpr std::size_t kMostProbes = 2'000'000;
+// So many triangles share one look around, as far as this share of their extent and distance.
+constexpr std::size_t kBatch = 16;
+constexpr double kReach = 0.1;
+// The triangles with the largest distances found, where points are then set denser: so many, and a
+// grid of so many points along an edge.
+constexpr std::size_t kSearchedTriangles = 64;
+constexpr int kSearchGrid = 6;
+// A maximum larger by this share of the diagonal need not be found.
+constexpr double kTolerance = 1e-5;
 
 struct Surface {
   const TriangleMesh& mesh;
@@ -30,16 +35,10 @@ struct Surface {
 
   explicit Surface(const TriangleMesh& m) : mesh(m), tree(m.positions, m.indices) {}
 
-  Triangle triangle(Index t) const {
-    const std::size_t corner = std::size_t{3} * t;
-    return {mesh.positions[mesh.indices[corner]], mesh.positions[mesh.indices[corner + 1]],
-            mesh.positions[mesh.indices[corner + 2]]};
-  }
-
   double area() const {
     double sum = 0;
     for (Index t = 0; t < mesh.triangleCount(); ++t) {
-      const auto [a, b, c] = triangle(t);
+      const auto [a, b, c] = tree.corners(t);
       sum += remesher::area(a, b, c);
     }
     return sum;
@@ -64,6 +63,10 @@ class EvenPoints {
   double u_ = 0.5, v_ = 0.5;
 };
 
+Vec3 at(const Vec3& barycentric, const Triangle& t) {
+  return barycentric[0] * t[0] + barycentric[1] * t[1] + barycentric[2] * t[2];
+}
+
 // One direction. Walks `from` in its tree's order, so that the answer for one point is a good start
 // for the next.
 class Measurement {
@@ -71,124 +74,119 @@ class Measurement {
   Measurement(const Surface& from, const Surface& to, double diagonal)
       : from_(from),
         to_(to),
-        hits_(from.mesh.positions.size(), kNone),
-        absoluteTolerance_(kAbsoluteTolerance * diagonal) {}
+        isSampled_(from.mesh.positions.size(), 0),
+        starts_(from.mesh.triangleCount(), 0),
+        largest_(from.mesh.triangleCount(), 0),
+        diagonal_(diagonal) {}
 
-  Deviation run() {
+  Deviation run(Maximum maximum) {
     sample();
-    for (const Index t : from_.tree.order()) prove(t);
-    const double maximum = std::sqrt(squaredMaximum_);
-    return {maximum, sampleCount_ > 0 ? std::sqrt(sumOfSquares_ / static_cast<double>(sampleCount_))
-                                      : maximum};
+    search();
+    if (maximum == Maximum::Proven)
+      squaredMaximum_ = provenSquaredMaximum(
+          {from_.tree, to_.tree, starts_, kTolerance * diagonal_}, squaredMaximum_);
+    const double distance = std::sqrt(squaredMaximum_);
+    return {distance, sampleCount_ > 0
+                          ? std::sqrt(sumOfSquares_ / static_cast<double>(sampleCount_))
+                          : distance};
   }
 
  private:
-  // A point of `from` and the triangle of `to` nearest to it.
-  struct Probe {
-    Vec3 point;
-    Index hit;
-  };
-
-  double look(const Vec3& p) {
-    const TriangleTree::Nearest nearest =
-        last_ == kNone ? to_.tree.nearest(p) : to_.tree.nearest(p, last_);
+  double note(const TriangleTree::Nearest& nearest) {
     last_ = nearest.triangle;
     squaredMaximum_ = std::max(squaredMaximum_, nearest.squaredDistance);
     return nearest.squaredDistance;
   }
 
-  Probe probe(const Vec3& p, Index start) {
-    ++probes_;
-    last_ = start;
-    look(p);
-    return {p, last_};
+  double look(const Vec3& p) {
+    return note(last_ == kNone ? to_.tree.nearest(p) : to_.tree.nearest(p, last_));
   }
+
+  double lookAround(const Vec3& p) { return note(to_.tree.nearest(p, last_, region_)); }
 
   void sample() {
-    const std::size_t wanted =
-        std::clamp(2 * from_.mesh.triangleCount(), kFewestSamples, kMostSamples);
+    const std::size_t wanted = std::clamp(from_.mesh.triangleCount(), kFewestSamples, kMostSamples);
     const double total = from_.area();
     const double perArea = total > 0 ? static_cast<double>(wanted) / total : 0;
-    EvenPoints points;
-    double due = 0;
-    for (const Index t : from_.tree.order()) {
-      const auto [a, b, c] = from_.triangle(t);
-      for (int k = 0; k < 3; ++k) {
+    const std::span<const Index> order = from_.tree.order();
+    for (std::size_t i = 0; i < order.size(); i += kBatch)
+      sampleTogether(order.subspan(i, std::min(kBatch, order.size() - i)), perArea);
+  }
+
+  // Triangles close to each other: one look around finds all that can be near them.
+  void sampleTogether(std::span<const Index> triangles, double perArea) {
+    Box box;
+    for (const Index t : triangles)
+      for (const Vec3& p : from_.tree.corners(t)) box.extend(p);
+    const double distance =
+        std::sqrt(look(at(Vec3::Constant(1.0 / 3), from_.tree.corners(triangles[0]))));
+    to_.tree.enter(region_, box, kReach * ((box.high - box.low).norm() + distance));
+    for (const Index t : triangles) {
+      const Triangle corners = from_.tree.corners(t);
+      double largest = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
         const Index v = from_.mesh.indices[std::size_t{3} * t + k];
-        if (hits_[v] != kNone) continue;
-        look(from_.mesh.positions[v]);
-        hits_[v] = last_;
+        if (isSampled_[v]) continue;
+        isSampled_[v] = 1;
+        largest = std::max(largest, lookAround(corners[k]));
       }
-      for (due += area(a, b, c) * perArea; due >= 1; due -= 1) {
-        const Vec3 w = points.next();
-        sumOfSquares_ += look(w[0] * a + w[1] * b + w[2] * c);
+      for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1) {
+        const double squaredDistance = lookAround(at(points_.next(), corners));
+        largest = std::max(largest, squaredDistance);
+        sumOfSquares_ += squaredDistance;
         ++sampleCount_;
       }
+      largest_[t] = static_cast<float>(largest);
+      starts_[t] = last_;
     }
   }
 
-  bool isWithinMaximum(double squaredDistance) const {
-    const double most = std::sqrt(squaredMaximum_) * (1 + kRelativeTolerance) + absoluteTolerance_;
-    return squaredDistance <= most * most;
-  }
-
-  // The distance to a convex set is a convex function, so over a triangle it is largest at a
-  // corner: one triangle of `to` near enough to all three corners is near enough to every point.
-  bool isNear(const std::array<Probe, 3>& corners, Index target) const {
-    const auto triangle = to_.triangle(target);
-    return std::all_of(corners.begin(), corners.end(), [&](const Probe& p) {
-      const Vec3 closest = closestPoint(p.point, triangle[0], triangle[1], triangle[2]);
-      return isWithinMaximum((closest - p.point).squaredNorm());
-    });
-  }
-
-  bool isProven(const std::array<Probe, 3>& corners) const {
-    return isNear(corners, corners[0].hit) ||
-           (corners[1].hit != corners[0].hit && isNear(corners, corners[1].hit)) ||
-           (corners[2].hit != corners[0].hit && corners[2].hit != corners[1].hit &&
-            isNear(corners, corners[2].hit));
-  }
-
-  void prove(Index t) {
-    const Triangle points = from_.triangle(t);
-    std::array<Probe, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = {points[k], hits_[from_.mesh.indices[std::size_t{3} * t + k]]};
-    if (isProven(corners)) return;
-    const Probe centre = probe((points[0] + points[1] + points[2]) / 3, corners[0].hit);
-    if (isNear(corners, centre.hit)) return;
-    pending_.assign(1, corners);
-    while (!pending_.empty() && probes_ < kMostProbes) {
-      const std::array<Probe, 3> next = pending_.back();
-      pending_.pop_back();
-      if (!isProven(next)) subdivide(next, centre.hit);
+  // The distance changes by no more than the way between two points, so the largest one is likely
+  // in a triangle where a large one was found: over a grid there, then over a grid as fine again
+  // around the largest.
+  void search() {
+    std::vector<Index> triangles(from_.tree.order().begin(), from_.tree.order().end());
+    const std::size_t count = std::min(kSearchedTriangles, triangles.size());
+    std::partial_sort(triangles.begin(), triangles.begin() + count, triangles.end(),
+                      [this](Index s, Index t) {
+                        return largest_[s] > largest_[t] || (largest_[s] == largest_[t] && s < t);
+                      });
+    for (std::size_t i = 0; i < count; ++i) {
+      const Triangle whole = from_.tree.corners(triangles[i]);
+      const Vec3 best = searchGrid(whole);
+      Triangle part;
+      for (std::size_t k = 0; k < 3; ++k) part[k] = best + (whole[k] - best) / kSearchGrid;
+      searchGrid(part);
     }
   }
 
-  //        2
-  //       / \       Midpoints opposite to the corners; a tie goes to `start`, so that a midpoint on
-  //      1 - 0      an edge of `to` does not fall to the other side's triangle.
-  //     / \ / \ .
-  //    0 - 2 - 1
-  void subdivide(const std::array<Probe, 3>& corners, Index start) {
-    std::array<Probe, 3> middles;
-    for (std::size_t k = 0; k < 3; ++k)
-      middles[k] = probe(0.5 * (corners[(k + 1) % 3].point + corners[(k + 2) % 3].point), start);
-    pending_.push_back(middles);
-    for (std::size_t k = 0; k < 3; ++k)
-      pending_.push_back({corners[k], middles[(k + 2) % 3], middles[(k + 1) % 3]});
+  Vec3 searchGrid(const Triangle& t) {
+    Vec3 best = t[0];
+    double largest = 0;
+    for (int i = 0; i <= kSearchGrid; ++i)
+      for (int k = 0; i + k <= kSearchGrid; ++k) {
+        const Vec3 p = at(Vec3(kSearchGrid - i - k, i, k) / kSearchGrid, t);
+        const double squaredDistance = look(p);
+        if (squaredDistance <= largest) continue;
+        largest = squaredDistance;
+        best = p;
+      }
+    return best;
   }
 
   const Surface& from_;
   const Surface& to_;
-  std::vector<Index> hits_;  // per vertex of `from`: the triangle of `to` nearest to it
-  double absoluteTolerance_;
+  std::vector<std::uint8_t> isSampled_;  // per vertex of `from`
+  std::vector<Index> starts_;            // per triangle of `from`: one of `to` near it
+  std::vector<float> largest_;  // per triangle of `from`: the largest squared distance sampled
+  double diagonal_;
   Index last_ = kNone;
   double squaredMaximum_ = 0;
+  TriangleTree::Region region_;
+  EvenPoints points_;
+  double due_ = 0;  // samples owed to the area passed
   double sumOfSquares_ = 0;
   std::size_t sampleCount_ = 0;
-  std::size_t probes_ = 0;
-  std::vector<std::array<Probe, 3>> pending_;
 };
 
 double diagonalOf(const TriangleMesh& mesh) {
@@ -199,15 +197,17 @@ double diagonalOf(const TriangleMesh& mesh) {
 
 }  // namespace
 
-DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result) {
+DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result,
+                                   Maximum maximum) {
   const Surface first(original), second(result);
   const double diagonal = diagonalOf(original);
-  return {Measurement(first, second, diagonal).run(), Measurement(second, first, diagonal).run(),
-          diagonal};
+  return {Measurement(first, second, diagonal).run(maximum),
+          Measurement(second, first, diagonal).run(maximum), diagonal};
 }
 
-FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh& result) {
-  const DeviationBothWays d = measureDeviation(original, result);
+FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh& result,
+                               Maximum maximum) {
+  const DeviationBothWays d = measureDeviation(original, result, maximum);
   if (d.diagonal == 0) return {};
   return {100 * std::max(d.toResult.maximum, d.toOriginal.maximum) / d.diagonal,
           100 * std::max(d.toResult.rms, d.toOriginal.rms) / d.diagonal};

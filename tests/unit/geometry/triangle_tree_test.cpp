@@ -28,11 +28,31 @@ TEST_CASE("triangle: the closest point has no corner of the triangle on its far 
   // (p - q)·(x - q) > 0; for a triangle its corners decide.
   soups::Random random(1);
   for (int round = 0; round < 20000; ++round) {
-    const Vec3 a = random.point(), b = random.point();
-    Vec3 c = random.point();
-    if (round % 4 == 1) c = a + random.number() * (b - a);           // no area
-    if (round % 4 == 2) c = b + 1e-9 * random.point();               // a needle
-    if (round % 4 == 3) c = 0.5 * (a + b) + 1e-13 * random.point();  // a flat cap
+    const Vec3 a = random.point();
+    Vec3 b = random.point(), c = random.point();
+    switch (round % 8) {
+      case 1:
+        c = a + random.number() * (b - a);
+        break;  // no area
+      case 2:
+        c = b + 1e-9 * random.point();
+        break;  // a needle
+      case 3:
+        c = 0.5 * (a + b) + 1e-13 * random.point();
+        break;  // a flat cap
+      case 4:
+        b = a;
+        break;
+      case 5:
+        c = a;
+        break;
+      case 6:
+        c = b;
+        break;
+      case 7:
+        b = c = a;
+        break;
+    }
     const Vec3 p = 3 * random.point() - Vec3::Ones();
     const Vec3 q = closestPoint(p, a, b, c);
     double farthest = 0;
@@ -55,6 +75,24 @@ TEST_CASE("triangle_tree: nearest agrees with looking at every triangle, from an
         CHECK((hit.point - p).squaredNorm() == hit.squaredDistance);
         CHECK(hit.triangle < n);
       }
+    }
+  }
+}
+
+TEST_CASE("triangle_tree: a region changes nothing but the time, however short its reach") {
+  const TriangleMesh mesh = soups::randomSoup(300, 0.1, 9);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  soups::Random random(8);
+  TriangleTree::Region region;
+  for (const double reach : {0.0, 0.05, 3.0}) {
+    Box box;
+    box.extend(0.5 * random.point());
+    box.extend(0.5 * random.point());
+    tree.enter(region, box, reach);
+    for (int round = 0; round < 200; ++round) {
+      const Vec3 p = box.low + random.point().cwiseProduct(box.high - box.low);
+      const double expected = bruteForce(mesh, p);
+      CHECK(tree.nearest(p, 0, region).squaredDistance == doctest::Approx(expected).epsilon(1e-12));
     }
   }
 }

@@ -10,11 +10,21 @@
 using namespace remesher;
 using doctest::Approx;
 
+namespace {
+
+DeviationBothWays proven(const TriangleMesh& original, const TriangleMesh& result) {
+  return measureDeviation(original, result, Maximum::Proven);
+}
+
+}  // namespace
+
 TEST_CASE("hausdorff: a surface is no distance from itself, however it is cut") {
   const auto check = [](const TriangleMesh& a, const TriangleMesh& b) {
-    const FidelityReport report = measureFidelity(a, b);
-    CHECK(report.hausdorff < 1e-10);
-    CHECK(report.rms < 1e-10);
+    for (const Maximum maximum : {Maximum::Sampled, Maximum::Proven}) {
+      const FidelityReport report = measureFidelity(a, b, maximum);
+      CHECK(report.hausdorff < 1e-10);
+      CHECK(report.rms < 1e-10);
+    }
   };
   check(soups::sphere(6), soups::sphere(6));
   check(soups::square(3), soups::square(7));
@@ -23,7 +33,7 @@ TEST_CASE("hausdorff: a surface is no distance from itself, however it is cut") 
 
 TEST_CASE("hausdorff: parallel squares are everywhere as far apart as their planes") {
   const DeviationBothWays d =
-      measureDeviation(soups::square(3), soups::moved(soups::square(5), {0, 0, 0.25}));
+      proven(soups::square(3), soups::moved(soups::square(5), {0, 0, 0.25}));
   CHECK(d.diagonal == Approx(std::sqrt(2)));
   for (const Deviation& way : {d.toResult, d.toOriginal}) {
     CHECK(way.maximum == Approx(0.25).epsilon(1e-12));
@@ -33,7 +43,7 @@ TEST_CASE("hausdorff: parallel squares are everywhere as far apart as their plan
 
 TEST_CASE("hausdorff: a cube around a cube is farthest at its corners") {
   const TriangleMesh inner = soups::cube(0, 1), outer = soups::cube(-0.1, 1.1);
-  const DeviationBothWays d = measureDeviation(inner, outer);
+  const DeviationBothWays d = proven(inner, outer);
   CHECK(d.toResult.maximum == Approx(0.1));
   CHECK(d.toOriginal.maximum == Approx(0.1 * std::sqrt(3)));
   CHECK(measureFidelity(inner, outer).hausdorff == Approx(10));  // of the diagonal, √3
@@ -49,7 +59,7 @@ TEST_CASE("hausdorff: the root mean square over a pyramid is its height over √
   soups::addTriangle(pyramid, b, c, top);
   soups::addTriangle(pyramid, c, d, top);
   soups::addTriangle(pyramid, d, a, top);
-  const Deviation way = measureDeviation(soups::square(1), pyramid).toOriginal;
+  const Deviation way = proven(soups::square(1), pyramid).toOriginal;
   CHECK(way.maximum == Approx(h).epsilon(1e-12));
   CHECK(way.rms == Approx(h / std::sqrt(6)).epsilon(0.01));
 }
@@ -63,7 +73,7 @@ TEST_CASE("hausdorff: a hole too small for any sample to fall into is found") {
   soups::addQuad(frame, {0, high, 0}, {1, high, 0}, {1, 1, 0}, {0, 1, 0});
   soups::addQuad(frame, {0, low, 0}, {low, low, 0}, {low, high, 0}, {0, high, 0});
   soups::addQuad(frame, {high, low, 0}, {1, low, 0}, {1, high, 0}, {high, high, 0});
-  const Deviation way = measureDeviation(soups::square(1), frame).toResult;
+  const Deviation way = proven(soups::square(1), frame).toResult;
   CHECK(way.maximum <= w / 2 + 1e-15);
   CHECK(way.maximum >= w / 2 * 0.998 - 2e-5);
 }
@@ -76,5 +86,13 @@ TEST_CASE("hausdorff: flat triangles are as far from a sphere as their planes cu
     const Vec3 a = coarse.positions[t], b = coarse.positions[t + 1], c = coarse.positions[t + 2];
     deepest = std::max(deepest, 1 - std::abs((b - a).cross(c - a).normalized().dot(a)));
   }
-  CHECK(measureDeviation(fine, coarse).toResult.maximum == Approx(deepest).epsilon(0.005));
+  CHECK(proven(fine, coarse).toResult.maximum == Approx(deepest).epsilon(0.005));
+}
+
+TEST_CASE("hausdorff: what is sampled is found, and little less than what is proven") {
+  const TriangleMesh a = soups::sphere(7), b = soups::sphere(16);
+  const double sampled = measureFidelity(a, b, Maximum::Sampled).hausdorff;
+  const double bound = measureFidelity(a, b, Maximum::Proven).hausdorff;
+  CHECK(sampled <= bound);
+  CHECK(sampled >= 0.98 * bound);
 }
