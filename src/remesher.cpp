@@ -95,7 +95,7 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   });
   model.parts = std::move(run.parts);
   const Stopwatch writing;
-  io::WrittenFiles written = io::write(model, outputName);
+  io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   run.report.timings.write = writing.milliseconds();
   run.report.timings.read = readingTime;
   run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);

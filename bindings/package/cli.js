@@ -96,11 +96,21 @@ async function writeAll(folder, files) {
   }
 }
 
-/** @param {Uint8Array} bytes @returns {Promise<void>} */
+/**
+ * A reader that stops reading (head, a closed pager) is no failure of ours.
+ * @param {Uint8Array} bytes
+ * @returns {Promise<void>}
+ */
 function writeToStandardOutput(bytes) {
   return new Promise((resolve, reject) => {
-    process.stdout.write(bytes, (error) => (error ? reject(error) : resolve()));
+    process.stdout.write(bytes, (error) =>
+      (error && !isClosedPipe(error) ? reject(error) : resolve()));
   });
+}
+
+/** @param {Error} error */
+function isClosedPipe(error) {
+  return /** @type {NodeJS.ErrnoException} */ (error).code === 'EPIPE';
 }
 
 /** A bar on a terminal, nothing elsewhere. @param {boolean} quiet */
@@ -200,9 +210,8 @@ function complain(error) {
   process.exitCode = ourFault.has(known.code) ? 1 : 2;
 }
 
-// A reader that stops reading (head, a closed pager) is no failure of ours.
-process.stdout.on('error', (/** @type {NodeJS.ErrnoException} */ error) => {
-  if (error.code !== 'EPIPE') throw error;
+process.stdout.on('error', (error) => {
+  if (!isClosedPipe(error)) throw error;
 });
 
 await main(process.argv.slice(2)).catch(complain);

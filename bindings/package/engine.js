@@ -124,7 +124,7 @@ export class Engine {
       return call(instance, job, ask);
     } catch (cause) {
       this.#instance = undefined;
-      throw new RemeshError('INTERNAL', `The run failed inside WebAssembly: ${String(cause)}`,
+      throw new RemeshError('INTERNAL', `The run failed inside WebAssembly: ${String(cause)}.`,
         'Please report this as a bug, with the model if you can.', { cause });
     }
   }

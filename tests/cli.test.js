@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The command line: what it writes and where, and how it fails.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import {
+  chmodSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { referencesOf } from '../dist/resources.js';
+import { root } from './support/tree.js';
+import { offText, torus } from './support/shapes.js';
+
+const cli = join(root, 'dist/cli.js');
+const folder = mkdtempSync(join(tmpdir(), 'remesher-cli-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const inFolder = (name) => join(folder, name);
+const write = (name, content) => writeFileSync(inFolder(name), content);
+const read = (name) => readFileSync(inFolder(name), 'utf8');
+const run = (...words) =>
+  spawnSync(process.execPath, [cli, ...words], { cwd: folder, encoding: 'utf8' });
+
+/** Fails with this status and one line on standard error that matches; writes nothing. */
+function failsWith(status, pattern, ...words) {
+  const before = readdirSync(folder).sort();
+  const result = run(...words);
+  assert.equal(result.status, status, result.stderr);
+  assert.equal(result.stdout, '');
+  assert.match(result.stderr, /^remesher: [^\n]+\n$/);
+  assert.match(result.stderr, pattern);
+  assert.deepEqual(readdirSync(folder).sort(), before);
+}
+
+const tetrahedron = 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n';
+write('torus.off', offText(torus()));
+
+test('a file is remeshed to the exact count; standard output stays empty', () => {
+  const { status, stdout, stderr } = run('torus.off', '-o', 'out.off', '--vertices', '700');
+  assert.equal(status, 0, stderr);
+  assert.equal(stdout, '');
+  assert.match(stderr, /output: 700 vertices, 1400 triangles/);
+  assert.match(read('out.off'), /^OFF\s+700 1400/);
+});
+
+test('--quiet says nothing', () => {
+  const { status, stdout, stderr } = run('torus.off', '-o', 'out.off', '--ratio=.5', '--quiet');
+  assert.deepEqual([status, stdout, stderr], [0, '', '']);
+});
+
+test('--json is the whole report and nothing else on standard output', () => {
+  const { status, stdout, stderr } =
+    run('torus.off', '-o', 'out.obj', '--vertices', '600', '--scheme', 'rounds', '--json');
+  assert.equal(status, 0, stderr);
+  assert.equal(stderr, '');
+  const report = JSON.parse(stdout);
+  assert.deepEqual(Object.keys(report).sort(), ['fidelity', 'input', 'memory', 'output',
+    'stopped', 'timings', 'version', 'warnings']);
+  assert.equal(report.output.vertices, 600);
+  assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);
+  assert.ok(report.memory.peakBytes > 0);
+});
+
+test('inspect reports, in words and as JSON, and writes nothing', () => {
+  const before = readdirSync(folder).sort();
+  assert.match(run('inspect', 'torus.off').stdout, /^input: 1152 vertices, 2304 triangles/);
+  const report = JSON.parse(run('inspect', 'torus.off', '--json').stdout);
+  assert.equal(report.input.eulerCharacteristic, 0);
+  assert.equal(report.output, undefined);
+  assert.deepEqual(readdirSync(folder).sort(), before);
+});
+
+test('- is standard output, in the format asked for', () => {
+  const { status, stdout, stderr } =
+    run('torus.off', '-o', '-', '--format', 'obj', '--vertices', '200');
+  assert.equal(status, 0, stderr);
+  assert.equal(stdout.match(/^v /gm).length, 200);
+});
+
+test('a reader that closes the pipe early is no failure', async () => {
+  const child = spawn(process.execPath, [cli, 'torus.off', '-o', '-', '--format', 'obj'],
+    { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
+  child.stdout.destroy();
+  const errors = [];
+  child.stderr.on('data', (data) => errors.push(data));
+  const status = await new Promise((resolve) => child.on('exit', resolve));
+  assert.equal(status, 0, Buffer.concat(errors).toString());
+});
+
+test('help and version', () => {
+  assert.match(run('--help').stdout, /--vertices N/);
+  const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  assert.equal(run('--version').stdout, `${version}\n`);
+});
+
+test('wrong words are named, with what to do', () => {
+  failsWith(2, /No input file.*Use:/);
+  failsWith(2, /No output file.*Add -o/, 'torus.off');
+  failsWith(2, /--vertexes.*Did you mean --vertices/, 'torus.off', '-o', 'x.off', '--vertexes', '3');
+  failsWith(2, /--vertices needs a value/, 'torus.off', '-o', 'x.off', '--vertices');
+  failsWith(2, /--vertices must be a whole number.*not many/,
+    'torus.off', '-o', 'x.off', '--vertices', 'many');
+  failsWith(2, /--vertices must be .*not 0/, 'torus.off', '-o', 'x.off', '--vertices', '0');
+  failsWith(2, /--gradation must be a number above 1/, 'torus.off', '-o', 'x.off',
+    '--gradation', '1');
+  failsWith(2, /two input files, torus\.off and b\.off/, 'torus.off', 'b.off', '-o', 'x.off');
+  failsWith(2, /--json takes no value/, 'torus.off', '-o', 'x.off', '--json=1');
+  failsWith(2, /contradict/, 'torus.off', '-o', 'x.off', '--vertices', '9', '--ratio', '1');
+  failsWith(2, /needs a format/, 'torus.off', '-o', '-');
+  failsWith(2, /both want standard output/, 'torus.off', '-o', '-', '--format', 'obj', '--json');
+});
+
+const badFiles = {
+  'empty.off': ['', /empty\.off/],
+  'text.glb': ['hello', /text\.glb/],
+  'faceless.obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\n', /faceless\.obj/],
+  'nan.obj': ['v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', /nan\.obj/],
+  'infinite.off': [tetrahedron.replace('1 0 0', '1e999 0 0'), /infinite\.off/],
+  'range.obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n', /range\.obj/],
+  'flat.off': ['OFF\n3 2 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0 1\n3 1 1 2\n', /flat\.off/],
+  'short.off': [tetrahedron.slice(0, 60), /short\.off/],
+  'odd.xyz': ['1 2 3\n', /odd\.xyz/],
+};
+for (const [name, [content, pattern]] of Object.entries(badFiles)) {
+  test(`${name} is refused in one line`, () => {
+    write(name, content);
+    write('kept.off', 'kept');
+    failsWith(2, pattern, name, '-o', 'never.off');
+    failsWith(2, pattern, name, '-o', 'kept.off');
+    assert.equal(read('kept.off'), 'kept');
+  });
+}
+
+test('impossible targets are refused', () => {
+  failsWith(2, /3 vertices/, 'torus.off', '-o', 'never.off', '--vertices', '3');
+});
+
+test('an input that is not there, or a folder, is refused', () => {
+  failsWith(2, /nothere\.off cannot be read: there is no such file/, 'nothere.off', '-o', 'x.off');
+  mkdirSync(inFolder('sub'), { recursive: true });
+  failsWith(2, /sub cannot be read: it is a folder/, 'sub', '-o', 'x.off');
+});
+
+test('an output that cannot be written is refused, and leaves nothing behind', () => {
+  failsWith(2, /nowhere.x\.off cannot be written: there is no such file or folder/,
+    'torus.off', '-o', 'nowhere/x.off', '--vertices', '100');
+  failsWith(2, /odd\.doc/, 'torus.off', '-o', 'odd.doc');
+  mkdirSync(inFolder('folder.off'), { recursive: true });
+  failsWith(2, /folder\.off cannot be written/, 'torus.off', '-o', 'folder.off',
+    '--vertices', '100');
+  assert.deepEqual(readdirSync(inFolder('folder.off')), []);
+});
+
+test('what lies beside the input is read, and the result brings its own', () => {
+  mkdirSync(inFolder('beside'), { recursive: true });
+  write('beside/m.mtl', 'newmtl red\nKd 1 0 0\n');
+  const faces = [...tetrahedron.matchAll(/^3 (\d) (\d) (\d)$/gm)]
+    .map(([, ...corners]) => `f ${corners.map((c) => Number(c) + 1).join(' ')}`);
+  const places = tetrahedron.split('\n').slice(2, 6).map((line) => `v ${line}`);
+  write('beside/t.obj', ['mtllib m.mtl', ...places, 'usemtl red', ...faces, ''].join('\n'));
+  mkdirSync(inFolder('out'), { recursive: true });
+  const { status, stderr } =
+    run('beside/t.obj', '-o', 'out/t.obj', '--vertices', '40', '--scheme', 'rounds');
+  assert.equal(status, 0, stderr);
+  assert.match(read('out/t.obj'), /^usemtl red$/m);
+  const [, library] = read('out/t.obj').match(/^mtllib (.+)$/m);
+  assert.match(read(`out/${library}`), /newmtl red/);
+});
+
+test('references are found in every format that has them', () => {
+  const bytes = (text) => new TextEncoder().encode(text);
+  const json = '{"buffers":[{"uri":"a.bin"},{"uri":"data:,"},{}],"images":[{"uri":"b c.png"}]}';
+  assert.deepEqual(referencesOf('x.gltf', bytes(json)), ['a.bin', 'b c.png']);
+  const glb = new Uint8Array(20 + json.length);
+  const view = new DataView(glb.buffer);
+  view.setUint32(0, 0x46546c67, true);
+  view.setUint32(12, json.length, true);
+  glb.set(bytes(json), 20);
+  assert.deepEqual(referencesOf('x.GLB', glb), ['a.bin', 'b c.png']);
+  assert.deepEqual(referencesOf('x.obj', bytes('mtllib a b.mtl \r\nv 0 0 0\n')), ['a b.mtl']);
+  assert.deepEqual(referencesOf('x.gltf', bytes('{')), []);
+  assert.deepEqual(referencesOf('x.off', bytes(json)), []);
+});
+
+test('the command can be run as it is', () => {
+  chmodSync(cli, 0o755);
+  assert.ok(existsSync(cli));
+  assert.equal(spawnSync(cli, ['--version']).status, 0);
+});

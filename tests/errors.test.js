@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Failures: one list of codes, nothing raw, and a fresh start afterwards.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
+
+import { RemeshError } from 'remesher';
+
+import { Engine, instantiate } from '../dist/engine.js';
+import { errorCodes } from '../dist/errors.js';
+import { compileBinary, compileUrl } from '../dist/wasm_source.js';
+import { rejectsWith } from './support/errors.js';
+import { torus } from './support/shapes.js';
+
+const wasm = await readFile(new URL('../dist/remesher.wasm', import.meta.url));
+const module = await WebAssembly.compile(wasm);
+
+test('the codes are those of the core, in the same order', async () => {
+  const instance = await instantiate(module);
+  assert.deepEqual(instance.errorCodes(), [...errorCodes]);
+});
+
+test('an error has a code, a message and a hint', () => {
+  const error = new RemeshError('PARSE_ERROR', 'It is broken.', 'Mend it.');
+  assert.ok(error instanceof Error);
+  assert.deepEqual([error.name, error.code, error.message, error.hint],
+    ['RemeshError', 'PARSE_ERROR', 'It is broken.', 'Mend it.']);
+});
+
+test('a page sent instead of WebAssembly is named as such', async () => {
+  const page = new TextEncoder().encode('<!doctype html>');
+  await rejectsWith(compileBinary(page, 'http://x/remesher.wasm'), 'INTERNAL', /HTML page/);
+  await rejectsWith(compileBinary(new Uint8Array([1, 2, 3, 4]), 'x.wasm'), 'INTERNAL',
+    /x\.wasm is not WebAssembly/);
+  await rejectsWith(compileUrl('data:text/html,<html>'), 'INTERNAL', /HTML page/);
+});
+
+test('an exception from inside becomes a RemeshError, and the next run works', async () => {
+  const engine = new Engine(module);
+  const mesh = torus({ columns: 8, rows: 6 });
+  const poisoned = { get length() { throw new Error('no'); } };
+  await rejectsWith(engine.run({ kind: 'inspect', mesh: { ...mesh, positions: poisoned } }),
+    'INTERNAL', /inside WebAssembly: Error: no\./);
+  const report = await engine.run({ kind: 'inspect', mesh });
+  assert.equal(report.input.vertices, 48);
+});
+
+test('no call leaves an Embind handle behind, whether it succeeds or fails', async () => {
+  const instance = await instantiate(module);
+  const mesh = { ...torus({ columns: 8, rows: 6 }), attributes: [] };
+  const bad = { ...mesh, indices: new Uint32Array([0, 1, 99]) };
+  const calls = () => {
+    assert.ok(instance.remesh(mesh, { vertices: 60, density: new Float32Array(48).fill(1) },
+      () => true).report);
+    assert.equal(instance.remesh(bad, {}, undefined).error.code, 'INDEX_OUT_OF_RANGE');
+    assert.equal(instance.remesh(mesh, {}, () => false).error.code, 'CANCELLED');
+    assert.ok(instance.inspect(mesh).input);
+    const file = { name: 'x.off', bytes: new Uint8Array([79]), resources: [], output: 'x.off' };
+    assert.equal(instance.remeshFile(file, {}, undefined).error.code, 'PARSE_ERROR');
+  };
+  calls();
+  const before = instance.count_emval_handles();
+  calls();
+  calls();
+  assert.equal(instance.count_emval_handles(), before);
+});

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The one table of options, and all that is made from it.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
+
+import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options';
+
+import { helpText, parseCommandLine } from '../dist/cli_arguments.js';
+import { instantiate } from '../dist/engine.js';
+
+const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
+  assert.equal(error.code, code);
+  assert.match(`${error.message} ${error.hint}`, pattern);
+  return true;
+});
+
+test('defaults of the table are those of the core', async () => {
+  const wasm = await readFile(new URL('../dist/remesher.wasm', import.meta.url));
+  const instance = await instantiate(await WebAssembly.compile(wasm));
+  for (const [name, value] of Object.entries(instance.defaultOptions())) {
+    const row = optionTable.find((option) => option.name === name);
+    assert.equal(row.default, value, name);
+  }
+});
+
+test('every default passes its own check', () => {
+  for (const option of optionTable) {
+    for (const scheme of ['best', 'rounds']) {
+      const value = defaultOf(option, scheme);
+      if (value !== undefined) checkOptions({ [option.name]: value });
+    }
+  }
+});
+
+test('ranges hold at their ends', () => {
+  for (const { name, min, max, above } of optionTable) {
+    if (min !== undefined) {
+      checkOptions({ [name]: min });
+      refused({ [name]: min - 1 }, 'INVALID_OPTION', new RegExp(`^${name} must be`));
+    }
+    if (max !== undefined) {
+      checkOptions({ [name]: max });
+      if (max < 1000) refused({ [name]: max + 1 }, 'INVALID_OPTION', /must be/);
+    }
+    if (above !== undefined) refused({ [name]: above }, 'INVALID_OPTION', /above/);
+  }
+});
+
+test('values of the wrong type are refused', () => {
+  refused({ vertices: 10.5 }, 'INVALID_OPTION', /whole number/);
+  refused({ vertices: '10' }, 'INVALID_OPTION', /whole number/);
+  refused({ ratio: NaN }, 'INVALID_OPTION', /NaN/);
+  refused({ scheme: 'fast' }, 'INVALID_OPTION', /best, rounds/);
+  refused({ splitObtuse: 1 }, 'INVALID_OPTION', /true or false/);
+  refused({ density: [1, 2] }, 'INVALID_OPTION', /Float32Array/);
+  refused({ featureEdges: [[1]] }, 'INVALID_OPTION', /pairs/);
+});
+
+test('an unknown name is refused, and the nearest named', () => {
+  refused({ vertexes: 3 }, 'UNKNOWN_OPTION', /Did you mean vertices\?/);
+  refused({ splitobtuse: true }, 'UNKNOWN_OPTION', /splitObtuse/);
+  assert.equal(nearest('zzzzzzzz', ['vertices']), undefined);
+});
+
+test('two targets contradict each other', () => {
+  refused({ vertices: 100, ratio: 0.5 }, 'INVALID_OPTION', /vertices and ratio contradict/);
+});
+
+test('what is not set does not travel', () => {
+  assert.deepEqual(checkOptions({ vertices: undefined, maxError: 'off' }), {});
+});
+
+test('arrays are copied into the form the core reads', () => {
+  const density = new Float32Array([1, 2]);
+  const checked = checkOptions({ density, featureEdges: [[0, 1], [1, 2]] });
+  assert.notEqual(checked.density, density);
+  assert.deepEqual(checked.density, density);
+  assert.deepEqual(checked.featureEdges, new Uint32Array([0, 1, 1, 2]));
+});
+
+test('every flag is the kebab case of its name, is parsed, and is in the help', () => {
+  for (const option of optionTable.filter(({ flag }) => flag)) {
+    const flag = `--${option.name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}`;
+    assert.equal(option.flag.split(' ')[0], flag);
+    assert.ok(helpText().includes(`  ${flag} `) || helpText().includes(`  ${flag}\n`), flag);
+    const value = option.choices?.[0] ?? (option.type === 'boolean' ? undefined : '2');
+    if (option.name === 'adaptivity') continue;
+    const words = ['in.off', '-o', 'out.off', flag, ...(value === undefined ? [] : [value])];
+    assert.ok(option.name in parseCommandLine(words).options, flag);
+  }
+});
+
+test('flags take their value as the next word or after =', () => {
+  assert.equal(parseCommandLine(['a', '-o', 'b', '--ratio', '0.5']).options.ratio, 0.5);
+  assert.equal(parseCommandLine(['a', '-o', 'b', '--ratio=0.5']).options.ratio, 0.5);
+  assert.equal(parseCommandLine(['a', '-o', 'b', '--feature-angle', 'off']).options.featureAngle,
+    'off');
+});

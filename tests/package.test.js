@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The tarball: small, whole, without install scripts, and working where nothing else is.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { offText, torus } from './support/shapes.js';
+import { readText, root } from './support/tree.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'remesher-package-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const call = (command, words, cwd = folder) =>
+  execFileSync(command, words, { cwd, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+
+const [tarball] = JSON.parse(
+  call('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', folder], root));
+writeFileSync(join(folder, 'package.json'), '{ "type": "module", "private": true }');
+call('npm', ['install', '--offline', '--no-audit', '--no-fund', join(folder, tarball.filename)]);
+
+const installed = join(folder, 'node_modules/remesher');
+const manifest = JSON.parse(readFileSync(join(installed, 'package.json'), 'utf8'));
+
+/** Every file an exports map can lead to. */
+function targets(entry) {
+  return typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(targets);
+}
+
+test('it holds the built package and the papers, nothing else', () => {
+  const wrong = tarball.files.map(({ path }) => path).filter((path) =>
+    !/^(dist\/[a-z_]+(\.d)?\.(js|mjs|mts|ts|wasm)|package\.json|[A-Z]+(\.md)?)$/.test(path));
+  assert.deepEqual(wrong, []);
+  assert.ok(tarball.size < 600_000, `${tarball.size} bytes`);
+});
+
+test('installing runs nothing and brings nothing', () => {
+  const scripts = Object.keys(manifest.scripts ?? {});
+  assert.deepEqual(scripts.filter((name) => /install|^prepare$/.test(name)), []);
+  assert.deepEqual(manifest.dependencies ?? {}, {});
+});
+
+test('everything the manifest names is there', () => {
+  const named = [...targets(manifest.exports), ...Object.values(manifest.bin)];
+  assert.deepEqual(named.filter((file) => !existsSync(join(installed, file))), []);
+  assert.equal(manifest.type, 'module');
+  assert.equal(manifest.sideEffects, false);
+});
+
+test('types come first among the conditions, and the default last', () => {
+  for (const entry of Object.values(manifest.exports).filter((e) => typeof e === 'object')) {
+    assert.equal(Object.keys(entry)[0], 'types');
+    assert.equal(Object.keys(entry).at(-1), 'default');
+  }
+});
+
+test('what browsers load does not speak of Node', () => {
+  const files = ['index', 'api', 'client', 'engine', 'serve', 'worker', 'wasm_source', 'options',
+    'errors', 'platform_browser'].map((name) => `dist/${name}.js`);
+  for (const file of [...files, 'dist/remesher.mjs']) {
+    const text = readFileSync(join(installed, file), 'utf8');
+    assert.doesNotMatch(text, /['"]node:|require\(|new Function\b|\beval\(/, file);
+  }
+});
+
+test('a program imports it and remeshes', () => {
+  writeFileSync(join(folder, 'program.js'), `
+    import { remeshFile, RemeshError } from 'remesher';
+    import { optionTable } from 'remesher/options';
+    const bytes = new TextEncoder().encode(${JSON.stringify(offText(torus()))});
+    const { report } = await remeshFile(bytes, { name: 'torus.off', vertices: 400 });
+    console.log(report.output.vertices, typeof RemeshError, optionTable.length > 10);`);
+  assert.equal(call(process.execPath, ['program.js']).trim(), '400 function true');
+});
+
+test('the command is installed and works', () => {
+  writeFileSync(join(folder, 'torus.off'), offText(torus()));
+  const command = join(folder, 'node_modules/.bin/remesher');
+  call(command, ['torus.off', '-o', 'out.obj', '--vertices', '300', '--quiet']);
+  assert.equal(readFileSync(join(folder, 'out.obj'), 'utf8').match(/^v /gm).length, 300);
+  assert.equal(call(command, ['--version']).trim(), JSON.parse(readText('package.json')).version);
+});
+
+for (const resolution of ['nodenext', 'bundler']) {
+  test(`a TypeScript program finds the types (${resolution})`, () => {
+    writeFileSync(join(folder, 'typed.ts'), `
+      import { remesh, RemeshError } from 'remesher';
+      import type { RemeshOptions } from 'remesher/options';
+      const options: RemeshOptions = { vertices: 10, scheme: 'rounds', featureAngle: 'off' };
+      // @ts-expect-error: there is no such scheme
+      const wrong: RemeshOptions = { scheme: 'fast' };
+      // @ts-expect-error: there is no such option
+      const unknown: RemeshOptions = { vertexes: 10 };
+      const mesh = { positions: new Float32Array(9), indices: new Uint32Array(3) };
+      const { mesh: { positions }, report } = await remesh(mesh, { ...options,
+        onProgress: ({ phase, fraction }) => console.log(phase.length, fraction.toFixed(2)) });
+      const count: number = positions.length + report.output.vertices;
+      const code: 'INTERNAL' | string = new RemeshError('INTERNAL', '').code;
+      console.log(count, code, wrong, unknown);`);
+    const module = resolution === 'nodenext' ? 'nodenext' : 'esnext';
+    writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
+      compilerOptions: {
+        strict: true, noEmit: true, target: 'es2022', module, moduleResolution: resolution,
+        lib: ['es2022', 'dom'], types: [],
+      },
+      files: ['typed.ts'],
+    }));
+    call(join(root, 'node_modules/.bin/tsc'), ['-p', 'tsconfig.json']);
+  });
+}

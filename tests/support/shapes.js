@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Meshes made by rule, for tests through the package's public functions.
+
+/** A torus of 2 × columns × rows triangles: Euler characteristic 0, no boundary. */
+export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) {
+  const positions = [];
+  const indices = [];
+  for (let i = 0; i < columns; i += 1) {
+    for (let j = 0; j < rows; j += 1) {
+      const [u, v] = [(2 * Math.PI * i) / columns, (2 * Math.PI * j) / rows];
+      const reach = radius + tube * Math.cos(v);
+      positions.push(reach * Math.cos(u), reach * Math.sin(u), tube * Math.sin(v));
+      const at = (a, b) => ((i + a) % columns) * rows + ((j + b) % rows);
+      indices.push(at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1));
+    }
+  }
+  return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
+}
+
+/** A wavy square sheet of side 1: one boundary loop, Euler characteristic 1. */
+export function sheet(n = 24) {
+  const positions = [];
+  const indices = [];
+  for (let i = 0; i <= n; i += 1) {
+    for (let j = 0; j <= n; j += 1) {
+      positions.push(i / n, j / n, 0.1 * Math.sin((4 * i) / n) * Math.cos((3 * j) / n));
+      if (i === n || j === n) continue;
+      const at = (a, b) => (i + a) * (n + 1) + j + b;
+      indices.push(at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1));
+    }
+  }
+  return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
+}
+
+/** The mesh as the text of an OFF file. */
+export function offText({ positions, indices }) {
+  const lines = ['OFF', `${positions.length / 3} ${indices.length / 3} 0`];
+  for (let i = 0; i < positions.length; i += 3) {
+    lines.push(Array.from(positions.subarray(i, i + 3)).join(' '));
+  }
+  for (let i = 0; i < indices.length; i += 3) {
+    lines.push(`3 ${Array.from(indices.subarray(i, i + 3)).join(' ')}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** How many different positions the vertices have. */
+export function distinctPositions(positions) {
+  const seen = new Set();
+  for (let i = 0; i < positions.length; i += 3) {
+    seen.add(positions.slice(i, i + 3).join());
+  }
+  return seen.size;
+}
+
+/** Vertices − edges + triangles of a mesh without repeated positions. */
+export function eulerCharacteristic({ positions, indices }) {
+  const edges = new Set();
+  for (let i = 0; i < indices.length; i += 3) {
+    for (let k = 0; k < 3; k += 1) {
+      const [a, b] = [indices[i + k], indices[i + ((k + 1) % 3)]];
+      edges.add(Math.min(a, b) * 2 ** 26 + Math.max(a, b));
+    }
+  }
+  return positions.length / 3 - edges.size + indices.length / 3;
+}
