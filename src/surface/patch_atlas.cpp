@@ -88,9 +88,8 @@ LocalCorners findAll(const PlanarPatch& patch, const std::array<SurfacePoint, 3>
 }
 
 int heaviest(const Vec3& weights) {
-  int index = 0;
-  weights.maxCoeff(&index);
-  return index;
+  const int index = weights[1] > weights[0] ? 1 : 0;
+  return weights[2] > weights[index] ? 2 : index;
 }
 
 SurfacePoint mix(const PlanarPatch& patch, const LocalCorners& local,
@@ -137,7 +136,10 @@ bool PatchAtlas::Impl::isThrown(const Vec3& point, const Triangle& triangle,
                                 const Vec3& weights) const {
   const Vec3 move =
       point - (weights[0] * triangle[0] + weights[1] * triangle[1] + weights[2] * triangle[2]);
-  const double side = squaredLongestSide(triangle), moved = move.squaredNorm();
+  const double moved = move.squaredNorm();
+  // Most points have hardly moved, whichever side is the longest.
+  if (moved <= kMaxSlide * kMaxSlide * (triangle[1] - triangle[0]).squaredNorm()) return false;
+  const double side = squaredLongestSide(triangle);
   if (moved > kMaxThrow * kMaxThrow * side + squaredRounding) return true;
   const Vec3 normal = areaVector(triangle[0], triangle[1], triangle[2]);
   const double height = normal.dot(move), length = normal.squaredNorm();
@@ -153,8 +155,13 @@ PatchAtlas::PatchAtlas(PatchAtlas&&) noexcept = default;
 
 std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoint, 3>& corners,
                                                     const Vec3& weights) {
-  const Triangle triangle = {impl_->position(corners[0]), impl_->position(corners[1]),
-                             impl_->position(corners[2])};
+  const Triangle places = {impl_->position(corners[0]), impl_->position(corners[1]),
+                           impl_->position(corners[2])};
+  return interpolate(corners, places, weights);
+}
+
+std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoint, 3>& corners,
+                                                    const Triangle& places, const Vec3& weights) {
   const int first = heaviest(weights);
   bool wasHeld = false;
   for (int i = 0; i < 3; ++i) {
@@ -164,13 +171,13 @@ std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoin
     if (!holdsAll(local)) continue;
     wasHeld = true;
     const SurfacePoint point = mix(patch, local, corners, weights);
-    if (!impl_->isThrown(impl_->position(point), triangle, weights)) return point;
+    if (!impl_->isThrown(impl_->position(point), places, weights)) return point;
   }
   if (wasHeld) return std::nullopt;
-  const PlanarPatch* patch = impl_->patchOnDemand(corners, triangle);
+  const PlanarPatch* patch = impl_->patchOnDemand(corners, places);
   if (!patch) return std::nullopt;
   const SurfacePoint point = mix(*patch, findAll(*patch, corners), corners, weights);
-  if (impl_->isThrown(impl_->position(point), triangle, weights)) return std::nullopt;
+  if (impl_->isThrown(impl_->position(point), places, weights)) return std::nullopt;
   return point;
 }
 

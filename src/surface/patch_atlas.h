@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "geometry/triangle.h"
 #include "mesh/halfedge_mesh.h"
 #include "surface/surface_point.h"
 
@@ -29,6 +30,11 @@ class PatchAtlas {
   // or none when no patch holds all three corners or the map would throw it far off the triangle.
   std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
                                           const Vec3& weights);
+
+  // The same where the caller has the corners' places at hand. They may lie somewhat off the
+  // original; what is too far is judged from them.
+  std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
+                                          const Triangle& places, const Vec3& weights);
 
  private:
   struct Impl;

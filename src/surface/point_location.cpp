@@ -3,22 +3,21 @@
 // and the patch is convex, so it arrives; were it ever to circle, all faces are looked at.
 #include "surface/point_location.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace remesher {
 namespace {
 
-// A weight above this counts as inside: rounding must not send the walk to and fro.
-constexpr double kInside = -1e-9;
+// An area above this, of the unit disk's, counts as inside: rounding must not send the walk to and
+// fro. Corners are rounded to 6e-8, so that nothing is lost.
+constexpr double kInside = -1e-15;
 
 // Walks are a handful of steps; one this long is a circle.
 constexpr int kMaxSteps = 200;
 
-constexpr std::uint32_t kHashFactor = 2654435769u;  // 2^32 / golden ratio
-
 // Lifts what rounding or the rim left below zero, so that the weights are a point of the face.
-Vec3 clampWeights(const Vec3& weights) {
-  const Vec3 lifted = weights.cwiseMax(0);
+Vec3 weightsOf(const Vec3& areas) {
+  const Vec3 lifted = areas.cwiseMax(0);
   return lifted / lifted.sum();
 }
 
@@ -30,59 +29,50 @@ PlanarPatch::PlanarPatch(const DiskPatch& patch, std::span<const Uv> uv)
   for (shift_ = 31; capacity < 2 * faces_.size(); capacity *= 2) --shift_;
   slots_.assign(capacity, kNoLocal);
   for (std::size_t n = 0; n < faces_.size(); ++n) {
-    std::size_t slot = (faces_[n].face * kHashFactor) >> shift_;
+    std::size_t slot = firstSlot(faces_[n].face);
     while (slots_[slot] != kNoLocal) slot = (slot + 1) & (capacity - 1);
     slots_[slot] = LocalIndex(n);
   }
 }
 
-LocalIndex PlanarPatch::find(Index face) const {
-  std::size_t slot = (face * kHashFactor) >> shift_;
-  while (slots_[slot] != kNoLocal && faces_[slots_[slot]].face != face)
-    slot = (slot + 1) & (slots_.size() - 1);
-  return slots_[slot];
-}
-
-Vec2 PlanarPatch::image(LocalIndex face, const Vec3& barycentric) const {
-  const LocalFace& f = faces_[face];
-  return barycentric[0] * uv_[f.corners[0]].cast<double>() +
-         barycentric[1] * uv_[f.corners[1]].cast<double>() +
-         barycentric[2] * uv_[f.corners[2]].cast<double>();
-}
-
-Vec3 PlanarPatch::weightsIn(const LocalFace& f, const Vec2& point) const {
-  const Vec2 a = uv_[f.corners[0]].cast<double>() - point;
-  const Vec2 b = uv_[f.corners[1]].cast<double>() - point;
-  const Vec2 c = uv_[f.corners[2]].cast<double>() - point;
-  const Vec3 areas(b.x() * c.y() - c.x() * b.y(), c.x() * a.y() - a.x() * c.y(),
-                   a.x() * b.y() - b.x() * a.y());
-  return areas / areas.sum();
+// Twice the signed areas of the triangles that the point makes with the sides opposite the corners:
+// the point's weights but for a common factor.
+Vec3 PlanarPatch::areasIn(const LocalFace& f, const Vec2& point) const {
+  const Uv &a = uv_[f.corners[0]], &b = uv_[f.corners[1]], &c = uv_[f.corners[2]];
+  const double ax = a.x() - point.x(), ay = a.y() - point.y();
+  const double bx = b.x() - point.x(), by = b.y() - point.y();
+  const double cx = c.x() - point.x(), cy = c.y() - point.y();
+  return {bx * cy - cx * by, cx * ay - ax * cy, ax * by - bx * ay};
 }
 
 PlanarPatch::Location PlanarPatch::searchAll(const Vec2& point) const {
-  Location best{0, weightsIn(faces_[0], point)};
-  for (std::size_t n = 1; n < faces_.size(); ++n) {
-    const Vec3 weights = weightsIn(faces_[n], point);
-    if (weights.minCoeff() > best.barycentric.minCoeff()) best = {LocalIndex(n), weights};
+  LocalIndex best = 0;
+  double bestLowest = -std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < faces_.size(); ++n) {
+    const Vec3 areas = areasIn(faces_[n], point);
+    const double lowest = areas.minCoeff() / areas.sum();
+    if (lowest <= bestLowest) continue;
+    bestLowest = lowest;
+    best = LocalIndex(n);
   }
-  return {best.face, clampWeights(best.barycentric)};
+  return {best, weightsOf(areasIn(faces_[best], point))};
 }
 
 PlanarPatch::Location PlanarPatch::locate(const Vec2& point, LocalIndex start) const {
   LocalIndex at = start;
   for (int step = 0; step < kMaxSteps; ++step) {
     const LocalFace& f = faces_[at];
-    const Vec3 weights = weightsIn(f, point);
-    // Weight i is negative beyond the side from corner i + 1 to corner i + 2.
+    const Vec3 areas = areasIn(f, point);
+    // Area i is negative beyond the side from corner i + 1 to corner i + 2.
     LocalIndex beyond = kNoLocal;
     double lowest = kInside;
     for (int i = 0; i < 3; ++i) {
       const LocalIndex next = f.across[(i + 1) % 3];
-      if (weights[i] >= lowest || next == kNoLocal) continue;
-      lowest = weights[i];
+      if (areas[i] >= lowest || next == kNoLocal) continue;
+      lowest = areas[i];
       beyond = next;
     }
-    if (beyond == kNoLocal) return {at, clampWeights(weights)};
+    if (beyond == kNoLocal) return {at, weightsOf(areas)};
     at = beyond;
   }
   return searchAll(point);
