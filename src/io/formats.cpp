@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "io/gltf.h"
 #include "io/obj.h"
 #include "io/off.h"
 
@@ -20,7 +21,9 @@ struct Format {
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
 };
 
-constexpr std::array<Format, 2> kFormats = {{
+constexpr std::array<Format, 4> kFormats = {{
+    {".glb", "glTF", readGltf, writeGlb},
+    {".gltf", "{", readGltf, writeGltf},
     {".obj", "", readObj, writeObj},
     {".off", "OFF", readOff, writeOff},
 }};
