@@ -13,8 +13,8 @@ namespace remesher::io {
 
 // resources: the files that `file` refers to (a .bin, images, a .mtl), by the names it uses for
 // them. Throws Error: EMPTY_FILE, UNKNOWN_FORMAT, PARSE_ERROR, MISSING_RESOURCE, UNSUPPORTED,
-// INDEX_OUT_OF_RANGE, NON_FINITE. A file without triangles is no error here: its model has no
-// parts.
+// INDEX_OUT_OF_RANGE, NON_FINITE, NO_TRIANGLES. A scene without triangles is no error: its model
+// has no parts, and is written as it came.
 Model read(const File& file, const std::vector<File>& resources = {});
 
 struct WrittenFiles {

@@ -303,9 +303,11 @@ Model readObj(const File& file, const std::vector<File>& resources) {
     model.warnings.push_back({"NOT_TRIANGLES",
                               "Points, lines and curves are not remeshed; the result lacks them.",
                               content.skippedElements});
-  if (!content.corners.empty())
-    model.parts.push_back(
-        {file.name, meshOf(std::move(content), source->groups), {Transform::Identity()}});
+  if (content.corners.empty())
+    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+                "Only surfaces can be remeshed, not points or lines.");
+  model.parts.push_back(
+      {file.name, meshOf(std::move(content), source->groups), {Transform::Identity()}});
   model.source = source;
   return model;
 }

@@ -197,8 +197,10 @@ Model readOff(const File& file, const std::vector<File>&) {
   Model model;
   model.textureOrigin = TextureOrigin::BottomLeft;
   TriangleMesh mesh = reader.read();
-  if (mesh.triangleCount() > 0)
-    model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}});
+  if (mesh.triangleCount() == 0)
+    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+                "Only surfaces can be remeshed, not points.");
+  model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}});
   source->original = file;
   model.source = source;
   return model;

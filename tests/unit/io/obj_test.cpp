@@ -153,9 +153,9 @@ TEST_CASE("obj: bad files are refused with the line and what is wrong") {
   contains(failure(square("f 1/2/3/4 2 3\n")), "INDEX_OUT_OF_RANGE");
 }
 
-TEST_CASE("obj: a file without faces has no parts") {
-  const io::Model model = io::read(textFile("points.obj", square("p 1 2\nl 1 2 3\n")));
-  CHECK(model.parts.empty());
+TEST_CASE("obj: a file without faces is refused, lines beside faces are only counted") {
+  CHECK(readingFails(textFile("points.obj", square("p 1 2\nl 1 2 3\n"))).find("NO_TRIANGLES") == 0);
+  const io::Model model = io::read(textFile("mixed.obj", square("f 1 2 3\np 1 2\nl 1 2 3\n")));
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].count == 2);
 }

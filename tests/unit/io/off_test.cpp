@@ -54,4 +54,5 @@ TEST_CASE("off: bad files are refused with the line and what is wrong") {
   check("OFF\n-3 1 0\n", "not a whole number");
   check("OFF BINARY\n", "not a number: \"BINARY\"");
   check("# nothing\n", "PARSE_ERROR");
+  check("OFF\n1 0 0\n0 0 0\n", "NO_TRIANGLES bad.off has no faces");
 }
