@@ -2,6 +2,7 @@
 // Installs what is missing, then builds what is asked for, one line per step:
 //   node bindings/build.js package          the npm package in dist/
 //   node bindings/build.js package tests    and the native unit tests with the tools that check
+//   node bindings/build.js package measure  and the native judge of the benchmark
 // Repeating it costs seconds. It needs nothing but Node, and root or sudo where packages are
 // missing. All output goes to standard error.
 
@@ -117,6 +118,10 @@ function buildUnitTests() {
     'unit_tests');
 }
 
+function buildMeasure() {
+  buildWithCMake('the measuring tool', 'build/native', ['-DCMAKE_BUILD_TYPE=Release'], 'measure');
+}
+
 /** dist/: the sources as they are, the WebAssembly, and the types read from the comments. */
 function assemblePackage() {
   const sources = readdirSync(join(root, 'bindings/package')).map((f) => `bindings/package/${f}`);
@@ -150,6 +155,7 @@ function build(parts) {
   buildWebAssembly();
   assemblePackage();
   if (withTests) buildUnitTests();
+  if (parts.includes('measure')) buildMeasure();
 }
 
 try {
