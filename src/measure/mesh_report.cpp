@@ -136,4 +136,20 @@ double nonDelaunayPercentage(const TriangleMesh& mesh) {
   return inner > 0 ? 100.0 * static_cast<double>(bad) / static_cast<double>(inner) : 0;
 }
 
+std::size_t countBoundaryLoops(const TriangleMesh& mesh) {
+  const WeldedMesh welded = weld(mesh);
+  const EdgeTable edges(welded);
+  DisjointSets pieces(welded.positions.size());
+  std::vector<std::uint8_t> isOnBoundary(welded.positions.size(), 0);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    if (edge.opposites.size() != 1) continue;
+    isOnBoundary[edge.low] = isOnBoundary[edge.high] = 1;
+    pieces.unite(edge.low, edge.high);
+  }
+  std::size_t loops = 0;
+  for (Index v = 0; v < isOnBoundary.size(); ++v) loops += isOnBoundary[v] && pieces.find(v) == v;
+  return loops;
+}
+
 }  // namespace remesher

@@ -2,6 +2,8 @@
 // What a mesh is like: its connectivity and the quality of its triangles, whatever its faults.
 #pragma once
 
+#include <cstddef>
+
 #include "base/report.h"
 #include "base/triangle_mesh.h"
 
@@ -16,5 +18,8 @@ MeshReport inspectMesh(const TriangleMesh& mesh);
 // The share of the edges between two triangles, in percent, whose opposite angles sum to more than
 // 180°: a Delaunay mesh has none.
 double nonDelaunayPercentage(const TriangleMesh& mesh);
+
+// The boundary's connected pieces: as many as the surface has holes, where it is manifold.
+std::size_t countBoundaryLoops(const TriangleMesh& mesh);
 
 }  // namespace remesher

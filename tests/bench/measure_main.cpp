@@ -37,6 +37,7 @@ Json describe(const TriangleMesh& mesh) {
           {"triangles", report.triangles},
           {"components", report.components},
           {"boundaryEdges", report.boundaryEdges},
+          {"boundaryLoops", countBoundaryLoops(mesh)},
           {"nonManifoldEdges", report.nonManifoldEdges},
           {"eulerCharacteristic", report.eulerCharacteristic},
           {"degenerateTriangles", report.degenerateTriangles},

@@ -97,3 +97,11 @@ TEST_CASE("mesh_report: an edge is not Delaunay when a vertex lies in the other'
   CHECK(nonDelaunayPercentage(kite(1.01)) == 0);
   CHECK(nonDelaunayPercentage(kite(0.99)) == 100);
 }
+
+TEST_CASE("mesh_report: boundary loops are counted once each, closed surfaces have none") {
+  CHECK(countBoundaryLoops(soups::sphere(3)) == 0);
+  CHECK(countBoundaryLoops(soups::square(4)) == 1);
+  TriangleMesh annulus = soups::square(3);
+  annulus.indices.erase(annulus.indices.begin() + 6 * 4, annulus.indices.begin() + 6 * 5);
+  CHECK(countBoundaryLoops(annulus) == 2);
+}

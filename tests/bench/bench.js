@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The benchmark: named models to named numbers of vertices, in this process, on one thread.
+//   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
+//   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
+//   npm run bench -- scale [--markdown FILE]                                   a large model
+// A case is named as in limits.json, or by the beginning of its name. Without a folder of models
+// only those from npm packages are run. The status is 1 when a limit is broken.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+
+import { runCases } from './cases.js';
+import { runScale } from './scale.js';
+import { runTable1 } from './table1.js';
+
+const limits = JSON.parse(readFileSync(new URL('limits.json', import.meta.url), 'utf8'));
+
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    models: { type: 'string' },
+    runs: { type: 'string', default: '5' },
+    markdown: { type: 'string' },
+  },
+});
+
+function run() {
+  const [first, ...rest] = positionals;
+  switch (first) {
+    case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
+    case 'scale': return runScale(limits.scale);
+    default:
+      return runCases(limits.cases,
+        { folder: values.models, names: positionals, runs: Number(values.runs) });
+  }
+}
+
+const { table, broken } = await run();
+console.log(`\n${table}\n`);
+for (const line of broken) console.log(line);
+if (values.markdown) writeFileSync(values.markdown, `${table}\n`);
+if (broken.length > 0) process.exitCode = 1;

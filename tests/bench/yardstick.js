@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A time that cancels the machine's speed: what meshoptimizer's simplify, WebAssembly too, takes to
+// the same number of vertices in the same process.
+import { MeshoptSimplifier } from 'meshoptimizer';
+
+/** @param {number[]} values */
+export function median(values) {
+  const sorted = [...values].sort((a, b) => a - b);
+  return sorted[Math.floor(sorted.length / 2)];
+}
+
+/** The median of seconds, or nothing where there is nothing to simplify. */
+export async function timeYardstick({ positions, indices }, vertices, runs) {
+  if (2 * vertices * 3 >= indices.length) return undefined;
+  await MeshoptSimplifier.ready;
+  const floats = Float32Array.from(positions);
+  const seconds = [];
+  for (let k = 0; k < runs; k += 1) {
+    const start = performance.now();
+    MeshoptSimplifier.simplify(indices, floats, 3, 2 * vertices * 3, 1);
+    seconds.push((performance.now() - start) / 1000);
+  }
+  return median(seconds);
+}
