@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/euler_operators.h"
 
-#include <algorithm>
-
 namespace remesher {
 
 Vertex EulerOperators::newVertex() {
@@ -43,10 +41,7 @@ void EulerOperators::deleteVertex(Vertex v) {
 bool EulerOperators::canFlip(const HalfedgeMesh& mesh, Halfedge h) {
   if (mesh.isBoundary(h)) return false;
   const Vertex c = mesh.opposite(h), d = mesh.opposite(mesh.twin(h));
-  if (c == d) return false;
-  for (const Vertex v : {mesh.origin(h), mesh.tip(h)})
-    if (mesh.valence(v) <= (mesh.isBoundary(v) ? 2 : 3)) return false;
-  return !mesh.adjacent(c, d);
+  return c != d && !mesh.adjacent(c, d);
 }
 
 Halfedge EulerOperators::flip(Halfedge h) {

@@ -18,16 +18,15 @@ class EulerOperators {
   //     \  t  /          \  |  /
   //      \   /            \ | /
   //        d                d
-  // Legal where h is inside, both ends have valence above 3 (above 2 on a boundary) and c-d is no
-  // edge yet.
+  // Legal where h is inside and c-d is no edge yet. That leaves out ends of valence 3: there c and
+  // d are neighbours.
   static bool canFlip(const HalfedgeMesh& mesh, Halfedge h);
   Halfedge flip(Halfedge h);  // returns c→d, which is prev(h); h itself is then d→b
 
   //        c                c
-  //      /   \            / | \         A new vertex m on a-b. h runs from a to m afterwards and
-  //      the
-  //     /  h  \          /  |  \        new halfedge `beyond` from m to b; on a boundary the lower
-  //    a ----- b   -->  a - m - b       half is not there.
+  //      /   \            / | \         A new vertex m on a-b. Afterwards h runs from a to m and
+  //     /  h  \          /  |  \        the new halfedge `beyond` from m to b. On a boundary the
+  //    a ----- b   -->  a - m - b       lower half is not there.
   //     \  t  /          \  |  /
   //      \   /            \ | /
   //        d                d
@@ -37,9 +36,13 @@ class EulerOperators {
   };
   Split split(Halfedge h);  // always legal
 
-  //     a ------ b                      origin(h) = a goes, tip(h) = b takes over its star; the one
-  //     or
-  //                                     two triangles at the edge vanish.
+  //        c                c
+  //      /   \              |           a goes, b takes over its star; the two triangles at the
+  //     /  h  \             |           edge (one on a boundary) vanish.
+  //    a ----- b   -->      b
+  //     \  t  /             |
+  //      \   /              |
+  //        d                d
   // Legal by the link condition: the common neighbours of a and b are exactly the vertices opposite
   // the edge; an inner edge does not join two boundary vertices; and no third vertex loses its last
   // faces (valence above 3, on a boundary above 2). A tetrahedron stays a tetrahedron.

@@ -53,11 +53,13 @@ TEST_CASE("manifold_cut: the straightest pair at an edge stays together") {
 }
 
 TEST_CASE("manifold_cut: two solids that touch along an edge come apart") {
-  const BuiltMesh built =
-      buildMesh(shapes::cells(2, [](int x, int y, int z) { return x == y && z == 0; }));
-  CHECK(componentCount(built.mesh) == 2);
-  CHECK(boundaryLoopCount(built.mesh) == 0);
-  CHECK(eulerCharacteristic(built.mesh) == 4);
+  for (const int height : {1, 2}) {  // an edge of one segment, of two
+    const BuiltMesh built =
+        buildMesh(shapes::cells(2, [&](int x, int y, int z) { return x == y && z < height; }));
+    CHECK(componentCount(built.mesh) == 2);
+    CHECK(boundaryLoopCount(built.mesh) == 0);
+    CHECK(eulerCharacteristic(built.mesh) == 4);
+  }
 }
 
 TEST_CASE("manifold_cut: a sheet given with both sides becomes two sheets") {
@@ -70,6 +72,8 @@ TEST_CASE("manifold_cut: a sheet given with both sides becomes two sheets") {
     CHECK(componentCount(built.mesh) == 2);
     CHECK(boundaryLoopCount(built.mesh) == 2);
     CHECK(eulerCharacteristic(built.mesh) == 2);
+    for (const Warning& warning : built.warnings)
+      CHECK((warning.code == "NON_MANIFOLD_EDGES_SPLIT" || n > 1));
   }
 }
 
