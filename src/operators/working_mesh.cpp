@@ -24,8 +24,10 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
     for (std::size_t i = 0; i < chains[c].vertices.size(); ++i) {
       const Vertex v = chains[c].vertices[i];
       const bool end = i == 0 || i + 1 == chains[c].vertices.size();
-      kind_[v] = end ? VertexKind::Corner : VertexKind::Curve;
-      if (!end) on_[v] = {c, chains[c].arcs[i]};
+      if (end)
+        kind_[v] = VertexKind::Corner;
+      else
+        place(v, onCurve({c, chains[c].arcs[i]}));
     }
 }
 

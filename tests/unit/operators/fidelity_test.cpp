@@ -87,7 +87,9 @@ TEST_CASE("fidelity: a fold that is there may be mended and not made worse") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(4, 4));
   WorkingMesh mesh(surface);
   const Vertex v = vertexAt(mesh, {2, 2, 0});
-  mesh.movePosition(v, {3.2, 2.1, 0.5});
+  Placement folded = mesh.placement(v);
+  folded.position = {3.2, 2.1, 0.5};
+  mesh.move(v, folded);
   const FidelityRule fold = rule(Fidelity::Fold, 20, 20);
   CHECK(judgeMove(mesh, v, {2.2, 2.1, 0}, fold) == Verdict::Accepted);
   CHECK(judgeMove(mesh, v, {3.2, 2.1, 0.6}, fold) == Verdict::Accepted);
