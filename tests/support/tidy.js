@@ -33,7 +33,7 @@ async function tidy(file) {
   const key = keyOf(file);
   if (existsSync(key)) return '';
   try {
-    const words = ['-p', compileCommands, '--quiet', file];
+    const words = ['-p', compileCommands, '--quiet', '--extra-arg=-Wno-unknown-warning-option', file];
     await promisify(execFile)('clang-tidy', words, { cwd: root });
   } catch (error) {
     return error.stdout || String(error);
