@@ -11,6 +11,7 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       at_(mesh_.vertexCapacity()),
       on_(mesh_.vertexCapacity()),
       kind_(mesh_.vertexCapacity(), VertexKind::Interior),
+      pinned_(mesh_.vertexCapacity(), 0),
       curve_(mesh_.halfedgeCapacity(), kNone) {
   for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
     if (!mesh_.isAlive(Vertex(i))) continue;
@@ -109,6 +110,7 @@ void WorkingMesh::grow() {
     at_.resize(vertices);
     on_.resize(vertices);
     kind_.resize(vertices);
+    pinned_.resize(vertices, 0);
   }
   if (curve_.size() < mesh_.halfedgeCapacity()) curve_.resize(mesh_.halfedgeCapacity(), kNone);
 }
@@ -140,6 +142,7 @@ EulerOperators::Split WorkingMesh::split(Halfedge h, const Placement& middle) {
     curve_[mesh_.next(below)] = curve_[mesh_.prev(t)] = kNone;
   }
   place(made.vertex, middle);
+  pinned_[made.vertex] = 0;
   return made;
 }
 
@@ -154,7 +157,9 @@ Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
       if (mesh_.twin(edge)) curve_[mesh_.twin(edge)] = chain;
     curve_[side] = curve_[second] = curve_[third] = kNone;
   }
+  const bool pinned = pinned_[mesh_.origin(h)] || pinned_[mesh_.tip(h)];
   const Vertex remaining = EulerOperators(mesh_).collapse(h);
+  pinned_[remaining] = pinned;
   place(remaining, merged);
   return remaining;
 }
@@ -197,7 +202,10 @@ void WorkingMesh::subdivide(std::span<const Placement> midpoints) {
 void WorkingMesh::compact() {
   const HalfedgeMesh::Renumbering map = mesh_.compact();
   for (Index v = 0; v < map.vertex.size(); ++v)
-    if (map.vertex[v] != kNone) place(Vertex(map.vertex[v]), placement(Vertex(v)));
+    if (map.vertex[v] != kNone) {
+      place(Vertex(map.vertex[v]), placement(Vertex(v)));
+      pinned_[Vertex(map.vertex[v])] = pinned_[Vertex(v)];
+    }
   for (Index h = 0; h < 3 * map.face.size(); ++h)
     if (map.face[h / 3] != kNone)
       curve_[Halfedge(3 * map.face[h / 3] + h % 3)] = curve_[Halfedge(h)];
@@ -207,6 +215,7 @@ void WorkingMesh::compact() {
   at_.resize(n);
   on_.resize(n);
   kind_.resize(n);
+  pinned_.resize(n);
   curve_.resize(mesh_.halfedgeCapacity());
 }
 

@@ -39,6 +39,7 @@ class WorkingMesh {
   const SurfacePoint& at(Vertex v) const { return at_[v]; }
   const CurvePoint& on(Vertex v) const { return on_[v]; }
   Placement placement(Vertex v) const;
+  bool isPinned(Vertex v) const { return pinned_[v]; }  // smoothing leaves it alone
 
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
@@ -64,7 +65,7 @@ class WorkingMesh {
   EulerOperators::Split split(Halfedge h, const Placement& middle);  // the new vertex at `middle`
   Vertex collapse(Halfedge h, const Placement& merged);              // tip(h) remains, at `merged`
   void move(Vertex v, const Placement& place);
-  void movePosition(Vertex v, const Vec3& position) { position_[v] = position; }  // off the surface
+  void pin(Vertex v) { pinned_[v] = 1; }
 
   // Each triangle becomes four. midpoints[i] is the place of the middle of the i-th edge, in the
   // order of the edges' halfedges. The mesh must be compact.
@@ -85,6 +86,7 @@ class WorkingMesh {
   VertexData<SurfacePoint> at_;
   VertexData<CurvePoint> on_;
   VertexData<VertexKind> kind_;
+  VertexData<char> pinned_;
   HalfedgeData<Index> curve_;
 };
 

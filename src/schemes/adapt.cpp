@@ -55,6 +55,15 @@ bool makesLongEdge(const Run& run, Halfedge h) {
   return found;
 }
 
+// The end where the original bends more, and sizes are smaller, had better stay: it may be a tip.
+std::array<Halfedge, 2> outermostFirst(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double from = run.sizes.at(run.mesh.at(mesh.origin(h)));
+  const double to = run.sizes.at(run.mesh.at(mesh.tip(h)));
+  if (from < to && mesh.twin(h)) return {mesh.twin(h), h};
+  return {h, mesh.twin(h)};
+}
+
 void collapseShort(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
@@ -63,7 +72,7 @@ void collapseShort(Run& run) {
     const double length = relativeLength(run, h);
     if (length >= kCollapseBelow) continue;
     const FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
-    for (const Halfedge direction : {h, mesh.twin(h)}) {
+    for (const Halfedge direction : outermostFirst(run, h)) {
       if (!direction || makesLongEdge(run, direction)) continue;
       if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;
     }

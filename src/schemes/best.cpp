@@ -18,7 +18,7 @@ namespace remesher {
 namespace {
 
 constexpr int kAnnealRounds = 20;
-constexpr double kTipTolerance = 0.35;
+constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
 
 // Two levels pay only for large meshes.
@@ -33,6 +33,11 @@ void smooth(Run& run) {
   }
 }
 
+void smoothOntoTips(Run& run) {
+  reachTips(run, kTipTolerance);
+  smooth(run);
+}
+
 }  // namespace
 
 bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
@@ -40,20 +45,24 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   run.scale = std::pow(2.0, levels);
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t base = vertices >> (2 * levels);
-  adaptToSizes(run, base, progress.part("adapt", 0, 0.3));
+  adaptToSizes(run, base, progress.part("adapt", 0, 0.25));
   while (subdividedCount(mesh, base, levels) < vertices) ++base;
   matchCount(run, base);
-  annealValences(run, kAnnealRounds, progress.part("anneal", 0.3, 0.6));
+  annealValences(run, kAnnealRounds, progress.part("anneal", 0.25, 0.45));
+  smoothOntoTips(run);
+  const Progress finer = progress.part("refine", 0.45, 0.85);
   for (int i = 0; i < levels; ++i) {
+    finer.at(double(i) / levels);
     subdivide(run);
     smooth(run);
   }
   const bool reached = matchCount(run, vertices);
   smooth(run);
-  reachTips(run, kTipTolerance);
-  smooth(run);
+  smoothOntoTips(run);
+  finer.at(1);
   polish(run, kPolishBelow);
-  fit(run, progress.part("fit", 0.9, 1));
+  fit(run, progress.part("fit", 0.85, 1));
+  lowerHausdorff(run);
   return reached;
 }
 

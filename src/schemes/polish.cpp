@@ -46,12 +46,13 @@ double worstGoing(const Run& run) {
 
 // The best proposal seen so far, by the worst angle it leaves.
 struct Best {
-  LocalChange change;
+  FidelityRule rule;
+  LocalChange change = {};
   double gain = 0;
 
   void offer(const Run& run) {
     const double better = worstComing(run) - worstGoing(run);
-    if (better <= gain || judge(run.mesh, run.change, run.rule) != Verdict::Accepted) return;
+    if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     gain = better;
     change = run.change;
   }
@@ -114,7 +115,7 @@ enum class Means { KeepCount, ChangeCount };
 
 // Whether something was found that makes the worst angle around f larger.
 bool mend(Run& run, PolarMap& star, Face f, Means means) {
-  Best best;
+  Best best{means == Means::ChangeCount ? lenient(run) : run.rule};
   offerFlips(run, f, best);
   for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, star, v, best);
   if (means == Means::ChangeCount) {

@@ -17,13 +17,11 @@ struct Run {
   Projector& projector;
   const SizeField& sizes;
   FidelityRule rule;
-  double scale = 1;              // of the sizes at the present level
-  VertexData<char> pinned = {};  // vertices that smoothing leaves alone; empty: none
-  LocalChange change = {};       // the proposal at hand
-  Vertex result = {};            // what the last change made, moved or kept; none after a flip
+  double scale = 1;         // of the sizes at the present level
+  LocalChange change = {};  // the proposal at hand
+  Vertex result = {};       // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
 
-  bool isPinned(Vertex v) const { return v.index < pinned.size() && pinned[v]; }
   std::size_t refused() const { return verdicts[1] + verdicts[2] + verdicts[3] + verdicts[4]; }
 };
 

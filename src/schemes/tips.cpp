@@ -2,6 +2,7 @@
 #include "schemes/tips.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
@@ -13,15 +14,46 @@ namespace {
 // A tip is worth a triangle of this angle for now: smoothing and polish follow.
 constexpr double kSmallestAngle = radians(20);
 
+// At the end no smoothing follows: only good triangles will do, and only for what decides the
+// maximum.
+constexpr double kFinalAngle = radians(31);
+constexpr double kNearMaximum = 0.8;
+constexpr double kWorthAMove = 0.15;  // of the target length
+constexpr int kPasses = 5;
+
 struct Tip {
   double distance;  // to the mesh
-  Vertex original;
+  SurfacePoint original;
   Face nearest;  // of the mesh
 };
 
+// Places spread over the original no farther apart than half a target edge: its vertices, and where
+// its triangles are large, points inside them.
+template <class Visit>
+void forEachPlace(const Run& run, Visit visit) {
+  const OriginalSurface& surface = run.mesh.surface();
+  const HalfedgeMesh& mesh = surface.mesh();
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i))) visit(surface.at(Vertex(i)));
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    const Vec3 &p = surface.positions()[a], &q = surface.positions()[b],
+               &r = surface.positions()[c];
+    const double longest =
+        std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
+    const int n = int(std::ceil(longest / (0.5 * run.scale * run.sizes.at(a))));
+    if (n <= 1) continue;
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k + j <= n; ++k) {
+        if (j == n || k == n || j + k == 0) continue;  // a vertex
+        const double u = double(j) / n, v = double(k) / n;
+        visit(SurfacePoint{Face(i), Vec3(1 - u - v, u, v)});
+      }
+  }
+}
+
 std::vector<Tip> farTips(const Run& run, double tolerance) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const OriginalSurface& surface = run.mesh.surface();
   const std::vector<Index> triangles = mesh.triangles();
   std::vector<Face> faces;
   for (Index f = 0; f < mesh.faceCapacity(); ++f)
@@ -29,15 +61,13 @@ std::vector<Tip> farTips(const Run& run, double tolerance) {
   const TriangleTree tree(run.mesh.positions().values(), triangles);
   std::vector<Tip> tips;
   TriangleTree::Nearest near;
-  for (Index i = 0; i < surface.mesh().vertexCapacity(); ++i) {
-    const Vertex v(i);
-    if (!surface.mesh().isAlive(v)) continue;
-    const Vec3& p = surface.positions()[v];
+  forEachPlace(run, [&](const SurfacePoint& place) {
+    const Vec3 p = run.mesh.surface().position(place);
     near = near.triangle == kNone ? tree.nearest(p) : tree.nearest(p, near.triangle);
     const double distance = std::sqrt(near.squaredDistance);
-    if (distance > tolerance * run.scale * run.sizes.at(v))
-      tips.push_back({distance, v, faces[near.triangle]});
-  }
+    if (distance > tolerance * run.scale * run.sizes.at(place))
+      tips.push_back({distance, place, faces[near.triangle]});
+  });
   std::stable_sort(tips.begin(), tips.end(),
                    [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
   return tips;
@@ -51,36 +81,45 @@ double worstComing(const Run& run) {
   return worst;
 }
 
-bool moveTo(Run& run, Vertex v, const Placement& place) {
-  if (run.mesh.kind(v) != VertexKind::Interior || run.pinned[v]) return false;
+bool moveTo(Run& run, Vertex v, const Placement& place, double smallestAngle) {
+  if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
   proposePlacement(run.mesh, v, place, run.change);
-  return worstComing(run) >= kSmallestAngle && commit(run);
+  return worstComing(run) >= smallestAngle && commit(run, lenient(run));
+}
+
+// Whether one of the corners of the nearest triangle, the nearest first, moved to the tip.
+bool reach(Run& run, const Tip& tip, double smallestAngle) {
+  const Placement place = run.mesh.onSurface(tip.original);
+  auto corners = run.mesh.mesh().vertices(tip.nearest);
+  const auto distance = [&](Vertex v) {
+    return (run.mesh.position(v) - place.position).squaredNorm();
+  };
+  std::sort(corners.begin(), corners.end(),
+            [&](Vertex a, Vertex b) { return distance(a) < distance(b); });
+  // One pinned vertex reaches all the original's places around its tip.
+  if (run.mesh.isPinned(corners[0])) return false;
+  for (const Vertex v : corners) {
+    if (!moveTo(run, v, place, smallestAngle)) continue;
+    run.mesh.pin(v);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-std::size_t reachTips(Run& run, double tolerance) {
-  const OriginalSurface& surface = run.mesh.surface();
-  run.pinned.resize(run.mesh.mesh().vertexCapacity(), 0);
-  std::size_t moved = 0;
-  for (const Tip& tip : farTips(run, tolerance)) {
-    const Placement place = run.mesh.onSurface(surface.at(tip.original));
-    auto corners = run.mesh.mesh().vertices(tip.nearest);
-    const auto distance = [&](Vertex v) {
-      return (run.mesh.position(v) - place.position).squaredNorm();
-    };
-    std::sort(corners.begin(), corners.end(),
-              [&](Vertex a, Vertex b) { return distance(a) < distance(b); });
-    // One pinned vertex reaches all the original's vertices around its tip.
-    if (run.pinned[corners[0]]) continue;
-    for (const Vertex v : corners) {
-      if (!moveTo(run, v, place)) continue;
-      run.pinned[v] = 1;
-      ++moved;
-      break;
-    }
+void reachTips(Run& run, double tolerance) {
+  for (const Tip& tip : farTips(run, tolerance)) reach(run, tip, kSmallestAngle);
+}
+
+void lowerHausdorff(Run& run) {
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<Tip> tips = farTips(run, kWorthAMove);
+    std::size_t moved = 0;
+    for (const Tip& tip : tips)
+      if (tip.distance > kNearMaximum * tips[0].distance) moved += reach(run, tip, kFinalAngle);
+    if (moved == 0) return;
   }
-  return moved;
 }
 
 }  // namespace remesher

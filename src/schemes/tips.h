@@ -7,9 +7,13 @@
 
 namespace remesher {
 
-// Moves a vertex to every vertex of the original that is farther from the mesh than `tolerance` ×
-// its target length, farthest first, where the star allows it; run.pinned then keeps it from being
-// smoothed away. Returns how many moved.
-std::size_t reachTips(Run& run, double tolerance);
+// Moves a vertex to every place of the original that is farther from the mesh than `tolerance` ×
+// its target length, farthest first, where the star allows it, and pins it there. Smoothing should
+// follow.
+void reachTips(Run& run, double tolerance);
+
+// The same for the few places that decide the Hausdorff distance, as a last step: no triangle gets
+// bad.
+void lowerHausdorff(Run& run);
 
 }  // namespace remesher
