@@ -14,10 +14,11 @@ Projector::Projector(const OriginalSurface& surface, Projection mode, double rea
 
 // Through a patch; where none serves, the closest point found by walking from the nearest corner,
 // and of the walks from the three corners the one that ends nearest.
-SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners, const Vec3& weights,
-                                   const Vec3& flat) {
+SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
+                                   const Triangle& places, const Vec3& weights) {
   if (mode_ == Projection::Patches)
-    if (const auto point = atlas_.interpolate(corners, weights)) return *point;
+    if (const auto point = atlas_.interpolate(corners, places, weights)) return *point;
+  const Vec3 flat = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   SurfacePoint best;
   double bestDistance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -35,13 +36,14 @@ SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners, c
 
 Placement Projector::project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights) {
   const Halfedge n = mesh.mesh().next(h), p = mesh.mesh().prev(h);
-  const Vec3 flat = weights[0] * mesh.position(mesh.mesh().origin(h)) +
-                    weights[1] * mesh.position(mesh.mesh().origin(n)) +
-                    weights[2] * mesh.position(mesh.mesh().origin(p));
+  const Triangle places = {mesh.position(mesh.mesh().origin(h)),
+                           mesh.position(mesh.mesh().origin(n)),
+                           mesh.position(mesh.mesh().origin(p))};
   const SurfacePoint point =
-      onOriginal({mesh.cornerPoint(h), mesh.cornerPoint(n), mesh.cornerPoint(p)}, weights, flat);
+      onOriginal({mesh.cornerPoint(h), mesh.cornerPoint(n), mesh.cornerPoint(p)}, places, weights);
   Placement place = mesh.onSurface(point);
-  if (mode_ == Projection::Current) place.position = flat;
+  if (mode_ == Projection::Current)
+    place.position = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   return place;
 }
 

@@ -18,8 +18,8 @@ class Projector {
   Placement project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights);
 
  private:
-  SurfacePoint onOriginal(const std::array<SurfacePoint, 3>& corners, const Vec3& weights,
-                          const Vec3& flat);
+  SurfacePoint onOriginal(const std::array<SurfacePoint, 3>& corners, const Triangle& places,
+                          const Vec3& weights);
 
   const OriginalSurface& surface_;
   Projection mode_;

@@ -2,6 +2,7 @@
 #include "surface/curvature.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/triangle.h"
 
@@ -42,10 +43,25 @@ VertexData<double> smoothed(const HalfedgeMesh& mesh, const VertexData<double>& 
   return result;
 }
 
+// A curve bends too, where the surfaces on both its sides may be flat.
+void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
+  for (const Chain& chain : surface.curves().chains())
+    for (std::size_t i = 1; i + 1 < chain.vertices.size(); ++i) {
+      const Vec3 at = surface.positions()[chain.vertices[i]];
+      const Vec3 in = at - surface.positions()[chain.vertices[i - 1]];
+      const Vec3 out = surface.positions()[chain.vertices[i + 1]] - at;
+      const double length = 0.5 * (in.norm() + out.norm());
+      if (!(length > 0)) continue;
+      double& own = result[chain.vertices[i]];
+      own = std::max(own, std::atan2(in.cross(out).norm(), in.dot(out)) / length);
+    }
+}
+
 }  // namespace
 
 VertexData<double> curvatures(const OriginalSurface& surface) {
   VertexData<double> result = sharpestTurns(surface);
+  addCurves(surface, result);
   for (int i = 0; i < kSmoothing; ++i) result = smoothed(surface.mesh(), result);
   return result;
 }

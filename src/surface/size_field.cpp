@@ -79,6 +79,10 @@ double evenEdgeLength(double area, double vertices) {
   return std::sqrt(2 * area / (std::sqrt(3.0) * vertices));
 }
 
+double verticesForEdgeLength(double area, double length) {
+  return 2 * area / (std::sqrt(3.0) * length * length);
+}
+
 SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     : mesh_(&surface.mesh()),
       sizes_(surface.mesh().vertexCapacity(), 1),

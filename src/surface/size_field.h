@@ -39,5 +39,6 @@ class SizeField {
 // The edge length of `vertices` vertices spread evenly over an area: each owns two equilateral
 // triangles.
 double evenEdgeLength(double area, double vertices);
+double verticesForEdgeLength(double area, double length);
 
 }  // namespace remesher

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Which sharp edges are a feature: a curve that was meant, and is worth keeping at the target size.
+// An eyelid or scan noise is sharp here and there; the edges of a machine part form a network with
+// hardly a loose end, between faces that are smooth.
+#pragma once
+
+#include <vector>
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+struct FeatureRules {
+  double angle = 40;  // degrees between the normals of an edge's two faces
+  double size = 0;    // the target edge length, model units
+};
+
+// One halfedge of each feature edge.
+std::vector<Halfedge> detectFeatures(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                                     const FeatureRules& rules);
+
+}  // namespace remesher

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "surface/seams.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Above this share of all edges there are no charts to preserve.
+constexpr double kNoCharts = 0.5;
+// Values closer than this are one value: the step of a 16-bit normalised integer.
+constexpr float kQuantum = 1.0F / 65535;
+
+bool followsShading(const std::string& semantic) {
+  return semantic.find("NORMAL") != std::string::npos ||
+         semantic.find("TANGENT") != std::string::npos;
+}
+
+bool differ(const Attribute& attribute, Index a, Index b) {
+  if (a == b) return false;
+  for (int k = 0; k < attribute.itemSize; ++k) {
+    const float x = attribute.values[std::size_t{a} * attribute.itemSize + k];
+    const float y = attribute.values[std::size_t{b} * attribute.itemSize + k];
+    if (std::abs(x - y) > kQuantum * std::max(1.0F, std::abs(x))) return true;
+  }
+  return false;
+}
+
+bool bends(const BuiltMesh& built, Halfedge h, double cosAngle) {
+  const auto normal = [&](Face f) {
+    const auto [a, b, c] = built.mesh.vertices(f);
+    return unitNormal(built.positions[a], built.positions[b], built.positions[c]);
+  };
+  const HalfedgeMesh& mesh = built.mesh;
+  return normal(mesh.face(h)).dot(normal(mesh.face(mesh.twin(h)))) < cosAngle;
+}
+
+// Whether the attribute has another value on the other side, at either end of the edge.
+bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
+  const HalfedgeMesh& mesh = built.mesh;
+  const Halfedge t = mesh.twin(h);
+  return differ(attribute, built.wedges[h], built.wedges[mesh.next(t)]) ||
+         differ(attribute, built.wedges[mesh.next(h)], built.wedges[t]);
+}
+
+void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, double cosAngle,
+                       const std::vector<Halfedge>& edges, Seams& seams) {
+  std::vector<Halfedge> found;
+  for (const Halfedge h : edges)
+    if (jumps(built, attribute, h) &&
+        (!followsShading(attribute.semantic) || bends(built, h, cosAngle)))
+      found.push_back(h);
+  if (double(found.size()) <= kNoCharts * double(edges.size())) {
+    seams.edges.insert(seams.edges.end(), found.begin(), found.end());
+    return;
+  }
+  seams.warnings.push_back(
+      {"ATTRIBUTE_HAS_NO_CHARTS",
+       attribute.semantic + " jumps across most edges: it is carried by the nearest corner.",
+       found.size()});
+}
+
+}  // namespace
+
+Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle) {
+  const HalfedgeMesh& mesh = built.mesh;
+  Seams seams;
+  std::vector<Halfedge> inner;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i))) inner.push_back(Halfedge(i));
+  const auto group = [&](Halfedge h) { return input.groups[built.triangles[mesh.face(h)]]; };
+  if (!input.groups.empty())
+    for (const Halfedge h : inner)
+      if (group(h) != group(mesh.twin(h))) seams.edges.push_back(h);
+  const double cosAngle = std::cos(radians(hardNormalAngle));
+  for (const Attribute& attribute : input.attributes)
+    addAttributeSeams(built, attribute, cosAngle, inner, seams);
+  return seams;
+}
+
+}  // namespace remesher

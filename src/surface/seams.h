@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Edges across which an attribute jumps or a material changes. They must be feature curves, or
+// textures would bleed over them.
+#pragma once
+
+#include <vector>
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "mesh/mesh_builder.h"
+
+namespace remesher {
+
+struct Seams {
+  std::vector<Halfedge> edges;    // one halfedge of each
+  std::vector<Warning> warnings;  // ATTRIBUTE_HAS_NO_CHARTS: nearly every edge is a seam of it
+};
+
+// hardNormalAngle: degrees; a jump of NORMAL or TANGENT counts only where the surface itself bends
+// so much, for elsewhere the file is merely flat-shaded.
+Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle);
+
+}  // namespace remesher
