@@ -124,8 +124,12 @@ const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint
   if (builder.visitedFaces() >= onDemandBudget) return nullptr;
   const Vec3 centre = (triangle[0] + triangle[1] + triangle[2]) / 3;
   const double reach = kOnDemandReach * std::sqrt(squaredLongestSide(triangle));
-  PlanarPatch patch =
-      builder.aroundFaces({corners[0].face, corners[1].face, corners[2].face}, centre, reach);
+  // Where the faces lie around a thin tube, the ways from one of them may close a ring.
+  PlanarPatch patch;
+  for (std::size_t i = 0; i < 3 && patch.isEmpty(); ++i)
+    patch =
+        builder.aroundFaces({corners[i].face, corners[(i + 1) % 3].face, corners[(i + 2) % 3].face},
+                            {centre.cast<float>(), float(reach)});
   if (patch.isEmpty()) return nullptr;
   for (const LocalFace& f : patch.faces()) extraPatch[Face(f.face)] = Index(extraPatches.size());
   extraPatches.push_back(std::move(patch));

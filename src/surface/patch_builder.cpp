@@ -20,6 +20,9 @@ constexpr int kMinReach = 3;
 // Beyond that it takes no face that points this far back (cosine to the cell's mean normal).
 constexpr float kMarginCone = -0.7f;
 
+// Faces a search for ways visits whether they are near or not: large faces have far centroids.
+constexpr Index kAlwaysNear = 30;
+
 // A patch this large has outgrown its use; growth by breadth first keeps what is nearest.
 constexpr std::size_t kMaxPatchFaces = 3000;
 
@@ -94,27 +97,58 @@ PlanarPatch PatchBuilder::aroundCell(Index cell) {
   return finish(grower_.faces().first(coreCount));
 }
 
-PlanarPatch PatchBuilder::aroundFaces(const std::array<Face, 3>& faces, const Vec3& centre,
-                                      double reach) {
-  const Eigen::Vector3f middle = centre.cast<float>();
+// Breadth first from one face until all are met, within the ball; then their shortest ways back are
+// what the patch begins with. Growing blindly could wall one of them in.
+bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) {
+  if (visited_.size() == 0) visited_.resize(frames_.size(), 0);
+  ++visit_;
+  ways_.assign(1, {faces[0], 0});
+  visited_[faces[0]] = visit_;
+  const auto isMet = [&](Face f) { return visited_[f] == visit_; };
+  for (Index head = 0; head < ways_.size(); ++head) {
+    if (isMet(faces[1]) && isMet(faces[2])) break;
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(ways_[head].face, i));
+      if (!g || isMet(g)) continue;
+      const bool isGoal = g == faces[1] || g == faces[2];
+      if (!isGoal && head >= kAlwaysNear && !ball.holds(frames_[g].centroid)) continue;
+      visited_[g] = visit_;
+      ways_.push_back({g, head});
+    }
+  }
+  visitedFaces_ += ways_.size();
+  return isMet(faces[1]) && isMet(faces[2]) && addWay(faces[1]) && addWay(faces[2]);
+}
+
+// From where the way to f leaves what is held already, face by face.
+bool PatchBuilder::addWay(Face f) {
+  std::vector<Face> way;
+  Index at = 0;
+  while (ways_[at].face != f) ++at;
+  for (; at != 0; at = ways_[at].from) way.push_back(ways_[at].face);
+  return std::all_of(way.rbegin(), way.rend(),
+                     [&](Face g) { return grower_.holds(g) || grower_.add(g); });
+}
+
+PlanarPatch PatchBuilder::aroundFaces(const std::array<Face, 3>& faces, const Ball& ball) {
   grower_.clear();
   grower_.add(faces[0]);
-  reaches_.assign(1, {faces[0], 0});
+  if (!growWays(faces, ball)) return {};
+  reaches_.clear();
+  for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
   for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
     if (grower_.faces().size() >= kMaxPatchFaces) break;
-    const int steps = reaches_[head].steps;
+    const Reach from = reaches_[head];
     const Face f = grower_.faces()[head];
     for (int i = 0; i < 3; ++i) {
       const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
       if (!g || grower_.holds(g)) continue;
-      if (steps >= kMinReach && (frames_[g].centroid - middle).norm() > float(reach)) continue;
-      if (grower_.add(g)) reaches_.push_back({faces[0], steps + 1});
+      if (from.steps >= kMinReach && !ball.holds(frames_[g].centroid)) continue;
+      if (grower_.add(g)) reaches_.push_back({from.source, from.steps + 1});
     }
   }
   visitedFaces_ += grower_.faces().size();
-  const bool holdsAll =
-      std::all_of(faces.begin(), faces.end(), [&](Face f) { return grower_.holds(f); });
-  return holdsAll ? finish(faces) : PlanarPatch();
+  return finish(faces);
 }
 
 }  // namespace remesher

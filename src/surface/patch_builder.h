@@ -21,10 +21,18 @@ class PatchBuilder {
 
   const FaceCells& cells() const { return cells_; }
 
-  // Both are empty if no one-to-one map was found. A patch around three faces holds them all, or is
-  // empty; it reaches beyond `centre` by `reach`, model units.
+  // Empty if no one-to-one map was found.
   PlanarPatch aroundCell(Index cell);
-  PlanarPatch aroundFaces(const std::array<Face, 3>& faces, const Vec3& centre, double reach);
+
+  // Holds the three faces and what lies within the ball around them, or is empty.
+  struct Ball {
+    Eigen::Vector3f centre;
+    float radius;
+    bool holds(const Eigen::Vector3f& p) const {
+      return (p - centre).squaredNorm() <= radius * radius;
+    }
+  };
+  PlanarPatch aroundFaces(const std::array<Face, 3>& faces, const Ball& ball);
 
   // The work done so far for aroundFaces, in faces visited.
   std::size_t visitedFaces() const { return visitedFaces_; }
@@ -32,6 +40,8 @@ class PatchBuilder {
  private:
   void growCore(Index cell);
   void growMargin();
+  bool growWays(const std::array<Face, 3>& faces, const Ball& ball);
+  bool addWay(Face f);
   PlanarPatch finish(std::span<const Face> kept);
 
   const VertexData<Vec3>& positions_;
@@ -45,6 +55,13 @@ class PatchBuilder {
     int steps;    // faces between
   };
   std::vector<Reach> reaches_;  // of the grower's faces
+  struct Way {
+    Face face;
+    Index from;  // in ways_: the face before it
+  };
+  std::vector<Way> ways_;
+  FaceData<Index> visited_;  // the last search that met the face
+  Index visit_ = 0;
   std::size_t visitedFaces_ = 0;
 };
 

@@ -3,15 +3,15 @@
 
 #include <doctest/doctest.h>
 
-#include "support/patch_shapes.h"
+#include "support/surfaces.h"
 
 using namespace remesher;
-using namespace remesher::patch_shapes;
+using surfaces::Surface;
 
 namespace {
 
-// The whole mesh, or as much of it as stays a disk, breadth first from one face.
-void growAll(const HalfedgeMesh& mesh, DiskGrower& grower, Face start) {
+// As much of the mesh as stays a disk, breadth first from one face.
+void growAll(DiskGrower& grower, Face start) {
   grower.clear();
   grower.add(start);
   for (std::size_t head = 0; head < grower.faces().size(); ++head) {
@@ -20,126 +20,134 @@ void growAll(const HalfedgeMesh& mesh, DiskGrower& grower, Face start) {
       if (g) grower.add(g);
     }
   }
-  CHECK(mesh.isAlive(start));
 }
 
-int eulerCharacteristic(const DiskPatch& patch) {
-  std::size_t halves = 0, rim = 0;
+// Every n-th face is left out, so that holes, tails and ears appear.
+void growWithGaps(DiskGrower& grower, Index faceCount, Index n) {
+  grower.clear();
+  for (Index f = 0; f < faceCount; ++f)
+    if (f % n != n - 1) grower.add(Face(f));
+}
+
+std::size_t sides(const DiskPatch& patch, bool (*counts)(LocalIndex)) {
+  std::size_t count = 0;
   for (const LocalFace& f : patch.faces)
-    for (const LocalIndex g : f.across) ++(g == kNoLocal ? rim : halves);
-  return int(patch.vertices.size()) - int(halves / 2 + rim) + int(patch.faces.size());
+    for (const LocalIndex g : f.across) count += counts(g) ? 1 : 0;
+  return count;
+}
+
+// Everything a disk is: χ = 1 and a rim that meets each of its vertices once and all its sides.
+void checkIsDisk(const DiskPatch* patch) {
+  REQUIRE(patch);
+  const std::size_t rim = sides(*patch, [](LocalIndex g) { return g == kNoLocal; });
+  const std::size_t inner = sides(*patch, [](LocalIndex g) { return g != kNoLocal; }) / 2;
+  CHECK(int(patch->vertices.size()) - int(inner + rim) + int(patch->faces.size()) == 1);
+  CHECK(patch->rim.size() == rim);
+  std::vector<int> met(patch->vertices.size(), 0);
+  for (const LocalIndex v : patch->rim) CHECK(++met[v] == 1);
+}
+
+// A face joined to the patch by one side whose other sides are not both closed for ever.
+bool isEar(const DiskGrower& grower, const LocalFace& f) {
+  int held = 0, free = 0;
+  for (int i = 0; i < 3; ++i) {
+    held += f.across[std::size_t(i)] != kNoLocal ? 1 : 0;
+    const Face g = grower.neighbor(HalfedgeMesh::halfedge(Face(f.face), i));
+    free += g && !grower.holds(g) ? 1 : 0;
+  }
+  return held == 1 && free > 0;
 }
 
 }  // namespace
 
-TEST_CASE("disk_patch: refuses the face that would close a ring, as in the report's Figure 2") {
-  // The six faces around vertex 0; with faces 0, 1, 2, 3 and 4 held, every vertex is held too.
+TEST_CASE("disk_patch: a fan closes around its middle") {
   const HalfedgeMesh fan(7,
                          std::vector<Index>{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 0, 6, 1});
   DiskGrower grower(fan, {});
   CHECK(grower.add(Face(0)));
   CHECK_FALSE(grower.add(Face(3)));  // meets the patch in a vertex only
-  CHECK(grower.add(Face(1)));
-  CHECK(grower.add(Face(2)));
-  CHECK(grower.add(Face(3)));
+  for (const Index f : {1u, 2u, 3u, 4u}) CHECK(grower.add(Face(f)));
   CHECK_FALSE(grower.add(Face(3)));  // held already
-  CHECK(grower.add(Face(4)));
-  CHECK(grower.add(Face(5)));  // two sides: the fan closes around vertex 0
-  REQUIRE(grower.cut());
+  CHECK(grower.add(Face(5)));        // two sides
+  checkIsDisk(grower.cut());
   CHECK(grower.cut()->rim.size() == 6);
+}
 
-  // A strip of six faces bent into a ring: the last face has one neighbour in the patch, and its
-  // opposite vertex is held.
+TEST_CASE("disk_patch: refuses the face that would close a ring, as in the report's Figure 2") {
+  // A strip of six faces bent into a ring. Face 4 has one neighbour in the patch, and its opposite
+  // vertex is held; so has face 5 from the other end.
   const HalfedgeMesh ring(6,
                           std::vector<Index>{0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4, 2, 0, 5, 0, 3, 5});
-  DiskGrower around(ring, {});
-  for (Index f = 0; f < 4; ++f) CHECK(around.add(Face(f)));
-  CHECK_FALSE(around.add(Face(4)));
-  CHECK_FALSE(around.add(Face(5)));
+  DiskGrower grower(ring, {});
+  for (Index f = 0; f < 4; ++f) CHECK(grower.add(Face(f)));
+  CHECK_FALSE(grower.add(Face(4)));
+  CHECK_FALSE(grower.add(Face(5)));
+  checkIsDisk(grower.cut());
 }
 
-TEST_CASE("disk_patch: a closed surface is never held whole") {
-  for (const Shape& shape : closedShapes()) {
-    CAPTURE(shape.name);
-    DiskGrower grower(shape.mesh, {});
-    growAll(shape.mesh, grower, Face(0));
-    CHECK(grower.faces().size() < shape.mesh.faceCount());
-    const DiskPatch* patch = grower.cut();
-    REQUIRE(patch);
-    CHECK(eulerCharacteristic(*patch) == 1);
-  }
-}
-
-TEST_CASE("disk_patch: a sphere without one face is a disk with a rim of three") {
-  const Shape sphere = icosphere(2);
-  DiskGrower grower(sphere.mesh, {});
-  growAll(sphere.mesh, grower, Face(5));
-  CHECK(grower.faces().size() == sphere.mesh.faceCount() - 1);
-  CHECK(grower.cut()->rim.size() == 3);
-}
-
-TEST_CASE("disk_patch: from every start on every shape a disk grows, before and after trimming") {
-  for (const Shape& shape : allShapes()) {
-    CAPTURE(shape.name);
-    DiskGrower grower(shape.mesh, {});
-    for (Index f = 0; f < shape.mesh.faceCapacity(); f += 7) {
-      growAll(shape.mesh, grower, Face(f));
-      CHECK(eulerCharacteristic(*grower.cut()) == 1);
+TEST_CASE("disk_patch: from every start on every surface a disk grows, before and after trimming") {
+  for (const Surface& surface : surfaces::all()) {
+    CAPTURE(surface.name);
+    DiskGrower grower(surface.mesh(), {});
+    for (Index f = 0; f < surface.mesh().faceCapacity(); f += 11) {
+      growAll(grower, Face(f));
+      checkIsDisk(grower.cut());
       const Face kept[] = {Face(f)};
       grower.trimEars(kept);
       CHECK(grower.holds(Face(f)));
+      checkIsDisk(grower.cut());
+    }
+  }
+}
+
+TEST_CASE("disk_patch: a closed surface of genus 0 is held but for one face, never whole") {
+  for (const TriangleMesh& mesh :
+       {shapes::tetrahedron(), shapes::cube(1), shapes::icosphere(7), shapes::cone(9)}) {
+    const Surface surface = surfaces::surface("", mesh);
+    DiskGrower grower(surface.mesh(), {});
+    growAll(grower, Face(0));
+    CHECK(grower.faces().size() == surface.mesh().faceCount() - 1);
+    CHECK(grower.cut()->rim.size() == 3);
+  }
+}
+
+TEST_CASE("disk_patch: trimming leaves no ear") {
+  for (const Surface& surface : surfaces::all()) {
+    CAPTURE(surface.name);
+    DiskGrower grower(surface.mesh(), {});
+    for (const Index n : {3u, 4u, 5u, 7u}) {
+      growWithGaps(grower, Index(surface.mesh().faceCapacity()), n);
+      checkIsDisk(grower.cut());
+      const Face kept[] = {grower.faces()[0]};
+      grower.trimEars(kept);
       const DiskPatch* patch = grower.cut();
-      REQUIRE(patch);
-      CHECK(eulerCharacteristic(*patch) == 1);
+      checkIsDisk(patch);
+      for (const LocalFace& f : patch->faces) CHECK((f.face == kept[0].index || !isEar(grower, f)));
     }
   }
 }
 
-TEST_CASE("disk_patch: trimming leaves no ear but the kept and those cut off on both sides") {
-  const Shape plane = grid(8);
-  DiskGrower grower(plane.mesh, {});
-  grower.add(Face(0));
-  // A few faces in a row, so that ears and tails of ears appear.
-  for (Index f = 0; f < plane.mesh.faceCapacity(); f += 1)
-    if (f % 5 != 3) grower.add(Face(f));
-  grower.trimEars({});
-  const DiskPatch* patch = grower.cut();
-  REQUIRE(patch);
-  for (const LocalFace& f : patch->faces) {
-    int held = 0, open = 0;
-    for (int i = 0; i < 3; ++i) {
-      if (f.across[i] != kNoLocal) ++held;
-      if (f.across[i] == kNoLocal && grower.neighbor(HalfedgeMesh::halfedge(Face(f.face), i)))
-        ++open;
-    }
-    CHECK_FALSE((held == 1 && open > 0));
-  }
+TEST_CASE("disk_patch: a barrier across a plane halves it") {
+  const Surface plane = surfaces::surface("", shapes::grid(6, 6));
+  const auto barriers = barriersBetween(plane, [](const Vec3& p) { return p.y() == 3; });
+  DiskGrower grower(plane.mesh(), barriers.values());
+  growAll(grower, Face(0));
+  CHECK(grower.faces().size() == plane.mesh().faceCount() / 2);
+  checkIsDisk(grower.cut());
 }
 
-TEST_CASE("disk_patch: never crosses a barrier") {
-  const Shape plane = grid(6);
-  // The grid's middle row of edges is closed: vertices with y = 3.
-  HalfedgeData<char> barriers(plane.mesh.halfedgeCapacity(), 0);
-  for (Index i = 0; i < plane.mesh.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    barriers[h] = plane.positions[plane.mesh.origin(h)].y() == 3 &&
-                  plane.positions[plane.mesh.tip(h)].y() == 3;
+TEST_CASE("disk_patch: around the end of a barrier the patch does not meet itself") {
+  const Surface plane = surfaces::surface("", shapes::grid(6, 6));
+  const auto slit = barriersBetween(plane, [](const Vec3& p) { return p.y() == 3 && p.x() <= 3; });
+  DiskGrower grower(plane.mesh(), slit.values());
+  for (Index f = 0; f < plane.mesh().faceCapacity(); ++f) {
+    growAll(grower, Face(f));
+    checkIsDisk(grower.cut());
+    for (Index i = 0; i < plane.mesh().halfedgeCapacity(); ++i) {
+      if (!slit[Halfedge(i)]) continue;
+      const Halfedge t = plane.mesh().twin(Halfedge(i));
+      CHECK_FALSE(
+          (grower.holds(HalfedgeMesh::face(Halfedge(i))) && grower.holds(HalfedgeMesh::face(t))));
+    }
   }
-  DiskGrower grower(plane.mesh, barriers.values());
-  growAll(plane.mesh, grower, Face(0));
-  CHECK(grower.faces().size() == plane.mesh.faceCount() / 2);
-  REQUIRE(grower.cut());
-
-  // A barrier that ends inside: around its end, the last face would meet itself across it.
-  HalfedgeData<char> slit(plane.mesh.halfedgeCapacity(), 0);
-  for (Index i = 0; i < plane.mesh.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    const Vec3 &a = plane.positions[plane.mesh.origin(h)], &b = plane.positions[plane.mesh.tip(h)];
-    slit[h] = a.y() == 3 && b.y() == 3 && a.x() <= 3 && b.x() <= 3;
-  }
-  DiskGrower around(plane.mesh, slit.values());
-  growAll(plane.mesh, around, Face(0));
-  const DiskPatch* patch = around.cut();
-  REQUIRE(patch);
-  CHECK(eulerCharacteristic(*patch) == 1);
 }
