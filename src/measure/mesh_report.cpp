@@ -45,6 +45,28 @@ class DisjointSets {
   std::vector<Index> parents_;
 };
 
+// The place of a vertex of the edge opposite to a corner, as a corner of the same triangle.
+Index cornerAt(const WeldedMesh& mesh, Index opposite, Index vertex) {
+  const Index triangle = opposite / 3, next = 3 * triangle + (opposite + 1) % 3;
+  return mesh.indices[next] == vertex ? next : 3 * triangle + (opposite + 2) % 3;
+}
+
+// How many fans of triangles, each joined by edges, stand around all vertices together: one per
+// vertex but where the surface is pinched.
+std::size_t countFans(const WeldedMesh& mesh, const EdgeTable& edges) {
+  DisjointSets fans(mesh.indices.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    for (const Index vertex : {edge.low, edge.high})
+      for (const Index opposite : edge.opposites.subspan(1))
+        fans.unite(cornerAt(mesh, edge.opposites[0], vertex), cornerAt(mesh, opposite, vertex));
+  }
+  std::size_t count = 0;
+  for (Index corner = 0; corner < mesh.indices.size(); ++corner)
+    count += hasDistinctVertices(mesh.triangle(corner / 3)) && fans.find(corner) == corner;
+  return count;
+}
+
 // Fills in what only connectivity decides.
 void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
   const EdgeTable edges(mesh);
@@ -66,14 +88,13 @@ void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
     ++faces;
     report.components += components.find(t) == t;
   }
-  std::size_t vertices = 0, interior = 0, regular = 0;
+  std::size_t interior = 0, regular = 0;
   for (std::size_t v = 0; v < valence.size(); ++v) {
-    vertices += valence[v] > 0;
     interior += valence[v] > 0 && isInterior[v];
     regular += valence[v] == 6 && isInterior[v];
   }
-  report.eulerCharacteristic =
-      static_cast<long>(vertices) - static_cast<long>(edges.size()) + static_cast<long>(faces);
+  report.eulerCharacteristic = static_cast<long>(countFans(mesh, edges)) -
+                               static_cast<long>(edges.size()) + static_cast<long>(faces);
   if (interior > 0)
     report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
 }

@@ -12,7 +12,8 @@ namespace remesher {
 // Every index must name a position and every coordinate be finite; all else is allowed. Corners at
 // equal positions are one vertex; positions no triangle uses do not count. Two triangles are in one
 // component when a chain of shared edges joins them. A triangle is degenerate when two of its
-// corners coincide or its area is nothing but rounding.
+// corners coincide or its area is nothing but rounding. The Euler characteristic is that of the
+// surface cut apart where it only touches itself in a vertex.
 MeshReport inspectMesh(const TriangleMesh& mesh);
 
 // The share of the edges between two triangles, in percent, whose opposite angles sum to more than

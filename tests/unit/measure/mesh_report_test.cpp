@@ -64,6 +64,15 @@ TEST_CASE("mesh_report: an edge of three triangles is non-manifold, a shared cor
   report = inspectMesh(bowTie);
   CHECK(report.components == 2);
   CHECK(report.vertices == 5);
+  CHECK(report.eulerCharacteristic == 2);  // of two disks
+}
+
+TEST_CASE("mesh_report: pinching a surface changes its vertices, not its Euler characteristic") {
+  TriangleMesh mesh = soups::joined({soups::sphere(3), soups::moved(soups::sphere(3), {2, 0, 0})});
+  const MeshReport report = inspectMesh(mesh);  // they touch in one vertex
+  CHECK(report.vertices == 2 * (9 * 4 + 2) - 1);
+  CHECK(report.eulerCharacteristic == 4);
+  CHECK(report.components == 2);
 }
 
 TEST_CASE("mesh_report: triangles without area are counted and have an angle of 0") {
