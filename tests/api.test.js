@@ -142,7 +142,8 @@ test('a mesh that cannot be remeshed is refused with the place', async () => {
   const { positions, indices } = torus({ columns: 8, rows: 6 });
   const wild = Uint32Array.from(indices);
   wild[4] = 1000;
-  await rejectsWith(remesh({ positions, indices: wild }), 'INDEX_OUT_OF_RANGE', /Triangle 1 .*1000/);
+  await rejectsWith(
+    remesh({ positions, indices: wild }), 'INDEX_OUT_OF_RANGE', /Triangle 1 .*1000/);
   const broken = Float32Array.from(positions);
   broken[7] = NaN;
   await rejectsWith(remesh({ positions: broken, indices }), 'NON_FINITE', /Vertex 2 /);

@@ -98,7 +98,8 @@ test('help and version', () => {
 test('wrong words are named, with what to do', () => {
   failsWith(2, /No input file.*Use:/);
   failsWith(2, /No output file.*Add -o/, 'torus.off');
-  failsWith(2, /--vertexes.*Did you mean --vertices/, 'torus.off', '-o', 'x.off', '--vertexes', '3');
+  failsWith(2, /--vertexes.*Did you mean --vertices/,
+    'torus.off', '-o', 'x.off', '--vertexes', '3');
   failsWith(2, /--vertices needs a value/, 'torus.off', '-o', 'x.off', '--vertices');
   failsWith(2, /--vertices must be a whole number.*not many/,
     'torus.off', '-o', 'x.off', '--vertices', 'many');

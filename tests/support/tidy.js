@@ -11,7 +11,7 @@ import { promisify } from 'node:util';
 import { filesUnder, readText, root } from './tree.js';
 
 const cache = join(root, 'build/tidy');
-const compileCommands = 'build/test';
+const flags = ['-p', 'build/test', '--quiet', '--extra-arg=-Wno-unknown-warning-option'];
 
 /** The file and all of ours that it includes. */
 function withIncludes(file, found = new Set()) {
@@ -33,8 +33,7 @@ async function tidy(file) {
   const key = keyOf(file);
   if (existsSync(key)) return '';
   try {
-    const words = ['-p', compileCommands, '--quiet', '--extra-arg=-Wno-unknown-warning-option', file];
-    await promisify(execFile)('clang-tidy', words, { cwd: root });
+    await promisify(execFile)('clang-tidy', [...flags, file], { cwd: root });
   } catch (error) {
     return error.stdout || String(error);
   }
