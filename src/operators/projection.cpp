@@ -23,8 +23,7 @@ SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
   double bestDistance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     if (weights[i] <= 0) continue;
-    const SurfacePoint point = closestPointFrom(surface_.mesh(), surface_.positions(),
-                                                surface_.barriers(), corners[i], flat);
+    const SurfacePoint point = closestPointFrom(surface_, corners[i], flat);
     const double distance = (surface_.position(point) - flat).squaredNorm();
     if (distance < bestDistance) {
       bestDistance = distance;

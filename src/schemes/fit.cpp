@@ -44,7 +44,7 @@ void addOffsets(const WorkingMesh& mesh, Face f, VertexData<Offset>& offsets) {
   for (const auto& w : kSamples) {
     const Vec3 sample = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
     const OriginalSurface& surface = mesh.surface();
-    near = closestPointFrom(surface.mesh(), surface.positions(), surface.barriers(), near, sample);
+    near = closestPointFrom(surface, near, sample);
     const double distance = (surface.position(near) - sample).dot(n) / area;
     for (int i = 0; i < 3; ++i) {
       offsets[corners[i]].sum += area * w[i] * distance;

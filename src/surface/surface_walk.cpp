@@ -21,9 +21,11 @@ class Walk {
     double distance2 = std::numeric_limits<double>::infinity();
   };
 
-  Walk(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-       const HalfedgeData<char>& barriers, const Vec3& target)
-      : mesh_(mesh), positions_(positions), barriers_(barriers), target_(target) {}
+  Walk(const OriginalSurface& surface, const Vec3& target)
+      : mesh_(surface.mesh()),
+        positions_(surface.positions()),
+        barriers_(surface.barriers()),
+        target_(target) {}
 
   Found closestOn(Face f) const {
     const auto [a, b, c] = mesh_.vertices(f);
@@ -45,9 +47,7 @@ class Walk {
   }
 
  private:
-  Halfedge across(Halfedge h) const {
-    return barriers_.size() > 0 && barriers_[h] ? Halfedge() : mesh_.twin(h);
-  }
+  Halfedge across(Halfedge h) const { return barriers_[h] ? Halfedge() : mesh_.twin(h); }
 
   // From inside the edge at `corner` only the face beyond can be nearer, and only if it runs
   // towards the target.
@@ -91,10 +91,9 @@ class Walk {
 
 }  // namespace
 
-SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                              const HalfedgeData<char>& barriers, const SurfacePoint& start,
+SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint& start,
                               const Vec3& target) {
-  const Walk walk(mesh, positions, barriers, target);
+  const Walk walk(surface, target);
   Walk::Found best = walk.closestOn(start.face);
   for (int step = 0; step < kMaxSteps; ++step) {
     const Walk::Found next = walk.closestAround(best);

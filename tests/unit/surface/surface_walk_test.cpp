@@ -4,38 +4,30 @@
 #include <doctest/doctest.h>
 
 #include "geometry/triangle_tree.h"
-#include "mesh/mesh_builder.h"
-#include "support/shapes.h"
-#include "support/soups.h"
+#include "support/working_meshes.h"
 
 using namespace remesher;
 
 namespace {
 
-Vec3 position(const BuiltMesh& built, const SurfacePoint& point) {
-  Vec3 sum = Vec3::Zero();
-  const auto corners = built.mesh.vertices(point.face);
-  for (int i = 0; i < 3; ++i)
-    sum += point.barycentric[i] * built.positions[corners[std::size_t(i)]];
-  return sum;
-}
-
-SurfacePoint anywhere(const BuiltMesh& built, soups::Random& random) {
+SurfacePoint anywhere(const OriginalSurface& surface, soups::Random& random) {
   const Vec3 weights = random.point() + Vec3::Constant(1e-3);
-  const double faces = double(built.mesh.faceCapacity());
+  const double faces = double(surface.mesh().faceCapacity());
   return {Face(Index(faces * random.number())), weights / weights.sum()};
 }
 
-// The halfedges of every edge between a vertex with x ≤ level and one beyond, both ways: no walk
-// between the two sides can avoid them.
-HalfedgeData<char> wall(const BuiltMesh& built, double level) {
-  HalfedgeData<char> barriers(built.mesh.halfedgeCapacity(), 0);
+// An original with a curve along x = level, which no walk between the two sides can avoid.
+OriginalSurface walled(const TriangleMesh& input, double level) {
+  BuiltMesh built = buildMesh(input);
+  CurveRules rules;
   for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    barriers[h] = built.positions[built.mesh.origin(h)].x() == level &&
-                  built.positions[built.mesh.tip(h)].x() == level;
+    if (built.positions[built.mesh.origin(h)].x() == level &&
+        built.positions[built.mesh.tip(h)].x() == level)
+      rules.edges.push_back(h);
   }
-  return barriers;
+  FeatureCurves curves(built.mesh, built.positions, rules);
+  return OriginalSurface(std::move(built), std::move(curves));
 }
 
 }  // namespace
@@ -43,16 +35,16 @@ HalfedgeData<char> wall(const BuiltMesh& built, double level) {
 // Seen from outside, a convex surface has no local minimum but the global one; from inside, every
 // facet has its own.
 TEST_CASE("surface_walk: outside a sphere it finds the globally closest point") {
-  const BuiltMesh built = buildMesh(shapes::icosphere(12));
-  const std::vector<Index> indices = built.mesh.triangles();
-  const TriangleTree tree(built.positions.values(), indices);
+  const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(12), shapes::Features::None);
+  const std::vector<Index> indices = surface.mesh().triangles();
+  const TriangleTree tree(surface.positions().values(), indices);
   soups::Random random(4);
   for (int round = 0; round < 500; ++round) {
-    const SurfacePoint start = anywhere(built, random);
-    const Vec3 near = position(built, start) + random.point() - Vec3::Constant(0.5);
+    const SurfacePoint start = anywhere(surface, random);
+    const Vec3 near = surface.position(start) + random.point() - Vec3::Constant(0.5);
     const Vec3 target = (1 + 0.5 * random.number()) * near.normalized();
-    const SurfacePoint found = closestPointFrom(built.mesh, built.positions, {}, start, target);
-    CHECK((position(built, found) - target).squaredNorm() <=
+    const SurfacePoint found = closestPointFrom(surface, start, target);
+    CHECK((surface.position(found) - target).squaredNorm() <=
           tree.nearest(target).squaredDistance + 1e-12);
     CHECK(found.barycentric.minCoeff() >= 0);
     CHECK(found.barycentric.sum() == doctest::Approx(1));
@@ -60,13 +52,12 @@ TEST_CASE("surface_walk: outside a sphere it finds the globally closest point") 
 }
 
 TEST_CASE("surface_walk: a target on the surface is reached from the other side of a plane") {
-  const BuiltMesh built = buildMesh(shapes::grid(20, 20));
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(20, 20), shapes::Features::None);
   soups::Random random(9);
   for (int round = 0; round < 100; ++round) {
-    const Vec3 target = position(built, anywhere(built, random));
-    const SurfacePoint found =
-        closestPointFrom(built.mesh, built.positions, {}, anywhere(built, random), target);
-    CHECK((position(built, found) - target).norm() < 1e-12);
+    const Vec3 target = surface.position(anywhere(surface, random));
+    const SurfacePoint found = closestPointFrom(surface, anywhere(surface, random), target);
+    CHECK((surface.position(found) - target).norm() < 1e-12);
   }
 }
 
@@ -74,39 +65,36 @@ TEST_CASE("surface_walk: it never gets farther from the target than its start") 
   soups::Random random(6);
   for (const shapes::Shape& shape : shapes::all()) {
     CAPTURE(shape.name);
-    const BuiltMesh built = buildMesh(shape.mesh);
+    const OriginalSurface surface = shapes::surfaceOf(shape.mesh, shapes::Features::None);
     for (int round = 0; round < 50; ++round) {
-      const SurfacePoint start = anywhere(built, random);
+      const SurfacePoint start = anywhere(surface, random);
       const Vec3 target = 6 * (random.point() - Vec3::Constant(0.5));
-      const SurfacePoint found = closestPointFrom(built.mesh, built.positions, {}, start, target);
-      CHECK((position(built, found) - target).norm() <=
-            (position(built, start) - target).norm() + 1e-12);
+      const SurfacePoint found = closestPointFrom(surface, start, target);
+      CHECK((surface.position(found) - target).norm() <=
+            (surface.position(start) - target).norm() + 1e-12);
     }
   }
 }
 
 TEST_CASE("surface_walk: no barrier is crossed, not even around its vertices") {
-  const BuiltMesh built = buildMesh(shapes::grid(10, 10));
-  const HalfedgeData<char> barriers = wall(built, 5);
+  const OriginalSurface surface = walled(shapes::grid(10, 10), 5);
   soups::Random random(8);
   for (int round = 0; round < 200; ++round) {
-    const SurfacePoint start = anywhere(built, random);
-    const Vec3 from = position(built, start), target = position(built, anywhere(built, random));
-    const SurfacePoint found =
-        closestPointFrom(built.mesh, built.positions, barriers, start, target);
-    const double end = position(built, found).x();
+    const SurfacePoint start = anywhere(surface, random);
+    const Vec3 from = surface.position(start), target = surface.position(anywhere(surface, random));
+    const SurfacePoint found = closestPointFrom(surface, start, target);
+    const double end = surface.position(found).x();
     CHECK((from.x() < 5 ? end <= 5 : end >= 5));
     if ((from.x() < 5) == (target.x() < 5))
-      CHECK((position(built, found) - target).norm() < 1e-12);
+      CHECK((surface.position(found) - target).norm() < 1e-12);
     else
       CHECK(end == doctest::Approx(5));
   }
 }
 
 TEST_CASE("surface_walk: a far target outside a boundary ends on the boundary") {
-  const BuiltMesh built = buildMesh(shapes::grid(6, 6));
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(6, 6), shapes::Features::None);
   soups::Random random(1);
-  const SurfacePoint found =
-      closestPointFrom(built.mesh, built.positions, {}, anywhere(built, random), Vec3(2.5, 90, 3));
-  CHECK((position(built, found) - Vec3(2.5, 6, 0)).norm() < 1e-12);
+  const SurfacePoint found = closestPointFrom(surface, anywhere(surface, random), Vec3(2.5, 90, 3));
+  CHECK((surface.position(found) - Vec3(2.5, 6, 0)).norm() < 1e-12);
 }
