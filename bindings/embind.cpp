@@ -62,6 +62,16 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
   });
 }
 
+// request: { name, bytes, resources, output }
+val convertBytes(const val& request) {
+  return guarded([&] {
+    val result = val::object();
+    result.set("files",
+               objectFrom(convertFile(bundleFrom(request), request["output"].as<std::string>())));
+    return result;
+  });
+}
+
 val inspectArrays(const val& mesh) {
   return guarded([&] { return objectFrom(inspect(meshFrom(mesh))); });
 }
@@ -83,6 +93,7 @@ val defaultOptions() { return objectFrom(RemeshOptions()); }
 EMSCRIPTEN_BINDINGS(remesher) {
   emscripten::function("remesh", &remeshArrays);
   emscripten::function("remeshFile", &remeshBytes);
+  emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspect", &inspectArrays);
   emscripten::function("inspectFile", &inspectBytes);
   emscripten::function("errorCodes", &errorCodes);

@@ -102,6 +102,11 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   return {std::move(written.files), std::move(run.report)};
 }
 
+std::vector<File> convertFile(const FileBundle& input, const std::string& outputName) {
+  const io::Model model = io::read(input.file, input.resources);
+  return io::write(model, outputName).files;
+}
+
 Report inspect(const TriangleMesh& mesh) {
   Report report;
   report.input = inspectParts({io::Part{"", mesh, {}}});

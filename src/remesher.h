@@ -38,6 +38,9 @@ struct RemeshFileResult {
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
 
+// The same model in another format, its triangles as they are: the one asked for first.
+std::vector<File> convertFile(const FileBundle& input, const std::string& outputName);
+
 Report inspect(const TriangleMesh& mesh);
 Report inspectFile(const FileBundle& input);
 

@@ -44,6 +44,8 @@ import { compileBinary } from './wasm_source.js';
  * @property {RemeshReport} report
  */
 
+/** @typedef {Omit<RemeshFileResult, 'report'>} ConvertFileResult */
+
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
 const fileNames = /** @type {const} */ (['name', 'resources']);
 
@@ -204,6 +206,19 @@ export function createApi(platform) {
   }
 
   /**
+   * Writes a file in another format; its triangles stay as they are.
+   * @param {Bytes} bytes
+   * @param {FileOptions & OutputOptions & RunOptions} options
+   * @returns {Promise<ConvertFileResult>}
+   */
+  async function convertFile(bytes, options = {}) {
+    refuseOthers(options, [...runNames, ...fileNames, 'output']);
+    const file = await fileRequest(bytes, options);
+    const { files } = await client.run({ kind: 'convertFile', file }, fileBuffers(file), options);
+    return { ...files[0], files };
+  }
+
+  /**
    * Reports on a file or a mesh; changes nothing.
    * @param {Bytes | Mesh} bytesOrMesh
    * @param {FileOptions & RunOptions} [options]
@@ -219,7 +234,7 @@ export function createApi(platform) {
     return client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
   }
 
-  return { init, remesh, remeshFile, inspect };
+  return { init, remesh, remeshFile, convertFile, inspect };
 }
 
 /** @param {object} options @param {readonly string[]} known */

@@ -79,6 +79,8 @@ function call(instance, job, ask) {
         { ...job.mesh, attributes: listed(job.mesh.attributes) }, job.options, ask);
     case 'remeshFile':
       return instance.remeshFile(job.file, job.options, ask);
+    case 'convertFile':
+      return instance.convertFile(job.file);
     case 'inspect':
       return instance.inspect({ ...job.mesh, attributes: listed(job.mesh.attributes) });
     default:

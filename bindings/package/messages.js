@@ -27,6 +27,7 @@
  * What an engine is asked to do.
  * @typedef {{ kind: 'remesh', mesh: Mesh, options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
+ *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh }
  *   | { kind: 'inspectFile', file: FileRequest }} Job
  */

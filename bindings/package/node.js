@@ -5,4 +5,4 @@ import { createApi } from './api.js';
 import * as platform from './platform_node.js';
 
 export { RemeshError } from './errors.js';
-export const { init, remesh, remeshFile, inspect } = createApi(platform);
+export const { init, remesh, remeshFile, convertFile, inspect } = createApi(platform);
