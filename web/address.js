@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The part of the address after #: a sample and the options, as in #model=bunny&vertices=2000. It
+// is never sent to a server.
+import { optionTable } from 'remesher/options';
+
+/** @typedef {import('remesher/options').Option} Option */
+/** @typedef {Record<string, string | number | boolean>} Values */
+
+/** @param {Option} option @param {string} text */
+function parse(option, text) {
+  if (option.type === 'boolean') return text !== 'false';
+  if (option.type === 'choice' || (option.off && text === 'off')) return text;
+  return Number(text);
+}
+
+/** @param {string} hash @returns {{ model: string | null, values: Values }} */
+export function readAddress(hash) {
+  const given = new URLSearchParams(hash.replace(/^#/, ''));
+  /** @type {Values} */
+  const values = {};
+  for (const option of optionTable) {
+    const text = option.flag && given.get(option.name);
+    if (text) values[option.name] = parse(option, text);
+  }
+  return { model: given.get('model'), values };
+}
+
+/** @param {string | null} model a sample; a visitor's own file is not named
+ * @param {Values} values @returns {string} */
+export function writeAddress(model, values) {
+  const given = new URLSearchParams();
+  if (model) given.set('model', model);
+  for (const [name, value] of Object.entries(values)) given.set(name, String(value));
+  return `#${given}`;
+}
+
+/** A file's name as a shell takes it. @param {string} name */
+const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
+
+/** The same run on the command line.
+ * @param {string} input @param {string} output @param {Values} values */
+export function commandLine(input, output, values) {
+  const given = Object.entries(values).filter(([, value]) => value !== false);
+  const flags = given.map(([name, value]) => {
+    const flag = optionTable.find((option) => option.name === name)?.flag?.split(' ')[0];
+    return value === true ? flag : `${flag} ${value}`;
+  });
+  return ['npx remesher', quoted(input), '-o', quoted(output), ...flags].join(' ');
+}
