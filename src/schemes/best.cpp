@@ -21,10 +21,21 @@ constexpr int kAnnealRounds = 20;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
 
-// Two levels pay only for large meshes.
+// Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
+constexpr std::size_t kFewVertices = 400;
+// Corners never move: a coarse mesh needs so many vertices to each.
+constexpr std::size_t kVerticesPerCorner = 6;
 
-int levelCount(std::size_t vertices) { return vertices < kManyVertices ? 1 : 2; }
+int levelCount(const Run& run, std::size_t vertices) {
+  const HalfedgeMesh& original = run.mesh.surface().mesh();
+  std::size_t corners = 0;
+  for (Index i = 0; i < original.vertexCapacity(); ++i)
+    corners += run.mesh.surface().curves().isCorner(Vertex(i)) ? 1 : 0;
+  int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
+  while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
+  return levels;
+}
 
 void smooth(Run& run) {
   for (int i = 0; i < 2; ++i) {
@@ -41,7 +52,7 @@ void smoothOntoTips(Run& run) {
 }  // namespace
 
 bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
-  const int levels = levelCount(vertices);
+  const int levels = levelCount(run, vertices);
   run.scale = std::pow(2.0, levels);
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t base = vertices >> (2 * levels);

@@ -6,6 +6,7 @@
 
 #include "geometry/triangle.h"
 #include "operators/delaunay.h"
+#include "schemes/split_obtuse.h"
 #include "schemes/sweeps.h"
 
 namespace remesher {
@@ -125,29 +126,6 @@ std::size_t collapseRound(Run& run, std::size_t target) {
 void areaBasedRound(Run& run) {
   for (int i = 0; i < kAreaSweeps; ++i) areaBasedSweep(run);
   delaunayFlips(run.mesh, run.rule);
-}
-
-bool facesObtuse(const WorkingMesh& mesh, Halfedge side) {
-  if (!side) return false;
-  const Vec3 apex = mesh.position(mesh.mesh().opposite(side));
-  const Vec3 toOrigin = mesh.position(mesh.mesh().origin(side)) - apex;
-  return toOrigin.dot(mesh.position(mesh.mesh().tip(side)) - apex) < 0;
-}
-
-// Splits every edge that faces an obtuse angle, once: recursion would make ever smaller triangles.
-// The edges are noted by their ends, for a split renames halfedges of its triangles.
-void splitObtuse(Run& run) {
-  const HalfedgeMesh& m = run.mesh.mesh();
-  std::vector<std::pair<Vertex, Vertex>> edges;
-  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    if (!m.isEdge(h)) continue;
-    if (facesObtuse(run.mesh, h) || facesObtuse(run.mesh, m.twin(h)))
-      edges.emplace_back(m.origin(h), m.tip(h));
-  }
-  for (const auto& [from, to] : edges)
-    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change))
-      apply(run.mesh, run.change);
 }
 
 // Most of the time goes into the rounds that change the number of vertices, if there are any.

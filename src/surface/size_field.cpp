@@ -51,6 +51,17 @@ void normalize(const VertexData<double>& areas, double mean, VertexData<double>&
   for (double& size : sizes.values()) size *= scale;
 }
 
+// Edges lie as densely as vertices: in proportion to area / size².
+double meanOverEdges(const VertexData<double>& areas, const VertexData<double>& sizes) {
+  double edges = 0, lengths = 0;
+  for (Index i = 0; i < sizes.size(); ++i) {
+    const double size = sizes[Vertex(i)], share = areas[Vertex(i)] / (size * size);
+    edges += share;
+    lengths += share * size;
+  }
+  return lengths / edges;
+}
+
 // No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
 // slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
@@ -86,7 +97,8 @@ double verticesForEdgeLength(double area, double length) {
 SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     : mesh_(&surface.mesh()),
       sizes_(surface.mesh().vertexCapacity(), 1),
-      mean_(evenEdgeLength(surface.area(), rules.vertices)) {
+      mean_(evenEdgeLength(surface.area(), rules.vertices)),
+      meanEdge_(mean_) {
   const bool even = rules.adaptivity == 0 && rules.density.empty();
   if (even) {
     sizes_.assign(sizes_.size(), mean_);
@@ -103,19 +115,12 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     normalize(areas, mean_, sizes_);
     limitGradation(surface, slope, sizes_);
   }
+  meanEdge_ = meanOverEdges(areas, sizes_);
 }
 
 double SizeField::at(const SurfacePoint& p) const {
   const auto [a, b, c] = mesh_->vertices(p.face);
   return p.barycentric[0] * sizes_[a] + p.barycentric[1] * sizes_[b] + p.barycentric[2] * sizes_[c];
-}
-
-double SizeField::smallest() const {
-  return *std::min_element(sizes_.values().begin(), sizes_.values().end());
-}
-
-double SizeField::largest() const {
-  return *std::max_element(sizes_.values().begin(), sizes_.values().end());
 }
 
 }  // namespace remesher

@@ -27,13 +27,14 @@ class SizeField {
 
   // The edge length of an even mesh with that many vertices.
   double mean() const { return mean_; }
-  double smallest() const;
-  double largest() const;
+  // The mean over the edges of a mesh of these sizes: shorter than mean() where they are graded.
+  double meanEdge() const { return meanEdge_; }
 
  private:
   const HalfedgeMesh* mesh_;
   VertexData<double> sizes_;
   double mean_ = 0;
+  double meanEdge_ = 0;
 };
 
 // The edge length of `vertices` vertices spread evenly over an area: each owns two equilateral

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/curve_choice.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "surface/feature_detection.h"
+#include "surface/seams.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kFeatureAngle = 40;
+
+// The edges that the caller gave as pairs of input vertices.
+std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
+  std::vector<Vertex> vertexOf;
+  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h) {
+    const Index wedge = built.wedges[Halfedge(h)];
+    if (vertexOf.size() <= wedge) vertexOf.resize(std::size_t{wedge} + 1);
+    vertexOf[wedge] = built.mesh.origin(Halfedge(h));
+  }
+  const auto vertex = [&](Index i) { return i < vertexOf.size() ? vertexOf[i] : Vertex(); };
+  std::vector<Halfedge> edges;
+  for (const auto& [a, b] : options.featureEdges) {
+    const Vertex from = vertex(a), to = vertex(b);
+    Halfedge h = from && to ? built.mesh.find(from, to) : Halfedge();
+    if (!h && from && to) h = built.mesh.find(to, from);
+    if (!h)
+      throw Error(ErrorCode::InvalidOption,
+                  "featureEdges: there is no edge between vertices " + std::to_string(a) + " and " +
+                      std::to_string(b) + ".",
+                  "Give pairs of input vertices that an edge of a triangle joins.");
+    edges.push_back(h);
+  }
+  return edges;
+}
+
+}  // namespace
+
+FeatureCurves chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                           const RemeshOptions& options, double size,
+                           std::vector<Warning>& warnings) {
+  const double angle = options.featureAngle.value_or(kFeatureAngle);
+  CurveRules rules{givenEdges(built, options), size, options.boundary == Boundary::Keep};
+  const auto add = [&](const std::vector<Halfedge>& edges) {
+    rules.edges.insert(rules.edges.end(), edges.begin(), edges.end());
+  };
+  const bool byDefault = options.scheme == Scheme::Best;
+  if (options.detectFeatures && (byDefault || options.featureAngle))
+    add(detectFeatures(built.mesh, built.positions, {angle, size}));
+  const Seams seams = findSeams(built, input, angle);
+  add(seams.edges);
+  warnings.insert(warnings.end(), seams.warnings.begin(), seams.warnings.end());
+  return {built.mesh, built.positions, rules};
+}
+
+}  // namespace remesher

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// A closed surface needs a tetrahedron.
+constexpr double kFewestVertices = 4;
+
+void require(bool holds, const std::string& message, const std::string& hint) {
+  if (!holds) throw Error(ErrorCode::InvalidOption, message, hint);
+}
+
+void checkDensity(const std::vector<float>& density, std::size_t inputVertices) {
+  if (density.empty()) return;
+  require(density.size() == inputVertices,
+          "density has " + std::to_string(density.size()) + " values for " +
+              std::to_string(inputVertices) + " vertices.",
+          "Give one value for each input vertex.");
+  for (std::size_t i = 0; i < density.size(); ++i)
+    require(std::isfinite(density[i]) && density[i] >= 0,
+            "density[" + std::to_string(i) + "] is " + std::to_string(density[i]) + ".",
+            "Densities are finite numbers of at least 0.");
+  require(*std::max_element(density.begin(), density.end()) > 0, "density is 0 everywhere.",
+          "Give at least one value above 0; only their ratios count.");
+}
+
+}  // namespace
+
+void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
+  require(options.gradation > 1,
+          "gradation is " + std::to_string(options.gradation) + ", not above 1.",
+          "Sizes need room to change: 1.5 is usual.");
+  const double adaptivity = options.adaptivity.value_or(0);
+  require(adaptivity >= 0 && adaptivity <= 1,
+          "adaptivity is " + std::to_string(adaptivity) + ", not between 0 and 1.",
+          "0 gives even triangles, 1 follows curvature fully.");
+  require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
+          "It is a percentage of the bounding box diagonal.");
+  require(!options.edgeLength || *options.edgeLength > 0, "edgeLength is not above 0.",
+          "It is a length in the units of the model.");
+  require(!options.ratio || *options.ratio > 0, "ratio is not above 0.",
+          "0.5 halves the number of vertices.");
+  checkDensity(options.density, inputVertices);
+}
+
+double surfaceArea(const BuiltMesh& built) {
+  double total = 0;
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    total += area(built.positions[a], built.positions[b], built.positions[c]);
+  }
+  return total;
+}
+
+std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
+  const double own = double(built.mesh.vertexCount());
+  double target = own;
+  if (options.vertices) target = double(*options.vertices);
+  if (options.ratio) target = std::round(*options.ratio * own);
+  if (options.edgeLength)
+    target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
+  if (target < kFewestVertices)
+    throw Error(ErrorCode::TargetTooSmall,
+                "The target of " + std::to_string(std::size_t(target)) +
+                    " vertices is too small: a surface needs at least 4.",
+                "Ask for 4 vertices or more.");
+  return std::size_t(target);
+}
+
+void checkCurves(const FeatureCurves& curves, const HalfedgeMesh& mesh, std::size_t vertices) {
+  std::size_t corners = 0;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) corners += curves.isCorner(Vertex(i)) ? 1 : 0;
+  if (corners <= vertices) return;
+  throw Error(ErrorCode::TargetBelowCurves,
+              "The target of " + std::to_string(vertices) + " vertices is below the " +
+                  std::to_string(corners) +
+                  " that the corners of feature curves and kept boundaries need.",
+              "Ask for more vertices, or for fewer features (featureAngle, boundary).");
+}
+
+SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density) {
+  constexpr double kMild = 0.5;
+  const double byScheme = options.scheme == Scheme::Best ? kMild : 0.0;
+  return {vertices, options.adaptivity.value_or(byScheme), options.gradation, density};
+}
+
+std::vector<float> densityOf(const BuiltMesh& built, const RemeshOptions& options) {
+  std::vector<float> result;
+  if (options.density.empty()) return result;
+  for (const Index source : built.sources.values()) result.push_back(options.density[source]);
+  return result;
+}
+
+}  // namespace remesher
