@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "base/triangle_mesh.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace remesher {
+
+const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic) {
+  for (const Attribute& attribute : mesh.attributes)
+    if (attribute.semantic == semantic) return &attribute;
+  return nullptr;
+}
+
+std::size_t groupCount(const TriangleMesh& mesh) {
+  if (mesh.groups.empty()) return 1;
+  return std::size_t{*std::max_element(mesh.groups.begin(), mesh.groups.end())} + 1;
+}
 
 void requireValid(const TriangleMesh& mesh) {
   if (mesh.indices.empty())

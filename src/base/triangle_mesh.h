@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/types.h"
@@ -27,6 +28,12 @@ struct TriangleMesh {
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
+
+// Null if the mesh has none of this semantic.
+const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic);
+
+// One more than the largest group number; one where there are no groups.
+std::size_t groupCount(const TriangleMesh& mesh);
 
 // Throws Error: NO_TRIANGLES, INDEX_OUT_OF_RANGE, NON_FINITE, each naming the triangle or vertex.
 void requireValid(const TriangleMesh& mesh);

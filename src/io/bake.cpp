@@ -46,7 +46,7 @@ std::vector<Part> bakeInstances(const Model& model) {
   std::vector<Part> baked;
   for (const Part& part : model.parts) {
     for (const Transform& instance : part.instances) {
-      baked.push_back({part.name, part.mesh, {Transform::Identity()}});
+      baked.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
       if (!instance.isApprox(Transform::Identity(), 0.0))
         transformMesh(baked.back().mesh, instance);
     }

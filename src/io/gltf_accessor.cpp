@@ -159,7 +159,7 @@ void AccessorReader::applySparse(std::vector<Value>& values) const {
   std::vector<std::size_t> numbers(count);
   withComponentType(sparse.indices.componentType, [&]<class Component>(Component) {
     for (std::size_t i = 0; i < count; ++i)
-      numbers[i] = static_cast<std::size_t>(load<Component>(indices.first + i * indices.stride));
+      numbers[i] = converted<Index>(load<Component>(indices.first + i * indices.stride), false);
   });
   if (std::any_of(numbers.begin(), numbers.end(),
                   [&](std::size_t number) { return number >= accessor_.count; }))

@@ -7,12 +7,6 @@
 namespace remesher::io {
 namespace {
 
-const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic) {
-  for (const Attribute& attribute : mesh.attributes)
-    if (attribute.semantic == semantic) return &attribute;
-  return nullptr;
-}
-
 class PoolEncoder {
  public:
   PoolEncoder(const TriangleMesh& mesh, const VertexPool& pool, const GltfDocument* document)

@@ -28,6 +28,24 @@ std::size_t trianglePrimitives(const tinygltf::Mesh& mesh) {
   return count;
 }
 
+// By primitive number. Semantics of some primitives only are those the others lack.
+std::vector<GroupInfo> groupInfos(const GltfDocument& document, const tinygltf::Mesh& mesh,
+                                  const TriangleMesh& triangles) {
+  std::vector<GroupInfo> infos(mesh.primitives.size());
+  for (const VertexPool& pool : vertexPools(mesh)) {
+    for (const int primitive : pool.primitives) {
+      GroupInfo& info = infos[primitive];
+      for (const Attribute& attribute : triangles.attributes)
+        if (pool.accessors.count(attribute.semantic) == 0) info.lacks.push_back(attribute.semantic);
+      const int material = mesh.primitives[primitive].material;
+      const Json materials = document.tree.value("materials", Json::array());
+      if (material >= 0 && static_cast<std::size_t>(material) < materials.size())
+        info.material = materials[material].value("name", "material " + std::to_string(material));
+    }
+  }
+  return infos;
+}
+
 Model readDocument(const std::shared_ptr<GltfDocument>& document) {
   Model model;
   const std::vector<std::vector<Transform>> instances = placedMeshes(*document);
@@ -38,7 +56,8 @@ Model readDocument(const std::shared_ptr<GltfDocument>& document) {
     TriangleMesh triangles = readGeometry(*document, static_cast<int>(i), model.warnings);
     if (triangles.indices.empty()) continue;
     const std::string name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
-    model.parts.push_back({name, std::move(triangles), instances[i]});
+    std::vector<GroupInfo> groups = groupInfos(*document, mesh, triangles);
+    model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
     document->partMeshes.push_back(static_cast<int>(i));
   }
   if (untouched > 0)

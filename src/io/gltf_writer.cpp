@@ -160,15 +160,50 @@ TriangleMesh withTopLeftOrigin(TriangleMesh mesh, TextureOrigin origin) {
   return mesh;
 }
 
-// One primitive per group; a single pool, its accessors yet to come.
-VertexPool poolOfGroups(const TriangleMesh& mesh) {
-  VertexPool pool;
-  pool.accessors["POSITION"] = -1;
-  for (const Attribute& attribute : mesh.attributes) pool.accessors[attribute.semantic] = -1;
-  const Index last =
-      mesh.groups.empty() ? 0 : *std::max_element(mesh.groups.begin(), mesh.groups.end());
-  for (Index group = 0; group <= last; ++group) pool.primitives.push_back(static_cast<int>(group));
-  return pool;
+// One primitive per group; those that lack the same attributes share a pool, its accessors yet to
+// come.
+std::vector<VertexPool> poolsOfGroups(const Part& part) {
+  std::vector<VertexPool> pools;
+  for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
+    AccessorsBySemantic accessors = {{"POSITION", -1}};
+    for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
+    if (group < part.groups.size())
+      for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
+    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
+      return pool.accessors == accessors;
+    });
+    if (same == pools.end())
+      pools.push_back({std::move(accessors), {static_cast<int>(group)}});
+    else
+      same->primitives.push_back(static_cast<int>(group));
+  }
+  return pools;
+}
+
+// The number of the material of this name, which is added if it is new.
+std::size_t materialNumber(Json& tree, const std::string& name) {
+  Json& materials = tree["materials"];
+  const auto same = std::find_if(materials.begin(), materials.end(),
+                                 [&](const Json& material) { return material["name"] == name; });
+  const auto number = static_cast<std::size_t>(same - materials.begin());
+  if (same == materials.end()) materials.push_back({{"name", name}});
+  return number;
+}
+
+// The part's mesh, its primitives without accessors.
+Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
+  Json primitives = Json::array();
+  primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));
+  for (const VertexPool& pool : pools) {
+    for (const int group : pool.primitives) {
+      for (const auto& [semantic, accessor] : pool.accessors)
+        primitives[group]["attributes"][semantic] = accessor;
+      const bool isKnown = static_cast<std::size_t>(group) < part.groups.size();
+      if (isKnown && !part.groups[group].material.empty())
+        primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
+    }
+  }
+  return {{"name", part.name}, {"primitives", primitives}};
 }
 
 Json plainDocument(const Model& model) {
@@ -195,14 +230,9 @@ WrittenFiles writePlain(const Model& model, const std::string& outputName, Conta
   GltfEditor editor(plainDocument(model), nullptr);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const TriangleMesh mesh = withTopLeftOrigin(model.parts[i].mesh, model.textureOrigin);
-    const VertexPool pool = poolOfGroups(mesh);
-    Json primitive = {{"attributes", Json::object()}};
-    for (const auto& [semantic, accessor] : pool.accessors)
-      primitive["attributes"][semantic] = accessor;
-    editor.tree()["meshes"].push_back(
-        {{"name", model.parts[i].name},
-         {"primitives", std::vector<Json>(pool.primitives.size(), primitive)}});
-    editor.replaceGeometry(i, mesh, {pool});
+    const std::vector<VertexPool> pools = poolsOfGroups(model.parts[i]);
+    editor.tree()["meshes"].push_back(plainMesh(editor.tree(), model.parts[i], pools));
+    editor.replaceGeometry(i, mesh, pools);
   }
   return serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}), outputName,
                     container, false);

@@ -23,10 +23,19 @@ using Transform = Eigen::Affine3d;
 // and smoothing. An attribute that only some groups have is zero (COLOR_n: one) at the vertices of
 // the others, and the writer leaves it out there. This is sound because no triangle mixes vertices
 // of two groups' attributes: a group border is a feature curve.
+//
+// `groups` is for writing another format than the one read: by group number, and empty where the
+// format has nothing to say.
+struct GroupInfo {
+  std::string material;            // its name
+  std::vector<std::string> lacks;  // semantics that the mesh has and this group has not
+};
+
 struct Part {
   std::string name;
   TriangleMesh mesh;                 // in local space
   std::vector<Transform> instances;  // local to world, one per place where the file shows it
+  std::vector<GroupInfo> groups = {};
 };
 
 // The origin of TEXCOORD_n: glTF's is the image's top left corner, OBJ's the bottom left.

@@ -234,15 +234,22 @@ Wedges distinctCorners(const ObjContent& content) {
   return wedges;
 }
 
-Attribute gathered(std::string semantic, int itemSize, const std::vector<float>& list,
-                   const Wedges& wedges, Index Corner::*field) {
-  Attribute attribute{std::move(semantic), itemSize, {}};
-  attribute.values.resize(itemSize * wedges.corners.size(), 0.0F);
+// One of the file's lists as an attribute: its values by the number that `field` of a corner names.
+struct ListedValues {
+  const char* semantic;
+  int itemSize;
+  const std::vector<float>& values;
+  Index Corner::*field;
+};
+
+Attribute gathered(const ListedValues& list, const Wedges& wedges) {
+  Attribute attribute{list.semantic, list.itemSize, {}};
+  attribute.values.resize(list.itemSize * wedges.corners.size(), 0.0F);
   for (std::size_t i = 0; i < wedges.corners.size(); ++i) {
-    const Index entry = wedges.corners[i].*field;
+    const Index entry = wedges.corners[i].*list.field;
     if (entry != kNone)
-      std::copy_n(list.begin() + std::ptrdiff_t{itemSize} * entry, itemSize,
-                  attribute.values.begin() + itemSize * static_cast<std::ptrdiff_t>(i));
+      std::copy_n(list.values.begin() + std::ptrdiff_t{list.itemSize} * entry, list.itemSize,
+                  attribute.values.begin() + list.itemSize * static_cast<std::ptrdiff_t>(i));
   }
   return attribute;
 }
@@ -261,15 +268,28 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
                        [&](const ObjGroup& group) { return group.*field; });
   };
   if (anyGroup(&ObjGroup::hasNormals))
-    mesh.attributes.push_back(gathered("NORMAL", 3, content.normals, wedges, &Corner::normal));
+    mesh.attributes.push_back(gathered({"NORMAL", 3, content.normals, &Corner::normal}, wedges));
   if (anyGroup(&ObjGroup::hasTexcoords))
     mesh.attributes.push_back(
-        gathered("TEXCOORD_0", 2, content.texcoords, wedges, &Corner::texcoord));
+        gathered({"TEXCOORD_0", 2, content.texcoords, &Corner::texcoord}, wedges));
   if (!content.colors.empty()) {
     content.colors.resize(3 * content.positions.size(), 1.0F);
-    mesh.attributes.push_back(gathered("COLOR_0", 3, content.colors, wedges, &Corner::position));
+    mesh.attributes.push_back(gathered({"COLOR_0", 3, content.colors, &Corner::position}, wedges));
   }
   return mesh;
+}
+
+std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const std::vector<ObjGroup>& groups) {
+  std::vector<GroupInfo> infos;
+  for (const ObjGroup& group : groups) {
+    GroupInfo info{group.material, {}};
+    for (const Attribute& attribute : mesh.attributes)
+      if ((attribute.semantic == "NORMAL" && !group.hasNormals) ||
+          (attribute.semantic == "TEXCOORD_0" && !group.hasTexcoords))
+        info.lacks.push_back(attribute.semantic);
+    infos.push_back(std::move(info));
+  }
+  return infos;
 }
 
 void findLibraries(ObjSource& source, const std::vector<File>& resources,
@@ -306,8 +326,9 @@ Model readObj(const File& file, const std::vector<File>& resources) {
   if (content.corners.empty())
     throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
                 "Only surfaces can be remeshed, not points or lines.");
-  model.parts.push_back(
-      {file.name, meshOf(std::move(content), source->groups), {Transform::Identity()}});
+  TriangleMesh mesh = meshOf(std::move(content), source->groups);
+  std::vector<GroupInfo> groups = groupInfos(mesh, source->groups);
+  model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}, std::move(groups)});
   model.source = source;
   return model;
 }

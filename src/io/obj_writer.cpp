@@ -24,12 +24,6 @@ struct ObjPart {
 // Per vertex: the number, counted from one, of its value in a list of the file.
 using Numbers = std::vector<std::size_t>;
 
-const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic) {
-  for (const Attribute& attribute : mesh.attributes)
-    if (attribute.semantic == semantic) return &attribute;
-  return nullptr;
-}
-
 // Vertices in the order of their values, equal ones by index; the values compared bit by bit.
 template <class Value>
 Numbers numberDistinct(const std::vector<Value>& values, std::size_t firstNumber,
@@ -193,15 +187,19 @@ void ObjWriter::writePart(const ObjPart& part) {
 
 std::vector<ObjGroup> groupsFor(const Part& part, const ObjSource* source) {
   if (source != nullptr) return source->groups;
-  const TriangleMesh& mesh = part.mesh;
-  const Index last =
-      mesh.groups.empty() ? 0 : *std::max_element(mesh.groups.begin(), mesh.groups.end());
-  ObjGroup group;
-  group.object = part.name;
-  group.hasTexcoords = findAttribute(mesh, "TEXCOORD_0") != nullptr;
-  group.hasNormals = findAttribute(mesh, "NORMAL") != nullptr;
-  std::vector<ObjGroup> groups(last + 1, group);
-  for (Index i = 0; last > 0 && i <= last; ++i) groups[i].groups = "primitive_" + std::to_string(i);
+  std::vector<ObjGroup> groups(groupCount(part.mesh));
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const GroupInfo info = i < part.groups.size() ? part.groups[i] : GroupInfo{};
+    const auto has = [&](std::string_view semantic) {
+      return findAttribute(part.mesh, semantic) != nullptr &&
+             std::find(info.lacks.begin(), info.lacks.end(), semantic) == info.lacks.end();
+    };
+    groups[i].object = part.name;
+    if (groups.size() > 1) groups[i].groups = "primitive_" + std::to_string(i);
+    groups[i].material = info.material;
+    groups[i].hasTexcoords = has("TEXCOORD_0");
+    groups[i].hasNormals = has("NORMAL");
+  }
   return groups;
 }
 
