@@ -52,24 +52,42 @@ void forEachPlace(const Run& run, Visit visit) {
   }
 }
 
-std::vector<Tip> farTips(const Run& run, double tolerance) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  const std::vector<Index> triangles = mesh.triangles();
-  std::vector<Face> faces;
-  for (Index f = 0; f < mesh.faceCapacity(); ++f)
-    if (mesh.isAlive(Face(f))) faces.push_back(Face(f));
-  const TriangleTree tree(run.mesh.positions().values(), triangles);
-  std::vector<Tip> tips;
-  TriangleTree::Nearest near;
-  forEachPlace(run, [&](const SurfacePoint& place) {
-    const Vec3 p = run.mesh.surface().position(place);
-    near = near.triangle == kNone ? tree.nearest(p) : tree.nearest(p, near.triangle);
-    const double distance = std::sqrt(near.squaredDistance);
-    if (distance > tolerance * run.scale * run.sizes.at(place))
-      tips.push_back({distance, place, faces[near.triangle]});
-  });
+// The distances of places of the original to the mesh as it is now.
+class DistanceToMesh {
+ public:
+  explicit DistanceToMesh(const WorkingMesh& mesh)
+      : triangles_(mesh.mesh().triangles()), tree_(mesh.positions().values(), triangles_) {
+    faces_.reserve(mesh.mesh().faceCount());
+    for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
+      if (mesh.mesh().isAlive(Face(f))) faces_.push_back(Face(f));
+  }
+
+  Tip measure(const WorkingMesh& mesh, const SurfacePoint& place) {
+    const Vec3 p = mesh.surface().position(place);
+    near_ = near_.triangle == kNone ? tree_.nearest(p) : tree_.nearest(p, near_.triangle);
+    return {std::sqrt(near_.squaredDistance), place, faces_[near_.triangle]};
+  }
+
+ private:
+  std::vector<Index> triangles_;
+  std::vector<Face> faces_;
+  TriangleTree tree_;
+  TriangleTree::Nearest near_;
+};
+
+void sortFarthestFirst(std::vector<Tip>& tips) {
   std::stable_sort(tips.begin(), tips.end(),
                    [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
+}
+
+std::vector<Tip> farTips(const Run& run, double tolerance) {
+  DistanceToMesh distances(run.mesh);
+  std::vector<Tip> tips;
+  forEachPlace(run, [&](const SurfacePoint& place) {
+    const Tip tip = distances.measure(run.mesh, place);
+    if (tip.distance > tolerance * run.scale * run.sizes.at(place)) tips.push_back(tip);
+  });
+  sortFarthestFirst(tips);
   return tips;
 }
 
@@ -113,12 +131,16 @@ void reachTips(Run& run, double tolerance) {
 }
 
 void lowerHausdorff(Run& run) {
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const std::vector<Tip> tips = farTips(run, kWorthAMove);
+  // Moves are few and local: what was near at first stays near.
+  std::vector<Tip> tips = farTips(run, kWorthAMove);
+  for (int pass = 0; pass < kPasses && !tips.empty(); ++pass) {
     std::size_t moved = 0;
     for (const Tip& tip : tips)
       if (tip.distance > kNearMaximum * tips[0].distance) moved += reach(run, tip, kFinalAngle);
     if (moved == 0) return;
+    DistanceToMesh distances(run.mesh);
+    for (Tip& tip : tips) tip = distances.measure(run.mesh, tip.original);
+    sortFarthestFirst(tips);
   }
 }
 
