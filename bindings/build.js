@@ -100,8 +100,9 @@ function buildWithCMake(what, folder, definitions, target) {
   if (!existsSync(join(root, folder, 'build.ninja'))) {
     run('cmake', ['-G', 'Ninja', '-S', '.', '-B', folder, ...definitions]);
   }
-  const pending = run('ninja', ['-C', folder, '-n', target]);
-  if (pending.includes('no work to do')) return;
+  const { stdout } = spawnSync('ninja', ['-C', folder, '-n', target],
+    { cwd: root, encoding: 'utf8' });
+  if (stdout.includes('no work to do')) return;
   say(`Building ${what}`);
   run('ninja', ['-C', folder, target]);
 }
