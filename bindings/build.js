@@ -122,11 +122,35 @@ function buildMeasure() {
   buildWithCMake('the measuring tool', 'build/native', ['-DCMAKE_BUILD_TYPE=Release'], 'measure');
 }
 
+/**
+ * Modules of our own around the decoders of compressed glTF, complete in themselves: they work
+ * under any bundler and without one, and a user of the package installs nothing else.
+ * @returns {Record<string, string>} contents by file name
+ */
+function decoderModules() {
+  const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
+  const draco = 'draco3dgltf/draco_decoder_gltf';
+  // Without `process` the script does not take Node for granted, nor its require.
+  return {
+    'meshopt_decoder.mjs': String(read('meshoptimizer/meshopt_decoder.mjs')),
+    'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
+const process = undefined;
+${read(`${draco}_nodejs.js`)}
+const binary = '${read(`${draco}.wasm`).toString('base64')}';
+export default () => DracoDecoderModule({
+  wasmBinary: Uint8Array.from(atob(binary), (letter) => letter.charCodeAt(0)),
+});
+`,
+  };
+}
+
 /** dist/: the sources as they are, the WebAssembly, and the types read from the comments. */
 function assemblePackage() {
   const sources = readdirSync(join(root, 'bindings/package')).map((f) => `bindings/package/${f}`);
+  const declarations = readdirSync(join(root, 'bindings'))
+    .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
   const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
-    'bindings/remesher.d.mts', 'bindings/tsconfig.json', 'package.json'];
+    ...declarations, 'bindings/tsconfig.json', 'package.json', 'package-lock.json'];
   mkdirSync(join(root, 'build'), { recursive: true });
   const stamp = new Stamp('build/dist.stamp', inputs);
   if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;
@@ -135,8 +159,11 @@ function assemblePackage() {
   mkdirSync(join(root, 'dist'));
   const toDist = (/** @type {string} */ file) =>
     copyFileSync(join(root, file), join(root, 'dist', file.slice(file.lastIndexOf('/') + 1)));
-  [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', 'bindings/remesher.d.mts']
+  [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', ...declarations]
     .forEach(toDist);
+  for (const [name, text] of Object.entries(decoderModules())) {
+    writeFileSync(join(root, 'dist', name), text);
+  }
   chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
   chmodSync(join(root, 'dist/cli.js'), 0o755);
   run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);

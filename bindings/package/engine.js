@@ -4,6 +4,7 @@
 // (it never shrinks), is dropped; the next call makes a new one from the compiled module.
 
 import createInstance from './remesher.mjs';
+import { decompress } from './decompress.js';
 import { RemeshError } from './errors.js';
 
 /** @typedef {import('./messages.js').Job} Job */
@@ -105,10 +106,11 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
+    const plainJob = 'file' in job ? { ...job, file: await decompress(job.file) } : job;
     const instance = await (this.#instance ??= instantiate(this.#module));
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
-    const outcome = this.#call(instance, job, ask);
+    const outcome = this.#call(instance, plainJob, ask);
     if (instance.HEAPU8.length > initialMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// A textured glTF goes in, a textured glTF comes out, whatever real files use: each kind of file
+// is made here, remeshed, judged by the validator and read back.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { MeshoptEncoder } from 'meshoptimizer/encoder';
+import draco3d from 'draco3dgltf';
+import { inspect, remeshFile } from 'remesher';
+
+import { packGlb } from '../bindings/package/gltf_container.js';
+import { rejectsWith } from './support/errors.js';
+import { GltfMaker, openGltf, validate, valuesOf } from './support/gltf.js';
+import { sheet } from './support/shapes.js';
+
+const { positions, indices } = sheet(24);
+const small = Uint16Array.from(indices);
+const count = positions.length / 3;
+const perVertex = (make) => Array.from({ length: count }, (_, i) =>
+  make(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2])).flat();
+// The texture lies flat on the sheet, so that texture coordinates must be places.
+const texcoords = Float32Array.from(perVertex((x, y) => [x, y]));
+const whole = (array, Kind, one) => Kind.from(array, (value) => Math.round(value * one));
+const png = Uint8Array.from(Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42'
+  + 'mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==', 'base64'));
+
+/** A textured sheet; `change` has a say in its maker and primitive. */
+function texturedSheet(change = () => {}) {
+  const maker = new GltfMaker();
+  const primitive = {
+    attributes: {
+      POSITION: maker.add(positions, 'VEC3'),
+      TEXCOORD_0: maker.add(texcoords, 'VEC2'),
+    },
+    indices: maker.addIndices(small),
+  };
+  maker.show([primitive]);
+  change(maker, primitive);
+  return maker;
+}
+
+function withSparsePosition(maker, primitive) {
+  const moved = [7, 100];
+  const bumped = Float32Array.from(moved.flatMap((i) =>
+    [positions[3 * i], positions[3 * i + 1], positions[3 * i + 2] + 0.001]));
+  maker.tree.accessors[primitive.attributes.POSITION].sparse = {
+    count: moved.length,
+    indices: { bufferView: maker.addView(Uint16Array.from(moved)), componentType: 5123 },
+    values: { bufferView: maker.addView(bumped) },
+  };
+  const { max, min } = maker.tree.accessors[primitive.attributes.POSITION];
+  const heights = Float32Array.from(positions.filter((_, i) => i % 3 === 2));
+  moved.forEach((i, k) => (heights[i] = bumped[3 * k + 2]));
+  [min[2], max[2]] = [Math.min(...heights), Math.max(...heights)];
+}
+
+function withIntegers(maker, primitive) {
+  primitive.attributes.TEXCOORD_0 =
+    maker.add(whole(texcoords, Uint16Array, 65535), 'VEC2', { normalized: true });
+  primitive.attributes.COLOR_0 =
+    maker.add(Uint8Array.from(perVertex((x) => [255, Math.round(255 * x), 0])), 'VEC3',
+      { normalized: true });
+}
+
+function withQuantization(maker, primitive) {
+  maker.tree.extensionsUsed = ['KHR_mesh_quantization'];
+  maker.tree.extensionsRequired = ['KHR_mesh_quantization'];
+  primitive.attributes.POSITION = maker.add(whole(positions, Int16Array, 16000), 'VEC3');
+  maker.tree.nodes[0].scale = [1 / 16000, 1 / 16000, 1 / 16000];
+  primitive.attributes.NORMAL =
+    maker.add(Int8Array.from(perVertex(() => [0, 0, 127])), 'VEC3', { normalized: true });
+}
+
+function withTexture(maker, primitive) {
+  Object.assign(maker.tree, {
+    extensionsUsed: ['KHR_texture_transform'],
+    images: [{ bufferView: maker.addView(png), mimeType: 'image/png' }],
+    samplers: [{ wrapS: 33071 }],
+    textures: [{ source: 0, sampler: 0 }],
+    materials: [{
+      name: 'paper',
+      extras: { grams: 80 },
+      pbrMetallicRoughness: {
+        baseColorTexture: {
+          index: 0, extensions: { KHR_texture_transform: { offset: [0.25, 0.5], rotation: 1 } },
+        },
+      },
+    }],
+  });
+  primitive.material = 0;
+}
+
+function interleaved() {
+  const maker = new GltfMaker();
+  const rows = new Float32Array(5 * count);
+  for (let i = 0; i < count; i += 1) {
+    rows.set(positions.subarray(3 * i, 3 * i + 3), 5 * i);
+    rows.set(texcoords.subarray(2 * i, 2 * i + 2), 5 * i + 3);
+  }
+  const bufferView = maker.addView(rows, { byteStride: 20 });
+  const accessor = { bufferView, componentType: 5126, count };
+  return maker.show([{
+    attributes: {
+      POSITION: maker.describe({ ...accessor, type: 'VEC3' }, positions),
+      TEXCOORD_0: maker.describe({ ...accessor, type: 'VEC2', byteOffset: 12 }),
+    },
+    indices: maker.addIndices(small),
+  }]);
+}
+
+/** Left and right half as primitives of two materials, sharing their vertices. */
+function shared() {
+  return texturedSheet((maker, primitive) => {
+    const halves = [[], []];
+    for (let i = 0; i < small.length; i += 3) {
+      const triangle = [...small.subarray(i, i + 3)];
+      const centre = triangle.reduce((sum, v) => sum + positions[3 * v], 0) / 3;
+      halves[centre < 0.5 ? 0 : 1].push(...triangle);
+    }
+    maker.tree.materials = [{ name: 'left' }, { name: 'right' }];
+    maker.tree.accessors.pop();
+    maker.tree.bufferViews.pop();
+    maker.views.pop();
+    maker.show(halves.map((half, material) =>
+      ({ ...primitive, indices: maker.addIndices(Uint16Array.from(half)), material })));
+  });
+}
+
+async function meshoptCompressed() {
+  await MeshoptEncoder.ready;
+  const maker = texturedSheet();
+  const glb = maker.glb();
+  const { tree, data } = openGltf(glb);
+  const result = new GltfMaker();
+  result.tree = { ...tree, extensionsUsed: ['EXT_meshopt_compression'],
+    extensionsRequired: ['EXT_meshopt_compression'] };
+  const plain = tree.bufferViews.map(({ byteOffset, byteLength }) =>
+    data.slice(byteOffset, byteOffset + byteLength));
+  const strides = [12, 8, 2];
+  const modes = ['ATTRIBUTES', 'ATTRIBUTES', 'TRIANGLES'];
+  const extents = [];
+  plain.forEach((bytes, i) => {
+    const elements = bytes.length / strides[i];
+    result.views.push(MeshoptEncoder.encodeGltfBuffer(bytes, elements, strides[i], modes[i]));
+    extents.push({ count: elements, byteStride: strides[i], mode: modes[i] });
+  });
+  const compressed = result.data();
+  tree.bufferViews.forEach((view, i) => {
+    const { byteOffset, byteLength } = view;
+    view.extensions = { EXT_meshopt_compression:
+      { buffer: 0, byteOffset, byteLength, ...extents[i] } };
+    Object.assign(view, { buffer: 1, byteOffset: 0, byteLength: plain[i].length });
+  });
+  result.tree.buffers.push({ byteLength: Math.max(...plain.map(({ length }) => length)),
+    extensions: { EXT_meshopt_compression: { fallback: true } } });
+  return { name: 'made.glb', bytes: packGlb(result.tree, compressed) };
+}
+
+async function dracoCompressed() {
+  const draco = await draco3d.createEncoderModule({});
+  const encoder = new draco.Encoder();
+  const builder = new draco.MeshBuilder();
+  const mesh = new draco.Mesh();
+  encoder.SetAttributeQuantization(draco.POSITION, 16);
+  encoder.SetAttributeQuantization(draco.TEX_COORD, 16);
+  builder.AddFacesToMesh(mesh, indices.length / 3, indices);
+  const ids = {
+    POSITION: builder.AddFloatAttributeToMesh(mesh, draco.POSITION, count, 3, positions),
+    TEXCOORD_0: builder.AddFloatAttributeToMesh(mesh, draco.TEX_COORD, count, 2, texcoords),
+  };
+  const target = new draco.DracoInt8Array();
+  const length = encoder.EncodeMeshToDracoBuffer(mesh, target);
+  const bytes = Int8Array.from({ length }, (_, i) => target.GetValue(i));
+  [target, mesh, builder, encoder].forEach((object) => draco.destroy(object));
+
+  const maker = new GltfMaker();
+  const bufferView = maker.addView(bytes);
+  const accessor = { componentType: 5126, count };
+  maker.show([{
+    attributes: {
+      POSITION: maker.describe({ ...accessor, type: 'VEC3' }, positions),
+      TEXCOORD_0: maker.describe({ ...accessor, type: 'VEC2' }),
+    },
+    indices: maker.describe({ componentType: 5123, count: small.length, type: 'SCALAR' }),
+    extensions: { KHR_draco_mesh_compression: { bufferView, attributes: ids } },
+  }]);
+  Object.assign(maker.tree, { extensionsUsed: ['KHR_draco_mesh_compression'],
+    extensionsRequired: ['KHR_draco_mesh_compression'] });
+  return maker.glb();
+}
+
+const withIndices = (Kind) => () => {
+  if (Kind !== Uint8Array) {
+    return texturedSheet((maker, primitive) =>
+      (primitive.indices = maker.addIndices(Kind.from(indices)))).glb();
+  }
+  // 15 × 15 vertices are as many as a byte counts.
+  const tiny = sheet(14);
+  const maker = new GltfMaker();
+  const flat = Float32Array.from(tiny.positions.filter((_, i) => i % 3 < 2));
+  return maker.show([{
+    attributes: {
+      POSITION: maker.add(tiny.positions, 'VEC3'),
+      TEXCOORD_0: maker.add(flat, 'VEC2'),
+    },
+    indices: maker.addIndices(Uint8Array.from(tiny.indices)),
+  }]).glb();
+};
+
+const kinds = {
+  'a GLB': () => texturedSheet().glb(),
+  'a .gltf with its .bin': () => texturedSheet().gltf(),
+  'a data URI': () => texturedSheet().embedded(),
+  'a sparse accessor': () => texturedSheet(withSparsePosition).glb(),
+  'normalised integers': () => texturedSheet(withIntegers).glb(),
+  'KHR_mesh_quantization': () => texturedSheet(withQuantization).glb(),
+  'KHR_texture_transform': () => texturedSheet(withTexture).glb(),
+  'interleaved buffers': () => interleaved().glb(),
+  'indices of bytes': withIndices(Uint8Array),
+  'indices of shorts': withIndices(Uint16Array),
+  'indices of ints': withIndices(Uint32Array),
+  'shared accessors': () => shared().glb(),
+  'EXT_meshopt_compression': meshoptCompressed,
+  'KHR_draco_mesh_compression': dracoCompressed,
+};
+
+/** Per primitive its positions in the world (the node may scale) and texture coordinates. */
+function flatVertices(opened) {
+  const [{ scale = [1, 1, 1] }] = opened.tree.nodes;
+  return opened.tree.meshes[0].primitives.map(({ attributes }) => ({
+    places: valuesOf(opened, attributes.POSITION).map((p) => p.map((x, k) => x * scale[k])),
+    texcoords: valuesOf(opened, attributes.TEXCOORD_0),
+  }));
+}
+
+for (const [kind, make] of Object.entries(kinds)) {
+  test(`${kind}: remeshed to an exact count, valid, its texture where it was`, async () => {
+    const { bytes, ...options } = await make();
+    const result = await remeshFile(bytes, { ...options, vertices: 400 });
+    assert.equal(result.report.output.vertices, 400);
+    assert.deepEqual(await validate(result), []);
+    for (const { places, texcoords: found } of flatVertices(openGltf(result))) {
+      places.forEach(([x, y], i) => {
+        const distance = Math.hypot(found[i][0] - x, found[i][1] - y);
+        assert.ok(distance < 0.01, `texture moved by ${distance} at ${x}, ${y}`);
+      });
+    }
+  });
+}
+
+test('encodings, materials, images and texture transforms come out as they went in', async () => {
+  const maker = texturedSheet((...all) => {
+    withTexture(...all);
+    withIntegers(...all);
+  });
+  const { bytes } = maker.glb();
+  const result = await remeshFile(bytes, { name: 'made.glb', vertices: 400 });
+  const { tree, data } = openGltf(result);
+  for (const member of ['materials', 'textures', 'samplers', 'nodes', 'scenes', 'extensionsUsed']) {
+    assert.deepEqual(tree[member], maker.tree[member]);
+  }
+  const { byteOffset, byteLength } = tree.bufferViews[tree.images[0].bufferView];
+  assert.deepEqual(data.slice(byteOffset, byteOffset + byteLength), png);
+  const { TEXCOORD_0, COLOR_0 } = tree.meshes[0].primitives[0].attributes;
+  assert.equal(tree.accessors[TEXCOORD_0].componentType, 5123);
+  assert.equal(tree.accessors[COLOR_0].componentType, 5121);
+  assert.ok(tree.accessors[COLOR_0].normalized);
+});
+
+test('two materials meet without a crack', async () => {
+  const { bytes, name } = shared().glb();
+  const result = await remeshFile(bytes, { name, vertices: 400 });
+  const [left, right] = flatVertices(openGltf(result));
+  const total = new Set([...left.places, ...right.places].map(String)).size;
+  assert.equal(total, 400);
+  assert.equal(result.report.output.boundaryEdges, (await inspect(result.bytes, { name })).input
+    .boundaryEdges);
+  assert.equal(result.report.output.eulerCharacteristic, 1);
+});
+
+test('a file with nothing to remesh comes back equal', async () => {
+  const maker = new GltfMaker();
+  maker.show([{ attributes: { POSITION: maker.add(positions, 'VEC3') }, mode: 0 }]);
+  const { bytes, name } = maker.glb();
+  const result = await remeshFile(bytes, { name, vertices: 400 });
+  assert.deepEqual(result.bytes, bytes);
+  assert.equal(result.report.warnings[0].code, 'NOT_TRIANGLES');
+});
+
+test('an instanced mesh stays instanced, points beside it stay untouched', async () => {
+  const maker = texturedSheet();
+  maker.tree.nodes = [{ mesh: 0, name: 'one' }, { mesh: 0, translation: [2, 0, 0] }];
+  maker.tree.scenes[0].nodes = [0, 1];
+  maker.tree.meshes[0].primitives.push({ attributes: { POSITION: maker.add(positions, 'VEC3') },
+    mode: 0 });
+  const { bytes, name } = maker.glb();
+  const result = await remeshFile(bytes, { name, vertices: 400 });
+  const opened = openGltf(result);
+  assert.deepEqual(await validate(result), []);
+  assert.deepEqual(opened.tree.nodes, maker.tree.nodes);
+  const points = opened.tree.meshes[0].primitives[1];
+  assert.equal(points.mode, 0);
+  assert.deepEqual(valuesOf(opened, points.attributes.POSITION).flat(), [...positions]);
+});
+
+test('damaged compressed data is refused in a sentence', async () => {
+  for (const make of [meshoptCompressed, dracoCompressed]) {
+    const { bytes, name } = await make();
+    const { tree } = openGltf({ bytes });
+    bytes.fill(0x55, bytes.length - tree.buffers[0].byteLength);
+    await rejectsWith(remeshFile(bytes, { name, vertices: 400 }),
+      'PARSE_ERROR', /^made\.glb: its compressed data cannot be decoded/);
+  }
+});
