@@ -122,6 +122,7 @@ struct TriangleTree::Query {
   double slack;
   Nearest best;
   float bound = std::numeric_limits<float>::infinity();  // on squared distances to boxes
+  double squaredEnough = 0;                              // so near that none nearer is wanted
 
   void take(const Nearest& better) {
     best = better;
@@ -168,6 +169,7 @@ void TriangleTree::lookEverywhere(Query& query) const {
     const Group& group = levels_[next.level][next.group];
     if (next.level == 0) {
       lookInto(group, 4 * next.group, query);
+      if (query.best.squaredDistance <= query.squaredEnough) return;
       continue;
     }
     // Farthest first: the nearest member is on top of the stack in the end.
@@ -193,6 +195,15 @@ TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start) const {
   Query query = ask(p);
   lookAt(start, query);
   lookEverywhere(query);
+  return query.best;
+}
+
+TriangleTree::Nearest TriangleTree::nearestBeyond(double distance, const Vec3& p,
+                                                  Index start) const {
+  Query query = ask(p);
+  query.squaredEnough = distance * distance;
+  lookAt(start, query);
+  if (query.best.squaredDistance > query.squaredEnough) lookEverywhere(query);
   return query.best;
 }
 

@@ -59,6 +59,9 @@ class TriangleTree {
   Nearest nearest(const Vec3& p, Index start, const Region& region) const;
   void enter(Region& region, const Box& box, double reach) const;
 
+  // Any triangle within the distance of p, as soon as one is found; the nearest when there is none.
+  Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
+
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;

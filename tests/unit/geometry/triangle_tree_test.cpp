@@ -97,6 +97,19 @@ TEST_CASE("triangle_tree: a region changes nothing but the time, however short i
   }
 }
 
+TEST_CASE("triangle_tree: what is beyond a distance is the nearest, what is within it any") {
+  const TriangleMesh mesh = soups::randomSoup(300, 0.1, 10);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  soups::Random random(12);
+  for (int round = 0; round < 300; ++round) {
+    const Vec3 p = random.point();
+    const double expected = bruteForce(mesh, p), distance = 0.2 * random.number();
+    const double found = tree.nearestBeyond(distance, p, 0).squaredDistance;
+    if (found > distance * distance) CHECK(found == doctest::Approx(expected).epsilon(1e-12));
+    CHECK((found <= distance * distance) == (expected <= distance * distance));
+  }
+}
+
 TEST_CASE("triangle_tree: nearest keeps the start when nothing is nearer") {
   const TriangleMesh mesh = soups::square(4);
   const TriangleTree tree(mesh.positions, mesh.indices);
