@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A query looks into the patch of its heaviest corner's cell, then into those of the other corners'
-// cells, and last into patches made for three faces; these are kept and shared, and the work spent
-// on them is bounded.
+// cells, and last, where none holds all corners or serves them well, into patches made for three
+// faces; these are kept and shared, and the work spent on them is bounded.
 #include "surface/patch_atlas.h"
 
 #include <algorithm>
@@ -26,6 +26,10 @@ constexpr std::size_t kOnDemandShare = 4, kMinOnDemandFaces = 100000;
 
 // A patch on demand reaches this many times its triangle's longest side from the centroid.
 constexpr double kOnDemandReach = 1.3;
+
+// It is shared by triangles with a corner this near to the middle of its disk: farther out, it may
+// hold the corners and yet be of little use.
+constexpr double kCentral = 0.6;
 
 double diagonal(const VertexData<Vec3>& positions) {
   Eigen::AlignedBox3d box;
@@ -70,7 +74,7 @@ struct PatchAtlas::Impl {
   std::vector<PlanarPatch> patches;  // of the cells; empty where no usable one was found
   std::vector<char> isBuilt;
   std::vector<PlanarPatch> extraPatches;  // on demand
-  FaceData<Index> extraPatch;             // the last of them that holds the face
+  FaceData<Index> extraPatch;             // the last of them about the face, or kNone
   const std::size_t onDemandBudget;
 };
 
@@ -131,7 +135,11 @@ const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint
         builder.aroundFaces({corners[i].face, corners[(i + 1) % 3].face, corners[(i + 2) % 3].face},
                             {centre.cast<float>(), float(reach)});
   if (patch.isEmpty()) return nullptr;
-  for (const LocalFace& f : patch.faces()) extraPatch[Face(f.face)] = Index(extraPatches.size());
+  const Index number = Index(extraPatches.size());
+  for (LocalIndex n = 0; n < patch.faces().size(); ++n)
+    if (patch.image(n, Vec3::Constant(1.0 / 3)).norm() < kCentral)
+      extraPatch[Face(patch.faces()[n].face)] = number;
+  for (const SurfacePoint& corner : corners) extraPatch[corner.face] = number;
   extraPatches.push_back(std::move(patch));
   return &extraPatches.back();
 }
@@ -167,17 +175,14 @@ std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoin
 std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoint, 3>& corners,
                                                     const Triangle& places, const Vec3& weights) {
   const int first = heaviest(weights);
-  bool wasHeld = false;
   for (int i = 0; i < 3; ++i) {
     const PlanarPatch& patch = impl_->patchAt(corners[(first + i) % 3].face);
     if (patch.isEmpty()) continue;
     const LocalCorners local = findAll(patch, corners);
     if (!holdsAll(local)) continue;
-    wasHeld = true;
     const SurfacePoint point = mix(patch, local, corners, weights);
     if (!impl_->isThrown(impl_->position(point), places, weights)) return point;
   }
-  if (wasHeld) return std::nullopt;
   const PlanarPatch* patch = impl_->patchOnDemand(corners, places);
   if (!patch) return std::nullopt;
   const SurfacePoint point = mix(*patch, findAll(*patch, corners), corners, weights);
