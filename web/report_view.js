@@ -60,7 +60,8 @@ function histogramWithKey(before, after) {
 /** The report on a finished run. @param {RemeshReport} report */
 export function reportView(report) {
   const { input, output, stopped, warnings } = report;
-  const notes = warnings.map(({ message }) => message);
+  const notes = warnings.map(({ message, count: times }) =>
+    (times > 1 ? `${message} (${count(times)}×)` : message));
   if (stopped in stops) notes.unshift(stops[stopped]);
   return [
     ...notes.map((note) => element('p', { className: 'notice' }, note)),
