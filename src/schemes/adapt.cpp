@@ -21,12 +21,13 @@ constexpr double kMustGo = 0.4;
 constexpr int kRounds = 5;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 
-// Splits the long edges there are; new ones wait for the next time. Returns the number of splits.
-std::size_t splitLong(Run& run) {
+// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
+// Returns the number of splits.
+std::size_t splitLong(Run& run, std::size_t limit) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
   const Index present = Index(mesh.halfedgeCapacity());
-  for (Index i = 0; i < present; ++i) {
+  for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h) || relativeLength(run, h) <= kSplitAbove) continue;
     if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
@@ -36,10 +37,12 @@ std::size_t splitLong(Run& run) {
 
 // Much too long edges need several halvings, with Delaunay flips between or slivers would be split
 // into ever thinner ones.
-void refine(Run& run) {
+void refine(Run& run, std::size_t vertices) {
   constexpr int kHalvings = 16;
-  for (int i = 0; i < kHalvings; ++i) {
-    if (splitLong(run) * 10 < run.mesh.mesh().vertexCount()) return;
+  // Slivers can ask for splits for ever.
+  const std::size_t limit = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
+  for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
+    if (splitLong(run, limit) * 10 < run.mesh.mesh().vertexCount()) return;
     delaunayFlips(run.mesh, run.rule);
   }
 }
@@ -131,7 +134,7 @@ std::size_t collapseShortest(Run& run, std::size_t vertices) {
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
   for (int i = 0; i < kRounds; ++i) {
     progress.at(double(i) / kRounds);
-    refine(run);
+    refine(run, vertices);
     collapseShort(run);
     valenceFlips(run);
     if (i == 0 || i + 1 == kRounds) delaunayFlips(run.mesh, run.rule);

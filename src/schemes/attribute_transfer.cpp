@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "schemes/attribute_mix.h"
+
 namespace remesher {
 
 namespace {
@@ -10,7 +12,9 @@ namespace {
 // Collects output vertices; one per working vertex and side of the curves through it.
 class Extraction {
  public:
-  Extraction(const WorkingMesh& mesh, const TriangleMesh& input) : mesh_(mesh), input_(input) {
+  Extraction(const WorkingMesh& mesh, const TriangleMesh& input,
+             const std::vector<std::string>& chartless)
+      : mesh_(mesh), input_(input), mix_(mesh.surface(), input, chartless) {
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -49,30 +53,13 @@ class Extraction {
   Index addSide(Vertex v, Halfedge h, Index begin) {
     const Index made = Index(result_.positions.size());
     result_.positions.push_back(mesh_.position(v));
-    if (!result_.attributes.empty()) {
-      const SurfacePoint point = mesh_.cornerPoint(h);
-      for (std::size_t a = 0; a < input_.attributes.size(); ++a) appendValue(a, point);
-    }
+    if (!result_.attributes.empty()) mix_.append(mesh_.cornerPoint(h), result_.attributes);
     for (Index other = begin; other < made; ++other)
       if (sameAttributes(other, made)) {
         dropLast();
         return other;
       }
     return made;
-  }
-
-  void appendValue(std::size_t a, const SurfacePoint& point) {
-    const Attribute& source = input_.attributes[a];
-    const auto& wedges = mesh_.surface().built().wedges;
-    for (int k = 0; k < source.itemSize; ++k) {
-      double value = 0;
-      for (int corner = 0; corner < 3; ++corner) {
-        const Index wedge = wedges[HalfedgeMesh::halfedge(point.face, corner)];
-        value += point.barycentric[corner] *
-                 double(source.values[std::size_t{wedge} * source.itemSize + k]);
-      }
-      result_.attributes[a].values.push_back(float(value));
-    }
   }
 
   bool sameAttributes(Index a, Index b) const {
@@ -95,13 +82,15 @@ class Extraction {
 
   const WorkingMesh& mesh_;
   const TriangleMesh& input_;
+  AttributeMix mix_;
   TriangleMesh result_;
 };
 
 }  // namespace
 
-TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input) {
-  return Extraction(mesh, input).run();
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const std::vector<std::string>& chartless) {
+  return Extraction(mesh, input, chartless).run();
 }
 
 }  // namespace remesher

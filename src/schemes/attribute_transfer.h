@@ -2,13 +2,17 @@
 // The result as plain arrays, with the attributes of the original at every vertex's place on it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "base/triangle_mesh.h"
 #include "operators/working_mesh.h"
 
 namespace remesher {
 
 // A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the
-// original triangle they lie on.
-TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input);
+// original triangle they lie on. chartless: see AttributeMix.
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const std::vector<std::string>& chartless);
 
 }  // namespace remesher

@@ -2,6 +2,7 @@
 #include "schemes/curve_choice.h"
 
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "surface/feature_detection.h"
@@ -39,9 +40,8 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 
 }  // namespace
 
-FeatureCurves chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                           const RemeshOptions& options, double size,
-                           std::vector<Warning>& warnings) {
+CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                         const RemeshOptions& options, double size) {
   const double angle = options.featureAngle.value_or(kFeatureAngle);
   CurveRules rules{givenEdges(built, options), size, options.boundary == Boundary::Keep};
   const auto add = [&](const std::vector<Halfedge>& edges) {
@@ -50,10 +50,10 @@ FeatureCurves chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   const bool byDefault = options.scheme == Scheme::Best;
   if (options.detectFeatures && (byDefault || options.featureAngle))
     add(detectFeatures(built.mesh, built.positions, {angle, size}));
-  const Seams seams = findSeams(built, input, angle);
+  Seams seams = findSeams(built, input, angle);
   add(seams.edges);
-  warnings.insert(warnings.end(), seams.warnings.begin(), seams.warnings.end());
-  return {built.mesh, built.positions, rules};
+  return {FeatureCurves(built.mesh, built.positions, rules), std::move(seams.chartless),
+          std::move(seams.warnings)};
 }
 
 }  // namespace remesher

@@ -2,6 +2,9 @@
 // Which edges of the original become feature curves: detected, given by the caller, or seams.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "base/options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
@@ -10,9 +13,14 @@
 
 namespace remesher {
 
-// size: the target edge length, model units. Adds to `warnings` what seams cannot be kept.
-FeatureCurves chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                           const RemeshOptions& options, double size,
-                           std::vector<Warning>& warnings);
+struct CurveChoice {
+  FeatureCurves curves;
+  std::vector<std::string> chartless;  // attributes whose seams are not kept: see findSeams
+  std::vector<Warning> warnings;
+};
+
+// size: the target edge length, model units.
+CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                         const RemeshOptions& options, double size);
 
 }  // namespace remesher

@@ -2,9 +2,11 @@
 #include "schemes/remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mesh/mesh_builder.h"
+#include "schemes/adapt.h"
 #include "schemes/attribute_transfer.h"
 #include "schemes/best.h"
 #include "schemes/curve_choice.h"
@@ -41,6 +43,29 @@ bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,
   return reached;
 }
 
+std::size_t distinctPositions(const WorkingMesh& mesh) {
+  std::vector<std::array<double, 3>> places;
+  for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i)
+    if (mesh.mesh().isAlive(Vertex(i))) {
+      const Vec3& p = mesh.position(Vertex(i));
+      places.push_back({p.x(), p.y(), p.z()});
+    }
+  std::sort(places.begin(), places.end());
+  return std::size_t(std::unique(places.begin(), places.end()) - places.begin());
+}
+
+// Where the builder cut the input apart, several vertices may share a place; what was promised is a
+// number of places.
+bool matchPositions(Run& run, std::size_t vertices) {
+  constexpr int kTries = 4;
+  for (int i = 0; i < kTries; ++i) {
+    const std::size_t now = distinctPositions(run.mesh);
+    if (now == vertices) return true;
+    if (!matchCount(run, run.mesh.mesh().vertexCount() + vertices - now)) return false;
+  }
+  return distinctPositions(run.mesh) == vertices;
+}
+
 }  // namespace
 
 RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
@@ -51,18 +76,20 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   outcome.warnings = built.warnings;
   std::size_t vertices = targetVertices(built, options);
   const double size = evenEdgeLength(surfaceArea(built), double(vertices));
-  FeatureCurves curves = chooseCurves(built, input, options, size, outcome.warnings);
+  CurveChoice choice = chooseCurves(built, input, options, size);
+  outcome.warnings.insert(outcome.warnings.end(), choice.warnings.begin(), choice.warnings.end());
   const std::vector<float> density = densityOf(built, options);
-  const OriginalSurface surface(std::move(built), std::move(curves));
+  const OriginalSurface surface(std::move(built), std::move(choice.curves));
   vertices = correctedTarget(surface, options, density, vertices);
   checkCurves(surface.curves(), surface.mesh(), vertices);
   const SizeField sizes(surface, sizeRules(options, double(vertices), density));
   Projector projector(surface, options.projection, longestEdges(surface, sizes));
   WorkingMesh mesh(surface);
   Run run{mesh, projector, sizes, fidelityRule(options)};
-  const bool reached = runScheme(run, vertices, options, progress);
+  bool reached = runScheme(run, vertices, options, progress);
+  if (reached && !options.splitObtuse) reached = matchPositions(run, vertices);
   outcome.stopped = reached ? Stopped::Target : Stopped::Fidelity;
-  outcome.mesh = extractMesh(mesh, input);
+  outcome.mesh = extractMesh(mesh, input, choice.chartless);
   return outcome;
 }
 

@@ -12,8 +12,31 @@ namespace remesher {
 
 namespace {
 
-// A closed surface needs a tetrahedron.
-constexpr double kFewestVertices = 4;
+// A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
+constexpr std::size_t kFewestVertices = 4;
+
+std::size_t fewestVertices(const HalfedgeMesh& mesh) {
+  VertexData<char> seen(mesh.vertexCapacity(), 0);
+  std::size_t fewest = 0;
+  std::vector<Vertex> stack;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    if (!mesh.isAlive(Vertex(i)) || seen[Vertex(i)]) continue;
+    stack.assign(1, Vertex(i));
+    seen[Vertex(i)] = 1;
+    bool open = false;
+    while (!stack.empty()) {
+      const Vertex v = stack.back();
+      stack.pop_back();
+      open = open || mesh.isBoundary(v);
+      mesh.forEachNeighbor(v, [&](Vertex w) {
+        if (!seen[w]) stack.push_back(w);
+        seen[w] = 1;
+      });
+    }
+    fewest += open ? 3 : 4;
+  }
+  return std::max(fewest, kFewestVertices);
+}
 
 void require(bool holds, const std::string& message, const std::string& hint) {
   if (!holds) throw Error(ErrorCode::InvalidOption, message, hint);
@@ -68,11 +91,13 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
   if (options.ratio) target = std::round(*options.ratio * own);
   if (options.edgeLength)
     target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
-  if (target < kFewestVertices)
+  const std::size_t fewest = fewestVertices(built.mesh);
+  if (target < double(fewest))
     throw Error(ErrorCode::TargetTooSmall,
                 "The target of " + std::to_string(std::size_t(target)) +
-                    " vertices is too small: a surface needs at least 4.",
-                "Ask for 4 vertices or more.");
+                    " vertices is too small: this surface needs at least " +
+                    std::to_string(fewest) + ".",
+                "Ask for " + std::to_string(fewest) + " vertices or more.");
   return std::size_t(target);
 }
 

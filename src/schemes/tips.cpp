@@ -62,9 +62,10 @@ class DistanceToMesh {
       if (mesh.mesh().isAlive(Face(f))) faces_.push_back(Face(f));
   }
 
-  Tip measure(const WorkingMesh& mesh, const SurfacePoint& place) {
-    const Vec3 p = mesh.surface().position(place);
-    near_ = near_.triangle == kNone ? tree_.nearest(p) : tree_.nearest(p, near_.triangle);
+  // Exact where the distance exceeds `beyond`.
+  Tip measure(const WorkingMesh& mesh, const SurfacePoint& place, double beyond) {
+    near_ = tree_.nearestBeyond(beyond, mesh.surface().position(place),
+                                near_.triangle == kNone ? 0 : near_.triangle);
     return {std::sqrt(near_.squaredDistance), place, faces_[near_.triangle]};
   }
 
@@ -84,8 +85,9 @@ std::vector<Tip> farTips(const Run& run, double tolerance) {
   DistanceToMesh distances(run.mesh);
   std::vector<Tip> tips;
   forEachPlace(run, [&](const SurfacePoint& place) {
-    const Tip tip = distances.measure(run.mesh, place);
-    if (tip.distance > tolerance * run.scale * run.sizes.at(place)) tips.push_back(tip);
+    const double enough = tolerance * run.scale * run.sizes.at(place);
+    const Tip tip = distances.measure(run.mesh, place, enough);
+    if (tip.distance > enough) tips.push_back(tip);
   });
   sortFarthestFirst(tips);
   return tips;
@@ -139,7 +141,7 @@ void lowerHausdorff(Run& run) {
       if (tip.distance > kNearMaximum * tips[0].distance) moved += reach(run, tip, kFinalAngle);
     if (moved == 0) return;
     DistanceToMesh distances(run.mesh);
-    for (Tip& tip : tips) tip = distances.measure(run.mesh, tip.original);
+    for (Tip& tip : tips) tip = distances.measure(run.mesh, tip.original, 0);
     sortFarthestFirst(tips);
   }
 }

@@ -51,17 +51,20 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, doubl
                        const std::vector<Halfedge>& edges, Seams& seams) {
   std::vector<Halfedge> found;
   for (const Halfedge h : edges)
-    if (jumps(built, attribute, h) &&
-        (!followsShading(attribute.semantic) || bends(built, h, cosAngle)))
-      found.push_back(h);
-  if (double(found.size()) <= kNoCharts * double(edges.size())) {
-    seams.edges.insert(seams.edges.end(), found.begin(), found.end());
+    if (jumps(built, attribute, h)) found.push_back(h);
+  const bool shading = followsShading(attribute.semantic);
+  if (double(found.size()) > kNoCharts * double(edges.size())) {
+    seams.chartless.push_back(attribute.semantic);
+    // A flat-shaded file says nothing that the surface does not.
+    if (shading) return;
+    seams.warnings.push_back(
+        {"ATTRIBUTE_HAS_NO_CHARTS",
+         attribute.semantic + " jumps across most edges: it is carried by the nearest corner.",
+         found.size()});
     return;
   }
-  seams.warnings.push_back(
-      {"ATTRIBUTE_HAS_NO_CHARTS",
-       attribute.semantic + " jumps across most edges: it is carried by the nearest corner.",
-       found.size()});
+  for (const Halfedge h : found)
+    if (!shading || bends(built, h, cosAngle)) seams.edges.push_back(h);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // textures would bleed over them.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/report.h"
@@ -12,8 +13,9 @@
 namespace remesher {
 
 struct Seams {
-  std::vector<Halfedge> edges;    // one halfedge of each
-  std::vector<Warning> warnings;  // ATTRIBUTE_HAS_NO_CHARTS: nearly every edge is a seam of it
+  std::vector<Halfedge> edges;         // one halfedge of each
+  std::vector<std::string> chartless;  // semantics that jump across most edges: no curves for them
+  std::vector<Warning> warnings;       // ATTRIBUTE_HAS_NO_CHARTS for each of those
 };
 
 // hardNormalAngle: degrees; a jump of NORMAL or TANGENT counts only where the surface itself bends
