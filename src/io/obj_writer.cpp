@@ -3,7 +3,6 @@
 // texture coordinates and normals they have, so that the surface is as closed in the file as it
 // is in the mesh.
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <utility>
@@ -24,34 +23,35 @@ struct ObjPart {
 // Per vertex: the number, counted from one, of its value in a list of the file.
 using Numbers = std::vector<std::size_t>;
 
-// Vertices in the order of their values, equal ones by index; the values compared bit by bit.
+// A list without repetitions: which vertices' values it has, and where each vertex finds its own.
+struct DistinctValues {
+  std::vector<Index> representatives;
+  Numbers numbers;
+};
+
 template <class Value>
-Numbers numberDistinct(const std::vector<Value>& values, std::size_t firstNumber,
-                       std::vector<Index>& representatives) {
+DistinctValues findDistinct(const std::vector<Value>& values, std::size_t firstNumber) {
   std::vector<Index> order(values.size());
   for (Index i = 0; i < order.size(); ++i) order[i] = i;
-  const auto compare = [&](Index a, Index b) {
-    return std::memcmp(&values[a], &values[b], sizeof(Value));
-  };
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    const int difference = compare(a, b);
-    return difference != 0 ? difference < 0 : a < b;
+    return values[a] != values[b] ? values[a] < values[b] : a < b;
   });
   std::vector<Index> leader(values.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     leader[order[i]] =
-        i > 0 && compare(order[i - 1], order[i]) == 0 ? leader[order[i - 1]] : order[i];
+        i > 0 && values[order[i - 1]] == values[order[i]] ? leader[order[i - 1]] : order[i];
 
-  Numbers numbers(values.size());
+  DistinctValues distinct;
+  distinct.numbers.resize(values.size());
   for (Index i = 0; i < leader.size(); ++i) {
     if (leader[i] == i) {
-      numbers[i] = firstNumber + representatives.size();
-      representatives.push_back(i);
+      distinct.numbers[i] = firstNumber + distinct.representatives.size();
+      distinct.representatives.push_back(i);
     } else {
-      numbers[i] = numbers[leader[i]];
+      distinct.numbers[i] = distinct.numbers[leader[i]];
     }
   }
-  return numbers;
+  return distinct;
 }
 
 class ObjWriter {
@@ -89,12 +89,10 @@ Numbers ObjWriter::writePositions(const TriangleMesh& mesh) {
   std::vector<std::array<double, 3>> values(mesh.positions.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Vec3& position = mesh.positions[i];
-    // + 0.0 makes the two zeros one.
-    values[i] = {position.x() + 0.0, position.y() + 0.0, position.z() + 0.0};
+    values[i] = {position.x(), position.y(), position.z()};
   }
   const Attribute* const color = findAttribute(mesh, "COLOR_0");
-  std::vector<Index> written;
-  Numbers numbers = numberDistinct(values, positionCount_ + 1, written);
+  const auto [written, numbers] = findDistinct(values, positionCount_ + 1);
   for (const Index i : written) {
     out_.text("v").numbers(mesh.positions[i]);
     for (int channel = 0; color != nullptr && channel < 3; ++channel)
@@ -111,8 +109,7 @@ Numbers ObjWriter::writeTexcoords(const TriangleMesh& mesh) {
   std::vector<std::array<float, 2>> values(mesh.positions.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = {texcoord->values[2 * i], texcoord->values[2 * i + 1]};
-  std::vector<Index> written;
-  Numbers numbers = numberDistinct(values, texcoordCount_ + 1, written);
+  const auto [written, numbers] = findDistinct(values, texcoordCount_ + 1);
   for (const Index i : written) {
     const float v = origin_ == TextureOrigin::BottomLeft ? values[i][1] : 1 - values[i][1];
     out_.text("vt ").number(values[i][0]).text(" ").number(v).text("\n");
@@ -127,8 +124,7 @@ Numbers ObjWriter::writeNormals(const TriangleMesh& mesh) {
   std::vector<std::array<float, 3>> values(mesh.positions.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     std::copy_n(normal->values.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, values[i].begin());
-  std::vector<Index> written;
-  Numbers numbers = numberDistinct(values, normalCount_ + 1, written);
+  const auto [written, numbers] = findDistinct(values, normalCount_ + 1);
   for (const Index i : written) {
     out_.text("vn");
     for (const float coordinate : values[i]) out_.text(" ").number(coordinate);
