@@ -72,5 +72,6 @@ export async function drop(page, files) {
 
 /** The cells of a row of the report, by its label. */
 export async function reportRow(page, label) {
-  return page.locator('#result tbody tr', { hasText: label }).first().locator('td').allTextContents();
+  const row = page.locator('#result tbody tr', { hasText: label }).first();
+  return row.locator('td').allTextContents();
 }

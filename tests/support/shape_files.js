@@ -27,7 +27,8 @@ export function objText({ positions, triangles }) {
 export function gltfParts({ positions, triangles }) {
   const points = new Float32Array(positions.flat());
   const indices = new Uint32Array(triangles.flat());
-  const extreme = (pick) => [0, 1, 2].map((axis) => pick(...positions.map((p) => Math.fround(p[axis]))));
+  const extreme = (pick) =>
+    [0, 1, 2].map((axis) => pick(...positions.map((p) => Math.fround(p[axis]))));
   const buffer = Buffer.concat([Buffer.from(points.buffer), Buffer.from(indices.buffer)]);
   const json = {
     asset: { version: '2.0' },
