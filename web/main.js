@@ -9,6 +9,7 @@ import { wireIntake } from './intake.js';
 import { announce, isAbort, showError, showProgress } from './messages.js';
 import { Panel } from './panel.js';
 import { modelFacts, reportView } from './report_view.js';
+import { samples } from './samples.js';
 import { Session } from './session.js';
 import { Stage } from './stage.js';
 
@@ -71,6 +72,8 @@ function open(items, from) {
     byId('model-facts', HTMLElement).textContent = modelFacts(report, model.others);
     byId('original-count', HTMLElement).textContent = count(report.input.vertices);
     panel.setInput(report.input.vertices);
+    const shown = samples.find(({ id }) => id === sample);
+    if (shown) panel.setTarget(shown.vertices);
     if (Object.keys(wished.values).length) panel.setValues(wished.values);
     wished.values = {};  // the address speaks for the first model only
     await showOriginal();

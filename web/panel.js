@@ -149,6 +149,11 @@ export class Panel {
     this.#button.disabled = false;
   }
 
+  /** @param {number} vertices to ask for */
+  setTarget(vertices) {
+    this.#target.setValue({ vertices });
+  }
+
   /** @param {'idle' | 'busy'} state */
   setState(state) {
     this.#button.hidden = state === 'busy';

