@@ -7,7 +7,7 @@ namespace {
 
 bool facesObtuse(const WorkingMesh& mesh, Halfedge side) {
   if (!side) return false;
-  const Vec3 apex = mesh.position(mesh.mesh().opposite(side));
+  const Vec3& apex = mesh.position(mesh.mesh().opposite(side));
   const Vec3 toOrigin = mesh.position(mesh.mesh().origin(side)) - apex;
   return toOrigin.dot(mesh.position(mesh.mesh().tip(side)) - apex) < 0;
 }

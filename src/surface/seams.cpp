@@ -47,13 +47,18 @@ bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
          differ(attribute, built.wedges[mesh.next(h)], built.wedges[t]);
 }
 
-void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, double cosAngle,
-                       const std::vector<Halfedge>& edges, Seams& seams) {
+struct Edges {
+  std::vector<Halfedge> inner;
+  double cosHardNormal;
+};
+
+void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const Edges& edges,
+                       Seams& seams) {
   std::vector<Halfedge> found;
-  for (const Halfedge h : edges)
+  for (const Halfedge h : edges.inner)
     if (jumps(built, attribute, h)) found.push_back(h);
   const bool shading = followsShading(attribute.semantic);
-  if (double(found.size()) > kNoCharts * double(edges.size())) {
+  if (double(found.size()) > kNoCharts * double(edges.inner.size())) {
     seams.chartless.push_back(attribute.semantic);
     // A flat-shaded file says nothing that the surface does not.
     if (shading) return;
@@ -64,7 +69,7 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, doubl
     return;
   }
   for (const Halfedge h : found)
-    if (!shading || bends(built, h, cosAngle)) seams.edges.push_back(h);
+    if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
 }
 
 }  // namespace
@@ -72,16 +77,16 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, doubl
 Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle) {
   const HalfedgeMesh& mesh = built.mesh;
   Seams seams;
-  std::vector<Halfedge> inner;
+  Edges edges{{}, std::cos(radians(hardNormalAngle))};
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
-    if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i))) inner.push_back(Halfedge(i));
+    if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i)))
+      edges.inner.push_back(Halfedge(i));
   const auto group = [&](Halfedge h) { return input.groups[built.triangles[mesh.face(h)]]; };
   if (!input.groups.empty())
-    for (const Halfedge h : inner)
+    for (const Halfedge h : edges.inner)
       if (group(h) != group(mesh.twin(h))) seams.edges.push_back(h);
-  const double cosAngle = std::cos(radians(hardNormalAngle));
   for (const Attribute& attribute : input.attributes)
-    addAttributeSeams(built, attribute, cosAngle, inner, seams);
+    addAttributeSeams(built, attribute, edges, seams);
   return seams;
 }
 
