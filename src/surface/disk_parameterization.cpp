@@ -145,7 +145,7 @@ void DiskParameterizer::assemble(const DiskPatch& patch, const VertexData<Vec3>&
                                  Weights weights) {
   matrix_.assign(vertex_.size() * (2 * band_ + 1), 0);
   right_.assign(vertex_.size(), Uv::Zero());
-  const Vec3 origin = positions[patch.vertices[0]];  // keeps float's precision far from zero
+  const Vec3& origin = positions[patch.vertices[0]];  // keeps float's precision far from zero
   for (const LocalFace& f : patch.faces) {
     std::array<std::array<float, 2>, 3> corner = {{{1, 1}, {1, 1}, {1, 1}}};
     if (weights == Weights::MeanValue) {
