@@ -50,6 +50,23 @@ Soup gather(const TriangleMesh& input) {
   return soup;
 }
 
+// Returns how many there were.
+std::size_t remove(Soup& soup, std::span<const char> unwanted) {
+  Index kept = 0;
+  for (Index f = 0; f < unwanted.size(); ++f) {
+    if (unwanted[f]) continue;
+    for (Index i = 0; i < 3; ++i) {
+      soup.corners[3 * kept + i] = soup.corners[3 * f + i];
+      soup.wedges[3 * kept + i] = soup.wedges[3 * f + i];
+    }
+    soup.triangles[kept++] = soup.triangles[f];
+  }
+  soup.corners.resize(3 * std::size_t{kept});
+  soup.wedges.resize(3 * std::size_t{kept});
+  soup.triangles.resize(kept);
+  return unwanted.size() - kept;
+}
+
 // Removes triangles with the same corners in the same order as an earlier one. All copies of a
 // triangle meet at each of its edges, so looking at the edges finds them.
 std::size_t removeDuplicates(Soup& soup, const EdgeGroups& edges) {
@@ -70,19 +87,7 @@ std::size_t removeDuplicates(Soup& soup, const EdgeGroups& edges) {
     for (std::size_t i = 1; i < sorted.size(); ++i)
       if (same(sorted[i - 1], sorted[i])) duplicate[sorted[i] / 3] = 1;
   }
-  Index kept = 0;
-  for (Index f = 0; f < duplicate.size(); ++f) {
-    if (duplicate[f]) continue;
-    for (Index i = 0; i < 3; ++i) {
-      soup.corners[3 * kept + i] = soup.corners[3 * f + i];
-      soup.wedges[3 * kept + i] = soup.wedges[3 * f + i];
-    }
-    soup.triangles[kept++] = soup.triangles[f];
-  }
-  soup.corners.resize(3 * std::size_t{kept});
-  soup.wedges.resize(3 * std::size_t{kept});
-  soup.triangles.resize(kept);
-  return duplicate.size() - kept;
+  return remove(soup, duplicate);
 }
 
 void turnOver(Soup& soup, std::span<const char> turn) {
@@ -91,6 +96,27 @@ void turnOver(Soup& soup, std::span<const char> turn) {
     std::swap(soup.corners[3 * f + 1], soup.corners[3 * f + 2]);
     std::swap(soup.wedges[3 * f + 1], soup.wedges[3 * f + 2]);
   }
+}
+
+// Removes what encloses nothing and cannot be refined: two triangles back to back that, after the
+// cut, have their three vertices to themselves.
+std::size_t removeBackToBack(Soup& soup, const ManifoldCut& cut) {
+  std::vector<Index> corners(cut.origins.size(), 0);
+  for (const Index v : cut.corners) ++corners[v];
+  std::vector<Index> firstFace(cut.origins.size(), kNone);
+  std::vector<char> unwanted(soup.triangles.size(), 0);
+  for (Index f = 0; f < unwanted.size(); ++f) {
+    const Index a = cut.corners[3 * f], b = cut.corners[3 * f + 1], c = cut.corners[3 * f + 2];
+    if (corners[a] != 2 || corners[b] != 2 || corners[c] != 2) continue;
+    const Index g = firstFace[a];
+    if (g != kNone && g == firstFace[b] && g == firstFace[c]) unwanted[f] = unwanted[g] = 1;
+    firstFace[a] = firstFace[b] = firstFace[c] = f;
+  }
+  const std::size_t removed = remove(soup, unwanted);
+  if (soup.triangles.empty())
+    throw Error(ErrorCode::NoTriangles, "All triangles lie back to back with another one.",
+                "A sheet needs one side only.");
+  return removed;
 }
 
 BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
@@ -133,6 +159,13 @@ BuiltMesh buildMesh(const TriangleMesh& input) {
   if (orientation.turned > 0) edges = EdgeGroups(vertexCount, soup.corners);
 
   ManifoldCut cut = cutToManifold(input.positions, soup.corners, edges);
+  const std::size_t backToBack = removeBackToBack(soup, cut);
+  if (backToBack > 0) {
+    edges = EdgeGroups(vertexCount, soup.corners);
+    cut = cutToManifold(input.positions, soup.corners, edges);
+  }
+  warn(warnings, "BACK_TO_BACK_TRIANGLES_REMOVED",
+       "Triangles back to back, which enclose nothing, were removed.", backToBack);
   warn(warnings, "NON_MANIFOLD_EDGES_SPLIT",
        "Edges shared by more than two triangles were cut apart.", cut.edges);
   warn(warnings, "NON_MANIFOLD_VERTICES_SPLIT",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From a bag of triangles to a manifold: vertices welded by exactly equal position, triangles
 // without three distinct corners dropped, orientation made consistent where it can be, edges with
-// more than two triangles and vertices with more than one fan cut apart. What was repaired is said
-// in warnings.
+// more than two triangles and vertices with more than one fan cut apart, pairs of triangles back to
+// back removed. What was repaired is said in warnings.
 #pragma once
 
 #include <vector>
