@@ -49,7 +49,8 @@ std::optional<PolarMap::Location> PolarMap::locate(const Vec2& p) const {
 }
 
 UnfoldedEdge unfold(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h) {
-  const Vec3 a = positions[mesh.origin(h)], ab = positions[mesh.tip(h)] - a;
+  const Vec3& a = positions[mesh.origin(h)];
+  const Vec3 ab = positions[mesh.tip(h)] - a;
   const Vec3 ac = positions[mesh.opposite(h)] - a, ad = positions[mesh.opposite(mesh.twin(h))] - a;
   const double length = ab.norm();
   if (!(length > 0)) return {Vec2::Zero(), Vec2::Zero(), Vec2(0, ac.norm()), Vec2(0, -ad.norm())};

@@ -29,9 +29,15 @@ bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
 // At the far end, which stays as it is: needs no projection.
 bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 
+// A point of the triangle of h, by the weights of its corners, first that at origin(h).
+struct StarPoint {
+  Halfedge h;
+  Vec3 weights;
+};
+
 // To the point with `weights` in the triangle of h, which leaves the vertex. For interior vertices.
-bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, Halfedge h,
-                       const Vec3& weights, LocalChange& change);
+bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, const StarPoint& to,
+                       LocalChange& change);
 
 // Of any vertex, to a place that the caller has found.
 void proposePlacement(const WorkingMesh& mesh, Vertex v, const Placement& place,

@@ -15,11 +15,11 @@ void proposePlacement(const WorkingMesh& mesh, Vertex v, const Placement& place,
   });
 }
 
-bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, Halfedge h,
-                       const Vec3& weights, LocalChange& change) {
-  const Vertex v = mesh.mesh().origin(h);
+bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, const StarPoint& to,
+                       LocalChange& change) {
+  const Vertex v = mesh.mesh().origin(to.h);
   if (mesh.kind(v) != VertexKind::Interior) return false;
-  proposePlacement(mesh, v, projector.project(mesh, h, weights), change);
+  proposePlacement(mesh, v, projector.project(mesh, to.h, to.weights), change);
   return true;
 }
 

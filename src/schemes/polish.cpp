@@ -68,7 +68,7 @@ bool proposeMove(Run& run, const PolarMap& star, Vertex v, const Vec2& p) {
   const auto location = star.locate(p);
   if (!location) return false;
   const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
-  return proposeRelocation(run.mesh, run.projector, h, location->barycentric, run.change);
+  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change);
 }
 
 // Searches around v for a place where the worst angle of its star is largest.

@@ -12,7 +12,7 @@ bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
   const auto location = star.locate(target);
   if (!location) return false;
   const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
-  return proposeRelocation(run.mesh, run.projector, h, location->barycentric, run.change) &&
+  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change) &&
          commit(run);
 }
 

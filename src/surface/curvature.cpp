@@ -45,7 +45,8 @@ VertexData<double> smoothed(const HalfedgeMesh& mesh, const VertexData<double>& 
 
 // A curve bends too, where the surfaces on both its sides may be flat.
 void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
-  for (const Chain& chain : surface.curves().chains())
+  for (const Chain& chain : surface.curves().chains()) {
+    if (chain.boundary) continue;  // beside it lies but one surface, whose own bend counts
     for (std::size_t i = 1; i + 1 < chain.vertices.size(); ++i) {
       const Vec3 at = surface.positions()[chain.vertices[i]];
       const Vec3 in = at - surface.positions()[chain.vertices[i - 1]];
@@ -55,6 +56,7 @@ void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
       double& own = result[chain.vertices[i]];
       own = std::max(own, std::atan2(in.cross(out).norm(), in.dot(out)) / length);
     }
+  }
 }
 
 }  // namespace

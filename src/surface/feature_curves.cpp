@@ -225,7 +225,7 @@ FeatureCurves::Place FeatureCurves::locate(const HalfedgeMesh& mesh,
                                            const CurvePoint& point) const {
   const auto [h, t, i] = step(point, point.arc);
   const Chain& chain = chains_[point.chain];
-  const Vec3 from = positions[chain.vertices[i]], to = positions[chain.vertices[i + 1]];
+  const Vec3 &from = positions[chain.vertices[i]], &to = positions[chain.vertices[i + 1]];
   const bool along = mesh.origin(h) == chain.vertices[i];
   return {t == 0   ? from
           : t == 1 ? to

@@ -98,7 +98,7 @@ TEST_CASE("local_operators: only interior vertices are relocated over the surfac
   LocalChange change;
   forEachHalfedge(mesh, [&](Halfedge h) {
     const Vertex v = mesh.mesh().origin(h);
-    const bool proposed = proposeRelocation(mesh, projector, h, {0.8, 0.1, 0.1}, change);
+    const bool proposed = proposeRelocation(mesh, projector, {h, {0.8, 0.1, 0.1}}, change);
     CHECK(proposed == (mesh.kind(v) == VertexKind::Interior));
     if (!proposed) return;
     CHECK(change.vertex == v);
@@ -115,7 +115,7 @@ TEST_CASE("local_operators: a proposal changes nothing") {
     proposeFlip(mesh, h, change);
     proposeSplit(mesh, projector, h, change);
     proposeCollapse(mesh, projector, h, change);
-    proposeRelocation(mesh, projector, h, {0.5, 0.25, 0.25}, change);
+    proposeRelocation(mesh, projector, {h, {0.5, 0.25, 0.25}}, change);
   });
   CHECK(mesh.mesh().triangles() == surface.mesh().triangles());
   CHECK(mesh.positions().values() == surface.positions().values());

@@ -42,7 +42,7 @@ bool proposeAnything(const WorkingMesh& mesh, Projector& projector, Halfedge h,
     case 3:
       return proposeCollapseInto(mesh, h, change);
     default:
-      return proposeRelocation(mesh, projector, h, inside / inside.sum(), change);
+      return proposeRelocation(mesh, projector, {h, inside / inside.sum()}, change);
   }
 }
 
