@@ -9,7 +9,7 @@ namespace {
 bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
   switch (mesh.kind(mesh.mesh().origin(h))) {
     case VertexKind::Interior:
-      return true;
+      return !mesh.isPinned(mesh.mesh().origin(h));
     case VertexKind::Curve:
       return mesh.isCurve(h);
     case VertexKind::Corner:
@@ -53,7 +53,7 @@ bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
                      LocalChange& change) {
   if (!proposeCollapseInto(mesh, h, change)) return false;
   const Vertex a = mesh.mesh().origin(h), b = mesh.mesh().tip(h);
-  if (mesh.kind(a) != mesh.kind(b)) return true;
+  if (mesh.kind(a) != mesh.kind(b) || mesh.isPinned(b)) return true;
   change.place = midpoint(mesh, projector, h);
   addStar(mesh.mesh(), b, a, change);
   return true;

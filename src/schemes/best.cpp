@@ -6,6 +6,7 @@
 #include "operators/delaunay.h"
 #include "schemes/adapt.h"
 #include "schemes/fit.h"
+#include "schemes/lower_hausdorff.h"
 #include "schemes/polish.h"
 #include "schemes/relax.h"
 #include "schemes/subdivide.h"
@@ -61,15 +62,16 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   matchCount(run, base);
   annealValences(run, kAnnealRounds, progress.part("anneal", 0.25, 0.45));
   smoothOntoTips(run);
+  matchCount(run, base);
   const Progress finer = progress.part("refine", 0.45, 0.85);
   for (int i = 0; i < levels; ++i) {
     finer.at(double(i) / levels);
     subdivide(run);
     smooth(run);
   }
+  smoothOntoTips(run);
   const bool reached = matchCount(run, vertices);
   smooth(run);
-  smoothOntoTips(run);
   finer.at(1);
   polish(run, kPolishBelow);
   fit(run, progress.part("fit", 0.85, 1));

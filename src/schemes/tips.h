@@ -8,12 +8,8 @@
 namespace remesher {
 
 // Moves a vertex to every place of the original that is farther from the mesh than `tolerance` ×
-// its target length, farthest first, where the star allows it, and pins it there. Smoothing should
-// follow.
+// its target length, farthest first, where the star allows it, and pins it there. A tip very far
+// away that none can move to gets a new vertex. Smoothing should follow.
 void reachTips(Run& run, double tolerance);
-
-// The same for the few places that decide the Hausdorff distance, as a last step: no triangle gets
-// bad.
-void lowerHausdorff(Run& run);
 
 }  // namespace remesher

@@ -15,17 +15,36 @@ constexpr int kMaxSteps = 4096;
 
 class Walk {
  public:
+  // barriers: none where null.
+  struct Ground {
+    const HalfedgeMesh& mesh;
+    const VertexData<Vec3>& positions;
+    const HalfedgeData<char>* barriers;
+  };
+
+  Walk(const Ground& ground, const Vec3& target)
+      : mesh_(ground.mesh),
+        positions_(ground.positions),
+        barriers_(ground.barriers),
+        target_(target) {}
+
+  // Where the walk from a face ends.
+  SurfacePoint from(Face start) const {
+    Found best = closestOn(start);
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const Found next = closestAround(best);
+      if (!(next.distance2 < best.distance2)) break;
+      best = next;
+    }
+    return best.point;
+  }
+
+ private:
   struct Found {
     SurfacePoint point;
     Vec3 toTarget = Vec3::Zero();  // from the point
     double distance2 = std::numeric_limits<double>::infinity();
   };
-
-  Walk(const OriginalSurface& surface, const Vec3& target)
-      : mesh_(surface.mesh()),
-        positions_(surface.positions()),
-        barriers_(surface.barriers()),
-        target_(target) {}
 
   Found closestOn(Face f) const {
     const auto [a, b, c] = mesh_.vertices(f);
@@ -46,8 +65,9 @@ class Walk {
     return closestAtVertex(found, w[0] != 0 ? 0 : w[1] != 0 ? 1 : 2);
   }
 
- private:
-  Halfedge across(Halfedge h) const { return barriers_[h] ? Halfedge() : mesh_.twin(h); }
+  Halfedge across(Halfedge h) const {
+    return barriers_ && (*barriers_)[h] ? Halfedge() : mesh_.twin(h);
+  }
 
   // From inside the edge at `corner` only the face beyond can be nearer, and only if it runs
   // towards the target.
@@ -85,7 +105,7 @@ class Walk {
 
   const HalfedgeMesh& mesh_;
   const VertexData<Vec3>& positions_;
-  const HalfedgeData<char>& barriers_;
+  const HalfedgeData<char>* barriers_;
   const Vec3& target_;
 };
 
@@ -93,14 +113,12 @@ class Walk {
 
 SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint& start,
                               const Vec3& target) {
-  const Walk walk(surface, target);
-  Walk::Found best = walk.closestOn(start.face);
-  for (int step = 0; step < kMaxSteps; ++step) {
-    const Walk::Found next = walk.closestAround(best);
-    if (!(next.distance2 < best.distance2)) break;
-    best = next;
-  }
-  return best.point;
+  return Walk({surface.mesh(), surface.positions(), &surface.barriers()}, target).from(start.face);
+}
+
+SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                              Face start, const Vec3& target) {
+  return Walk({mesh, positions, nullptr}, target).from(start);
 }
 
 }  // namespace remesher

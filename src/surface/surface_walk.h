@@ -12,4 +12,8 @@ namespace remesher {
 SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint& start,
                               const Vec3& target);
 
+// The same on any mesh, without barriers.
+SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                              Face start, const Vec3& target);
+
 }  // namespace remesher

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/lower_hausdorff.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "schemes/star_search.h"
+
+namespace remesher {
+
+namespace {
+
+// Only a large distance is worth angles: good ones stay good otherwise. Where nothing else helps, a
+// little more may be given.
+constexpr double kWorthAngles = 0.38;  // of the target edge length
+constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2), kLeastAngle = radians(31.2);
+
+constexpr double kWorthAMove = 0.05;  // of the mean target edge length
+// A move that changes less than this decides nothing; one that reaches so much may stop there.
+constexpr double kGain = 0.99, kEnough = 0.7;
+// What makes way for another must win more.
+constexpr double kMuch = 0.9;
+// Where the maximum is stuck, what lies below this share of it decides nothing.
+constexpr double kNearMaximum = 0.8;
+
+constexpr int kRounds = 4;
+constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100;
+
+// Lowers the distances of the triangles where they are largest, until nothing more can be done.
+class Descent {
+ public:
+  explicit Descent(Run& run)
+      : run_(run),
+        mesh_(run.mesh.mesh()),
+        distances_(run),
+        tries_(std::max(kFewTries, mesh_.vertexCount() / kVerticesPerTry)) {
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (mesh_.isAlive(Face(i))) push(Face(i));
+  }
+
+  void run() {
+    // What is stuck may be freed by moves nearby.
+    for (int i = 0; i < kRounds && descend(); ++i)
+      for (const Face f : std::exchange(stuck_, {})) push(f);
+  }
+
+ private:
+  using Entry = std::pair<double, Face>;
+
+  void push(Face f) {
+    queue_.emplace_back(distances_.of(f), f);
+    std::push_heap(queue_.begin(), queue_.end());
+  }
+
+  Entry pop() {
+    std::pop_heap(queue_.begin(), queue_.end());
+    const Entry entry = queue_.back();
+    queue_.pop_back();
+    return entry;
+  }
+
+  // Whether anything moved.
+  bool descend() {
+    bool moved = false;
+    double worst = kWorthAMove * run_.sizes.mean();
+    while (!queue_.empty() && tries_ > 0 && queue_.front().first >= worst) {
+      const auto [distance, f] = pop();
+      if (distance != distances_.of(f)) continue;
+      --tries_;
+      if (lower(f)) {
+        moved = true;
+        continue;
+      }
+      stuck_.push_back(f);
+      worst = std::max(worst, kNearMaximum * distance);
+    }
+    return moved;
+  }
+
+  bool lower(Face f) {
+    return moveCorner(f, kKeepAngle) || flipSide(f) || moveCorner(f, kLeastAngle) || makeWay(f);
+  }
+
+  bool isLarge(Face f) const {
+    const Vertex v = mesh_.vertices(f)[0];
+    return distances_.of(f) > kWorthAngles * run_.sizes.at(run_.mesh.at(v));
+  }
+
+  // The angle that a move of v for the sake of f has to keep. Outlines show: a curve always has its
+  // way.
+  double floorAt(Face f, Vertex v, double keepAngle) const {
+    return isLarge(f) || run_.mesh.kind(v) == VertexKind::Curve ? keepAngle : kGoodAngle;
+  }
+
+  bool moveCorner(Face f, double keepAngle) {
+    const double before = distances_.of(f);
+    double lowest = kGain * before;
+    Vertex mover;
+    Placement to;
+    for (const Vertex v : mesh_.vertices(f)) {
+      if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) > lowest) continue;
+      StarSearch search(run_, distances_, v, floorAt(f, v, keepAngle));
+      search.descend(kEnough * before);
+      if (search.distance() >= lowest) continue;
+      lowest = search.distance();
+      mover = v;
+      to = search.best();
+    }
+    if (!mover) return false;
+    move(mover, to);
+    return true;
+  }
+
+  void move(Vertex v, const Placement& to) {
+    proposePlacement(run_.mesh, v, to, run_.change);
+    apply(run_.mesh, run_.change);
+    distances_.update(v);
+    mesh_.forEachOutgoing(v, [&](Halfedge h) { push(mesh_.face(h)); });
+  }
+
+  // A vertex may be held between two sides, each of which a neighbour could take over.
+  bool makeWay(Face f) {
+    const double before = distances_.of(f);
+    bool moved = false;
+    for (const Vertex v : mesh_.vertices(f)) {
+      if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) < before) continue;
+      StarSearch search(run_, distances_, v, floorAt(f, v, kKeepAngle));
+      const double own = search.distance();
+      if (own < kEnough * before) continue;
+      search.descend(kEnough * before);
+      if (search.distance() > kMuch * own) continue;
+      move(v, search.best());
+      moved = true;
+    }
+    return moved;
+  }
+
+  bool flipSide(Face f) {
+    for (int i = 0; i < 3; ++i) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, i);
+      if (!proposeFlip(run_.mesh, h, run_.change)) continue;
+      const Face across = mesh_.face(mesh_.twin(h));
+      const double before = std::max(distances_.of(f), distances_.of(across));
+      if (worstComing() < (isLarge(f) ? kKeepAngle : kGoodAngle)) continue;
+      if (distances_.ifFlipped(h) > kGain * before) continue;
+      if (judge(run_.mesh, run_.change, lenient(run_)) != Verdict::Accepted) continue;
+      distances_.update(run_.mesh.flip(h));
+      push(f);
+      push(across);
+      return true;
+    }
+    return false;
+  }
+
+  double worstComing() const {
+    double worst = 10;
+    for (const auto& [a, b, c] : run_.change.coming)
+      worst = std::min(
+          worst, minAngle(run_.mesh.position(a), run_.mesh.position(b), run_.mesh.position(c)));
+    return worst;
+  }
+
+  Run& run_;
+  const HalfedgeMesh& mesh_;
+  TwoSidedDistance distances_;
+  std::vector<Entry> queue_;
+  std::vector<Face> stuck_;
+  std::size_t tries_;
+};
+
+}  // namespace
+
+void lowerHausdorff(Run& run) { Descent(run).run(); }
+
+}  // namespace remesher

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kSpacing = 0.5;  // of the target edge length
+// A walk may end in a local minimum; places farther than this are tried from other sides too.
+constexpr double kDoubtful = 0.3;  // of the target edge length
+constexpr int kRetries = 4;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+// Whether the place is nearer to where a walk from `start` ends.
+bool improve(const WorkingMesh& mesh, Place& place, Face start) {
+  const SurfacePoint near = closestPointFrom(mesh.mesh(), mesh.positions(), start, place.position);
+  const auto [a, b, c] = mesh.mesh().vertices(near.face);
+  const Vec3& w = near.barycentric;
+  const Vec3 there = w[0] * mesh.position(a) + w[1] * mesh.position(b) + w[2] * mesh.position(c);
+  const double distance = (there - place.position).norm();
+  if (distance >= place.distance) return false;
+  place.nearest = near.face;
+  place.distance = distance;
+  return true;
+}
+
+// For each vertex of the original a vertex of the mesh that lies near it along the surface: those
+// on its own faces first, then what its neighbours have.
+class NearbyVertices {
+ public:
+  explicit NearbyVertices(const WorkingMesh& mesh)
+      : original_(mesh.surface().mesh()), near_(original_.vertexCapacity()) {
+    seed(mesh);
+    spread();
+  }
+
+  Vertex operator[](Vertex v) const { return near_[v]; }
+
+ private:
+  void seed(const WorkingMesh& mesh) {
+    const VertexData<Vec3>& positions = mesh.surface().positions();
+    for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {
+      const Vertex w(i);
+      if (!mesh.mesh().isAlive(w)) continue;
+      for (const Vertex v : original_.vertices(mesh.at(w).face)) {
+        if (!near_[v]) reached_.push_back(v);
+        const auto distance2 = [&](Vertex u) {
+          return (mesh.position(u) - positions[v]).squaredNorm();
+        };
+        if (!near_[v] || distance2(w) < distance2(near_[v])) near_[v] = w;
+      }
+    }
+  }
+
+  void spread() {
+    for (std::size_t head = 0; head < reached_.size(); ++head) {
+      const Vertex from = reached_[head];
+      original_.forEachNeighbor(from, [&](Vertex v) {
+        if (near_[v]) return;
+        near_[v] = near_[from];
+        reached_.push_back(v);
+      });
+    }
+  }
+
+  const HalfedgeMesh& original_;
+  VertexData<Vertex> near_;
+  std::vector<Vertex> reached_;
+};
+
+class Survey {
+ public:
+  explicit Survey(const Run& run) : run_(run), mesh_(run.mesh), nearby_(run.mesh) {}
+
+  std::vector<Place> places() {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
+    for (Index i = 0; i < original.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (original.isAlive(v) && nearby_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
+    }
+    for (Index i = 0; i < original.faceCapacity(); ++i) addInside(Face(i));
+    return std::move(places_);
+  }
+
+ private:
+  Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
+
+  // Walks again from all around where the last one ended.
+  void retry(Place& place) const {
+    const HalfedgeMesh& mesh = mesh_.mesh();
+    for (int i = 0; i < kRetries; ++i) {
+      if (place.distance < kDoubtful * run_.scale * run_.sizes.at(place.original)) return;
+      bool improved = false;
+      for (const Vertex v : mesh.vertices(place.nearest))
+        mesh.forEachNeighbor(
+            v, [&](Vertex w) { improved = improve(mesh_, place, faceAt(w)) || improved; });
+      if (!improved) return;
+    }
+  }
+
+  void add(const SurfacePoint& original, Face start) {
+    Place place{original, mesh_.surface().position(original), start, kEndless};
+    improve(mesh_, place, start);
+    retry(place);
+    places_.push_back(place);
+  }
+
+  void addInside(Face f) {
+    const auto corners = mesh_.surface().mesh().vertices(f);
+    const VertexData<Vec3>& positions = mesh_.surface().positions();
+    const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
+    const double longest =
+        std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
+    const int n = int(std::ceil(longest / (kSpacing * run_.scale * run_.sizes.at(corners[0]))));
+    if (n <= 1 || !nearby_[corners[0]]) return;
+    Face start = faceAt(nearby_[corners[0]]);
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k + j <= n; ++k) {
+        if (j == n || k == n || j + k == 0) continue;  // a vertex
+        const double u = double(j) / n, v = double(k) / n;
+        add({f, Vec3(1 - u - v, u, v)}, start);
+        start = places_.back().nearest;
+      }
+  }
+
+  const Run& run_;
+  const WorkingMesh& mesh_;
+  const NearbyVertices nearby_;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+void measureAgain(const WorkingMesh& mesh, Place& place) {
+  place.distance = kEndless;
+  improve(mesh, place, place.nearest);
+}
+
+std::vector<Place> measurePlaces(const Run& run) { return Survey(run).places(); }
+
+}  // namespace remesher

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/star_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+// Steps in units of the mean spoke.
+constexpr double kFirstStep = 0.4, kLastStep = 0.04;
+constexpr int kDirections = 8;
+constexpr std::size_t kAlongNormal = 2;
+const double kSmallTurn = std::cos(radians(45));
+
+double meanSpoke(const WorkingMesh& mesh, Vertex v) {
+  double sum = 0;
+  mesh.mesh().forEachNeighbor(
+      v, [&](Vertex w) { sum += (mesh.position(w) - mesh.position(v)).norm(); });
+  return sum / mesh.mesh().valence(v);
+}
+
+// First up and down the star's mean normal, then around it.
+std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const Vec3& at = mesh.position(v);
+  Vec3 normal = Vec3::Zero();
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    normal += areaVector(at, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));
+  });
+  normal.normalize();
+  const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - at;
+  const Vec3 x = (spoke - normal * normal.dot(spoke)).normalized(), y = normal.cross(x);
+  std::vector<Vec3> directions = {0.5 * normal, -0.5 * normal};
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kDirections;
+    directions.push_back(std::cos(turn) * x + std::sin(turn) * y);
+  }
+  return directions;
+}
+
+double worstAngle(const WorkingMesh& mesh, Vertex v, const Vec3& at) {
+  double worst = 10;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    worst = std::min(worst, minAngle(at, mesh.position(mesh.mesh().tip(h)),
+                                     mesh.position(mesh.mesh().opposite(h))));
+  });
+  return worst;
+}
+
+// Whether a triangle around v would turn by more than the limit. The fidelity gate, which compares
+// with the original's normals, has no say where an ear or a hoof is as thin as the triangles are
+// large: they must wrap around it.
+bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  bool found = false;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 &a = mesh.position(mesh.mesh().tip(h)), &b = mesh.position(mesh.mesh().opposite(h));
+    found = found || unitNormal(mesh.position(v), a, b).dot(unitNormal(to, a, b)) < kSmallTurn;
+  });
+  return found;
+}
+
+}  // namespace
+
+StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, double keepAngle)
+    : mesh_(run.mesh),
+      distances_(distances),
+      v_(v),
+      spoke_(meanSpoke(mesh_, v)),
+      best_(mesh_.placement(v)),
+      distance_(distances.around(v, best_.position)),
+      lowest_(std::min(keepAngle, worstAngle(mesh_, v, best_.position))) {}
+
+bool StarSearch::offer(const Placement& place) {
+  if (worstAngle(mesh_, v_, place.position) < lowest_) return false;
+  const double distance = distances_.around(v_, place.position, distance_);
+  if (distance >= distance_ || turnsOver(mesh_, v_, place.position)) return false;
+  distance_ = distance;
+  best_ = place;
+  return true;
+}
+
+Placement StarSearch::at(const Vec3& position) const {
+  Placement place = mesh_.onSurface(closestPointFrom(mesh_.surface(), best_.at, position));
+  place.position = position;
+  return place;
+}
+
+void StarSearch::move(double enough, std::span<const Vec3> directions) {
+  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+    bool better = false;
+    const Vec3 from = best_.position;
+    for (const Vec3& direction : directions)
+      better = offer(at(from + step * spoke_ * direction)) || better;
+    if (!better) step /= 2;
+  }
+}
+
+void StarSearch::slide(double enough) {
+  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+    bool better = false;
+    const CurvePoint from = best_.on;
+    for (const double way : {step * spoke_, -step * spoke_})
+      better = offer(mesh_.onCurve({from.chain, from.arc + way})) || better;
+    if (!better) step /= 2;
+  }
+}
+
+void StarSearch::descend(double enough) {
+  if (best_.kind == VertexKind::Curve) return slide(enough);
+  const std::vector<Vec3> directions = directionsAt(mesh_, v_);
+  // Moves along the normal cost no angles.
+  move(enough, std::span(directions).first(kAlongNormal));
+  move(enough, directions);
+}
+
+}  // namespace remesher
