@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/fast_trigonometry.h"
+
 namespace remesher {
 
 namespace {
@@ -11,12 +13,14 @@ namespace {
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  const double sine = a.cross(b).norm(), cosine = a.dot(b);
+  return sine > 0 || cosine != 0 ? angleOf(sine, cosine) : 0;
 }
 
 }  // namespace
 
 void PolarMap::build(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Vertex v) {
+  center_ = v;
   neighbors_.clear();
   spokes_.clear();
   const Vec3 center = positions[v];
@@ -33,8 +37,7 @@ void PolarMap::build(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
   }
   const double scale = total > 0 ? 2 * std::numbers::pi / total : 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = scale * rim_[i].x(), length = spokes_[i].norm();
-    rim_[i] = Vec2(length * std::cos(angle), length * std::sin(angle));
+    rim_[i] = spokes_[i].norm() * onUnitCircle(scale * rim_[i].x());
   }
 }
 

@@ -18,6 +18,7 @@ class PolarMap {
  public:
   void build(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Vertex v);
 
+  Vertex center() const { return center_; }
   int size() const { return int(rim_.size()); }
   Vertex neighbor(int i) const { return neighbors_[i]; }
   const Vec2& rim(int i) const { return rim_[i]; }
@@ -32,6 +33,7 @@ class PolarMap {
   std::optional<Location> locate(const Vec2& p) const;
 
  private:
+  Vertex center_;
   std::vector<Vertex> neighbors_;
   std::vector<Vec3> spokes_;
   std::vector<Vec2> rim_;

@@ -59,7 +59,7 @@ Vec3 closestOnAnyEdge(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c
 Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   // Below this squared sine of the angle at a, the interior's answer may be rounding: it has to be
   // better than the edges'.
-  constexpr double kThin = 1e-12;
+  constexpr double kThin = 1e-10;
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double abA = ab.dot(ap), acA = ac.dot(ap);
   if (abA <= 0 && acA <= 0) return {1, 0, 0};
@@ -69,9 +69,8 @@ Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
   const double abC = ab.dot(cp), acC = ac.dot(cp);
   if (acC >= 0 && abC <= acC) return {0, 0, 1};
 
-  const Vec3 n = ab.cross(ac);
-  const double wa = bp.cross(cp).dot(n), wb = cp.cross(ap).dot(n), wc = ap.cross(bp).dot(n);
-  const double sum = wa + wb + wc;
+  // The areas, times that of the whole, by Lagrange's identity from the products at hand.
+  const double wa = abB * acC - abC * acB, wb = abC * acA - abA * acC, wc = abA * acB - abB * acA;
   if (!(wa > 0 && wb > 0 && wc > 0)) {
     // How far along bc, from either end.
     const double bcB = acB - abB, cbC = abC - acC;
@@ -80,8 +79,10 @@ Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
     if (wa <= 0 && bcB >= 0 && cbC >= 0 && bcB + cbC > 0) return Vec3(0, cbC, bcB) / (bcB + cbC);
     return closestOnAnyEdge(p, a, b, c);
   }
+  const double sum = wa + wb + wc;
   const Vec3 inside = Vec3(wa, wb, wc) / sum;
-  if (n.squaredNorm() > kThin * ab.squaredNorm() * ac.squaredNorm()) return inside;
+  // |ab|² and |ac|² likewise; their product times the squared sine at a is the sum.
+  if (sum > kThin * (abA - abB) * (acA - acC)) return inside;
   const Vec3 outline = closestOnAnyEdge(p, a, b, c);
   return squaredDistance(p, inside, {a, b, c}) < squaredDistance(p, outline, {a, b, c}) ? inside
                                                                                         : outline;

@@ -44,10 +44,26 @@ double worstBefore(const WorkingMesh& mesh, const LocalChange& change) {
   return worst;
 }
 
+// Whether no corner's normal leans by more than `fold` allows: all that most proposals need asking.
+bool isFlat(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
+            double fold) {
+  std::array<const Vec3*, 3> p, n;
+  for (int i = 0; i < 3; ++i) {
+    const bool isMoved = triangle[i] == kMoved;
+    const VertexKind kind = isMoved ? moved.kind : mesh.kind(triangle[i]);
+    if (kind != VertexKind::Interior) return false;
+    p[i] = isMoved ? &moved.position : &mesh.position(triangle[i]);
+    n[i] = isMoved ? &moved.normal : &mesh.normal(triangle[i]);
+  }
+  const Vec3 normal = areaVector(*p[0], *p[1], *p[2]);
+  return std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])}) > fold * normal.norm();
+}
+
 Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, double fold) {
   double worst = 1;
   for (const auto& triangle : change.coming)
-    worst = std::min(worst, cornersOf(mesh, triangle, change.place).worst());
+    if (!isFlat(mesh, triangle, change.place, fold))
+      worst = std::min(worst, cornersOf(mesh, triangle, change.place).worst());
   if (worst > fold) return Verdict::Accepted;
   return worst > -1 && worst >= worstBefore(mesh, change) ? Verdict::Accepted : Verdict::FoldsOver;
 }

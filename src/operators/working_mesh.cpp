@@ -12,6 +12,7 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       on_(mesh_.vertexCapacity()),
       kind_(mesh_.vertexCapacity(), VertexKind::Interior),
       pinned_(mesh_.vertexCapacity(), 0),
+      unsettled_(mesh_.vertexCapacity(), 1),
       curve_(mesh_.halfedgeCapacity(), kNone) {
   for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
     if (!mesh_.isAlive(Vertex(i))) continue;
@@ -111,8 +112,14 @@ void WorkingMesh::grow() {
     on_.resize(vertices);
     kind_.resize(vertices);
     pinned_.resize(vertices, 0);
+    unsettled_.resize(vertices, 1);
   }
   if (curve_.size() < mesh_.halfedgeCapacity()) curve_.resize(mesh_.halfedgeCapacity(), kNone);
+}
+
+void WorkingMesh::unsettleStar(Vertex v) {
+  unsettled_[v] = 1;
+  mesh_.forEachNeighbor(v, [&](Vertex w) { unsettled_[w] = 1; });
 }
 
 Halfedge WorkingMesh::flip(Halfedge h) {
@@ -123,6 +130,8 @@ Halfedge WorkingMesh::flip(Halfedge h) {
   curve_[h] = curve_[back];
   curve_[t] = curve_[edge];
   curve_[edge] = curve_[back] = kNone;
+  for (const Halfedge side : {edge, back})
+    unsettled_[mesh_.origin(side)] = unsettled_[mesh_.opposite(side)] = 1;
   return edge;
 }
 
@@ -143,6 +152,7 @@ EulerOperators::Split WorkingMesh::split(Halfedge h, const Placement& middle) {
   }
   place(made.vertex, middle);
   pinned_[made.vertex] = 0;
+  unsettleStar(made.vertex);
   return made;
 }
 
@@ -161,6 +171,7 @@ Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
   const Vertex remaining = EulerOperators(mesh_).collapse(h);
   pinned_[remaining] = pinned;
   place(remaining, merged);
+  unsettleStar(remaining);
   return remaining;
 }
 
@@ -195,6 +206,7 @@ void WorkingMesh::subdivide(std::span<const Placement> midpoints) {
   mesh_ = HalfedgeMesh(next, triangles);
   curve_ = std::move(curve);
   grow();
+  unsettleAll();
   for (std::size_t i = 0; i < midpoints.size(); ++i)
     place(Vertex(Index(oldVertices + i)), midpoints[i]);
 }
@@ -205,6 +217,7 @@ void WorkingMesh::compact() {
     if (map.vertex[v] != kNone) {
       place(Vertex(map.vertex[v]), placement(Vertex(v)));
       pinned_[Vertex(map.vertex[v])] = pinned_[Vertex(v)];
+      unsettled_[Vertex(map.vertex[v])] = unsettled_[Vertex(v)];
     }
   for (Index h = 0; h < 3 * map.face.size(); ++h)
     if (map.face[h / 3] != kNone)
@@ -216,6 +229,7 @@ void WorkingMesh::compact() {
   on_.resize(n);
   kind_.resize(n);
   pinned_.resize(n);
+  unsettled_.resize(n);
   curve_.resize(mesh_.halfedgeCapacity());
 }
 

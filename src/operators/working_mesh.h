@@ -41,6 +41,10 @@ class WorkingMesh {
   Placement placement(Vertex v) const;
   bool isPinned(Vertex v) const { return pinned_[v]; }  // smoothing leaves it alone
 
+  // Whether the star of v has changed since it was last settled. Moves do not count by themselves:
+  // who moves says so where it matters.
+  bool isUnsettled(Vertex v) const { return unsettled_[v]; }
+
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
   bool isCurve(Halfedge h) const { return curve_[h] != kNone; }
@@ -66,6 +70,9 @@ class WorkingMesh {
   Vertex collapse(Halfedge h, const Placement& merged);              // tip(h) remains, at `merged`
   void move(Vertex v, const Placement& place);
   void pin(Vertex v) { pinned_[v] = 1; }
+  void settle(Vertex v) { unsettled_[v] = 0; }
+  void unsettleStar(Vertex v);  // v and its neighbours
+  void unsettleAll() { unsettled_.assign(unsettled_.size(), 1); }
 
   // Each triangle becomes four. midpoints[i] is the place of the middle of the i-th edge, in the
   // order of the edges' halfedges. The mesh must be compact.
@@ -87,6 +94,7 @@ class WorkingMesh {
   VertexData<CurvePoint> on_;
   VertexData<VertexKind> kind_;
   VertexData<char> pinned_;
+  VertexData<char> unsettled_;
   HalfedgeData<Index> curve_;
 };
 

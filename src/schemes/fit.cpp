@@ -32,20 +32,26 @@ struct Offset {
   double weight = 0;
 };
 
+// Where the samples of a triangle were found on the original: the next search begins there.
+using NearFaces = std::array<Face, kSamples.size()>;
+
 // The signed distances from the samples of a triangle to the original, shared out to its corners.
-void addOffsets(const WorkingMesh& mesh, Face f, VertexData<Offset>& offsets) {
+void addOffsets(const WorkingMesh& mesh, Face f, NearFaces& near, VertexData<Offset>& offsets) {
   const auto corners = mesh.mesh().vertices(f);
   const std::array<Vec3, 3> p = {mesh.position(corners[0]), mesh.position(corners[1]),
                                  mesh.position(corners[2])};
   const Vec3 n = areaVector(p[0], p[1], p[2]);
   const double area = n.norm();
   if (!(area > 0)) return;
-  SurfacePoint near = mesh.cornerPoint(HalfedgeMesh::halfedge(f));
-  for (const auto& w : kSamples) {
+  const OriginalSurface& surface = mesh.surface();
+  SurfacePoint point = mesh.cornerPoint(HalfedgeMesh::halfedge(f));
+  for (std::size_t k = 0; k < kSamples.size(); ++k) {
+    const auto& w = kSamples[k];
     const Vec3 sample = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
-    const OriginalSurface& surface = mesh.surface();
-    near = closestPointFrom(surface, near, sample);
-    const double distance = (surface.position(near) - sample).dot(n) / area;
+    if (near[k]) point.face = near[k];
+    point = closestPointFrom(surface, point, sample);
+    near[k] = point.face;
+    const double distance = (surface.position(point) - sample).dot(n) / area;
     for (int i = 0; i < 3; ++i) {
       offsets[corners[i]].sum += area * w[i] * distance;
       offsets[corners[i]].weight += area * w[i];
@@ -87,11 +93,12 @@ void offsetVertex(Run& run, Vertex v, double distance) {
 
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  FaceData<NearFaces> near(mesh.faceCapacity());
   for (int pass = 0; pass < kPasses; ++pass) {
     progress.at(double(pass) / kPasses);
     VertexData<Offset> offsets(mesh.vertexCapacity());
     for (Index f = 0; f < mesh.faceCapacity(); ++f)
-      if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), offsets);
+      if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), near[Face(f)], offsets);
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (mesh.isAlive(v) && run.mesh.kind(v) == VertexKind::Interior && offsets[v].weight > 0)

@@ -12,10 +12,9 @@ namespace remesher {
 
 namespace {
 
-// Only a large distance is worth angles: good ones stay good otherwise. Where nothing else helps, a
-// little more may be given.
+// Only a large distance is worth angles: good ones stay good otherwise.
 constexpr double kWorthAngles = 0.38;  // of the target edge length
-constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2), kLeastAngle = radians(31.2);
+constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
@@ -79,9 +78,7 @@ class Descent {
     return moved;
   }
 
-  bool lower(Face f) {
-    return moveCorner(f, kKeepAngle) || flipSide(f) || moveCorner(f, kLeastAngle) || makeWay(f);
-  }
+  bool lower(Face f) { return moveCorner(f) || flipSide(f) || makeWay(f); }
 
   bool isLarge(Face f) const {
     const Vertex v = mesh_.vertices(f)[0];
@@ -90,18 +87,18 @@ class Descent {
 
   // The angle that a move of v for the sake of f has to keep. Outlines show: a curve always has its
   // way.
-  double floorAt(Face f, Vertex v, double keepAngle) const {
-    return isLarge(f) || run_.mesh.kind(v) == VertexKind::Curve ? keepAngle : kGoodAngle;
+  double floorAt(Face f, Vertex v) const {
+    return isLarge(f) || run_.mesh.kind(v) == VertexKind::Curve ? kKeepAngle : kGoodAngle;
   }
 
-  bool moveCorner(Face f, double keepAngle) {
+  bool moveCorner(Face f) {
     const double before = distances_.of(f);
     double lowest = kGain * before;
     Vertex mover;
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
       if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) > lowest) continue;
-      StarSearch search(run_, distances_, v, floorAt(f, v, keepAngle));
+      StarSearch search(run_, distances_, v, floorAt(f, v));
       search.descend(kEnough * before);
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
@@ -126,7 +123,7 @@ class Descent {
     bool moved = false;
     for (const Vertex v : mesh_.vertices(f)) {
       if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) < before) continue;
-      StarSearch search(run_, distances_, v, floorAt(f, v, kKeepAngle));
+      StarSearch search(run_, distances_, v, floorAt(f, v));
       const double own = search.distance();
       if (own < kEnough * before) continue;
       search.descend(kEnough * before);

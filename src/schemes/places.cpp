@@ -15,6 +15,8 @@ constexpr double kSpacing = 0.5;  // of the target edge length
 // A walk may end in a local minimum; places farther than this are tried from other sides too.
 constexpr double kDoubtful = 0.3;  // of the target edge length
 constexpr int kRetries = 4;
+constexpr double kFlat = 0.02;    // of the target edge length
+constexpr double kSameWay = 0.9;  // cosine
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 // Whether the place is nearer to where a walk from `start` ends.
@@ -82,13 +84,26 @@ class Survey {
     const HalfedgeMesh& original = mesh_.surface().mesh();
     for (Index i = 0; i < original.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (original.isAlive(v) && nearby_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
+      if (original.isAlive(v) && nearby_[v] && !isSurelyNear(v))
+        add(mesh_.surface().at(v), faceAt(nearby_[v]));
     }
     for (Index i = 0; i < original.faceCapacity(); ++i) addInside(Face(i));
     return std::move(places_);
   }
 
  private:
+  // Whether a place lies in the tangent plane of the vertex nearby and faces its way: a look that
+  // spares most places a walk.
+  bool isSurelyNear(Vertex v) const {
+    const Vertex w = nearby_[v];
+    const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
+    const double size = run_.scale * run_.sizes.at(mesh_.at(w));
+    return offset.squaredNorm() < size * size &&
+           std::abs(offset.dot(mesh_.normal(w))) < kFlat * size &&
+           mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
+               kSameWay;
+  }
+
   Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
 
   // Walks again from all around where the last one ended.

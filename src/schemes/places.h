@@ -16,8 +16,8 @@ struct Place {
 };
 
 // The original's vertices and, where its triangles are large, points inside them, no farther apart
-// than half a target edge. A walk stays on the sheet it starts on, so a distance can only be too
-// large.
+// than half a target edge, but for those that a vertex of the mesh lies beside with the same
+// tangent plane. A walk stays on the sheet it starts on, so a distance can only be too large.
 std::vector<Place> measurePlaces(const Run& run);
 
 // Where the place is now, by a walk from the triangle that was nearest.

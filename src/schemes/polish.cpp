@@ -63,17 +63,31 @@ void offerFlips(Run& run, Face f, Best& best) {
     if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
 }
 
-// Where `p` (in the plane of v's polar map) lies on the original.
-bool proposeMove(Run& run, const PolarMap& star, Vertex v, const Vec2& p) {
+// Where a vertex may go: where its polar map's plane is projected to, or, where the original is so
+// crumpled that every such place folds the star over, on the mesh itself.
+enum class Ground { Original, Mesh };
+
+// To `p` in the plane of v's polar map.
+bool proposeMove(Run& run, const PolarMap& star, const Vec2& p, Ground ground) {
   const auto location = star.locate(p);
   if (!location) return false;
-  const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
-  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change);
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Vertex a = star.neighbor(location->triangle);
+  const Halfedge h = mesh.find(star.center(), a);
+  const Vec3& w = location->barycentric;
+  if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
+  if (ground == Ground::Mesh)
+    run.change.place.position = w[0] * run.mesh.position(star.center()) +
+                                w[1] * run.mesh.position(a) +
+                                w[2] * run.mesh.position(mesh.opposite(h));
+  return true;
 }
 
 // Searches around v for a place where the worst angle of its star is largest.
-void offerMove(Run& run, PolarMap& star, Vertex v, Best& best) {
+void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior) return;
+  if (run.mesh.isPinned(v) && ground == Ground::Original) return;
+  PolarMap star;
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   double spoke = 0;
   for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
@@ -83,7 +97,7 @@ void offerMove(Run& run, PolarMap& star, Vertex v, Best& best) {
     for (int i = 0; i < kDirections; ++i) {
       const double turn = 2 * std::numbers::pi * i / kDirections;
       const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
-      if (!proposeMove(run, star, v, to)) continue;
+      if (!proposeMove(run, star, to, ground)) continue;
       const double worst = worstComing(run);
       if (worst <= angle) continue;
       angle = worst;
@@ -111,13 +125,14 @@ void offerSplits(Run& run, Face f, Best& best) {
   }
 }
 
-enum class Means { KeepCount, ChangeCount };
+enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 // Whether something was found that makes the worst angle around f larger.
-bool mend(Run& run, PolarMap& star, Face f, Means means) {
-  Best best{means == Means::ChangeCount ? lenient(run) : run.rule};
+bool mend(Run& run, Face f, Means means) {
+  Best best{means == Means::KeepCount ? run.rule : lenient(run)};
   offerFlips(run, f, best);
-  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, star, v, best);
+  const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
+  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, v, ground, best);
   if (means == Means::ChangeCount) {
     offerCollapses(run, f, best);
     offerSplits(run, f, best);
@@ -147,17 +162,22 @@ bool isBad(const Run& run, Face f, double angle) {
 
 }  // namespace
 
+// Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
+// where even that fails a vertex may leave the surface.
+Means meansOf(int round) {
+  if (round + 1 == kRounds) return Means::LeaveSurface;
+  return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
+}
+
 void polish(Run& run, double angle) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
-  PolarMap star;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<Face> bad = badTriangles(run, angle);
     if (bad.empty()) break;
-    const Means means =
-        round % 2 == 1 && round + 2 < kRounds ? Means::ChangeCount : Means::KeepCount;
+    const Means means = meansOf(round);
     for (const Face f : bad)
       for (int i = 0; i < kTries && isBad(run, f, angle); ++i)
-        if (!mend(run, star, f, means)) break;
+        if (!mend(run, f, means)) break;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);
     relax(run, 2);

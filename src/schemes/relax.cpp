@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "schemes/relax.h"
 
+#include <vector>
+
 #include "schemes/sweeps.h"
 
 namespace remesher {
 
 namespace {
 
-constexpr double kStillMoves = 0.01;  // of the target edge length
+constexpr double kStillMoves = 0.004;  // of the target edge length
 
 }  // namespace
 
 void relax(Run& run, int passes) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  VertexData<char> active(mesh.vertexCapacity(), 1), next(mesh.vertexCapacity(), 0);
+  std::vector<Vertex> active;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass) {
-    next.assign(mesh.vertexCapacity(), 0);
-    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
-      const Vertex v(i);
-      if (!mesh.isAlive(v) || !active[v]) continue;
+    active.clear();
+    for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+      if (mesh.isAlive(Vertex(i)) && run.mesh.isUnsettled(Vertex(i))) active.emplace_back(i);
+    for (const Vertex v : active) run.mesh.settle(v);
+    for (const Vertex v : active) {
       const Vec3 before = run.mesh.position(v);
       if (!laplacianMove(run, star, v)) continue;
       const double still = kStillMoves * run.scale * run.sizes.at(run.mesh.at(v));
-      if ((run.mesh.position(v) - before).squaredNorm() < still * still) continue;
-      next[v] = 1;
-      mesh.forEachNeighbor(v, [&](Vertex w) { next[w] = 1; });
+      if ((run.mesh.position(v) - before).squaredNorm() >= still * still) run.mesh.unsettleStar(v);
     }
-    std::swap(active, next);
   }
 }
 

@@ -6,8 +6,9 @@
 
 namespace remesher {
 
-// Up to `passes` Laplacian passes; after the first a vertex is visited only if it or a neighbour
-// moved by more than 1 % of its size in the last one.
+// Up to `passes` Laplacian passes over the vertices that are not settled: those whose star changed
+// since, and those that moved, or have a neighbour that moved, by more than 0.4 % of its size when
+// they were last visited.
 void relax(Run& run, int passes);
 
 }  // namespace remesher

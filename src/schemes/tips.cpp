@@ -57,7 +57,8 @@ void reach(Run& run, const Place& tip) {
   const Placement place = run.mesh.onSurface(tip.original);
   for (const Vertex v : corners) {
     if (!moveTo(run, v, place)) continue;
-    return run.mesh.pin(v);
+    run.mesh.pin(v);
+    return run.mesh.unsettleStar(v);
   }
 }
 

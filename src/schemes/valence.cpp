@@ -85,6 +85,7 @@ void annealValences(Run& run, int rounds, const Progress& progress) {
     laplacianSweep(run);
     if ((i + 1) % kDelaunayEvery == 0) delaunayFlips(run.mesh, run.rule);
   }
+  run.mesh.unsettleAll();
 }
 
 }  // namespace remesher
