@@ -91,8 +91,10 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
 }
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
-  return rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
-                                     : judgeAngles(mesh, change, rule);
+  const Verdict byNormals = rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
+                                                        : judgeAngles(mesh, change, rule);
+  if (byNormals != Verdict::Accepted || !rule.bound) return byNormals;
+  return rule.bound->allows(mesh, change) ? Verdict::Accepted : Verdict::MaxError;
 }
 
 }  // namespace remesher

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/options.h"
+#include "operators/error_bound.h"
 #include "operators/local_change.h"
 
 namespace remesher {
@@ -27,7 +28,8 @@ struct FidelityRule {
   Fidelity mode = Fidelity::Fold;
   double cosVertexAngle = 0;
   double cosTriangleAngle = 0;
-  double fold = kFold;  // smallest N_i·N_T that is not a fold
+  double fold = kFold;                // smallest N_i·N_T that is not a fold
+  const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
 };
 
 FidelityRule fidelityRule(const RemeshOptions& options);

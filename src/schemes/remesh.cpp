@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "mesh/mesh_builder.h"
 #include "schemes/adapt.h"
 #include "schemes/attribute_transfer.h"
 #include "schemes/best.h"
+#include "schemes/bound_error.h"
 #include "schemes/curve_choice.h"
 #include "schemes/rounds.h"
 #include "schemes/split_obtuse.h"
@@ -17,6 +19,8 @@
 namespace remesher {
 
 namespace {
+
+constexpr double kBoundShare = 0.5;  // of a run's time, about, to keep an error bound
 
 // How long edges get on the way: the original's, or the result's on a coarse level.
 double longestEdges(const OriginalSurface& surface, const SizeField& sizes) {
@@ -41,6 +45,13 @@ bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,
   const bool reached = runBest(run, vertices, progress);
   if (options.splitObtuse) splitObtuse(run);
   return reached;
+}
+
+// A little of the bound is left for rounding, here and in what writes the result.
+std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const RemeshOptions& options) {
+  constexpr double kMargin = 1e-3;
+  if (!options.maxError) return {};
+  return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
 }
 
 std::size_t distinctPositions(const WorkingMesh& mesh) {
@@ -82,13 +93,23 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   const OriginalSurface surface(std::move(built), std::move(choice.curves));
   vertices = correctedTarget(surface, options, density, vertices);
   checkCurves(surface.curves(), surface.mesh(), vertices);
-  const SizeField sizes(surface, sizeRules(options, double(vertices), density));
+  SizeRules rules = sizeRules(options, double(vertices), density);
+  if (options.maxError) rules.error = *options.maxError / 100 * surface.diagonal();
+  const SizeField sizes(surface, rules);
   Projector projector(surface, options.projection, longestEdges(surface, sizes));
   WorkingMesh mesh(surface);
   Run run{mesh, projector, sizes, fidelityRule(options)};
-  bool reached = runScheme(run, vertices, options, progress);
+  const std::optional<ErrorBound> bound = errorBound(surface, options);
+  const double share = bound ? kBoundShare : 0;
+  const std::size_t aim = bound ? std::size_t(std::lround(sizes.vertices())) : vertices;
+  bool reached = runScheme(run, aim, options, progress.part("remesh", 0, 1 - share));
+  if (bound) {
+    const std::size_t most = options.splitObtuse ? mesh.mesh().vertexCount() : vertices;
+    reached = boundError(run, {*bound, most}, progress.part("bound", 1 - share, 1));
+  }
   if (reached && !options.splitObtuse) reached = matchPositions(run, vertices);
-  outcome.stopped = reached ? Stopped::Target : Stopped::Fidelity;
+  const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
+  outcome.stopped = reached ? Stopped::Target : byBound ? Stopped::MaxError : Stopped::Fidelity;
   outcome.mesh = extractMesh(mesh, input, choice.chartless);
   return outcome;
 }

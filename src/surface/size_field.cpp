@@ -14,6 +14,7 @@ namespace {
 // At adaptivity 1 sizes range over this factor on either side of the even one.
 constexpr double kFinest = 0.25;
 constexpr double kCoarsest = 2.25;
+constexpr int kNormalizations = 3;
 
 // Relative sizes by curvature, 1 where it is the median (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
@@ -62,6 +63,21 @@ double meanOverEdges(const VertexData<double>& areas, const VertexData<double>& 
   return lengths / edges;
 }
 
+// A chord of length h leaves an arc of curvature k by k·h²/8.
+VertexData<double> largestSizes(const OriginalSurface& surface, double error) {
+  VertexData<double> sizes = curvatures(surface);
+  for (double& k : sizes.values())
+    k = std::sqrt(8 * error / std::max(k, 1e-9 / surface.diagonal()));
+  return sizes;
+}
+
+double verticesOf(const VertexData<double>& areas, const VertexData<double>& sizes) {
+  double count = 0;
+  for (Index i = 0; i < sizes.size(); ++i)
+    count += verticesForEdgeLength(areas[Vertex(i)], sizes[Vertex(i)]);
+  return count;
+}
+
 // No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
 // slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
@@ -98,8 +114,9 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     : mesh_(&surface.mesh()),
       sizes_(surface.mesh().vertexCapacity(), 1),
       mean_(evenEdgeLength(surface.area(), rules.vertices)),
-      meanEdge_(mean_) {
-  const bool even = rules.adaptivity == 0 && rules.density.empty();
+      meanEdge_(mean_),
+      vertices_(rules.vertices) {
+  const bool even = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0;
   if (even) {
     sizes_.assign(sizes_.size(), mean_);
     return;
@@ -111,11 +128,16 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   // Edges are up to 4/3 of the size: the slope that keeps the ratio at their ends below the
   // gradation.
   const double slope = 0.75 * (rules.gradation - 1);
-  for (int i = 0; i < 3; ++i) {
+  VertexData<double> largest;
+  if (rules.error > 0) largest = largestSizes(surface, rules.error);
+  for (int i = 0; i < kNormalizations; ++i) {
     normalize(areas, mean_, sizes_);
+    for (Index v = 0; v < largest.size(); ++v)
+      sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], largest[Vertex(v)]);
     limitGradation(surface, slope, sizes_);
   }
   meanEdge_ = meanOverEdges(areas, sizes_);
+  vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));
 }
 
 double SizeField::at(const SurfacePoint& p) const {

@@ -15,6 +15,7 @@ struct SizeRules {
   double adaptivity = 0;   // 0: even, 1: fully by curvature
   double gradation = 1.5;  // largest ratio between the sizes at the two ends of an edge
   std::span<const float> density = {};  // per original vertex (as BuiltMesh::sources), or empty
+  double error = 0;  // if above 0: sizes are small enough for about this distance, model units
 };
 
 class SizeField {
@@ -29,12 +30,15 @@ class SizeField {
   double mean() const { return mean_; }
   // The mean over the edges of a mesh of these sizes: shorter than mean() where they are graded.
   double meanEdge() const { return meanEdge_; }
+  // How many vertices a mesh of these sizes has: what was asked for, or more to keep an error.
+  double vertices() const { return vertices_; }
 
  private:
   const HalfedgeMesh* mesh_;
   VertexData<double> sizes_;
   double mean_ = 0;
   double meanEdge_ = 0;
+  double vertices_ = 0;
 };
 
 // The edge length of `vertices` vertices spread evenly over an area: each owns two equilateral

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Whether something holds at every point of a triangle, found by cutting it until each piece can be
+// decided as a whole.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+// A convex part of a triangle.
+class Piece {
+ public:
+  static constexpr std::size_t kMostCorners = 10;
+
+  Piece() { corners_.fill(Vec3::Zero()); }
+  explicit Piece(const Triangle& t);
+
+  std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
+  void add(const Vec3& p) { corners_[count_++] = p; }
+  Vec3 centre() const;
+  double radius() const;  // of the ball around the centre that holds it
+
+ private:
+  std::array<Vec3, kMostCorners> corners_;
+  std::size_t count_ = 0;
+};
+
+enum class Finding { Holds, Fails, Unsure };
+
+// What holds of a piece; where that is unsure, over which triangle it had better be cut out.
+struct Look {
+  Finding finding = Finding::Unsure;
+  Triangle cutter = {};
+};
+
+struct SearchLimits {
+  double smallest = 0;         // a piece of so small a radius that is still unsure fails
+  std::size_t mostPieces = 0;  // with more than these to look at the search gives up: it fails
+};
+
+// Cuts a piece into what lies over a triangle and what lies beyond its sides, or if there is
+// nothing to cut off that is wider than `least`, into halves.
+void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
+
+// `look` takes a piece and returns a Look. Returns the centre of a piece where it fails.
+template <class Looking>
+std::optional<Vec3> findFailure(const Triangle& whole, const SearchLimits& limits, Looking&& look) {
+  std::vector<Piece> pending = {Piece(whole)};
+  for (std::size_t pieces = 0; !pending.empty(); ++pieces) {
+    const Piece piece = pending.back();
+    pending.pop_back();
+    const auto [finding, cutter] = look(piece);
+    if (finding == Finding::Holds) continue;
+    const bool undecided = piece.radius() <= limits.smallest || pieces >= limits.mostPieces;
+    if (finding == Finding::Fails || undecided) return piece.centre();
+    cut(piece, cutter, limits.smallest, pending);
+  }
+  return {};
+}
+
+}  // namespace remesher

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// `--max-error`: what a scheme has made is refined where it leaves the bound, until it is proven to
+// keep it; what is too many vertices then is collapsed again, as far as the bound allows.
+#pragma once
+
+#include "operators/error_bound.h"
+#include "schemes/run.h"
+
+namespace remesher {
+
+struct BoundGoal {
+  const ErrorBound& bound;
+  std::size_t vertices;
+};
+
+// From now on the run's gate keeps the bound. Returns whether the number of vertices was reached.
+bool boundError(Run& run, const BoundGoal& goal, const Progress& progress);
+
+}  // namespace remesher

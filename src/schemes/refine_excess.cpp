@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/refine_excess.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "schemes/place_finder.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kMoveWithin = 0.35;  // of the shortest edge around: so near a vertex moves
+constexpr double kLongEnough = 0.6;   // of the longest side around: so long one is split
+constexpr double kGoodAngle = radians(20);
+
+// The faces around a new or moved vertex are others now: what was found for them is void.
+class Touched {
+ public:
+  explicit Touched(const HalfedgeMesh& mesh) : mesh_(mesh), touched_(mesh.faceCapacity(), 0) {}
+
+  bool operator[](Face f) const { return touched_[f]; }
+
+  void around(Vertex v) {
+    touched_.resize(mesh_.faceCapacity(), 1);
+    mesh_.forEachOutgoing(v, [&](Halfedge h) { touched_[HalfedgeMesh::face(h)] = 1; });
+  }
+
+ private:
+  const HalfedgeMesh& mesh_;
+  FaceData<char> touched_;
+};
+
+double length(const WorkingMesh& mesh, Halfedge h) {
+  return (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
+}
+
+Halfedge longestSide(const WorkingMesh& mesh, Face f) {
+  Halfedge longest = HalfedgeMesh::halfedge(f);
+  for (int i = 1; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (length(mesh, h) > length(mesh, longest)) longest = h;
+  }
+  return longest;
+}
+
+double shortestEdge(const WorkingMesh& mesh, Vertex v) {
+  double shortest = std::numeric_limits<double>::infinity();
+  mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
+    shortest = std::min(shortest, (mesh.position(w) - mesh.position(v)).norm());
+  });
+  return shortest;
+}
+
+double worstComing(const Run& run) {
+  const auto at = [&](Vertex v) {
+    return v == kMoved ? run.change.place.position : run.mesh.position(v);
+  };
+  double worst = 10;
+  for (const auto& [a, b, c] : run.change.coming)
+    worst = std::min(worst, minAngle(at(a), at(b), at(c)));
+  return worst;
+}
+
+// Brings the mesh to places of the original that it has lost, and back to it where it has strayed.
+class Refinement {
+ public:
+  Refinement(Run& run, Moves moves)
+      : run_(run), moves_(moves), finder_(run.mesh), touched_(run.mesh.mesh()) {}
+
+  void reach(const ErrorBound::Lost& lost) {
+    const std::vector<Vertex> near = finder_.verticesNear(lost.place);
+    if (moves_ == Moves::Allowed && moveOne(near, lost.place)) return;
+    if (const Halfedge h = sideTowards(near, lost.place)) insert(h, lost.place);
+  }
+
+  void bringBack(Face f) {
+    if (touched_[f] || putBackCorner(f)) return;
+    proposeSplit(run_.mesh, run_.projector, longestSide(run_.mesh, f), run_.change);
+    touched_.around(apply(run_.mesh, run_.change));
+  }
+
+ private:
+  // A vertex that is almost there moves to the place.
+  bool moveOne(const std::vector<Vertex>& near, const SurfacePoint& point) {
+    const Placement place = run_.mesh.onSurface(point);
+    for (const Vertex v : near) {
+      if (run_.mesh.kind(v) != VertexKind::Interior || isTouched(v)) continue;
+      const double way = (place.position - run_.mesh.position(v)).norm();
+      if (way == 0 || way > kMoveWithin * shortestEdge(run_.mesh, v)) continue;
+      proposePlacement(run_.mesh, v, place, run_.change);
+      if (worstComing(run_) < kGoodAngle || !commit(run_)) continue;
+      touched_.around(v);
+      return true;
+    }
+    return false;
+  }
+
+  bool isTouched(Vertex v) const {
+    bool result = false;
+    run_.mesh.mesh().forEachOutgoing(
+        v, [&](Halfedge h) { result = result || touched_[HalfedgeMesh::face(h)]; });
+    return result;
+  }
+
+  // Of the sides of the faces around, that whose middle on the original is nearest to the place.
+  Halfedge sideTowards(const std::vector<Vertex>& near, const SurfacePoint& point) {
+    const std::vector<Halfedge> sides = sidesAround(near);
+    const Vec3 target = run_.mesh.surface().position(point);
+    Halfedge best;
+    double least = std::numeric_limits<double>::infinity();
+    double longest = 0;
+    for (const Halfedge h : sides) longest = std::max(longest, length(run_.mesh, h));
+    for (const Halfedge h : sides) {
+      if (length(run_.mesh, h) < kLongEnough * longest) continue;
+      const Vec3 middle = midpoint(run_.mesh, run_.projector, h).position;
+      const double distance = (middle - target).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      best = h;
+    }
+    return best;
+  }
+
+  // None if any of the faces has changed.
+  std::vector<Halfedge> sidesAround(const std::vector<Vertex>& near) const {
+    std::vector<Halfedge> sides;
+    for (const Vertex v : near) {
+      if (isTouched(v)) return {};
+      run_.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+        for (int i = 0; i < 3; ++i)
+          sides.push_back(HalfedgeMesh::halfedge(HalfedgeMesh::face(h), i));
+      });
+    }
+    return sides;
+  }
+
+  // At the place if that makes good triangles, else in the middle of the side.
+  void insert(Halfedge h, const SurfacePoint& point) {
+    proposeSplit(run_.mesh, run_.projector, h, run_.change);
+    const Placement middle = run_.change.place;
+    if (!run_.mesh.isCurve(h)) {
+      run_.change.place = run_.mesh.onSurface(point);
+      const bool good = worstComing(run_) >= kGoodAngle;
+      if (good && commit(run_)) return touched_.around(run_.result);
+    }
+    run_.change.place = middle;
+    touched_.around(apply(run_.mesh, run_.change));
+  }
+
+  // Fitting leaves vertices off the original: one that is goes back.
+  bool putBackCorner(Face f) {
+    for (const Vertex v : run_.mesh.mesh().vertices(f)) {
+      if (run_.mesh.kind(v) != VertexKind::Interior) continue;
+      const Placement place = run_.mesh.onSurface(run_.mesh.at(v));
+      if (place.position == run_.mesh.position(v)) continue;
+      proposePlacement(run_.mesh, v, place, run_.change);
+      if (!commit(run_, lenient(run_))) continue;
+      touched_.around(v);
+      return true;
+    }
+    return false;
+  }
+
+  Run& run_;
+  Moves moves_;
+  PlaceFinder finder_;
+  Touched touched_;
+};
+
+}  // namespace
+
+void refineExcess(Run& run, const ErrorBound::Excess& excess, Moves moves) {
+  Refinement refinement(run, moves);
+  for (const ErrorBound::Lost& lost : excess.lost) refinement.reach(lost);
+  for (const Face f : excess.stray) refinement.bringBack(f);
+}
+
+}  // namespace remesher

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// One round of refinement where a mesh and its original are too far apart.
+#pragma once
+
+#include "operators/error_bound.h"
+#include "schemes/run.h"
+
+namespace remesher {
+
+enum class Moves { Allowed, Never };
+
+// Brings the mesh to places of the original that it has lost, by moving a vertex that is almost
+// there or by splitting the edge that passes by; and triangles that have strayed back to the
+// original, by undoing a fit or by splitting them.
+void refineExcess(Run& run, const ErrorBound::Excess& excess, Moves moves);
+
+}  // namespace remesher
