@@ -15,7 +15,6 @@ constexpr double kSpacing = 0.5;  // of the target edge length
 // A walk may end in a local minimum; places farther than this are tried from other sides too.
 constexpr double kDoubtful = 0.3;  // of the target edge length
 constexpr int kRetries = 4;
-constexpr double kFlat = 0.02;    // of the target edge length
 constexpr double kSameWay = 0.9;  // cosine
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -78,14 +77,20 @@ class NearbyVertices {
 
 class Survey {
  public:
-  explicit Survey(const Run& run) : run_(run), mesh_(run.mesh), nearby_(run.mesh) {}
+  Survey(const Run& run, double enough)
+      : run_(run),
+        enough_(enough),
+        mesh_(run.mesh),
+        nearby_(run.mesh),
+        near_(run.mesh.surface().mesh().vertexCapacity(), 0) {}
 
   std::vector<Place> places() {
     const HalfedgeMesh& original = mesh_.surface().mesh();
     for (Index i = 0; i < original.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (original.isAlive(v) && nearby_[v] && !isSurelyNear(v))
-        add(mesh_.surface().at(v), faceAt(nearby_[v]));
+      if (!original.isAlive(v) || !nearby_[v]) continue;
+      near_[v] = isSurelyNear(v);
+      if (!near_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
     }
     for (Index i = 0; i < original.faceCapacity(); ++i) addInside(Face(i));
     return std::move(places_);
@@ -96,10 +101,12 @@ class Survey {
   // spares most places a walk.
   bool isSurelyNear(Vertex v) const {
     const Vertex w = nearby_[v];
+    // A boundary's tangent plane goes on where the mesh does not.
+    if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
     const double size = run_.scale * run_.sizes.at(mesh_.at(w));
     return offset.squaredNorm() < size * size &&
-           std::abs(offset.dot(mesh_.normal(w))) < kFlat * size &&
+           std::abs(offset.dot(mesh_.normal(w))) < enough_ * size &&
            mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
                kSameWay;
   }
@@ -132,7 +139,10 @@ class Survey {
     const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
     const double longest =
         std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
-    const int n = int(std::ceil(longest / (kSpacing * run_.scale * run_.sizes.at(corners[0]))));
+    const double size = run_.scale * run_.sizes.at(corners[0]);
+    // What lies between near corners that are close together is near too.
+    if (longest < size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]]) return;
+    const int n = int(std::ceil(longest / (kSpacing * size)));
     if (n <= 1 || !nearby_[corners[0]]) return;
     Face start = faceAt(nearby_[corners[0]]);
     for (int j = 0; j <= n; ++j)
@@ -145,8 +155,10 @@ class Survey {
   }
 
   const Run& run_;
+  const double enough_;
   const WorkingMesh& mesh_;
   const NearbyVertices nearby_;
+  VertexData<char> near_;  // surely
   std::vector<Place> places_;
 };
 
@@ -157,6 +169,8 @@ void measureAgain(const WorkingMesh& mesh, Place& place) {
   improve(mesh, place, place.nearest);
 }
 
-std::vector<Place> measurePlaces(const Run& run) { return Survey(run).places(); }
+std::vector<Place> measurePlaces(const Run& run, double enough) {
+  return Survey(run, enough).places();
+}
 
 }  // namespace remesher

@@ -16,9 +16,10 @@ struct Place {
 };
 
 // The original's vertices and, where its triangles are large, points inside them, no farther apart
-// than half a target edge, but for those that a vertex of the mesh lies beside with the same
-// tangent plane. A walk stays on the sheet it starts on, so a distance can only be too large.
-std::vector<Place> measurePlaces(const Run& run);
+// than half a target edge; but for those that lie beside a vertex of the mesh, within `enough`
+// target lengths of its tangent plane. A walk stays on the sheet it starts on, so a distance can
+// only be too large.
+std::vector<Place> measurePlaces(const Run& run, double enough);
 
 // Where the place is now, by a walk from the triangle that was nearest.
 void measureAgain(const WorkingMesh& mesh, Place& place);

@@ -13,13 +13,16 @@ namespace {
 // A tip is worth a triangle of this angle for now: smoothing and polish follow.
 constexpr double kSmallestAngle = radians(20);
 
+// Of the tolerance: what is this near to a tangent plane is no tip.
+constexpr double kSurelyNear = 0.4;
+
 // So far from the mesh, in target lengths, a tip that no vertex can move to gets one of its own,
 // though that makes four triangles of two.
 constexpr double kInsertAbove = 0.6;
 constexpr double kInsertAngle = radians(8);
 
 std::vector<Place> farthestFirst(const Run& run, double tolerance) {
-  std::vector<Place> places = measurePlaces(run);
+  std::vector<Place> places = measurePlaces(run, kSurelyNear * tolerance);
   std::erase_if(places, [&](const Place& place) {
     return place.distance <= tolerance * run.scale * run.sizes.at(place.original);
   });

@@ -17,14 +17,16 @@ namespace {
 // A walk from one corner may end in a local minimum: what is farther than this is tried from the
 // others too.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kDoubtful = 0.2;  // of the mean target edge length
+// What is beside a vertex and nearer to its tangent plane than this decides nothing.
+constexpr double kSurelyNear = 0.02;  // of the target edge length
+constexpr double kDoubtful = 0.2;     // of the mean target edge length
 
 }  // namespace
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       doubtful_(kDoubtful * run.sizes.mean()),
-      places_(measurePlaces(run)),
+      places_(measurePlaces(run, kSurelyNear)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0) {
