@@ -74,7 +74,7 @@ void collapseShort(Run& run) {
     if (!mesh.isEdge(h)) continue;
     const double length = relativeLength(run, h);
     if (length >= kCollapseBelow) continue;
-    const FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
+    FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
     for (const Halfedge direction : outermostFirst(run, h)) {
       if (!direction || makesLongEdge(run, direction)) continue;
       if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;

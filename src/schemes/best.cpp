@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "schemes/best.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "operators/delaunay.h"
@@ -18,7 +19,10 @@ namespace remesher {
 
 namespace {
 
-constexpr int kAnnealRounds = 20;
+// Irregular vertices of a larger mesh are fewer for its size, and what one round cannot reach costs
+// less: rounds are saved there.
+constexpr int kAnnealRounds = 20, kFewestRounds = 12;
+constexpr double kManyToAnneal = 6000;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
 
@@ -36,6 +40,11 @@ int levelCount(const Run& run, std::size_t vertices) {
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
   while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
   return levels;
+}
+
+int annealRounds(std::size_t vertices) {
+  const double share = std::sqrt(kManyToAnneal / double(std::max<std::size_t>(vertices, 1)));
+  return std::clamp(int(kAnnealRounds * share), kFewestRounds, kAnnealRounds);
 }
 
 void smooth(Run& run) {
@@ -60,7 +69,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   adaptToSizes(run, base, progress.part("adapt", 0, 0.25));
   while (subdividedCount(mesh, base, levels) < vertices) ++base;
   matchCount(run, base);
-  annealValences(run, kAnnealRounds, progress.part("anneal", 0.25, 0.45));
+  annealValences(run, annealRounds(base), progress.part("anneal", 0.25, 0.45));
   smoothOntoTips(run);
   matchCount(run, base);
   const Progress finer = progress.part("refine", 0.45, 0.85);

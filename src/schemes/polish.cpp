@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
@@ -15,6 +16,10 @@ namespace remesher {
 namespace {
 
 constexpr int kRounds = 6;
+// Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
+// the rest is around handles no larger than a triangle.
+constexpr double kHopeless = 0.8;
+constexpr std::size_t kMany = 200;
 constexpr int kTries = 3;  // per triangle and round of topological changes
 // A pattern search: eight directions, with steps that shrink as none of them helps.
 constexpr int kDirections = 8;
@@ -171,9 +176,11 @@ Means meansOf(int round) {
 
 void polish(Run& run, double angle) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
+  double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<Face> bad = badTriangles(run, angle);
-    if (bad.empty()) break;
+    if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
+    if (round % 2 == 1) before = double(bad.size());
     const Means means = meansOf(round);
     for (const Face f : bad)
       for (int i = 0; i < kTries && isBad(run, f, angle); ++i)

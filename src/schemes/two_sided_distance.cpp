@@ -19,13 +19,17 @@ namespace {
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // What is beside a vertex and nearer to its tangent plane than this decides nothing.
 constexpr double kSurelyNear = 0.02;  // of the target edge length
-constexpr double kDoubtful = 0.2;     // of the mean target edge length
+// An edge follows the original where its slope to both tangent planes is less and they face the
+// same way: sine and cosine.
+constexpr double kSlope = 0.1, kSameWay = 0.97;
+constexpr double kDoubtful = 0.2;  // of the mean target edge length
 
 }  // namespace
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       doubtful_(kDoubtful * run.sizes.mean()),
+      originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
       places_(measurePlaces(run, kSurelyNear)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
@@ -60,29 +64,47 @@ double TwoSidedDistance::fromOriginal(const Triangle& triangle, Face f) const {
   return fromOriginal((triangle[0] + triangle[1] + triangle[2]) / 3, f);
 }
 
+// Whether the tangent planes at both ends of an edge hold it: where the original is no coarser than
+// the mesh, it cannot be far off between them, and a bump would be found from the original.
+bool TwoSidedDistance::followsOriginal(Halfedge h) const {
+  const Vertex a = mesh_.mesh().origin(h), b = mesh_.mesh().tip(h);
+  if (originalIsCoarse_ || mesh_.kind(a) != VertexKind::Interior ||
+      mesh_.kind(b) != VertexKind::Interior)
+    return false;
+  const Vec3 edge = mesh_.position(b) - mesh_.position(a);
+  const double most = kSlope * edge.norm();
+  return std::abs(edge.dot(mesh_.normal(a))) < most && std::abs(edge.dot(mesh_.normal(b))) < most &&
+         mesh_.normal(a).dot(mesh_.normal(b)) > kSameWay;
+}
+
 void TwoSidedDistance::raise(Face f, double distance) {
   distance_[f] = std::max(distance_[f], distance);
 }
 
-// Corners and sides are measured once for all triangles that share them.
+// Corners and sides are measured once for all triangles that share them, and only where the
+// original may bend away from them.
 void TwoSidedDistance::measureFaces() {
   const HalfedgeMesh& m = mesh_.mesh();
+  FaceData<char> bent(m.faceCapacity(), 0);
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.isEdge(h) || followsOriginal(h)) continue;
+    const double distance =
+        fromOriginal(mesh_.position(m.origin(h)), mesh_.position(m.tip(h)), m.face(h));
+    for (const Halfedge side : {h, m.twin(h)}) {
+      if (!side) continue;
+      raise(m.face(side), distance);
+      bent[m.face(side)] = 1;
+    }
+  }
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     const Vertex v(i);
     if (!m.isAlive(v)) continue;
-    const double distance = fromOriginal(mesh_.position(v), m.face(m.outgoing(v)));
+    const double distance = (mesh_.surface().position(mesh_.at(v)) - mesh_.position(v)).norm();
     m.forEachOutgoing(v, [&](Halfedge h) { raise(m.face(h), distance); });
   }
-  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    if (!m.isEdge(h)) continue;
-    const double distance =
-        fromOriginal(mesh_.position(m.origin(h)), mesh_.position(m.tip(h)), m.face(h));
-    raise(m.face(h), distance);
-    if (!m.isBoundary(h)) raise(m.face(m.twin(h)), distance);
-  }
   for (Index i = 0; i < m.faceCapacity(); ++i) {
-    if (!m.isAlive(Face(i))) continue;
+    if (!m.isAlive(Face(i)) || !bent[Face(i)]) continue;
     const auto [a, b, c] = m.vertices(Face(i));
     raise(Face(i),
           fromOriginal({mesh_.position(a), mesh_.position(b), mesh_.position(c)}, Face(i)));

@@ -49,12 +49,14 @@ class TwoSidedDistance {
   double fromOriginal(const Vec3& sample, Face f) const;
   double fromOriginal(const Vec3& from, const Vec3& to, Face f) const;
   double fromOriginal(const Triangle& triangle, Face f) const;
+  bool followsOriginal(Halfedge h) const;
   void raise(Face f, double distance);
   void add(Index place);
   void measureFaces();
 
   const WorkingMesh& mesh_;
   const double doubtful_;
+  const bool originalIsCoarse_;
   std::vector<Place> places_;
   std::vector<Index> next_;  // the next place of the same triangle, or kNone
   FaceData<Index> first_;    // the first place of a triangle, or kNone

@@ -79,21 +79,30 @@ double verticesOf(const VertexData<double>& areas, const VertexData<double>& siz
 }
 
 // No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
-// slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths.
+// slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths, beginning
+// with those that limit a neighbour.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (Index i = 0; i < sizes.size(); ++i)
-    if (surface.mesh().isAlive(Vertex(i))) queue.emplace(sizes[Vertex(i)], i);
+  const auto forEachLimited = [&](Vertex v, auto visit) {
+    surface.mesh().forEachNeighbor(v, [&](Vertex w) {
+      if (sizes[w] <= sizes[v]) return;
+      const double limit =
+          sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
+      if (sizes[w] > limit) visit(w, limit);
+    });
+  };
+  for (Index i = 0; i < sizes.size(); ++i) {
+    if (!surface.mesh().isAlive(Vertex(i))) continue;
+    bool limits = false;
+    forEachLimited(Vertex(i), [&](Vertex, double) { limits = true; });
+    if (limits) queue.emplace(sizes[Vertex(i)], i);
+  }
   while (!queue.empty()) {
     const auto [size, i] = queue.top();
     queue.pop();
-    const Vertex v(i);
-    if (size > sizes[v]) continue;  // reached by a shorter way meanwhile
-    surface.mesh().forEachNeighbor(v, [&](Vertex w) {
-      const double limit =
-          sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
-      if (sizes[w] <= limit) return;
+    if (size > sizes[Vertex(i)]) continue;  // reached by a shorter way meanwhile
+    forEachLimited(Vertex(i), [&](Vertex w, double limit) {
       sizes[w] = limit;
       queue.emplace(limit, w.index);
     });
