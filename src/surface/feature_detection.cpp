@@ -17,6 +17,11 @@ constexpr double kLooseEnds = 0.02;
 constexpr double kSharper = 3;
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
+// A crease that fades is followed from where it was sharp for as long as it is at least so sharp
+// (times the angle), stands out from the edges beside it by so much, and goes on straight.
+constexpr double kFaded = 0.25;
+constexpr double kStandsOut = 5;
+const double kStraight = std::cos(radians(45));
 
 // The angle between the normals of the two faces of each edge, radians; 0 on a boundary.
 HalfedgeData<double> dihedralAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
@@ -44,7 +49,7 @@ struct Network {
   double beside = 0;     // of the edges of the same faces that are not sharp
   std::size_t besides = 0;
   std::size_t vertices = 0;
-  std::size_t looseEnds = 0;
+  std::vector<Halfedge> ends;  // the loose ones: halfedges that lead there
 };
 
 class Detection {
@@ -58,14 +63,16 @@ class Detection {
         visited_(mesh.vertexCapacity(), 0) {}
 
   std::vector<Halfedge> run() {
-    std::vector<Halfedge> features;
+    std::vector<Halfedge> features, ends;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const Halfedge h(i);
       if (!isSharp(h) || visited_[mesh_.origin(h)]) continue;
       const Network network = collect(mesh_.origin(h));
-      if (isFeature(network))
-        features.insert(features.end(), network.edges.begin(), network.edges.end());
+      if (!isFeature(network)) continue;
+      features.insert(features.end(), network.edges.begin(), network.edges.end());
+      if (isMuchSharper(network)) ends.insert(ends.end(), network.ends.begin(), network.ends.end());
     }
+    for (const Halfedge end : ends) follow(end, features);
     return features;
   }
 
@@ -80,9 +87,11 @@ class Detection {
       const Vertex v = stack.back();
       stack.pop_back();
       std::size_t degree = 0;
+      Halfedge sharp;
       mesh_.forEachOutgoing(v, [&](Halfedge h) {
         if (!isSharp(h)) return;
         ++degree;
+        sharp = h;
         if (h < mesh_.twin(h)) addEdge(network, h);
         if (visited_[mesh_.tip(h)]) return;
         visited_[mesh_.tip(h)] = 1;
@@ -90,7 +99,7 @@ class Detection {
       });
       ++network.vertices;
       // Where a sharp edge runs into a boundary it is not loose.
-      network.looseEnds += degree == 1 && !mesh_.isBoundary(v);
+      if (degree == 1 && !mesh_.isBoundary(v)) network.ends.push_back(mesh_.twin(sharp));
     }
     return network;
   }
@@ -107,14 +116,53 @@ class Detection {
       }
   }
 
-  bool isFeature(const Network& network) const {
+  static bool isSharper(const Network& network, double factor) {
     const double own = network.sharpness / double(network.edges.size());
     const double beside = network.besides ? network.beside / double(network.besides) : 0;
+    return own >= factor * beside;
+  }
+
+  static bool isMuchSharper(const Network& network) { return isSharper(network, kMuchSharper); }
+
+  bool isFeature(const Network& network) const {
     if (network.length < kLongEnough * size_) return false;
-    if (own >= kMuchSharper * beside) return true;
+    if (isMuchSharper(network)) return true;
     // A ring of three is the rim of one odd triangle.
-    return own >= kSharper * beside && network.edges.size() > 3 &&
-           double(network.looseEnds) <= kLooseEnds * double(network.vertices);
+    return isSharper(network, kSharper) && network.edges.size() > 3 &&
+           double(network.ends.size()) <= kLooseEnds * double(network.vertices);
+  }
+
+  // From a loose end on, until the crease has faded or meets another.
+  void follow(Halfedge last, std::vector<Halfedge>& features) {
+    while (const Halfedge next = continuation(last)) {
+      features.push_back(next);
+      last = next;
+      if (visited_[mesh_.tip(next)]) return;
+      visited_[mesh_.tip(next)] = 1;
+    }
+  }
+
+  Halfedge continuation(Halfedge last) const {
+    const Vec3 way = direction(last);
+    Halfedge best;
+    mesh_.forEachOutgoing(mesh_.tip(last), [&](Halfedge h) {
+      if (mesh_.isBoundary(h) || mesh_.tip(h) == mesh_.origin(last)) return;
+      if (direction(h).dot(way) < kStraight || !standsOut(h)) return;
+      if (!best || dihedral_[h] > dihedral_[best]) best = h;
+    });
+    return best;
+  }
+
+  Vec3 direction(Halfedge h) const {
+    return (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).normalized();
+  }
+
+  bool standsOut(Halfedge h) const {
+    double beside = 0;
+    for (const Halfedge side : {h, mesh_.twin(h)})
+      for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)})
+        beside += 0.25 * dihedral_[other];
+    return dihedral_[h] >= std::max(kFaded * angle_, kStandsOut * beside);
   }
 
   const HalfedgeMesh& mesh_;

@@ -29,14 +29,20 @@ class Walk {
         target_(target) {}
 
   // Where the walk from a face ends.
-  SurfacePoint from(Face start) const {
-    Found best = closestOn(start);
-    for (int step = 0; step < kMaxSteps; ++step) {
-      const Found next = closestAround(best);
-      if (!(next.distance2 < best.distance2)) break;
-      best = next;
+  SurfacePoint from(Face start) const { return from(closestOn(start)); }
+
+  // From a vertex all faces around it are looked at first: where a curve ends there, that of the
+  // start may lie on its other side.
+  SurfacePoint from(const SurfacePoint& start) const {
+    const Vec3& w = start.barycentric;
+    Found best = closestOn(start.face);
+    for (int corner = 0; corner < 3; ++corner) {
+      if (w[corner] != 1) continue;
+      const Vec3& place = positions_[mesh_.vertices(start.face)[corner]];
+      const Found around = closestAtVertex({start, target_ - place, 0}, corner);
+      if (around.distance2 < best.distance2) best = around;
     }
-    return best.point;
+    return from(best);
   }
 
  private:
@@ -45,6 +51,15 @@ class Walk {
     Vec3 toTarget = Vec3::Zero();  // from the point
     double distance2 = std::numeric_limits<double>::infinity();
   };
+
+  SurfacePoint from(Found best) const {
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const Found next = closestAround(best);
+      if (!(next.distance2 < best.distance2)) break;
+      best = next;
+    }
+    return best.point;
+  }
 
   Found closestOn(Face f) const {
     const auto [a, b, c] = mesh_.vertices(f);
@@ -113,7 +128,7 @@ class Walk {
 
 SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint& start,
                               const Vec3& target) {
-  return Walk({surface.mesh(), surface.positions(), &surface.barriers()}, target).from(start.face);
+  return Walk({surface.mesh(), surface.positions(), &surface.barriers()}, target).from(start);
 }
 
 SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "geometry/triangle_tree.h"
 #include "support/working_meshes.h"
 
@@ -16,14 +18,16 @@ SurfacePoint anywhere(const OriginalSurface& surface, soups::Random& random) {
   return {Face(Index(faces * random.number())), weights / weights.sum()};
 }
 
-// An original with a curve along x = level, which no walk between the two sides can avoid.
-OriginalSurface walled(const TriangleMesh& input, double level) {
+// An original with a curve along x = level, as far as y = end: to there no walk between the two
+// sides can avoid it.
+OriginalSurface walled(const TriangleMesh& input, double level,
+                       double end = std::numeric_limits<double>::infinity()) {
   BuiltMesh built = buildMesh(input);
   CurveRules rules;
   for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    if (built.positions[built.mesh.origin(h)].x() == level &&
-        built.positions[built.mesh.tip(h)].x() == level)
+    const auto isOn = [&](const Vec3& p) { return p.x() == level && p.y() <= end; };
+    if (isOn(built.positions[built.mesh.origin(h)]) && isOn(built.positions[built.mesh.tip(h)]))
       rules.edges.push_back(h);
   }
   FeatureCurves curves(built.mesh, built.positions, rules);
@@ -90,6 +94,22 @@ TEST_CASE("surface_walk: no barrier is crossed, not even around its vertices") {
     else
       CHECK(end == doctest::Approx(5));
   }
+}
+
+TEST_CASE("surface_walk: from the end of a curve both its sides are reached") {
+  const OriginalSurface surface = walled(shapes::grid(20, 20), 10, 10);
+  const HalfedgeMesh& mesh = surface.mesh();
+  soups::Random random(12);
+  for (Index f = 0; f < mesh.faceCapacity(); ++f)
+    for (int corner = 0; corner < 3; ++corner) {
+      if (surface.positions()[mesh.vertices(Face(f))[corner]] != Vec3(10, 10, 0)) continue;
+      SurfacePoint start{Face(f), Vec3::Zero()};
+      start.barycentric[corner] = 1;
+      for (int round = 0; round < 50; ++round) {
+        const Vec3 target(9.5 + random.number(), 9.5 + random.number(), 0);
+        CHECK((surface.position(closestPointFrom(surface, start, target)) - target).norm() < 1e-12);
+      }
+    }
 }
 
 TEST_CASE("surface_walk: a far target outside a boundary ends on the boundary") {
