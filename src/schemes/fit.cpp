@@ -11,7 +11,9 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPasses = 3;
+// The last pass gains little; a large mesh does without it.
+constexpr int kPasses = 3, kPassesInLarge = 2;
+constexpr std::size_t kLarge = 100000;
 // Angles above this may shrink, but never below it; what is below may not shrink at all.
 constexpr double kKeepAngle = radians(33);
 
@@ -94,8 +96,9 @@ void offsetVertex(Run& run, Vertex v, double distance) {
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   FaceData<NearFaces> near(mesh.faceCapacity());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    progress.at(double(pass) / kPasses);
+  const int passes = mesh.vertexCount() < kLarge ? kPasses : kPassesInLarge;
+  for (int pass = 0; pass < passes; ++pass) {
+    progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());
     for (Index f = 0; f < mesh.faceCapacity(); ++f)
       if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), near[Face(f)], offsets);

@@ -18,7 +18,7 @@ constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
-constexpr double kGain = 0.99, kEnough = 0.7;
+constexpr double kGain = 0.99, kEnough = 0.65;
 // What makes way for another must win more.
 constexpr double kMuch = 0.9;
 // Where the maximum is stuck, what lies below this share of it decides nothing.

@@ -15,6 +15,8 @@ constexpr double kSpacing = 0.5;  // of the target edge length
 // A walk may end in a local minimum; places farther than this are tried from other sides too.
 constexpr double kDoubtful = 0.3;  // of the target edge length
 constexpr int kRetries = 4;
+// The place between three such corners, so near to each other in target lengths, are no other.
+constexpr double kBetween = 2;
 constexpr double kSameWay = 0.9;  // cosine
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -126,11 +128,13 @@ class Survey {
     }
   }
 
-  void add(const SurfacePoint& original, Face start) {
+  // Returns the triangle nearest to the place.
+  Face add(const SurfacePoint& original, Face start) {
     Place place{original, mesh_.surface().position(original), start, kEndless};
     improve(mesh_, place, start);
     retry(place);
-    places_.push_back(place);
+    if (place.distance >= enough_ * run_.scale * run_.sizes.at(original)) places_.push_back(place);
+    return place.nearest;
   }
 
   void addInside(Face f) {
@@ -141,7 +145,8 @@ class Survey {
         std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
     const double size = run_.scale * run_.sizes.at(corners[0]);
     // What lies between near corners that are close together is near too.
-    if (longest < size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]]) return;
+    if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
+      return;
     const int n = int(std::ceil(longest / (kSpacing * size)));
     if (n <= 1 || !nearby_[corners[0]]) return;
     Face start = faceAt(nearby_[corners[0]]);
@@ -149,8 +154,7 @@ class Survey {
       for (int k = 0; k + j <= n; ++k) {
         if (j == n || k == n || j + k == 0) continue;  // a vertex
         const double u = double(j) / n, v = double(k) / n;
-        add({f, Vec3(1 - u - v, u, v)}, start);
-        start = places_.back().nearest;
+        start = add({f, Vec3(1 - u - v, u, v)}, start);
       }
   }
 

@@ -16,9 +16,8 @@ struct Place {
 };
 
 // The original's vertices and, where its triangles are large, points inside them, no farther apart
-// than half a target edge; but for those that lie beside a vertex of the mesh, within `enough`
-// target lengths of its tangent plane. A walk stays on the sheet it starts on, so a distance can
-// only be too large.
+// than half a target edge; of these the ones that are not nearer to the mesh than `enough` target
+// lengths. A walk stays on the sheet it starts on, so a distance can only be too large.
 std::vector<Place> measurePlaces(const Run& run, double enough);
 
 // Where the place is now, by a walk from the triangle that was nearest.

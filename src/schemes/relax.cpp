@@ -9,12 +9,16 @@ namespace remesher {
 
 namespace {
 
-constexpr double kStillMoves = 0.004;  // of the target edge length
+// What moves by less than this share of its target length is settled; in large meshes, where a pass
+// costs and few triangles are near any limit, sooner.
+constexpr double kStillMoves = 0.004, kStillMovesInLarge = 0.01;
+constexpr std::size_t kLarge = 100000;
 
 }  // namespace
 
 void relax(Run& run, int passes) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double share = mesh.vertexCount() < kLarge ? kStillMoves : kStillMovesInLarge;
   std::vector<Vertex> active;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass) {
@@ -25,7 +29,7 @@ void relax(Run& run, int passes) {
     for (const Vertex v : active) {
       const Vec3 before = run.mesh.position(v);
       if (!laplacianMove(run, star, v)) continue;
-      const double still = kStillMoves * run.scale * run.sizes.at(run.mesh.at(v));
+      const double still = share * run.scale * run.sizes.at(run.mesh.at(v));
       if ((run.mesh.position(v) - before).squaredNorm() >= still * still) run.mesh.unsettleStar(v);
     }
   }

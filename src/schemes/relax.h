@@ -7,8 +7,8 @@
 namespace remesher {
 
 // Up to `passes` Laplacian passes over the vertices that are not settled: those whose star changed
-// since, and those that moved, or have a neighbour that moved, by more than 0.4 % of its size when
-// they were last visited.
+// since, and those that moved, or have a neighbour that moved, by more than a small share of its
+// size when they were last visited.
 void relax(Run& run, int passes);
 
 }  // namespace remesher

@@ -100,7 +100,8 @@ void TwoSidedDistance::measureFaces() {
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     const Vertex v(i);
     if (!m.isAlive(v)) continue;
-    const double distance = (mesh_.surface().position(mesh_.at(v)) - mesh_.position(v)).norm();
+    double distance = (mesh_.surface().position(mesh_.at(v)) - mesh_.position(v)).norm();
+    if (distance > doubtful_) distance = fromOriginal(mesh_.position(v), m.face(m.outgoing(v)));
     m.forEachOutgoing(v, [&](Halfedge h) { raise(m.face(h), distance); });
   }
   for (Index i = 0; i < m.faceCapacity(); ++i) {
