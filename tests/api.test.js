@@ -30,6 +30,7 @@ for (const scheme of ['best', 'rounds']) {
     assert.equal(report.output.vertices, 900);
     assert.equal(report.output.boundaryEdges, 0);
     assert.equal(report.stopped, 'target');
+    assert.ok(report.timings.build > 0 && report.timings.remesh > 0);
   });
 }
 

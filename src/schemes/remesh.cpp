@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/stopwatch.h"
 #include "mesh/mesh_builder.h"
 #include "schemes/adapt.h"
 #include "schemes/attribute_transfer.h"
@@ -82,6 +83,7 @@ bool matchPositions(Run& run, std::size_t vertices) {
 RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
                             const Progress& progress) {
   checkOptions(options, input.positions.size());
+  const Stopwatch stopwatch;
   RemeshOutcome outcome;
   BuiltMesh built = buildMesh(input);
   outcome.warnings = built.warnings;
@@ -98,6 +100,7 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   const SizeField sizes(surface, rules);
   Projector projector(surface, options.projection, longestEdges(surface, sizes));
   WorkingMesh mesh(surface);
+  outcome.buildMilliseconds = stopwatch.milliseconds();
   Run run{mesh, projector, sizes, fidelityRule(options)};
   const std::optional<ErrorBound> bound = errorBound(surface, options);
   const double share = bound ? kBoundShare : 0;

@@ -12,6 +12,7 @@ namespace remesher {
 struct RemeshOutcome {
   TriangleMesh
       mesh;  // vertices in as many copies as their attributes need; positions distinct otherwise
+  double buildMilliseconds = 0;  // to mend the input and prepare the original surface
   Stopped stopped = Stopped::Target;
   std::vector<Warning> warnings;
 };
