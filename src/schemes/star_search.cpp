@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/triangle.h"
+#include "schemes/sweeps.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -17,6 +18,8 @@ namespace {
 constexpr double kFirstStep = 0.4, kLastStep = 0.04;
 constexpr int kDirections = 8;
 constexpr std::size_t kAlongNormal = 2;
+// A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
+constexpr double kRoom = 0.1;
 const double kSmallTurn = std::cos(radians(45));
 
 double meanSpoke(const WorkingMesh& mesh, Vertex v) {
@@ -102,12 +105,21 @@ void StarSearch::move(double enough, std::span<const Vec3> directions) {
   }
 }
 
+// Between its neighbours along the curve, or the curve would turn back.
 void StarSearch::slide(double enough) {
+  const auto [before, after] = curveNeighbors(mesh_, v_);
+  const Index chain = best_.on.chain;
+  const auto [first, last] =
+      std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
+  const double room = kRoom * (last - first);
   for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
     bool better = false;
-    const CurvePoint from = best_.on;
-    for (const double way : {step * spoke_, -step * spoke_})
-      better = offer(mesh_.onCurve({from.chain, from.arc + way})) || better;
+    const double from = best_.on.arc;
+    for (const double way : {step * spoke_, -step * spoke_}) {
+      const double arc = from + way;
+      if (arc > first + room && arc < last - room)
+        better = offer(mesh_.onCurve({chain, arc})) || better;
+    }
     if (!better) step /= 2;
   }
 }

@@ -5,6 +5,18 @@
 
 namespace remesher {
 
+CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
+  CurveNeighbors result;
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto add = [&](Vertex w) { (result.before ? result.after : result.before) = w; };
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    if (mesh.isCurve(h)) add(m.tip(h));
+    const Halfedge back = m.prev(h);
+    if (m.isBoundary(back)) add(m.origin(back));
+  });
+  return result;
+}
+
 namespace {
 
 // Moves v to `target` in the plane of its polar map, if that lies inside the star.
@@ -20,23 +32,6 @@ template <class Visit>
 void forEachOfKind(const WorkingMesh& mesh, VertexKind kind, Visit visit) {
   for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i)
     if (mesh.mesh().isAlive(Vertex(i)) && mesh.kind(Vertex(i)) == kind) visit(Vertex(i));
-}
-
-// The chain's two edges at a curve vertex lead to these.
-struct CurveNeighbors {
-  Vertex before, after;
-};
-
-CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
-  CurveNeighbors result;
-  const HalfedgeMesh& m = mesh.mesh();
-  const auto add = [&](Vertex w) { (result.before ? result.after : result.before) = w; };
-  m.forEachOutgoing(v, [&](Halfedge h) {
-    if (mesh.isCurve(h)) add(m.tip(h));
-    const Halfedge back = m.prev(h);
-    if (m.isBoundary(back)) add(m.origin(back));
-  });
-  return result;
 }
 
 // To where the two edges along the chain are as long as the sizes at their ends ask, in proportion.

@@ -7,6 +7,12 @@
 
 namespace remesher {
 
+// The chain's two edges at a curve vertex lead to these.
+struct CurveNeighbors {
+  Vertex before, after;
+};
+CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v);
+
 // Area-based relocation; the weights μ of a triangle follow the target area at its corners, so that
 // grading is kept.
 void areaBasedSweep(Run& run);
