@@ -159,8 +159,10 @@ BuiltMesh buildMesh(const TriangleMesh& input) {
   if (orientation.turned > 0) edges = EdgeGroups(vertexCount, soup.corners);
 
   ManifoldCut cut = cutToManifold(input.positions, soup.corners, edges);
-  const std::size_t backToBack = removeBackToBack(soup, cut);
-  if (backToBack > 0) {
+  std::size_t backToBack = 0;
+  // Without some of them the surface is cut elsewhere, which may set others free.
+  while (const std::size_t removed = removeBackToBack(soup, cut)) {
+    backToBack += removed;
     edges = EdgeGroups(vertexCount, soup.corners);
     cut = cutToManifold(input.positions, soup.corners, edges);
   }
