@@ -13,7 +13,7 @@ namespace remesher {
 namespace {
 
 // Only a large distance is worth angles: good ones stay good otherwise.
-constexpr double kWorthAngles = 0.38;  // of the target edge length
+constexpr double kWorthAngles = 0.34;  // of the target edge length
 constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
