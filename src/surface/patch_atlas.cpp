@@ -22,7 +22,7 @@ constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 constexpr double kRounding = 1e-9;
 
 // Faces that all patches made on demand may visit: per face of the mesh, and at least.
-constexpr std::size_t kOnDemandShare = 4, kMinOnDemandFaces = 100000;
+constexpr std::size_t kOnDemandShare = 1, kMinOnDemandFaces = 100000;
 
 // A patch on demand reaches this many times its triangle's longest side from the centroid.
 constexpr double kOnDemandReach = 1.3;
