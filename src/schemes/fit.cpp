@@ -5,6 +5,7 @@
 #include <array>
 
 #include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -61,18 +62,9 @@ void addOffsets(const WorkingMesh& mesh, Face f, NearFaces& near, VertexData<Off
   }
 }
 
-double worstAngle(const WorkingMesh& mesh, Vertex v, const Vec3& at) {
-  double worst = 10;
-  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-    worst = std::min(worst, minAngle(at, mesh.position(mesh.mesh().tip(h)),
-                                     mesh.position(mesh.mesh().opposite(h))));
-  });
-  return worst;
-}
-
 bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
-  const double after = worstAngle(mesh, v, to);
-  return after >= kKeepAngle || after >= worstAngle(mesh, v, mesh.position(v));
+  const double after = smallestAngleAround(mesh, v, to);
+  return after >= kKeepAngle || after >= smallestAngleAround(mesh, v, mesh.position(v));
 }
 
 // Along the mean normal of the triangles around v, by the mean of their samples' distances.

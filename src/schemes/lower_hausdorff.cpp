@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "schemes/star_search.h"
 
 namespace remesher {
@@ -140,7 +140,8 @@ class Descent {
       if (!proposeFlip(run_.mesh, h, run_.change)) continue;
       const Face across = mesh_.face(mesh_.twin(h));
       const double before = std::max(distances_.of(f), distances_.of(across));
-      if (worstComing() < (isLarge(f) ? kKeepAngle : kGoodAngle)) continue;
+      if (smallestComingAngle(run_.mesh, run_.change) < (isLarge(f) ? kKeepAngle : kGoodAngle))
+        continue;
       if (distances_.ifFlipped(h) > kGain * before) continue;
       if (judge(run_.mesh, run_.change, lenient(run_)) != Verdict::Accepted) continue;
       distances_.update(run_.mesh.flip(h));
@@ -149,14 +150,6 @@ class Descent {
       return true;
     }
     return false;
-  }
-
-  double worstComing() const {
-    double worst = 10;
-    for (const auto& [a, b, c] : run_.change.coming)
-      worst = std::min(
-          worst, minAngle(run_.mesh.position(a), run_.mesh.position(b), run_.mesh.position(c)));
-    return worst;
   }
 
   Run& run_;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geometry/polar_map.h"
-#include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "schemes/adapt.h"
 #include "schemes/lengths.h"
 #include "schemes/relax.h"
@@ -29,26 +29,6 @@ constexpr double kLastStep = 0.02;
 constexpr double kSplitAbove = 0.7;
 constexpr double kCollapseBelow = 1.2;
 
-double angleOf(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
-               const Placement& moved) {
-  const auto at = [&](Vertex v) { return v == kMoved ? moved.position : mesh.position(v); };
-  return minAngle(at(triangle[0]), at(triangle[1]), at(triangle[2]));
-}
-
-double worstComing(const Run& run) {
-  double worst = 10;
-  for (const auto& triangle : run.change.coming)
-    worst = std::min(worst, angleOf(run.mesh, triangle, run.change.place));
-  return worst;
-}
-
-double worstGoing(const Run& run) {
-  double worst = 10;
-  for (const Face f : run.change.going)
-    worst = std::min(worst, angleOf(run.mesh, run.mesh.mesh().vertices(f), run.change.place));
-  return worst;
-}
-
 // The best proposal seen so far, by the worst angle it leaves.
 struct Best {
   FidelityRule rule;
@@ -56,7 +36,8 @@ struct Best {
   double gain = 0;
 
   void offer(const Run& run) {
-    const double better = worstComing(run) - worstGoing(run);
+    const double better =
+        smallestComingAngle(run.mesh, run.change) - smallestGoingAngle(run.mesh, run.change);
     if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     gain = better;
     change = run.change;
@@ -103,7 +84,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
       const double turn = 2 * std::numbers::pi * i / kDirections;
       const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
       if (!proposeMove(run, star, to, ground)) continue;
-      const double worst = worstComing(run);
+      const double worst = smallestComingAngle(run.mesh, run.change);
       if (worst <= angle) continue;
       angle = worst;
       at = to;
@@ -152,7 +133,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
   std::vector<std::pair<double, Face>> bad;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     if (!mesh.isAlive(Face(i))) continue;
-    const double own = angleOf(run.mesh, mesh.vertices(Face(i)), {});
+    const double own = smallestAngle(run.mesh, Face(i));
     if (own < angle) bad.emplace_back(own, Face(i));
   }
   std::sort(bad.begin(), bad.end());
@@ -162,7 +143,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
 }
 
 bool isBad(const Run& run, Face f, double angle) {
-  return run.mesh.mesh().isAlive(f) && angleOf(run.mesh, run.mesh.mesh().vertices(f), {}) < angle;
+  return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f) < angle;
 }
 
 }  // namespace

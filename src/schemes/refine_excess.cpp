@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "schemes/place_finder.h"
 
 namespace remesher {
@@ -54,16 +55,6 @@ double shortestEdge(const WorkingMesh& mesh, Vertex v) {
   return shortest;
 }
 
-double worstComing(const Run& run) {
-  const auto at = [&](Vertex v) {
-    return v == kMoved ? run.change.place.position : run.mesh.position(v);
-  };
-  double worst = 10;
-  for (const auto& [a, b, c] : run.change.coming)
-    worst = std::min(worst, minAngle(at(a), at(b), at(c)));
-  return worst;
-}
-
 // Brings the mesh to places of the original that it has lost, and back to it where it has strayed.
 class Refinement {
  public:
@@ -91,7 +82,7 @@ class Refinement {
       const double way = (place.position - run_.mesh.position(v)).norm();
       if (way == 0 || way > kMoveWithin * shortestEdge(run_.mesh, v)) continue;
       proposePlacement(run_.mesh, v, place, run_.change);
-      if (worstComing(run_) < kGoodAngle || !commit(run_)) continue;
+      if (smallestComingAngle(run_.mesh, run_.change) < kGoodAngle || !commit(run_)) continue;
       touched_.around(v);
       return true;
     }
@@ -143,7 +134,7 @@ class Refinement {
     const Placement middle = run_.change.place;
     if (!run_.mesh.isCurve(h)) {
       run_.change.place = run_.mesh.onSurface(point);
-      const bool good = worstComing(run_) >= kGoodAngle;
+      const bool good = smallestComingAngle(run_.mesh, run_.change) >= kGoodAngle;
       if (good && commit(run_)) return touched_.around(run_.result);
     }
     run_.change.place = middle;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "schemes/sweeps.h"
 #include "surface/surface_walk.h"
 
@@ -48,15 +49,6 @@ std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
   return directions;
 }
 
-double worstAngle(const WorkingMesh& mesh, Vertex v, const Vec3& at) {
-  double worst = 10;
-  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-    worst = std::min(worst, minAngle(at, mesh.position(mesh.mesh().tip(h)),
-                                     mesh.position(mesh.mesh().opposite(h))));
-  });
-  return worst;
-}
-
 // Whether a triangle around v would turn by more than the limit. The fidelity gate, which compares
 // with the original's normals, has no say where an ear or a hoof is as thin as the triangles are
 // large: they must wrap around it.
@@ -78,10 +70,10 @@ StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, do
       spoke_(meanSpoke(mesh_, v)),
       best_(mesh_.placement(v)),
       distance_(distances.around(v, best_.position)),
-      lowest_(std::min(keepAngle, worstAngle(mesh_, v, best_.position))) {}
+      lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
 
 bool StarSearch::offer(const Placement& place) {
-  if (worstAngle(mesh_, v_, place.position) < lowest_) return false;
+  if (smallestAngleAround(mesh_, v_, place.position) < lowest_) return false;
   const double distance = distances_.around(v_, place.position, distance_);
   if (distance >= distance_ || turnsOver(mesh_, v_, place.position)) return false;
   distance_ = distance;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "schemes/places.h"
 
 namespace remesher {
@@ -31,20 +31,10 @@ std::vector<Place> farthestFirst(const Run& run, double tolerance) {
   return places;
 }
 
-double worstComing(const Run& run) {
-  double worst = 10;
-  const auto at = [&](Vertex v) -> const Vec3& {
-    return v == kMoved ? run.change.place.position : run.mesh.position(v);
-  };
-  for (const auto& [a, b, c] : run.change.coming)
-    worst = std::min(worst, minAngle(at(a), at(b), at(c)));
-  return worst;
-}
-
 bool moveTo(Run& run, Vertex v, const Placement& place) {
   if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
   proposePlacement(run.mesh, v, place, run.change);
-  return worstComing(run) >= kSmallestAngle && commit(run, lenient(run));
+  return smallestComingAngle(run.mesh, run.change) >= kSmallestAngle && commit(run, lenient(run));
 }
 
 // One of the corners of the nearest triangle, the nearest first, moves to the tip.
@@ -73,7 +63,7 @@ void insert(Run& run, const Place& tip) {
     const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
     if (run.mesh.isCurve(h) || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
     run.change.place = run.mesh.onSurface(tip.original);
-    const double angle = worstComing(run);
+    const double angle = smallestComingAngle(run.mesh, run.change);
     if (angle <= best || judge(run.mesh, run.change, lenient(run)) != Verdict::Accepted) continue;
     best = angle;
     change = run.change;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "schemes/valence.h"
 
-#include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "operators/delaunay.h"
 #include "schemes/sweeps.h"
 
@@ -42,13 +42,6 @@ class Excess {
   const HalfedgeMesh& mesh_;
   VertexData<int> excess_;
 };
-
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change) {
-  double smallest = 10;
-  for (const auto& [a, b, c] : change.coming)
-    smallest = std::min(smallest, minAngle(mesh.position(a), mesh.position(b), mesh.position(c)));
-  return smallest;
-}
 
 template <class Accept>
 std::size_t flipsWhere(Run& run, double smallestAngle, Accept accept) {
