@@ -49,9 +49,7 @@ std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
   return directions;
 }
 
-// Whether a triangle around v would turn by more than the limit. The fidelity gate, which compares
-// with the original's normals, has no say where an ear or a hoof is as thin as the triangles are
-// large: they must wrap around it.
+// Whether a triangle around v would turn by more than the limit.
 bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
   bool found = false;
   mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
@@ -65,6 +63,7 @@ bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, double keepAngle)
     : mesh_(run.mesh),
+      rule_(run.rule),
       distances_(distances),
       v_(v),
       spoke_(meanSpoke(mesh_, v)),
@@ -72,10 +71,18 @@ StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, do
       distance_(distances.around(v, best_.position)),
       lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
 
+// Where an ear or a hoof is as thin as the triangles are large they must wrap around it: a rule
+// against folds alone, which compares with the original's normals, has no say there.
+bool StarSearch::isAllowed(const Placement& place) {
+  if (rule_.mode == Fidelity::Fold) return !turnsOver(mesh_, v_, place.position);
+  proposePlacement(mesh_, v_, place, change_);
+  return judge(mesh_, change_, rule_) == Verdict::Accepted;
+}
+
 bool StarSearch::offer(const Placement& place) {
   if (smallestAngleAround(mesh_, v_, place.position) < lowest_) return false;
   const double distance = distances_.around(v_, place.position, distance_);
-  if (distance >= distance_ || turnsOver(mesh_, v_, place.position)) return false;
+  if (distance >= distance_ || !isAllowed(place)) return false;
   distance_ = distance;
   best_ = place;
   return true;

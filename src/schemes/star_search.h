@@ -22,17 +22,20 @@ class StarSearch {
 
  private:
   bool offer(const Placement& place);
+  bool isAllowed(const Placement& place);
   Placement at(const Vec3& position) const;
   void move(double enough, std::span<const Vec3> steps);
   void slide(double enough);
 
   const WorkingMesh& mesh_;
+  const FidelityRule& rule_;
   TwoSidedDistance& distances_;
   const Vertex v_;
   const double spoke_;  // the mean length of its edges
   Placement best_;
   double distance_;
   double lowest_;
+  LocalChange change_;
 };
 
 }  // namespace remesher
