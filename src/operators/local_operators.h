@@ -9,7 +9,7 @@
 //   collapse  into any          along a curve edge, into       never; takes the other end in
 //                               a curve vertex or a corner     along any edge
 //   flip      edges off the curves only
-//   split     any edge; the new vertex of a curve edge is a curve vertex
+//   split     any edge but of a kept boundary; the new vertex of a curve edge is a curve vertex
 #pragma once
 
 #include "operators/local_change.h"

@@ -12,6 +12,7 @@ Placement midpoint(const WorkingMesh& mesh, Projector& projector, Halfedge h) {
 }
 
 bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change) {
+  if (mesh.isKept(h)) return false;
   const HalfedgeMesh& m = mesh.mesh();
   change.reset(Operation::Split);
   change.halfedge = h;

@@ -21,16 +21,12 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
   }
   for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
     curve_[Halfedge(i)] = surface.curves().chain(Halfedge(i));
+  for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
+    if (surface.curves().isCorner(Vertex(i))) kind_[Vertex(i)] = VertexKind::Corner;
   const auto& chains = surface.curves().chains();
   for (Index c = 0; c < chains.size(); ++c)
-    for (std::size_t i = 0; i < chains[c].vertices.size(); ++i) {
-      const Vertex v = chains[c].vertices[i];
-      const bool end = i == 0 || i + 1 == chains[c].vertices.size();
-      if (end)
-        kind_[v] = VertexKind::Corner;
-      else
-        place(v, onCurve({c, chains[c].arcs[i]}));
-    }
+    for (std::size_t i = 1; i + 1 < chains[c].vertices.size(); ++i)
+      place(chains[c].vertices[i], onCurve({c, chains[c].arcs[i]}));
 }
 
 Placement WorkingMesh::placement(Vertex v) const {
@@ -52,7 +48,10 @@ SurfacePoint WorkingMesh::cornerPoint(Halfedge h) const {
   const Vertex v = mesh_.origin(h);
   if (kind_[v] == VertexKind::Interior) return at_[v];
   Halfedge edge = h;
-  while (!isCurve(edge)) edge = mesh_.next(mesh_.twin(edge));
+  while (!isCurve(edge)) {
+    edge = mesh_.next(mesh_.twin(edge));
+    if (edge == h) return at_[v];  // a tip, which is on no curve
+  }
   const Index chain = curve_[edge];
   const CurvePoint here = onChain(v, chain), there = onChain(mesh_.tip(edge), chain);
   return surface_->curves().leftOf(surface_->mesh(), here, there);

@@ -48,6 +48,10 @@ class WorkingMesh {
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
   bool isCurve(Halfedge h) const { return curve_[h] != kNone; }
+  // Whether the edge of h is to stay as it is.
+  bool isKept(Halfedge h) const {
+    return isCurve(h) && surface_->curves().chains()[curve_[h]].kept;
+  }
 
   // The place of v on `chain`, on which it lies or of which it is an end.
   CurvePoint onChain(Vertex v, Index chain) const;

@@ -38,8 +38,13 @@ class Extraction {
   void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
     const HalfedgeMesh& m = mesh_.mesh();
     Halfedge first = m.outgoing(v);
-    if (mesh_.kind(v) != VertexKind::Interior)
-      while (!mesh_.isCurve(first)) first = m.next(m.twin(first));
+    if (mesh_.kind(v) != VertexKind::Interior) {
+      // A tip has no curve edge: there any first one will do.
+      while (!mesh_.isCurve(first)) {
+        first = m.next(m.twin(first));
+        if (first == m.outgoing(v)) break;
+      }
+    }
     const Index begin = Index(result_.positions.size());
     Index current = kNone;
     Halfedge h = first;

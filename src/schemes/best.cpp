@@ -37,6 +37,9 @@ int levelCount(const Run& run, std::size_t vertices) {
   std::size_t corners = 0;
   for (Index i = 0; i < original.vertexCapacity(); ++i)
     corners += run.mesh.surface().curves().isCorner(Vertex(i)) ? 1 : 0;
+  const auto& chains = run.mesh.surface().curves().chains();
+  // Subdividing would divide what is to be kept.
+  if (std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; })) return 0;
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
   while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
   return levels;

@@ -43,15 +43,19 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
                          const RemeshOptions& options, double size) {
   const double angle = options.featureAngle.value_or(kFeatureAngle);
-  CurveRules rules{givenEdges(built, options), size, options.boundary == Boundary::Keep};
+  CurveRules rules;
+  rules.edges = givenEdges(built, options);
+  rules.size = size;
+  rules.keepBoundary = options.boundary == Boundary::Keep;
   const auto add = [&](const std::vector<Halfedge>& edges) {
     rules.edges.insert(rules.edges.end(), edges.begin(), edges.end());
   };
   const bool byDefault = options.scheme == Scheme::Best;
-  if (options.detectFeatures && (byDefault || options.featureAngle))
-    add(detectFeatures(built.mesh, built.positions, {angle, size}));
+  const bool isDetecting = options.detectFeatures && (byDefault || options.featureAngle);
+  if (isDetecting) add(detectFeatures(built.mesh, built.positions, {angle, size}));
   Seams seams = findSeams(built, input, angle);
   add(seams.edges);
+  if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules), std::move(seams.chartless),
           std::move(seams.warnings)};
 }

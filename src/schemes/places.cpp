@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "geometry/triangle_tree.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -77,6 +79,28 @@ class NearbyVertices {
   std::vector<Vertex> reached_;
 };
 
+// The nearest triangle of the mesh wherever it lies, for the few places that no walk finds it for:
+// those inside triangles of the original far larger than the mesh's.
+class Everywhere {
+ public:
+  explicit Everywhere(const WorkingMesh& mesh)
+      : triangles_(mesh.mesh().triangles()), tree_(mesh.positions().values(), triangles_) {
+    for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
+      if (mesh.mesh().isAlive(Face(f))) faces_.push_back(Face(f));
+  }
+
+  void improve(Place& place) const {
+    const TriangleTree::Nearest nearest = tree_.nearest(place.position);
+    place.nearest = faces_[nearest.triangle];
+    place.distance = std::sqrt(nearest.squaredDistance);
+  }
+
+ private:
+  std::vector<Index> triangles_;
+  TriangleTree tree_;
+  std::vector<Face> faces_;
+};
+
 class Survey {
  public:
   Survey(const Run& run, double enough)
@@ -115,11 +139,15 @@ class Survey {
 
   Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
 
+  bool isDoubtful(const Place& place) const {
+    return place.distance >= kDoubtful * run_.scale * run_.sizes.at(place.original);
+  }
+
   // Walks again from all around where the last one ended.
   void retry(Place& place) const {
     const HalfedgeMesh& mesh = mesh_.mesh();
     for (int i = 0; i < kRetries; ++i) {
-      if (place.distance < kDoubtful * run_.scale * run_.sizes.at(place.original)) return;
+      if (!isDoubtful(place)) return;
       bool improved = false;
       for (const Vertex v : mesh.vertices(place.nearest))
         mesh.forEachNeighbor(
@@ -133,6 +161,10 @@ class Survey {
     Place place{original, mesh_.surface().position(original), start, kEndless};
     improve(mesh_, place, start);
     retry(place);
+    if (isDoubtful(place)) {
+      if (!everywhere_) everywhere_.emplace(mesh_);
+      everywhere_->improve(place);
+    }
     if (place.distance >= enough_ * run_.scale * run_.sizes.at(original)) places_.push_back(place);
     return place.nearest;
   }
@@ -162,6 +194,7 @@ class Survey {
   const double enough_;
   const WorkingMesh& mesh_;
   const NearbyVertices nearby_;
+  std::optional<Everywhere> everywhere_;
   VertexData<char> near_;  // surely
   std::vector<Place> places_;
 };

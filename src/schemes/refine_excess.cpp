@@ -38,11 +38,13 @@ double length(const WorkingMesh& mesh, Halfedge h) {
   return (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
 }
 
+// Of those that may be split.
 Halfedge longestSide(const WorkingMesh& mesh, Face f) {
-  Halfedge longest = HalfedgeMesh::halfedge(f);
-  for (int i = 1; i < 3; ++i) {
+  Halfedge longest;
+  for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
-    if (length(mesh, h) > length(mesh, longest)) longest = h;
+    if (mesh.isKept(h)) continue;
+    if (!longest || length(mesh, h) > length(mesh, longest)) longest = h;
   }
   return longest;
 }
@@ -69,7 +71,9 @@ class Refinement {
 
   void bringBack(Face f) {
     if (touched_[f] || putBackCorner(f)) return;
-    proposeSplit(run_.mesh, run_.projector, longestSide(run_.mesh, f), run_.change);
+    const Halfedge side = longestSide(run_.mesh, f);
+    if (!side) return;
+    proposeSplit(run_.mesh, run_.projector, side, run_.change);
     touched_.around(apply(run_.mesh, run_.change));
   }
 
@@ -121,8 +125,10 @@ class Refinement {
     for (const Vertex v : near) {
       if (isTouched(v)) return {};
       run_.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-        for (int i = 0; i < 3; ++i)
-          sides.push_back(HalfedgeMesh::halfedge(HalfedgeMesh::face(h), i));
+        for (int i = 0; i < 3; ++i) {
+          const Halfedge side = HalfedgeMesh::halfedge(HalfedgeMesh::face(h), i);
+          if (!run_.mesh.isKept(side)) sides.push_back(side);
+        }
       });
     }
     return sides;

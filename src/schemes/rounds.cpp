@@ -78,7 +78,7 @@ std::size_t splitRound(Run& run, std::size_t target) {
     const Halfedge t = m.twin(h);
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!isLongest(run.mesh, h) || (t && !isLongest(run.mesh, t))) continue;
-    proposeSplit(run.mesh, run.projector, h, run.change);
+    if (!proposeSplit(run.mesh, run.projector, h, run.change)) continue;
     const Vertex made = apply(run.mesh, run.change);
     ++splits;
     touched.resize(m.faceCapacity(), 1);

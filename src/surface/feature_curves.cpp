@@ -92,6 +92,7 @@ class ChainTracer {
     chain.vertices = {start};
     chain.arcs = {0};
     chain.boundary = mesh_.isBoundary(first);
+    chain.kept = chain.boundary && rules_.keepBoundary;
     CurveEdge edge{first, mesh_.origin(first) == start ? mesh_.tip(first) : mesh_.origin(first)};
     while (true) {
       walked_[edge.halfedge] = 1;
@@ -189,6 +190,7 @@ FeatureCurves::FeatureCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& p
   ChainTracer tracer(mesh, positions, rules);
   chains_ = tracer.trace();
   corner_ = tracer.corners();
+  for (const Vertex v : rules.tips) corner_[v] = 1;
   for (Index c = 0; c < chains_.size(); ++c)
     for (const Halfedge h : chains_[c].halfedges) {
       chainOf_[h] = c;

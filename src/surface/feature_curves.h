@@ -22,12 +22,14 @@ struct Chain {
   std::vector<Halfedge> halfedges;  // one of each edge's halfedges: between vertices i and i + 1
   std::vector<double> arcs;         // length from the start to each vertex
   bool boundary = false;
+  bool kept = false;  // a boundary that stays as it is, edge by edge
 
   double length() const { return arcs.back(); }
 };
 
 struct CurveRules {
   std::vector<Halfedge> edges;  // the curves' edges besides the open boundaries, which always are
+  std::vector<Vertex> tips;     // corners on no curve
   double size = 0;            // target edge length: a bend is judged over half of it on both sides
   bool keepBoundary = false;  // every boundary vertex is a corner
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/triangle.h"
 
@@ -21,6 +22,7 @@ constexpr double kLongEnough = 3;  // target edge lengths
 // (times the angle), stands out from the edges beside it by so much, and goes on straight.
 constexpr double kFaded = 0.25;
 constexpr double kStandsOut = 5;
+constexpr double kTipAngle = radians(60);
 const double kStraight = std::cos(radians(45));
 
 // The angle between the normals of the two faces of each edge, radians; 0 on a boundary.
@@ -173,7 +175,36 @@ class Detection {
   VertexData<char> visited_;
 };
 
+// What the angles around each vertex leave of a full turn, in size; 0 on boundaries.
+VertexData<double> missingAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  VertexData<double> missing(mesh.vertexCapacity(), 2 * std::numbers::pi);
+  for (Index f = 0; f < mesh.faceCapacity(); ++f) {
+    const auto corners = mesh.vertices(Face(f));
+    const auto own = angles(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
+    for (std::size_t i = 0; i < 3; ++i) missing[corners[i]] -= own[i];
+  }
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isBoundary(Vertex(i))) missing[Vertex(i)] = 0;
+  return missing;
+}
+
 }  // namespace
+
+std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                               const std::vector<Halfedge>& features) {
+  VertexData<double> missing = missingAngles(mesh, positions);
+  // Along features angles are missing as they must.
+  for (const Halfedge h : features) missing[mesh.origin(h)] = missing[mesh.tip(h)] = 0;
+  std::vector<Vertex> tips;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (missing[v] < kTipAngle) continue;
+    double beside = 0;
+    mesh.forEachNeighbor(v, [&](Vertex w) { beside += std::abs(missing[w]) / mesh.valence(v); });
+    if (missing[v] >= kMuchSharper * beside) tips.push_back(v);
+  }
+  return tips;
+}
 
 std::vector<Halfedge> detectFeatures(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                      const FeatureRules& rules) {

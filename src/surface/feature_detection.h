@@ -19,4 +19,9 @@ struct FeatureRules {
 std::vector<Halfedge> detectFeatures(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                      const FeatureRules& rules);
 
+// Vertices off the given features that are a corner by themselves, as the apex of a cone is: around
+// them a large angle is missing, and hardly any around their neighbours.
+std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                               const std::vector<Halfedge>& features);
+
 }  // namespace remesher

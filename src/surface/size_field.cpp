@@ -109,6 +109,41 @@ void limitGradation(const OriginalSurface& surface, double slope, VertexData<dou
   }
 }
 
+// Along boundaries that are kept the edges are as long as they are: per vertex the mean of its two,
+// 0 elsewhere; empty where nothing is kept.
+VertexData<double> keptLengths(const OriginalSurface& surface) {
+  VertexData<double> lengths;
+  for (const Chain& chain : surface.curves().chains()) {
+    if (!chain.kept) continue;
+    if (lengths.size() == 0) lengths.assign(surface.mesh().vertexCapacity(), 0);
+    for (const Vertex end : {chain.vertices.front(), chain.vertices.back()})
+      lengths[end] += 0.5 * chain.length();
+  }
+  return lengths;
+}
+
+// No size is below what the way from a kept edge allows: such an edge needs triangles to match,
+// even where all others are much smaller. Settled from the largest down.
+void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept, double slope,
+                 VertexData<double>& sizes) {
+  std::priority_queue<std::pair<double, Index>> queue;
+  const auto raise = [&](Vertex v, double size) {
+    if (size <= sizes[v]) return;
+    sizes[v] = size;
+    queue.emplace(size, v.index);
+  };
+  for (Index i = 0; i < kept.size(); ++i) raise(Vertex(i), kept[Vertex(i)]);
+  while (!queue.empty()) {
+    const auto [size, i] = queue.top();
+    queue.pop();
+    const Vertex v(i);
+    if (size < sizes[v]) continue;
+    surface.mesh().forEachNeighbor(v, [&](Vertex w) {
+      raise(w, size - slope * (surface.positions()[w] - surface.positions()[v]).norm());
+    });
+  }
+}
+
 }  // namespace
 
 double evenEdgeLength(double area, double vertices) {
@@ -125,7 +160,9 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
       mean_(evenEdgeLength(surface.area(), rules.vertices)),
       meanEdge_(mean_),
       vertices_(rules.vertices) {
-  const bool even = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0;
+  const VertexData<double> kept = keptLengths(surface);
+  const bool even =
+      rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0;
   if (even) {
     sizes_.assign(sizes_.size(), mean_);
     return;
@@ -143,7 +180,10 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     normalize(areas, mean_, sizes_);
     for (Index v = 0; v < largest.size(); ++v)
       sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], largest[Vertex(v)]);
+    for (Index v = 0; v < kept.size(); ++v)
+      if (kept[Vertex(v)] > 0) sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], kept[Vertex(v)]);
     limitGradation(surface, slope, sizes_);
+    raiseAround(surface, kept, slope, sizes_);
   }
   meanEdge_ = meanOverEdges(areas, sizes_);
   vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));

@@ -69,6 +69,19 @@ TEST_CASE("feature detection: a crease is followed to where it fades") {
   CHECK(end <= 36);
 }
 
+TEST_CASE("feature detection: the apex of a cone is a tip, and no other vertex of anything is") {
+  const auto tips = [](const TriangleMesh& mesh) {
+    const surfaces::Surface surface = surfaces::surface("", mesh);
+    return detectTips(surface.mesh(), surface.positions(), detect(surface, 0.1));
+  };
+  const std::vector<Vertex> onCone = tips(shapes::cone(40));
+  REQUIRE(onCone.size() == 1);
+  CHECK(surfaces::surface("", shapes::cone(40)).positions()[onCone[0]] == Vec3(0, 0, 2));
+  for (const TriangleMesh& mesh : {shapes::cube(4), shapes::cylinder(40, 6), shapes::icosphere(1),
+                                   shapes::icosphere(6), shapes::torus(30, 20), shapes::grid(6, 6)})
+    CHECK(tips(mesh).empty());
+}
+
 TEST_CASE("feature detection: a crease that is nowhere sharp is none") {
   CHECK(detect(surfaces::surface("", fadingRoof(40, 38)), 1).empty());
 }

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// What whole runs promise about edges: features survive, boundaries stay or are followed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/triangle.h"
+#include "measure/edge_table.h"
+#include "measure/mesh_report.h"
+#include "schemes/remesh.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+using Segment = std::array<Vec3, 2>;
+
+// The edges that are open, or bent by more than 40°.
+enum class Which { Open, Sharp };
+
+std::vector<Segment> edgesOf(const TriangleMesh& input, Which which) {
+  const WeldedMesh mesh = weld(input);
+  const EdgeTable table(mesh);
+  const auto normal = [&](Index corner) {
+    const auto [a, b, c] = mesh.triangle(corner / 3);
+    return unitNormal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  };
+  std::vector<Segment> result;
+  for (std::size_t e = 0; e < table.size(); ++e) {
+    const EdgeTable::Edge edge = table[e];
+    const bool isOpen = edge.opposites.size() == 1;
+    const bool isSharp =
+        !isOpen && normal(edge.opposites[0]).dot(normal(edge.opposites[1])) < std::cos(radians(40));
+    if (which == Which::Open ? isOpen : isSharp)
+      result.push_back({mesh.positions[edge.low], mesh.positions[edge.high]});
+  }
+  return result;
+}
+
+double distance(const Vec3& p, const std::vector<Segment>& segments) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : segments)
+    nearest = std::min(nearest, (closestPoint(p, a, b, b) - p).norm());
+  return nearest;
+}
+
+// Of the points of one curve from the other.
+double farthest(const std::vector<Segment>& from, const std::vector<Segment>& to) {
+  double most = 0;
+  for (const auto& [a, b] : from)
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+      most = std::max(most, distance((1 - t) * a + t * b, to));
+  return most;
+}
+
+// Where other than two curve edges meet, or two at a bend of more than 50°.
+std::vector<Vec3> cornersOf(const std::vector<Segment>& curve) {
+  std::vector<Vec3> corners;
+  for (const Segment& segment : curve)
+    for (const Vec3& p : segment) {
+      std::vector<Vec3> ways;
+      for (const auto& [a, b] : curve)
+        if (a == p || b == p) ways.push_back(((a == p ? b : a) - p).normalized());
+      if (ways.size() != 2 || -ways[0].dot(ways[1]) < std::cos(radians(50))) corners.push_back(p);
+    }
+  return corners;
+}
+
+// The edges at the apex of a cone, and those next to them, are as sharp as they are few.
+std::vector<Segment> withoutThoseAround(const Vec3& apex, std::vector<Segment> edges) {
+  std::erase_if(edges, [&](const Segment& s) { return (s[0] - apex).norm() < 0.45; });
+  return edges;
+}
+
+bool contains(const TriangleMesh& mesh, const Vec3& p) {
+  return std::find(mesh.positions.begin(), mesh.positions.end(), p) != mesh.positions.end();
+}
+
+std::set<std::array<double, 6>> asSet(const std::vector<Segment>& segments) {
+  std::set<std::array<double, 6>> result;
+  for (const auto& [a, b] : segments) {
+    std::array<double, 6> there = {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+    std::array<double, 6> back = {b.x(), b.y(), b.z(), a.x(), a.y(), a.z()};
+    result.insert(std::min(there, back));
+  }
+  return result;
+}
+
+// A hilly sheet with an outline of uneven steps.
+TriangleMesh hills() {
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, 24, 24, [](int i, int k) {
+    const double x = i + 0.3 * std::sin(3.0 * i), y = k + 0.3 * std::cos(2.0 * k);
+    return Vec3(x, y, 2 * std::sin(0.4 * x) * std::cos(0.3 * y));
+  });
+  return mesh;
+}
+
+RemeshOutcome run(const TriangleMesh& mesh, Index vertices, RemeshOptions options = {}) {
+  options.vertices = vertices;
+  return remeshSurface(mesh, options, {});
+}
+
+}  // namespace
+
+TEST_CASE("curves: features of bodies survive, none is lost, none is invented") {
+  struct Case {
+    TriangleMesh body;
+    double diagonal;
+    std::vector<Vec3> tips;
+  };
+  for (const auto& [body, diagonal, tips] :
+       {Case{shapes::cube(8), 8 * std::sqrt(3.0), {}},
+        Case{shapes::boxWithHole(), 3 * std::sqrt(3.0), {}},
+        Case{shapes::cylinder(96, 24), std::sqrt(12.0), {}},
+        Case{shapes::cone(96), std::sqrt(8.0), {Vec3(0, 0, 2)}}})
+    for (const Index vertices : {600, 2500}) {
+      CAPTURE(vertices);
+      const RemeshOutcome outcome = run(body, vertices);
+      const std::vector<Segment> before = edgesOf(body, Which::Sharp);
+      std::vector<Segment> after = edgesOf(outcome.mesh, Which::Sharp);
+      for (const Vec3& tip : tips) {
+        CHECK(contains(outcome.mesh, tip));
+        after = withoutThoseAround(tip, after);
+      }
+      CHECK(outcome.mesh.positions.size() == vertices);
+      for (const Vec3& corner : cornersOf(before)) CHECK(contains(outcome.mesh, corner));
+      for (const auto& [a, b] : after) {
+        CHECK(distance(a, before) < 1e-6 * diagonal);
+        CHECK(distance(b, before) < 1e-6 * diagonal);
+      }
+      // An arc between two vertices of a round rim bulges out by its length² / 8 radii: 600
+      // vertices are as far apart as 0.15 of the radius.
+      const double bulge = vertices < 1000 ? 3e-3 : 1e-3;
+      CHECK(farthest(before, after) < bulge * diagonal);
+      CHECK(farthest(after, before) < bulge * diagonal);
+    }
+}
+
+TEST_CASE("curves: the straight edges and planes of a cube stay exactly straight and plane") {
+  const TriangleMesh body = shapes::cube(6);
+  const RemeshOutcome outcome = run(body, 1500);
+  const std::vector<Segment> before = edgesOf(body, Which::Sharp),
+                             after = edgesOf(outcome.mesh, Which::Sharp);
+  CHECK(farthest(before, after) < 1e-12);
+  CHECK(farthest(after, before) < 1e-12);
+  for (const Vec3& p : outcome.mesh.positions) {
+    double off = 6;
+    for (int axis = 0; axis < 3; ++axis)
+      off = std::min({off, std::abs(p[axis]), std::abs(6 - p[axis])});
+    CHECK(off < 1e-12);
+  }
+}
+
+TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices are asked for") {
+  const TriangleMesh mesh = hills();
+  const auto before = asSet(edgesOf(mesh, Which::Open));
+  RemeshOptions options;
+  options.boundary = Boundary::Keep;
+  for (const Scheme scheme : {Scheme::Best, Scheme::Rounds})
+    for (const Index vertices : {300, 700, 3000}) {
+      CAPTURE(vertices);
+      options.scheme = scheme;
+      const RemeshOutcome outcome = run(mesh, vertices, options);
+      CHECK(outcome.stopped == Stopped::Target);
+      CHECK(outcome.mesh.positions.size() == vertices);
+      CHECK(asSet(edgesOf(outcome.mesh, Which::Open)) == before);
+    }
+}
+
+TEST_CASE("curves: beside a kept boundary of long edges triangles grow to match") {
+  RemeshOptions options;
+  options.boundary = Boundary::Keep;
+  const RemeshOutcome outcome = run(hills(), 6000, options);
+  CHECK(inspectMesh(outcome.mesh).minAngle.worst > 25);
+}
+
+TEST_CASE("curves: a resampled boundary follows the one it had, corners included") {
+  const TriangleMesh mesh = hills();
+  const double diagonal = 24 * std::sqrt(2.0);
+  const std::vector<Segment> before = edgesOf(mesh, Which::Open);
+  for (const Index vertices : {700, 3000}) {
+    const RemeshOutcome outcome = run(mesh, vertices);
+    const std::vector<Segment> after = edgesOf(outcome.mesh, Which::Open);
+    CHECK(farthest(before, after) < 0.01 * diagonal);
+    for (const auto& [a, b] : after) CHECK(distance(a, before) < 1e-6 * diagonal);
+    for (const Vec3& corner : cornersOf(before)) CHECK(contains(outcome.mesh, corner));
+  }
+}
