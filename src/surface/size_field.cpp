@@ -134,9 +134,9 @@ void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept,
   };
   for (Index i = 0; i < kept.size(); ++i) raise(Vertex(i), kept[Vertex(i)]);
   while (!queue.empty()) {
-    const auto [size, i] = queue.top();
+    const double size = queue.top().first;
+    const Vertex v(queue.top().second);
     queue.pop();
-    const Vertex v(i);
     if (size < sizes[v]) continue;
     surface.mesh().forEachNeighbor(v, [&](Vertex w) {
       raise(w, size - slope * (surface.positions()[w] - surface.positions()[v]).norm());
