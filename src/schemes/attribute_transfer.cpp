@@ -4,17 +4,38 @@
 #include <algorithm>
 
 #include "schemes/attribute_mix.h"
+#include "schemes/chart_keeper.h"
 
 namespace remesher {
 
 namespace {
 
+// Where each corner of a triangle takes its attributes from.
+HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh,
+                                        const std::vector<Halfedge>& jumps) {
+  const HalfedgeMesh& m = mesh.mesh();
+  HalfedgeData<SurfacePoint> points(m.halfedgeCapacity(), SurfacePoint{});
+  ChartKeeper keeper(mesh, jumps);
+  for (Index f = 0; f < m.faceCapacity(); ++f) {
+    if (!m.isAlive(Face(f))) continue;
+    const std::array<SurfacePoint, 3> corners = keeper.corners(Face(f));
+    for (Index k = 0; k < 3; ++k) points[Halfedge(3 * f + k)] = corners[k];
+  }
+  return points;
+}
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.barycentric == b.barycentric;
+}
+
 // Collects output vertices; one per working vertex and side of the curves through it.
 class Extraction {
  public:
-  Extraction(const WorkingMesh& mesh, const TriangleMesh& input,
-             const std::vector<std::string>& chartless)
-      : mesh_(mesh), input_(input), mix_(mesh.surface(), input, chartless) {
+  Extraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
+      : mesh_(mesh),
+        input_(input),
+        mix_(mesh.surface(), input, rules.chartless),
+        points_(cornerPoints(mesh, rules.jumps)) {
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -33,8 +54,8 @@ class Extraction {
   }
 
  private:
-  // Turns around v; every curve edge begins a new side. Sides with equal attributes share one
-  // output.
+  // Turns around v; every curve edge begins a new side, and so does every other place that a
+  // corner takes its attributes from. Sides with equal attributes share one output.
   void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
     const HalfedgeMesh& m = mesh_.mesh();
     Halfedge first = m.outgoing(v);
@@ -47,10 +68,12 @@ class Extraction {
     }
     const Index begin = Index(result_.positions.size());
     Index current = kNone;
-    Halfedge h = first;
+    Halfedge h = first, before;
     do {
-      if (current == kNone || mesh_.isCurve(h)) current = addSide(v, h, begin);
+      if (current == kNone || mesh_.isCurve(h) || !isSame(points_[h], points_[before]))
+        current = addSide(v, h, begin);
       outputOf[h] = current;
+      before = h;
       h = m.twin(m.prev(h));
     } while (h && h != first);
   }
@@ -58,7 +81,7 @@ class Extraction {
   Index addSide(Vertex v, Halfedge h, Index begin) {
     const Index made = Index(result_.positions.size());
     result_.positions.push_back(mesh_.position(v));
-    if (!result_.attributes.empty()) mix_.append(mesh_.cornerPoint(h), result_.attributes);
+    if (!result_.attributes.empty()) mix_.append(points_[h], result_.attributes);
     for (Index other = begin; other < made; ++other)
       if (sameAttributes(other, made)) {
         dropLast();
@@ -88,14 +111,15 @@ class Extraction {
   const WorkingMesh& mesh_;
   const TriangleMesh& input_;
   AttributeMix mix_;
+  HalfedgeData<SurfacePoint> points_;
   TriangleMesh result_;
 };
 
 }  // namespace
 
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
-                         const std::vector<std::string>& chartless) {
-  return Extraction(mesh, input, chartless).run();
+                         const TransferRules& rules) {
+  return Extraction(mesh, input, rules).run();
 }
 
 }  // namespace remesher

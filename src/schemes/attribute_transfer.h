@@ -10,9 +10,14 @@
 
 namespace remesher {
 
+struct TransferRules {
+  std::vector<std::string> chartless;  // see AttributeMix
+  std::vector<Halfedge> jumps;         // see ChartKeeper
+};
+
 // A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the
-// original triangle they lie on. chartless: see AttributeMix.
+// original triangle they lie on.
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
-                         const std::vector<std::string>& chartless);
+                         const TransferRules& rules);
 
 }  // namespace remesher

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "surface/curve_simplification.h"
 #include "surface/feature_detection.h"
 #include "surface/seams.h"
 
@@ -43,21 +44,24 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
                          const RemeshOptions& options, double size) {
   const double angle = options.featureAngle.value_or(kFeatureAngle);
-  CurveRules rules;
-  rules.edges = givenEdges(built, options);
-  rules.size = size;
-  rules.keepBoundary = options.boundary == Boundary::Keep;
-  const auto add = [&](const std::vector<Halfedge>& edges) {
-    rules.edges.insert(rules.edges.end(), edges.begin(), edges.end());
+  CurveEdges edges{{}, givenEdges(built, options)};
+  const auto add = [](std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
+    to.insert(to.end(), from.begin(), from.end());
   };
   const bool byDefault = options.scheme == Scheme::Best;
   const bool isDetecting = options.detectFeatures && (byDefault || options.featureAngle);
-  if (isDetecting) add(detectFeatures(built.mesh, built.positions, {angle, size}));
+  if (isDetecting) add(edges.free, detectFeatures(built.mesh, built.positions, {angle, size}));
   Seams seams = findSeams(built, input, angle);
-  add(seams.edges);
+  add(edges.free, seams.edges);
+  add(edges.fixed, seams.borders);
+  CurveRules rules;
+  rules.edges = simplifyCurves(built.mesh, built.positions, edges, size);
+  add(rules.edges, edges.fixed);
+  rules.size = size;
+  rules.keepBoundary = options.boundary == Boundary::Keep;
   if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules), std::move(seams.chartless),
-          std::move(seams.warnings)};
+          std::move(seams.jumps), std::move(seams.warnings)};
 }
 
 }  // namespace remesher

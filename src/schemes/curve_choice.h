@@ -16,6 +16,7 @@ namespace remesher {
 struct CurveChoice {
   FeatureCurves curves;
   std::vector<std::string> chartless;  // attributes whose seams are not kept: see findSeams
+  std::vector<Halfedge> jumps;         // the seams that texture must not bleed over, kept or not
   std::vector<Warning> warnings;
 };
 

@@ -70,6 +70,7 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
   }
   for (const Halfedge h : found)
     if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
+  if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNo
   const auto group = [&](Halfedge h) { return input.groups[built.triangles[mesh.face(h)]]; };
   if (!input.groups.empty())
     for (const Halfedge h : edges.inner)
-      if (group(h) != group(mesh.twin(h))) seams.edges.push_back(h);
+      if (group(h) != group(mesh.twin(h))) seams.borders.push_back(h);
   for (const Attribute& attribute : input.attributes)
     addAttributeSeams(built, attribute, edges, seams);
   return seams;

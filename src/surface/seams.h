@@ -14,6 +14,8 @@ namespace remesher {
 
 struct Seams {
   std::vector<Halfedge> edges;         // one halfedge of each
+  std::vector<Halfedge> jumps;         // those of them where more jumps than the shading
+  std::vector<Halfedge> borders;       // of groups, likewise
   std::vector<std::string> chartless;  // semantics that jump across most edges: no curves for them
   std::vector<Warning> warnings;       // ATTRIBUTE_HAS_NO_CHARTS for each of those
 };

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/chart_keeper.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Around a seam's end two sides hang together: as far as this, in radii of the triangle, a way
+// there is short enough for both to be one chart.
+constexpr double kReach = 1.5;
+
+}  // namespace
+
+ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const std::vector<Halfedge>& jumps)
+    : mesh_(mesh),
+      jumps_(mesh.surface().mesh().halfedgeCapacity(), 0),
+      seen_(mesh.surface().mesh().faceCapacity(), 0) {
+  const FeatureCurves& curves = mesh.surface().curves();
+  for (const Halfedge h : jumps) {
+    jumps_[h] = jumps_[mesh.surface().mesh().twin(h)] = 1;
+    any_ = any_ || !curves.isCurve(h);
+  }
+}
+
+// The faces that can be reached from `start` inside the ball without crossing a jump.
+void ChartKeeper::collect(Face start, const Ball& ball) {
+  const OriginalSurface& surface = mesh_.surface();
+  const HalfedgeMesh& original = surface.mesh();
+  ++stamp_;
+  seen_[start] = stamp_;
+  chart_ = {start};
+  for (std::size_t i = 0; i < chart_.size(); ++i) {
+    const Halfedge first = HalfedgeMesh::halfedge(chart_[i]);
+    for (const Halfedge h : {first, HalfedgeMesh::next(first), HalfedgeMesh::prev(first)}) {
+      if (original.isBoundary(h) || jumps_[h]) continue;
+      const Face across = HalfedgeMesh::face(original.twin(h));
+      const Vec3 &a = surface.positions()[original.origin(h)],
+                 &b = surface.positions()[original.tip(h)];
+      if (contains(across) ||
+          (closestPoint(ball.center, a, b, b) - ball.center).norm() > ball.radius)
+        continue;
+      seen_[across] = stamp_;
+      chart_.push_back(across);
+    }
+  }
+}
+
+std::array<SurfacePoint, 3> ChartKeeper::intoChart(
+    const std::array<SurfacePoint, 3>& points) const {
+  const OriginalSurface& surface = mesh_.surface();
+  std::array<SurfacePoint, 3> result = points;
+  for (SurfacePoint& point : result) {
+    if (contains(point.face)) continue;
+    const Vec3 p = surface.position(point);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face f : chart_) {
+      const auto [a, b, c] = surface.mesh().vertices(f);
+      const auto at = [&](Vertex v) -> const Vec3& { return surface.positions()[v]; };
+      const SurfacePoint near{f, closestBarycentric(p, at(a), at(b), at(c))};
+      const double distance = (surface.position(near) - p).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      point = near;
+    }
+  }
+  return result;
+}
+
+std::array<SurfacePoint, 3> ChartKeeper::corners(Face f) {
+  const Halfedge h = HalfedgeMesh::halfedge(f);
+  const std::array<SurfacePoint, 3> points = {mesh_.cornerPoint(h),
+                                              mesh_.cornerPoint(HalfedgeMesh::next(h)),
+                                              mesh_.cornerPoint(HalfedgeMesh::prev(h))};
+  if (!any_ || (points[0].face == points[1].face && points[0].face == points[2].face))
+    return points;
+  std::array<Vec3, 3> places;
+  for (int k = 0; k < 3; ++k) places[k] = mesh_.surface().position(points[k]);
+  Ball ball{(places[0] + places[1] + places[2]) / 3, 0};
+  for (const Vec3& p : places) ball.radius = std::max(ball.radius, (p - ball.center).norm());
+  ball.radius *= kReach;
+  int best = 0;
+  std::ptrdiff_t most = 0;
+  for (int k = 0; k < 3 && most < 3; ++k) {
+    collect(points[k].face, ball);
+    const auto inside = std::count_if(points.begin(), points.end(),
+                                      [&](const SurfacePoint& p) { return contains(p.face); });
+    if (inside > most) {
+      most = inside;
+      best = k;
+    }
+  }
+  if (most == 3) return points;
+  collect(points[best].face, ball);
+  return intoChart(points);
+}
+
+}  // namespace remesher

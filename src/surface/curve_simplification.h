@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Which curves a mesh of a given edge length can follow. Real files are full of seams much closer
+// together than that: bevels between two hard edges, texture islands of a few triangles, short
+// bridges from seam to seam. Where two curves pin vertices nearer than an edge is long, nothing can
+// make good triangles, so such curves are let go; the attributes there keep to one side by
+// themselves (see ChartKeeper).
+#pragma once
+
+#include <vector>
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+struct CurveEdges {
+  std::vector<Halfedge> free;   // may be let go; one halfedge of each, or both
+  std::vector<Halfedge> fixed;  // stay: given by the caller, borders of materials
+};
+
+// The free edges that stay, one halfedge of each. size: the target edge length, model units.
+std::vector<Halfedge> simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                                     const CurveEdges& curves, double size);
+
+}  // namespace remesher
