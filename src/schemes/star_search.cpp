@@ -63,7 +63,7 @@ bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, double keepAngle)
     : mesh_(run.mesh),
-      rule_(run.rule),
+      rule_(lenient(run)),
       distances_(distances),
       v_(v),
       spoke_(meanSpoke(mesh_, v)),
@@ -71,10 +71,8 @@ StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, do
       distance_(distances.around(v, best_.position)),
       lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
 
-// Where an ear or a hoof is as thin as the triangles are large they must wrap around it: a rule
-// against folds alone, which compares with the original's normals, has no say there.
 bool StarSearch::isAllowed(const Placement& place) {
-  if (rule_.mode == Fidelity::Fold) return !turnsOver(mesh_, v_, place.position);
+  if (turnsOver(mesh_, v_, place.position)) return false;
   proposePlacement(mesh_, v_, place, change_);
   return judge(mesh_, change_, rule_) == Verdict::Accepted;
 }

@@ -28,7 +28,7 @@ class StarSearch {
   void slide(double enough);
 
   const WorkingMesh& mesh_;
-  const FidelityRule& rule_;
+  const FidelityRule rule_;
   TwoSidedDistance& distances_;
   const Vertex v_;
   const double spoke_;  // the mean length of its edges
