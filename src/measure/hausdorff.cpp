@@ -16,9 +16,9 @@ namespace remesher {
 
 namespace {
 
-// Samples by area, per side: one for two triangles, within these limits. The rms of N samples is
+// Samples by area, per side: one per triangle, within these limits. The rms of N samples is
 // off by about 1/√N of itself.
-constexpr std::size_t kFewestSamples = 10'000, kMostSamples = 100'000;
+constexpr std::size_t kFewestSamples = 20'000, kMostSamples = 200'000;
 // So many triangles share one look around, as far as this share of their extent and distance.
 constexpr std::size_t kBatch = 16;
 constexpr double kReach = 0.1;
@@ -105,8 +105,7 @@ class Measurement {
   double lookAround(const Vec3& p) { return note(to_.tree.nearest(p, last_, region_)); }
 
   void sample() {
-    const std::size_t wanted =
-        std::clamp(from_.mesh.triangleCount() / 2, kFewestSamples, kMostSamples);
+    const std::size_t wanted = std::clamp(from_.mesh.triangleCount(), kFewestSamples, kMostSamples);
     const double total = from_.area();
     const double perArea = total > 0 ? static_cast<double>(wanted) / total : 0;
     const std::span<const Index> order = from_.tree.order();

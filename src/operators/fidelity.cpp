@@ -13,7 +13,7 @@ namespace {
 
 // Triangles with a smaller angle are poor. For the sake of a better shape a cosine may be worse by
 // a little.
-constexpr double kPoor = radians(35);
+constexpr double kPoor = radians(8);
 constexpr double kLittleWorse = 0.02;
 
 struct Corners {
