@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What whole runs promise about edges: features survive, boundaries stay or are followed.
+#include "schemes/remesh.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "geometry/triangle.h"
 #include "measure/edge_table.h"
 #include "measure/mesh_report.h"
-#include "schemes/remesh.h"
 #include "support/shapes.h"
 
 using namespace remesher;
