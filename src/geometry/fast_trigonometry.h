@@ -3,6 +3,7 @@
 // library takes, and the same bits on every engine.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include "base/types.h"
@@ -29,7 +30,7 @@ inline double angleOf(double sine, double cosine) {
 // (cos, sin) of an angle ≥ 0, not many turns.
 inline Vec2 onUnitCircle(double angle) {
   constexpr double kQuarter = std::numbers::pi / 2;
-  const int quarters = int(angle / kQuarter + 0.5);
+  const int quarters = int(std::floor(angle / kQuarter + 0.5));
   const double x = angle - quarters * kQuarter, u = x * x;
   double cosine = 1, sine = 1;
   for (int k = 8; k >= 2; k -= 2) {
