@@ -17,6 +17,22 @@ export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) 
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
+/** A ring whose tube is thin on one side, an eighth as thick as on the other: it bends most there. */
+export function signetRing() {
+  const [columns, rows, thick] = [160, 48, 0.8];
+  const { positions, indices } = torus({ columns, rows, tube: thick });
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y] = [positions[i], positions[i + 1]];
+    const turn = Math.atan2(y, x);
+    const share = 9 / 16 + (7 / 16) * Math.cos(turn);
+    const reach = 2 + share * (Math.hypot(x, y) - 2);
+    positions[i] = reach * Math.cos(turn);
+    positions[i + 1] = reach * Math.sin(turn);
+    positions[i + 2] *= share;
+  }
+  return { positions, indices };
+}
+
 /** A wavy square sheet of side 1: one boundary loop, Euler characteristic 1. */
 export function sheet(n = 24) {
   const positions = [];
