@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "operators/delaunay.h"
+#include "schemes/coarsen.h"
 #include "schemes/lengths.h"
 #include "schemes/sweeps.h"
 #include "schemes/valence.h"
@@ -87,7 +88,7 @@ struct Ranked {
   Vertex from, to;
 };
 
-std::vector<Ranked> edgesByLength(const Run& run) {
+std::vector<Ranked> edgesLongestFirst(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::vector<Ranked> edges;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
@@ -95,38 +96,20 @@ std::vector<Ranked> edgesByLength(const Run& run) {
     if (mesh.isEdge(h)) edges.push_back({relativeLength(run, h), mesh.origin(h), mesh.tip(h)});
   }
   std::stable_sort(edges.begin(), edges.end(),
-                   [](const Ranked& a, const Ranked& b) { return a.length < b.length; });
+                   [](const Ranked& a, const Ranked& b) { return a.length > b.length; });
   return edges;
 }
 
+// Returns the number of splits.
 std::size_t splitLongest(Run& run, std::size_t vertices) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::vector<Ranked> edges = edgesByLength(run);
   std::size_t splits = 0;
-  for (auto edge = edges.rbegin(); edge != edges.rend() && mesh.vertexCount() < vertices; ++edge)
-    if (const Halfedge h = mesh.find(edge->from, edge->to))
-      if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
-  return splits;
-}
-
-std::size_t collapseShortest(Run& run, std::size_t vertices) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  VertexData<char> touched(mesh.vertexCapacity(), 0);
-  std::size_t collapses = 0;
-  for (const Ranked& edge : edgesByLength(run)) {
-    if (mesh.vertexCount() <= vertices) break;
-    if (touched[edge.from] || touched[edge.to]) continue;
+  for (const Ranked& edge : edgesLongestFirst(run)) {
+    if (mesh.vertexCount() >= vertices) break;
     const Halfedge h = mesh.find(edge.from, edge.to);
-    for (const Halfedge direction : {h, mesh.twin(h)}) {
-      if (!direction || !proposeCollapse(run.mesh, run.projector, direction, run.change)) continue;
-      if (!commit(run)) continue;
-      ++collapses;
-      touched[edge.from] = touched[edge.to] = 1;
-      mesh.forEachNeighbor(run.result, [&](Vertex w) { touched[w] = 1; });
-      break;
-    }
+    if (h && proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
   }
-  return collapses;
+  return splits;
 }
 
 }  // namespace
@@ -146,10 +129,9 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
 
 bool matchCount(Run& run, std::size_t vertices) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::size_t changes = 1;
-  while (mesh.vertexCount() != vertices && changes > 0)
-    changes = mesh.vertexCount() < vertices ? splitLongest(run, vertices)
-                                            : collapseShortest(run, vertices);
+  coarsen(run, vertices, MeetingPlace::Middle);
+  while (mesh.vertexCount() < vertices && splitLongest(run, vertices) > 0) {
+  }
   return mesh.vertexCount() == vertices;
 }
 

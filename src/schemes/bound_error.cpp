@@ -49,7 +49,7 @@ void beginAgain(Run& run, std::size_t vertices, const Progress& progress) {
   run.scale = 1;
   adaptToSizes(run, vertices, progress.part("adapt", 0, 0.8));
   annealValences(run, 2, progress.part("anneal", 0.8, 0.9));
-  coarsen(run, vertices);
+  coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
   progress.at(0.95);
   relax(run, 2);
 }
@@ -60,7 +60,7 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   const bool isMended = mend(run, goal.bound, progress.part("mend", 0, 0.3));
   run.rule.bound = &goal.bound;
   if (!isMended) beginAgain(run, goal.vertices, progress.part("adapt", 0.3, 0.8));
-  coarsen(run, goal.vertices);
+  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds);
   matchCount(run, goal.vertices);
   progress.at(0.9);
   delaunayFlips(run.mesh, run.rule);

@@ -2,6 +2,7 @@
 #include "schemes/coarsen.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "schemes/lengths.h"
@@ -12,8 +13,11 @@ namespace {
 
 class Coarsening {
  public:
-  Coarsening(Run& run, std::size_t vertices)
-      : run_(run), vertices_(vertices), changed_(run.mesh.mesh().vertexCapacity(), 1) {}
+  Coarsening(Run& run, std::size_t vertices, MeetingPlace place)
+      : run_(run),
+        vertices_(vertices),
+        place_(place),
+        changed_(run.mesh.mesh().vertexCapacity(), 1) {}
 
   void run() {
     while (isTooMany() && pass() > 0) {
@@ -57,21 +61,27 @@ class Coarsening {
     return collapses;
   }
 
-  // In the middle, else into one of the ends.
   bool collapse(Halfedge h) {
-    if (proposeCollapse(run_.mesh, run_.projector, h, run_.change) && commit(run_)) return true;
-    for (const Halfedge into : {h, run_.mesh.mesh().twin(h)})
-      if (into && proposeCollapseInto(run_.mesh, into, run_.change) && commit(run_)) return true;
+    const std::array<Halfedge, 2> directions = {h, run_.mesh.mesh().twin(h)};
+    for (const Halfedge d : directions)
+      if (d && proposeCollapse(run_.mesh, run_.projector, d, run_.change) && commit(run_))
+        return true;
+    if (place_ == MeetingPlace::Middle) return false;
+    for (const Halfedge d : directions)
+      if (d && proposeCollapseInto(run_.mesh, d, run_.change) && commit(run_)) return true;
     return false;
   }
 
   Run& run_;
   std::size_t vertices_;
+  MeetingPlace place_;
   VertexData<char> changed_;
 };
 
 }  // namespace
 
-void coarsen(Run& run, std::size_t vertices) { Coarsening(run, vertices).run(); }
+void coarsen(Run& run, std::size_t vertices, MeetingPlace place) {
+  Coarsening(run, vertices, place).run();
+}
 
 }  // namespace remesher
