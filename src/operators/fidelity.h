@@ -3,11 +3,12 @@
 //
 // With N_i the original's unit normal under a corner i of a triangle T and N_T the normal of T
 // itself:
-//   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2           (the report's text)
-//   loose   some pair and some corner pass                                    (the report's
-//   program) fold    every  N_i·N_T > kFold, or the worst of them is no worse than it was before
-// Where the triangles that go break strict or loose themselves, and one of them is poor, a flip, a
-// split or a move that makes the poorest better is let through if it is hardly worse by these
+//   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
+//   loose   some pair and some corner pass  (the report's program)
+//   fold    every  N_i·N_T > kFold, or the worst of them is no worse than it was before
+//
+// Where the triangles that go break strict or loose themselves, and one of them is a sliver of less
+// than 8°, a flip, a split or a move that opens it is let through if it is hardly worse by these
 // measures. Strict and loose also refuse triangles that turn over. The measure of "before" is the
 // worst of the triangles that the operation replaces.
 #pragma once

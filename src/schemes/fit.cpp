@@ -14,7 +14,6 @@ namespace {
 
 // The last pass gains little; a large mesh does without it.
 constexpr int kPasses = 3, kPassesInLarge = 2;
-constexpr std::size_t kLarge = 100000;
 // Angles above this may shrink, but never below it; what is below may not shrink at all.
 constexpr double kKeepAngle = radians(33);
 
@@ -88,7 +87,7 @@ void offsetVertex(Run& run, Vertex v, double distance) {
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   FaceData<NearFaces> near(mesh.faceCapacity());
-  const int passes = mesh.vertexCount() < kLarge ? kPasses : kPassesInLarge;
+  const int passes = isLarge(run) ? kPassesInLarge : kPasses;
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());

@@ -8,8 +8,8 @@
 
 namespace remesher {
 
-// Interior vertices only. No move opens a bad triangle or makes any distance the larger for another
-// place.
+// Vertices on curves slide along them, corners stay, edges between the places may flip. No step
+// makes a bad triangle, or any distance larger for another place.
 void lowerHausdorff(Run& run);
 
 }  // namespace remesher

@@ -17,8 +17,8 @@ constexpr double kSpacing = 0.5;  // of the target edge length
 // A walk may end in a local minimum; places farther than this are tried from other sides too.
 constexpr double kDoubtful = 0.3;  // of the target edge length
 constexpr int kRetries = 4;
-// The place between three such corners, so near to each other in target lengths, are no other.
-constexpr double kBetween = 2;
+// Inside a triangle with sides no longer than this, and corners that are near, all is near.
+constexpr double kBetween = 2;    // target edge lengths
 constexpr double kSameWay = 0.9;  // cosine
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -176,7 +176,6 @@ class Survey {
     const double longest =
         std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
     const double size = run_.scale * run_.sizes.at(corners[0]);
-    // What lies between near corners that are close together is near too.
     if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
       return;
     const int n = int(std::ceil(longest / (kSpacing * size)));

@@ -146,14 +146,14 @@ bool isBad(const Run& run, Face f, double angle) {
   return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f) < angle;
 }
 
-}  // namespace
-
 // Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
 // where even that fails a vertex may leave the surface.
 Means meansOf(int round) {
   if (round + 1 == kRounds) return Means::LeaveSurface;
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
+
+}  // namespace
 
 void polish(Run& run, double angle) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();

@@ -12,13 +12,12 @@ namespace {
 // What moves by less than this share of its target length is settled; in large meshes, where a pass
 // costs and few triangles are near any limit, sooner.
 constexpr double kStillMoves = 0.004, kStillMovesInLarge = 0.01;
-constexpr std::size_t kLarge = 100000;
 
 }  // namespace
 
 void relax(Run& run, int passes) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double share = mesh.vertexCount() < kLarge ? kStillMoves : kStillMovesInLarge;
+  const double share = isLarge(run) ? kStillMovesInLarge : kStillMoves;
   std::vector<Vertex> active;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass) {

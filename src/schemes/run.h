@@ -36,6 +36,12 @@ inline bool commit(Run& run, const FidelityRule& rule) {
 
 inline bool commit(Run& run) { return commit(run, run.rule); }
 
+// Where a step costs seconds, and a few triangles more or less near a limit are not seen.
+inline bool isLarge(const Run& run) {
+  constexpr std::size_t kLarge = 100000;
+  return run.mesh.mesh().vertexCount() >= kLarge;
+}
+
 // The run's rule, but more tolerant of folds: for what must go.
 inline FidelityRule lenient(const Run& run) {
   FidelityRule rule = run.rule;

@@ -4,7 +4,6 @@
 #include "schemes/two_sided_distance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/triangle.h"
@@ -14,14 +13,14 @@ namespace remesher {
 
 namespace {
 
-// A walk from one corner may end in a local minimum: what is farther than this is tried from the
-// others too.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // What is beside a vertex and nearer to its tangent plane than this decides nothing.
 constexpr double kSurelyNear = 0.02;  // of the target edge length
 // An edge follows the original where its slope to both tangent planes is less and they face the
 // same way: sine and cosine.
 constexpr double kSlope = 0.1, kSameWay = 0.97;
+// A walk from one corner may end in a local minimum: what is farther than this is tried from the
+// others too.
 constexpr double kDoubtful = 0.2;  // of the mean target edge length
 
 }  // namespace
