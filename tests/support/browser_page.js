@@ -5,16 +5,10 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-import { chromium } from 'playwright-core';
 import { build, preview } from 'vite';
 
+import { startChromium } from './chromium.js';
 import { root } from './tree.js';
-
-const chromiumArguments = [
-  '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync',
-  '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',  // WebGL in software
-];
 
 /** Builds and serves the page, and starts a browser; `close` undoes all of it. */
 export async function startSite() {
@@ -22,9 +16,7 @@ export async function startSite() {
   const common = { configFile: join(root, 'web/vite.config.js'), logLevel: 'error' };
   await build({ ...common, build: { outDir, emptyOutDir: true } });
   const server = await preview({ ...common, build: { outDir }, preview: { port: 0 } });
-  const browser = await chromium.launch({
-    executablePath: '/usr/bin/chromium', args: chromiumArguments,
-  });
+  const browser = await startChromium();
   return {
     url: server.resolvedUrls.local[0],
     browser,

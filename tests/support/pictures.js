@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Two glTF files photographed from all sides in Chromium, and the pictures compared.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { startChromium } from './chromium.js';
+import { root } from './tree.js';
+
+const site = 'https://pictures.test/';
+const imports = {
+  'three': '/node_modules/three/build/three.module.js',
+  'three/addons/': '/node_modules/three/examples/jsm/',
+};
+const page = `<!doctype html><script type="importmap">${JSON.stringify({ imports })}</script>
+<script type="module" src="/tests/support/pictures_page.js"></script>`;
+const types = { js: 'text/javascript', glb: 'model/gltf-binary' };
+
+/** What is at a path of the site: the page, a model, or a script. */
+function contents(path, models) {
+  if (path === '') return page;
+  return models.has(path) ? Buffer.from(models.get(path)) : readFileSync(join(root, path));
+}
+
+/** A place to compare files in; `close` ends it. Nothing is fetched from anywhere else. */
+export async function openGallery() {
+  const browser = await startChromium();
+  const tab = await browser.newPage();
+  const models = new Map();
+  const complaints = [];
+  tab.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  tab.on('pageerror', (error) => complaints.push(String(error)));
+  await tab.route('**', (route) => {
+    const path = route.request().url().slice(site.length);
+    return route.fulfill({
+      body: contents(path, models), contentType: types[path.split('.').pop()] ?? 'text/html',
+    });
+  });
+  await tab.goto(site);
+  await tab.waitForFunction('window.compare');
+  return {
+    /**
+     * For each of 12 views what the two pictures have in common, see pictures_page.js.
+     * @returns {Promise<{ difference: number, pixels: number, strange: number }[]>}
+     */
+    async compare(original, result, options = {}) {
+      models.set('original.glb', original).set('result.glb', result);
+      const views = await tab.evaluate((o) => window.compare('original.glb', 'result.glb', o),
+        options);
+      if (complaints.length > 0) throw new Error(complaints.join('\n'));
+      return views;
+    },
+    close: () => browser.close(),
+  };
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Runs in Chromium: renders two glTF files from the twelve corners of an icosahedron around the
+// first, and compares the pictures pixel by pixel.
+import {
+  Box3, Color, DirectionalLight, HemisphereLight, IcosahedronGeometry, NoToneMapping,
+  PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer,
+} from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+const size = 400;
+const renderer = new WebGLRenderer({ alpha: true, preserveDrawingBuffer: true });
+renderer.setSize(size, size, false);
+renderer.toneMapping = NoToneMapping;
+
+function directions() {
+  const { position } = new IcosahedronGeometry(1).attributes;
+  const corners = Array.from({ length: position.count }, (_, i) =>
+    new Vector3().fromBufferAttribute(position, i));
+  return corners.filter((corner, i) =>
+    corners.findIndex((other) => other.distanceTo(corner) < 1e-3) === i);
+}
+
+async function sceneOf(url) {
+  const scene = new Scene();
+  scene.add((await new GLTFLoader().loadAsync(url)).scene);
+  scene.add(new HemisphereLight(new Color(1, 1, 1), new Color(0.3, 0.3, 0.3), 2));
+  const light = new DirectionalLight(new Color(1, 1, 1), 2);
+  light.position.set(1, 2, 3);
+  scene.add(light);
+  return scene;
+}
+
+function picture(scene, camera) {
+  renderer.render(scene, camera);
+  const gl = renderer.getContext();
+  const pixels = new Uint8Array(4 * size * size);
+  gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+const near = (pixels, at, colour) =>
+  colour.every((value, k) => Math.abs(pixels[at + k] - value) < 40);
+
+/**
+ * difference: mean absolute difference of the colours, 0 to 1, over all `pixels` that show either.
+ * strange: how many pixels of the second picture have the colour `forbidden`.
+ */
+function difference(a, b, forbidden) {
+  let [sum, pixels, strange] = [0, 0, 0];
+  for (let i = 0; i < a.length; i += 4) {
+    if (a[i + 3] === 0 && b[i + 3] === 0) continue;
+    pixels += 1;
+    for (let k = 0; k < 3; k += 1) sum += Math.abs(a[i + k] - b[i + k]);
+    if (forbidden && near(b, i, forbidden)) strange += 1;
+  }
+  return { difference: sum / (3 * 255 * pixels), pixels, strange };
+}
+
+window.compare = async (first, second, { forbidden } = {}) => {
+  const [before, after] = await Promise.all([sceneOf(first), sceneOf(second)]);
+  const { center, radius } = new Box3().setFromObject(before).getBoundingSphere(new Sphere());
+  const camera = new PerspectiveCamera(40, 1, radius, 5 * radius);
+  return directions().map((direction) => {
+    camera.position.copy(center).addScaledVector(direction, 3.1 * radius);
+    camera.lookAt(center);
+    return difference(picture(before, camera), picture(after, camera), forbidden);
+  });
+};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A PNG from a function of the pixel: 8-bit colours, nothing filtered.
+import { deflateSync } from 'node:zlib';
+
+function crc(bytes) {
+  let rest = ~0;
+  for (const byte of bytes) {
+    rest ^= byte;
+    for (let k = 0; k < 8; k += 1) rest = (rest >>> 1) ^ (rest & 1 ? 0xedb88320 : 0);
+  }
+  return ~rest >>> 0;
+}
+
+function word(value) {
+  const bytes = Buffer.alloc(4);
+  bytes.writeUInt32BE(value);
+  return bytes;
+}
+
+function chunk(type, data) {
+  const body = Buffer.concat([Buffer.from(type), data]);
+  return Buffer.concat([word(data.length), body, word(crc(body))]);
+}
+
+/** @param {(x: number, y: number) => number[]} colour red, green, blue from 0 to 255 */
+export function png(width, height, colour) {
+  const rows = Array.from({ length: height }, (_, y) => [0,
+    ...Array.from({ length: width }, (__, x) => colour(x, y)).flat()]).flat();
+  return new Uint8Array(Buffer.concat([
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
+    chunk('IHDR', Buffer.from([...word(width), ...word(height), 8, 2, 0, 0, 0])),
+    chunk('IDAT', deflateSync(Buffer.from(rows))),
+    chunk('IEND', Buffer.alloc(0)),
+  ]));
+}
