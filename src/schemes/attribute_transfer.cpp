@@ -4,18 +4,16 @@
 #include <algorithm>
 
 #include "schemes/attribute_mix.h"
-#include "schemes/chart_keeper.h"
 
 namespace remesher {
 
 namespace {
 
 // Where each corner of a triangle takes its attributes from.
-HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh,
-                                        const std::vector<Halfedge>& jumps) {
+HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh, const ChartRules& charts) {
   const HalfedgeMesh& m = mesh.mesh();
   HalfedgeData<SurfacePoint> points(m.halfedgeCapacity(), SurfacePoint{});
-  ChartKeeper keeper(mesh, jumps);
+  ChartKeeper keeper(mesh, charts);
   for (Index f = 0; f < m.faceCapacity(); ++f) {
     if (!m.isAlive(Face(f))) continue;
     const std::array<SurfacePoint, 3> corners = keeper.corners(Face(f));
@@ -35,7 +33,7 @@ class Extraction {
       : mesh_(mesh),
         input_(input),
         mix_(mesh.surface(), input, rules.chartless),
-        points_(cornerPoints(mesh, rules.jumps)) {
+        points_(cornerPoints(mesh, rules.charts)) {
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "base/triangle_mesh.h"
-#include "operators/working_mesh.h"
+#include "schemes/chart_keeper.h"
 
 namespace remesher {
 
 struct TransferRules {
   std::vector<std::string> chartless;  // see AttributeMix
-  std::vector<Halfedge> jumps;         // see ChartKeeper
+  ChartRules charts;
 };
 
 // A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the

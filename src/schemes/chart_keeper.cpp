@@ -16,12 +16,13 @@ constexpr double kReach = 1.5;
 
 }  // namespace
 
-ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const std::vector<Halfedge>& jumps)
+ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const ChartRules& rules)
     : mesh_(mesh),
+      rules_(rules),
       jumps_(mesh.surface().mesh().halfedgeCapacity(), 0),
       seen_(mesh.surface().mesh().faceCapacity(), 0) {
   const FeatureCurves& curves = mesh.surface().curves();
-  for (const Halfedge h : jumps) {
+  for (const Halfedge h : rules.jumps) {
     jumps_[h] = jumps_[mesh.surface().mesh().twin(h)] = 1;
     any_ = any_ || !curves.isCurve(h);
   }
@@ -85,16 +86,16 @@ std::array<SurfacePoint, 3> ChartKeeper::corners(Face f) {
   ball.radius *= kReach;
   int best = 0;
   std::ptrdiff_t most = 0;
-  for (int k = 0; k < 3 && most < 3; ++k) {
+  for (int k = 0; k < 3; ++k) {
     collect(points[k].face, ball);
     const auto inside = std::count_if(points.begin(), points.end(),
                                       [&](const SurfacePoint& p) { return contains(p.face); });
-    if (inside > most) {
-      most = inside;
-      best = k;
-    }
+    if (inside == 3) return points;
+    const auto votes = inside + (rules_.absorbed[points[k].face] ? 0 : 3);
+    if (votes <= most) continue;
+    most = votes;
+    best = k;
   }
-  if (most == 3) return points;
   collect(points[best].face, ball);
   return intoChart(points);
 }

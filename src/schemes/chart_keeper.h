@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Keeps each triangle of the result within one chart of every attribute. Where a seam is a curve it
 // is by construction; a triangle across a seam that was let go takes the chart that most of its
-// corners are in, and its other corners the nearest points of it: nothing bleeds.
+// corners are in, and its other corners the nearest points of it: nothing bleeds. Charts too narrow
+// for triangles of their own give way to those beside them, or every other triangle along them
+// would show one and the next the other, like the teeth of a saw.
 #pragma once
 
 #include <array>
@@ -11,10 +13,17 @@
 
 namespace remesher {
 
+struct ChartRules {
+  // The edges of the original across which an attribute jumps, one halfedge of each.
+  std::vector<Halfedge> jumps;
+  // The faces whose charts give way, see SimplifiedCurves.
+  FaceData<char> absorbed;
+};
+
 class ChartKeeper {
  public:
-  // jumps: the edges of the original across which an attribute jumps, one halfedge of each.
-  ChartKeeper(const WorkingMesh& mesh, const std::vector<Halfedge>& jumps);
+  // Both arguments must outlive the object.
+  ChartKeeper(const WorkingMesh& mesh, const ChartRules& rules);
 
   // Where on the original the three corners of a triangle take their attributes.
   std::array<SurfacePoint, 3> corners(Face f);
@@ -30,6 +39,7 @@ class ChartKeeper {
   std::array<SurfacePoint, 3> intoChart(const std::array<SurfacePoint, 3>& points) const;
 
   const WorkingMesh& mesh_;
+  const ChartRules& rules_;
   HalfedgeData<char> jumps_;
   bool any_ = false;
   // What collect() found: the faces of one chart about a triangle.

@@ -55,13 +55,14 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   add(edges.free, seams.edges);
   add(edges.fixed, seams.borders);
   CurveRules rules;
-  rules.edges = simplifyCurves(built.mesh, built.positions, edges, size);
+  SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, size);
+  rules.edges = std::move(simplified.edges);
   add(rules.edges, edges.fixed);
   rules.size = size;
   rules.keepBoundary = options.boundary == Boundary::Keep;
   if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules), std::move(seams.chartless),
-          std::move(seams.jumps), std::move(seams.warnings)};
+          std::move(seams.jumps), std::move(simplified.absorbed), std::move(seams.warnings)};
 }
 
 }  // namespace remesher

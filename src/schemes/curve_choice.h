@@ -17,6 +17,7 @@ struct CurveChoice {
   FeatureCurves curves;
   std::vector<std::string> chartless;  // attributes whose seams are not kept: see findSeams
   std::vector<Halfedge> jumps;         // the seams that texture must not bleed over, kept or not
+  FaceData<char> absorbed;             // see SimplifiedCurves
   std::vector<Warning> warnings;
 };
 

@@ -113,7 +113,7 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   if (reached && !options.splitObtuse) reached = matchPositions(run, vertices);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   outcome.stopped = reached ? Stopped::Target : byBound ? Stopped::MaxError : Stopped::Fidelity;
-  outcome.mesh = extractMesh(mesh, input, {choice.chartless, choice.jumps});
+  outcome.mesh = extractMesh(mesh, input, {choice.chartless, {choice.jumps, choice.absorbed}});
   return outcome;
 }
 

@@ -25,9 +25,10 @@ class Simplification {
       : mesh_(mesh),
         positions_(positions),
         size_(size),
-        role_(mesh.halfedgeCapacity(), Role::None) {}
+        role_(mesh.halfedgeCapacity(), Role::None),
+        absorbed_(mesh.faceCapacity(), 0) {}
 
-  std::vector<Halfedge> run(const CurveEdges& curves) {
+  SimplifiedCurves run(const CurveEdges& curves) {
     for (const Halfedge h : curves.free) mark(h, Role::Free);
     for (const Halfedge h : curves.fixed) mark(h, Role::Fixed);
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
@@ -38,7 +39,7 @@ class Simplification {
     std::vector<Halfedge> kept;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isEdge(Halfedge(i)) && role_[Halfedge(i)] == Role::Free) kept.emplace_back(i);
-    return kept;
+    return {kept, absorbed_};
   }
 
  private:
@@ -103,14 +104,16 @@ class Simplification {
   // The narrowest first, each into the neighbour with which it shares most of its border.
   void mergeNarrowRegions() {
     std::vector<Region> regions = measureRegions();
-    std::vector<Index> into(regions.size());
+    std::vector<double> areas;
+    std::vector<Index> into;
     std::set<std::pair<double, Index>> narrow;
     const auto enter = [&](Index r) {
       if (regions[r].width() < kNarrow * size_ && !regions[r].neighbors.empty())
         narrow.emplace(regions[r].width(), r);
     };
     for (Index r = 0; r < regions.size(); ++r) {
-      into[r] = r;
+      areas.push_back(regions[r].area);
+      into.push_back(r);
       enter(r);
     }
     while (!narrow.empty()) {
@@ -122,16 +125,29 @@ class Simplification {
       into[small] = large;
       enter(large);
     }
-    const auto last = [&](Face f) {
-      Index r = region_[f];
+    for (Index& r : into)
       while (into[r] != r) r = into[r];
-      return r;
-    };
+    absorb(into, areas);
+    releaseWithin(into);
+  }
+
+  // Of the regions that became one, all but the largest.
+  void absorb(const std::vector<Index>& into, const std::vector<double>& areas) {
+    std::vector<Index> largest = into;
+    for (Index r = 0; r < into.size(); ++r)
+      if (areas[r] > areas[largest[into[r]]]) largest[into[r]] = r;
+    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
+      const Index r = region_[Face(f)];
+      absorbed_[Face(f)] = r != largest[into[r]];
+    }
+  }
+
+  void releaseWithin(const std::vector<Index>& into) {
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const Halfedge h(i);
       if (!mesh_.isEdge(h) || role_[h] != Role::Free) continue;
-      const Face f = mesh_.face(h), g = mesh_.face(mesh_.twin(h));
-      if (region_[f] != region_[g] && last(f) == last(g)) mark(h, Role::None);
+      const Index own = region_[mesh_.face(h)], other = region_[mesh_.face(mesh_.twin(h))];
+      if (own != other && into[own] == into[other]) mark(h, Role::None);
     }
   }
 
@@ -199,12 +215,13 @@ class Simplification {
   double size_;
   HalfedgeData<Role> role_;
   FaceData<Index> region_;
+  FaceData<char> absorbed_;
 };
 
 }  // namespace
 
-std::vector<Halfedge> simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                                     const CurveEdges& curves, double size) {
+SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                                const CurveEdges& curves, double size) {
   return Simplification(mesh, positions, size).run(curves);
 }
 

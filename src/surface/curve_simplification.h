@@ -2,8 +2,8 @@
 // Which curves a mesh of a given edge length can follow. Real files are full of seams much closer
 // together than that: bevels between two hard edges, texture islands of a few triangles, short
 // bridges from seam to seam. Where two curves pin vertices nearer than an edge is long, nothing can
-// make good triangles, so such curves are let go; the attributes there keep to one side by
-// themselves (see ChartKeeper).
+// make good triangles, so such curves are let go. What lies between them is taken over by a larger
+// neighbour, whose attributes extend over it (see ChartKeeper).
 #pragma once
 
 #include <vector>
@@ -17,8 +17,13 @@ struct CurveEdges {
   std::vector<Halfedge> fixed;  // stay: given by the caller, borders of materials
 };
 
-// The free edges that stay, one halfedge of each. size: the target edge length, model units.
-std::vector<Halfedge> simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                                     const CurveEdges& curves, double size);
+struct SimplifiedCurves {
+  std::vector<Halfedge> edges;  // the free ones that stay, one halfedge of each
+  FaceData<char> absorbed;      // faces in regions that a larger one has taken over
+};
+
+// size: the target edge length, model units.
+SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                                const CurveEdges& curves, double size);
 
 }  // namespace remesher

@@ -38,7 +38,7 @@ std::vector<Halfedge> both(std::vector<Halfedge> a, const std::vector<Halfedge>&
 
 std::vector<Halfedge> simplified(const surfaces::Surface& sheet, const CurveEdges& curves,
                                  double size) {
-  return simplifyCurves(sheet.mesh(), sheet.positions(), curves, size);
+  return simplifyCurves(sheet.mesh(), sheet.positions(), curves, size).edges;
 }
 
 }  // namespace
@@ -70,4 +70,17 @@ TEST_CASE("curve_simplification: loose ends stay only if an edge fits along them
   const CurveEdges curves{line(sheet, 10, 8, 12), {}};
   CHECK(simplified(sheet, curves, 4).size() == 4);
   CHECK(simplified(sheet, curves, 8).empty());
+}
+
+TEST_CASE("curve_simplification: a narrow strip is absorbed by what is beside it") {
+  const surfaces::Surface sheet = surfaces::surface("sheet", shapes::grid(kSide, kSide));
+  const CurveEdges curves{both(line(sheet, 10), line(sheet, 11)), {}};
+  const SimplifiedCurves narrow = simplifyCurves(sheet.mesh(), sheet.positions(), curves, 5);
+  for (Index f = 0; f < sheet.mesh().faceCapacity(); ++f) {
+    const auto [a, b, c] = sheet.mesh().vertices(Face(f));
+    const Vec3 middle = (sheet.positions()[a] + sheet.positions()[b] + sheet.positions()[c]) / 3;
+    CHECK(bool(narrow.absorbed[Face(f)]) == (middle.x() > 10 && middle.x() < 11));
+  }
+  const SimplifiedCurves roomy = simplifyCurves(sheet.mesh(), sheet.positions(), curves, 1);
+  for (const char one : roomy.absorbed.values()) CHECK_FALSE(one);
 }
