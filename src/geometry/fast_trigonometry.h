@@ -10,7 +10,8 @@
 
 namespace remesher {
 
-// The angle in [0, π] whose sine and cosine have the ratio sine : cosine; sine ≥ 0, not both 0.
+// The angle in [0, π] whose sine and cosine have the ratio sine : cosine, where sine ≥ 0; 0 if both
+// are 0.
 inline double angleOf(double sine, double cosine) {
   constexpr double kPi = std::numbers::pi;
   // Reduced to |t| ≤ tan(π/8) by atan x = π/2 − atan(1/x) and atan x = π/4 + atan((x − 1)/(x + 1)).
@@ -18,6 +19,7 @@ inline double angleOf(double sine, double cosine) {
   const double adjacent = cosine < 0 ? -cosine : cosine;
   const bool steep = sine > adjacent;
   const double small = steep ? adjacent : sine, large = steep ? sine : adjacent;
+  if (large == 0) return 0;
   const bool wide = small > kTanEighth * large;
   const double t = wide ? (small - large) / (small + large) : small / large, u = t * t;
   double sum = 0;

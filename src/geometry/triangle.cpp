@@ -2,7 +2,8 @@
 #include "geometry/triangle.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "geometry/fast_trigonometry.h"
 
 namespace remesher {
 
@@ -14,21 +15,21 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double twiceArea = areaVector(a, b, c).norm();
-  return {std::atan2(twiceArea, (b - a).dot(c - a)), std::atan2(twiceArea, (c - b).dot(a - b)),
-          std::atan2(twiceArea, (a - c).dot(b - c))};
+  return {angleOf(twiceArea, (b - a).dot(c - a)), angleOf(twiceArea, (c - b).dot(a - b)),
+          angleOf(twiceArea, (a - c).dot(b - c))};
 }
 
 double minAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   // Opposite the shortest edge.
   const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
   const double shortest = std::min({ab, bc, ca});
-  return std::atan2(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * shortest));
+  return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * shortest));
 }
 
 double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
   const double longest = std::max({ab, bc, ca});
-  return std::atan2(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * longest));
+  return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * longest));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -38,7 +39,7 @@ HalfedgeData<double> dihedralAngles(const HalfedgeMesh& mesh, const VertexData<V
     if (mesh.isBoundary(h)) continue;
     const Vec3 &n = normals[mesh.face(h)], &m = normals[mesh.face(mesh.twin(h))];
     // A face without area has no normal, and its edges no angle.
-    if (!n.isZero() && !m.isZero()) angles[h] = std::atan2(n.cross(m).norm(), n.dot(m));
+    if (!n.isZero() && !m.isZero()) angles[h] = angleOf(n.cross(m).norm(), n.dot(m));
   }
   return angles;
 }
