@@ -13,8 +13,8 @@ namespace remesher {
 namespace {
 
 // Only a large distance is worth angles: good ones stay good otherwise.
-constexpr double kWorthAngles = 0.34;  // of the target edge length
-constexpr double kGoodAngle = radians(50), kKeepAngle = radians(33.2);
+constexpr double kWorthAngles = 0.24;  // of the target edge length
+constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kKeepAngle = radians(33.2);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
@@ -34,6 +34,7 @@ class Descent {
       : run_(run),
         mesh_(run.mesh.mesh()),
         distances_(run),
+        crossings_(run.mesh),
         tries_(std::max(kFewTries, mesh_.vertexCount() / kVerticesPerTry)) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
@@ -68,7 +69,7 @@ class Descent {
       const auto [distance, f] = pop();
       if (distance != distances_.of(f)) continue;
       --tries_;
-      if (lower(f)) {
+      if (lower(f) && distances_.of(f) < distance) {
         moved = true;
         continue;
       }
@@ -78,27 +79,32 @@ class Descent {
     return moved;
   }
 
-  bool lower(Face f) { return moveCorner(f) || flipSide(f) || makeWay(f); }
+  bool lower(Face f) {
+    for (const double angle : {kGoodAngle, kFairAngle, kKeepAngle}) {
+      if (moveCorner(f, angle) || flipSide(f, angle) || makeWay(f, angle)) return true;
+      if (!isLarge(f)) return false;
+    }
+    return false;
+  }
 
   bool isLarge(Face f) const {
     const Vertex v = mesh_.vertices(f)[0];
     return distances_.of(f) > kWorthAngles * run_.sizes.at(run_.mesh.at(v));
   }
 
-  // The angle that a move of v for the sake of f has to keep. Outlines show: a curve always has its
-  // way.
-  double floorAt(Face f, Vertex v) const {
-    return isLarge(f) || run_.mesh.kind(v) == VertexKind::Curve ? kKeepAngle : kGoodAngle;
+  // Outlines show: a curve always has its way.
+  double keptAt(Vertex v, double angle) const {
+    return run_.mesh.kind(v) == VertexKind::Curve ? kKeepAngle : angle;
   }
 
-  bool moveCorner(Face f) {
+  bool moveCorner(Face f, double angle) {
     const double before = distances_.of(f);
     double lowest = kGain * before;
     Vertex mover;
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
       if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) > lowest) continue;
-      StarSearch search(run_, distances_, v, floorAt(f, v));
+      StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
       search.descend(kEnough * before);
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
@@ -112,18 +118,24 @@ class Descent {
 
   void move(Vertex v, const Placement& to) {
     proposePlacement(run_.mesh, v, to, run_.change);
+    std::vector<double> before;
+    for (const Face f : run_.change.going) before.push_back(distances_.of(f));
     apply(run_.mesh, run_.change);
     distances_.update(v);
-    mesh_.forEachOutgoing(v, [&](Halfedge h) { push(mesh_.face(h)); });
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Face f = run_.change.going[i];
+      crossings_.update(f);
+      if (distances_.of(f) != before[i]) push(f);
+    }
   }
 
   // A vertex may be held between two sides, each of which a neighbour could take over.
-  bool makeWay(Face f) {
+  bool makeWay(Face f, double angle) {
     const double before = distances_.of(f);
     bool moved = false;
     for (const Vertex v : mesh_.vertices(f)) {
       if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) < before) continue;
-      StarSearch search(run_, distances_, v, floorAt(f, v));
+      StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
       const double own = search.distance();
       if (own < kEnough * before) continue;
       search.descend(kEnough * before);
@@ -134,19 +146,21 @@ class Descent {
     return moved;
   }
 
-  bool flipSide(Face f) {
+  bool flipSide(Face f, double angle) {
     for (int i = 0; i < 3; ++i) {
       const Halfedge h = HalfedgeMesh::halfedge(f, i);
       if (!proposeFlip(run_.mesh, h, run_.change)) continue;
       const Face across = mesh_.face(mesh_.twin(h));
       const double before = std::max(distances_.of(f), distances_.of(across));
-      if (smallestComingAngle(run_.mesh, run_.change) < (isLarge(f) ? kKeepAngle : kGoodAngle))
-        continue;
+      if (smallestComingAngle(run_.mesh, run_.change) < angle) continue;
       if (distances_.ifFlipped(h) > kGain * before) continue;
       if (judge(run_.mesh, run_.change, lenient(run_)) != Verdict::Accepted) continue;
+      if (crossings_.grow(run_.change)) continue;
       distances_.update(run_.mesh.flip(h));
-      push(f);
-      push(across);
+      for (const Face changed : {f, across}) {
+        crossings_.update(changed);
+        push(changed);
+      }
       return true;
     }
     return false;
@@ -155,6 +169,7 @@ class Descent {
   Run& run_;
   const HalfedgeMesh& mesh_;
   TwoSidedDistance distances_;
+  Crossings crossings_;
   std::vector<Entry> queue_;
   std::vector<Face> stuck_;
   std::size_t tries_;

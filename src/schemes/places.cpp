@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/triangle_tree.h"
+#include "geometry/mesh_tree.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -79,28 +79,6 @@ class NearbyVertices {
   std::vector<Vertex> reached_;
 };
 
-// The nearest triangle of the mesh wherever it lies, for the few places that no walk finds it for:
-// those inside triangles of the original far larger than the mesh's.
-class Everywhere {
- public:
-  explicit Everywhere(const WorkingMesh& mesh)
-      : triangles_(mesh.mesh().triangles()), tree_(mesh.positions().values(), triangles_) {
-    for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
-      if (mesh.mesh().isAlive(Face(f))) faces_.push_back(Face(f));
-  }
-
-  void improve(Place& place) const {
-    const TriangleTree::Nearest nearest = tree_.nearest(place.position);
-    place.nearest = faces_[nearest.triangle];
-    place.distance = std::sqrt(nearest.squaredDistance);
-  }
-
- private:
-  std::vector<Index> triangles_;
-  TriangleTree tree_;
-  std::vector<Face> faces_;
-};
-
 class Survey {
  public:
   Survey(const Run& run, double enough)
@@ -162,8 +140,10 @@ class Survey {
     improve(mesh_, place, start);
     retry(place);
     if (isDoubtful(place)) {
-      if (!everywhere_) everywhere_.emplace(mesh_);
-      everywhere_->improve(place);
+      if (!tree_) tree_.emplace(mesh_.mesh(), mesh_.positions());
+      const MeshTree::Nearest nearest = tree_->nearest(place.position);
+      place.nearest = nearest.face;
+      place.distance = nearest.distance;
     }
     if (place.distance >= enough_ * run_.scale * run_.sizes.at(original)) places_.push_back(place);
     return place.nearest;
@@ -193,7 +173,9 @@ class Survey {
   const double enough_;
   const WorkingMesh& mesh_;
   const NearbyVertices nearby_;
-  std::optional<Everywhere> everywhere_;
+  // For the few places that no walk finds the nearest triangle for: those inside triangles of the
+  // original far larger than the mesh's.
+  std::optional<MeshTree> tree_;
   VertexData<char> near_;  // surely
   std::vector<Place> places_;
 };

@@ -61,25 +61,27 @@ bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 }  // namespace
 
-StarSearch::StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, double keepAngle)
+StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
+                       Vertex v, double keepAngle)
     : mesh_(run.mesh),
       rule_(lenient(run)),
+      crossings_(crossings),
       distances_(distances),
       v_(v),
       spoke_(meanSpoke(mesh_, v)),
       best_(mesh_.placement(v)),
-      distance_(distances.around(v, best_.position)),
+      distance_(distances.around(v, best_)),
       lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
 
 bool StarSearch::isAllowed(const Placement& place) {
   if (turnsOver(mesh_, v_, place.position)) return false;
   proposePlacement(mesh_, v_, place, change_);
-  return judge(mesh_, change_, rule_) == Verdict::Accepted;
+  return judge(mesh_, change_, rule_) == Verdict::Accepted && !crossings_.grow(change_);
 }
 
 bool StarSearch::offer(const Placement& place) {
   if (smallestAngleAround(mesh_, v_, place.position) < lowest_) return false;
-  const double distance = distances_.around(v_, place.position, distance_);
+  const double distance = distances_.around(v_, place, distance_);
   if (distance >= distance_ || !isAllowed(place)) return false;
   distance_ = distance;
   best_ = place;

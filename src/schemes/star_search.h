@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "operators/crossings.h"
 #include "schemes/two_sided_distance.h"
 
 namespace remesher {
@@ -12,7 +13,8 @@ namespace remesher {
 class StarSearch {
  public:
   // What is below `keepAngle` may not shrink; what is above may not fall below it.
-  StarSearch(const Run& run, TwoSidedDistance& distances, Vertex v, double keepAngle);
+  StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances, Vertex v,
+             double keepAngle);
 
   double distance() const { return distance_; }  // at the best place so far
   const Placement& best() const { return best_; }
@@ -29,6 +31,7 @@ class StarSearch {
 
   const WorkingMesh& mesh_;
   const FidelityRule rule_;
+  const Crossings& crossings_;
   TwoSidedDistance& distances_;
   const Vertex v_;
   const double spoke_;  // the mean length of its edges

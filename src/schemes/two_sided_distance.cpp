@@ -37,15 +37,24 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
   for (Index i = 0; i < places_.size(); ++i) add(i);
 }
 
+// A vertex that is asked about is looked for from where it would be, as it will be once it is
+// there.
+SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
+  const bool wouldMove = mesh_.mesh().origin(corner) == moved_ && to_.kind == VertexKind::Interior;
+  return wouldMove ? to_.at : mesh_.cornerPoint(corner);
+}
+
 double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   const OriginalSurface& surface = mesh_.surface();
   double nearest = kEndless;
   for (int i = 0; i < 3 && nearest > doubtful_; ++i) {
     const SurfacePoint near =
-        closestPointFrom(surface, mesh_.cornerPoint(HalfedgeMesh::halfedge(f, i)), sample);
+        closestPointFrom(surface, startAt(HalfedgeMesh::halfedge(f, i)), sample);
     nearest = std::min(nearest, (surface.position(near) - sample).norm());
   }
-  return nearest;
+  if (nearest <= doubtful_) return nearest;
+  if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
+  return tree_->nearest(sample).distance;
 }
 
 double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f) const {
@@ -118,12 +127,14 @@ void TwoSidedDistance::add(Index place) {
   raise(p.nearest, p.distance);
 }
 
-void TwoSidedDistance::gather(Vertex v, const Vec3& position) {
+void TwoSidedDistance::gather(Vertex v, const Placement& to) {
   const HalfedgeMesh& m = mesh_.mesh();
   gathered_.clear();
+  moved_ = v;
+  to_ = to;
   m.forEachOutgoing(v, [&](Halfedge h) {
     gathered_.push_back(
-        {m.face(h), {position, mesh_.position(m.tip(h)), mesh_.position(m.opposite(h))}});
+        {m.face(h), {to.position, mesh_.position(m.tip(h)), mesh_.position(m.opposite(h))}});
   });
 }
 
@@ -153,11 +164,11 @@ double TwoSidedDistance::farthestPlace(double limit) {
   return farthest;
 }
 
-double TwoSidedDistance::around(Vertex v, const Vec3& position, double limit) {
-  gather(v, position);
+double TwoSidedDistance::around(Vertex v, const Placement& to, double limit) {
+  gather(v, to);
   double farthest = farthestPlace(limit);
   if (farthest > limit) return farthest;
-  farthest = std::max(farthest, fromOriginal(position, gathered_[0].face));
+  farthest = std::max(farthest, fromOriginal(to.position, gathered_[0].face));
   for (const auto& [face, at] : gathered_) {
     if (farthest > limit) break;
     farthest = std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], at[1], face)});
@@ -167,7 +178,7 @@ double TwoSidedDistance::around(Vertex v, const Vec3& position, double limit) {
 }
 
 double TwoSidedDistance::onRim(Vertex v) {
-  gather(v, mesh_.position(v));
+  gather(v, mesh_.placement(v));
   double farthest = 0;
   for (const auto& [face, at] : gathered_)
     farthest = std::max({farthest, fromOriginal(at[1], face), fromOriginal(at[1], at[2], face)});
@@ -179,9 +190,13 @@ double TwoSidedDistance::ifFlipped(Halfedge h) {
   const Halfedge t = m.twin(h);
   const Vec3 &a = mesh_.position(m.origin(h)), &b = mesh_.position(m.tip(h));
   const Vec3 &c = mesh_.position(m.opposite(h)), &d = mesh_.position(m.opposite(t));
+  moved_ = {};
   gathered_ = {{m.face(h), {a, d, c}}, {m.face(t), {b, c, d}}};
   double farthest = std::max(farthestPlace(kEndless), fromOriginal(d, c, m.face(h)));
-  for (const auto& [face, at] : gathered_) farthest = std::max(farthest, fromOriginal(at, face));
+  for (const auto& [face, at] : gathered_)
+    farthest = std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], face),
+                         fromOriginal(at[1], face), fromOriginal(at[0], at[1], face),
+                         fromOriginal(at[2], at[0], face)});
   return farthest;
 }
 
@@ -203,12 +218,13 @@ void TwoSidedDistance::measureGathered() {
 }
 
 void TwoSidedDistance::update(Vertex v) {
-  gather(v, mesh_.position(v));
+  gather(v, mesh_.placement(v));
   measureGathered();
 }
 
 void TwoSidedDistance::update(Halfedge h) {
   gathered_.clear();
+  moved_ = {};
   for (const Face f : {HalfedgeMesh::face(h), HalfedgeMesh::face(mesh_.mesh().twin(h))}) {
     const auto [a, b, c] = mesh_.mesh().vertices(f);
     gathered_.push_back({f, {mesh_.position(a), mesh_.position(b), mesh_.position(c)}});

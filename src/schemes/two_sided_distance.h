@@ -4,8 +4,10 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "geometry/mesh_tree.h"
 #include "schemes/places.h"
 
 namespace remesher {
@@ -18,9 +20,9 @@ class TwoSidedDistance {
   // places that belong to it.
   double of(Face f) const { return distance_[f]; }
 
-  // The largest of those that a move of v changes, were v at `position`; any larger one where it
-  // exceeds `limit`.
-  double around(Vertex v, const Vec3& position,
+  // The largest of those that a move of v changes, were v there; any larger one where it exceeds
+  // `limit`.
+  double around(Vertex v, const Placement& to,
                 double limit = std::numeric_limits<double>::infinity());
 
   // The largest of those around v that no move of v changes: along the rim of its star.
@@ -42,10 +44,11 @@ class TwoSidedDistance {
     Triangle at;
   };
 
-  void gather(Vertex v, const Vec3& position);
+  void gather(Vertex v, const Placement& to);
   double farthestPlace(double limit);
   void measureGathered();
   void measureNear(Place& place) const;
+  SurfacePoint startAt(Halfedge corner) const;
   double fromOriginal(const Vec3& sample, Face f) const;
   double fromOriginal(const Vec3& from, const Vec3& to, Face f) const;
   double fromOriginal(const Triangle& triangle, Face f) const;
@@ -61,7 +64,10 @@ class TwoSidedDistance {
   std::vector<Index> next_;  // the next place of the same triangle, or kNone
   FaceData<Index> first_;    // the first place of a triangle, or kNone
   FaceData<double> distance_;
+  mutable std::optional<MeshTree> tree_;  // of the original, for where walks end in a valley
   std::vector<Changed> gathered_;
+  Vertex moved_;  // that they change with, if any
+  Placement to_;
   std::vector<Index> moving_;
 };
 

@@ -71,7 +71,7 @@ TEST_CASE("two-sided distance: what a move is said to bring is what it brings") 
   TwoSidedDistance distances(test.run);
   const Vertex v(17);
   const Placement to = test.mesh.onSurface(test.surface.at(v));
-  const double expected = std::max(distances.around(v, to.position), distances.onRim(v));
+  const double expected = std::max(distances.around(v, to), distances.onRim(v));
   test.mesh.move(v, to);
   distances.update(v);
   double found = 0;
@@ -80,18 +80,39 @@ TEST_CASE("two-sided distance: what a move is said to bring is what it brings") 
   CHECK(found == doctest::Approx(expected));
 }
 
+TEST_CASE("two-sided distance: what a flip is said to bring is what it brings") {
+  shapes::TestRun test(bumpySphere());
+  wearDown(test);
+  const HalfedgeMesh& mesh = test.mesh.mesh();
+  TwoSidedDistance distances(test.run);
+  std::size_t flips = 0;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); i += 5) {
+    const Halfedge h(i);
+    if (!proposeFlip(test.mesh, h, test.run.change)) continue;
+    const Face left = mesh.face(h), right = mesh.face(mesh.twin(h));
+    const double expected = distances.ifFlipped(h);
+    distances.update(test.mesh.flip(h));
+    // Walks to the original begin at other corners afterwards.
+    const double found = std::max(distances.of(left), distances.of(right));
+    CHECK(found == doctest::Approx(expected).epsilon(0.02));
+    ++flips;
+  }
+  CHECK(flips > 100);
+}
+
 TEST_CASE("star search: the best place is nowhere farther than the first, and keeps the angle") {
   shapes::TestRun test(bumpySphere());
   wearDown(test);
   TwoSidedDistance distances(test.run);
+  const Crossings crossings(test.mesh);
   int improved = 0;
   for (Index i = 0; i < test.mesh.mesh().vertexCapacity(); ++i) {
-    const double before = distances.around(Vertex(i), test.mesh.position(Vertex(i)));
-    StarSearch search(test.run, distances, Vertex(i), radians(20));
+    const double before = distances.around(Vertex(i), test.mesh.placement(Vertex(i)));
+    StarSearch search(test.run, crossings, distances, Vertex(i), radians(20));
     search.descend(0);
     CHECK(search.distance() <= before);
     improved += search.distance() < before;
-    CHECK(distances.around(Vertex(i), search.best().position) == search.distance());
+    CHECK(distances.around(Vertex(i), search.best()) == search.distance());
   }
   CHECK(improved > 0);
 }
