@@ -23,6 +23,7 @@ namespace {
 // less: rounds are saved there.
 constexpr int kAnnealRounds = 20, kFewestRounds = 12;
 constexpr double kManyToAnneal = 6000;
+constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
 
@@ -57,6 +58,19 @@ void smooth(Run& run) {
   }
 }
 
+// Where the caller has said how dense vertices are to be, and neither hysteresis between splits and
+// collapses nor smoothing over ever more regular valences may blur it: some vertices more where
+// edges are too long, as many fewer where they are too short.
+void evenOut(Run& run, std::size_t vertices) {
+  for (int i = 0; i < kEvenings; ++i)
+    for (const std::size_t count : {vertices + vertices / 10, vertices}) {
+      matchCount(run, count);
+      delaunayFlips(run.mesh, run.rule);
+      valenceFlips(run);
+      smooth(run);
+    }
+}
+
 void smoothOntoTips(Run& run) {
   reachTips(run, kTipTolerance);
   smooth(run);
@@ -73,6 +87,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   while (subdividedCount(mesh, base, levels) < vertices) ++base;
   matchCount(run, base);
   annealValences(run, annealRounds(base), progress.part("anneal", 0.25, 0.45));
+  if (run.sizes.isWished()) evenOut(run, base);
   smoothOntoTips(run);
   matchCount(run, base);
   const Progress finer = progress.part("refine", 0.45, 0.85);

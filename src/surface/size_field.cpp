@@ -11,10 +11,15 @@ namespace remesher {
 
 namespace {
 
-// At adaptivity 1 sizes range over this factor on either side of the even one.
+// At full adaptivity sizes range over this factor on either side of the even one.
 constexpr double kFinest = 0.25;
 constexpr double kCoarsest = 2.25;
 constexpr int kNormalizations = 3;
+// Longer edges, in units of the mean of the sizes at their ends, do not outlast a run.
+constexpr double kLongestEdge = 5.0 / 3;
+// Beside kept edges, in units of the smaller size: the sooner sizes are back to what they should
+// be, the more of the count is left for the rest.
+constexpr double kLongestBesideKept = 4.0 / 3;
 
 // Relative sizes by curvature, 1 where it is the median (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
@@ -33,10 +38,12 @@ void applyCurvature(const OriginalSurface& surface, double adaptivity,
     if ((below += share) >= total / 2) break;
   }
   if (!(median > 0)) median = 1 / surface.diagonal();
+  // h ∝ k^-1/4 at half adaptivity, k^-3/8 at full.
+  const double strength = adaptivity * (1.25 - adaptivity / 2);
   for (Index i = 0; i < k.size(); ++i) {
     const double bend = std::max(k[Vertex(i)], 1e-6 * median) / median;
     const double full = std::clamp(1 / std::sqrt(bend), kFinest, kCoarsest);
-    sizes[Vertex(i)] *= std::pow(full, adaptivity);
+    sizes[Vertex(i)] *= std::pow(full, strength);
   }
 }
 
@@ -76,6 +83,12 @@ double verticesOf(const VertexData<double>& areas, const VertexData<double>& siz
   for (Index i = 0; i < sizes.size(); ++i)
     count += verticesForEdgeLength(areas[Vertex(i)], sizes[Vertex(i)]);
   return count;
+}
+
+// How fast sizes may change along the surface for the ratio at the two ends of an edge to stay
+// below the gradation: from size a to b over a way of c·(a + b)/2, with c the longest edge.
+double steepestSlope(double gradation) {
+  return 2 * (gradation - 1) / (kLongestEdge * (gradation + 1));
 }
 
 // No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
@@ -159,11 +172,11 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
       sizes_(surface.mesh().vertexCapacity(), 1),
       mean_(evenEdgeLength(surface.area(), rules.vertices)),
       meanEdge_(mean_),
-      vertices_(rules.vertices) {
+      vertices_(rules.vertices),
+      wished_(!rules.density.empty()) {
   const VertexData<double> kept = keptLengths(surface);
-  const bool even =
-      rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0;
-  if (even) {
+  even_ = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0;
+  if (even_) {
     sizes_.assign(sizes_.size(), mean_);
     return;
   }
@@ -171,9 +184,8 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   if (rules.adaptivity > 0) applyCurvature(surface, rules.adaptivity, areas, sizes_);
   for (Index i = 0; i < rules.density.size(); ++i)
     sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
-  // Edges are up to 4/3 of the size: the slope that keeps the ratio at their ends below the
-  // gradation.
-  const double slope = 0.75 * (rules.gradation - 1);
+  const double slope = steepestSlope(rules.gradation);
+  const double keptSlope = (rules.gradation - 1) / kLongestBesideKept;
   VertexData<double> largest;
   if (rules.error > 0) largest = largestSizes(surface, rules.error);
   for (int i = 0; i < kNormalizations; ++i) {
@@ -183,7 +195,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     for (Index v = 0; v < kept.size(); ++v)
       if (kept[Vertex(v)] > 0) sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], kept[Vertex(v)]);
     limitGradation(surface, slope, sizes_);
-    raiseAround(surface, kept, slope, sizes_);
+    raiseAround(surface, kept, keptSlope, sizes_);
   }
   meanEdge_ = meanOverEdges(areas, sizes_);
   vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How long the edges of the result should be at each place of the original. With adaptivity the
 // size follows curvature: the error of a flat triangle with edges h over a surface of curvature k
-// goes with k·h², so h ∝ k^-1/2 spreads a given number of vertices for the least error.
+// goes with k·h². For a given number of vertices h ∝ k^-1/2 makes the largest error smallest, and
+// h ∝ k^-1/3 the mean square; full adaptivity lies between.
 #pragma once
 
 #include <span>
@@ -26,6 +27,10 @@ class SizeField {
   double at(const SurfacePoint& p) const;
   double at(Vertex original) const { return sizes_[original]; }
 
+  // Whether it is the same everywhere.
+  bool isEven() const { return even_; }
+  // Whether the caller's own density is in it.
+  bool isWished() const { return wished_; }
   // The edge length of an even mesh with that many vertices.
   double mean() const { return mean_; }
   // The mean over the edges of a mesh of these sizes: shorter than mean() where they are graded.
@@ -39,6 +44,8 @@ class SizeField {
   double mean_ = 0;
   double meanEdge_ = 0;
   double vertices_ = 0;
+  bool wished_ = false;
+  bool even_ = false;
 };
 
 // The edge length of `vertices` vertices spread evenly over an area: each owns two equilateral

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Whole runs of both schemes: the edges are as long as they are asked to be, where they are asked.
+#include "schemes/targets.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "schemes/best.h"
+#include "schemes/remesh.h"
+#include "schemes/rounds.h"
+#include "support/runs.h"
+
+using namespace remesher;
+
+namespace {
+
+constexpr Scheme kSchemes[] = {Scheme::Best, Scheme::Rounds};
+
+// x⁶ + y⁶ + z⁶ = 1: a cube of flat sides whose edges and corners are rounded.
+TriangleMesh pillow() {
+  TriangleMesh mesh = shapes::icosphere(30);
+  for (Vec3& p : mesh.positions) p /= std::pow(p.array().pow(6).sum(), 1.0 / 6);
+  return mesh;
+}
+
+// Vertices per area where x > beyond, for side 1, or x < −beyond, for side −1.
+double densityBeyond(const TriangleMesh& mesh, double beyond, double side) {
+  double vertices = 0, covered = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Vec3 &a = mesh.positions[mesh.indices[3 * t]],
+               &b = mesh.positions[mesh.indices[3 * t + 1]],
+               &c = mesh.positions[mesh.indices[3 * t + 2]];
+    if (side * (a.x() + b.x() + c.x()) / 3 < beyond) continue;
+    vertices += 0.5;  // of a closed mesh, about: it has twice as many triangles
+    covered += area(a, b, c);
+  }
+  return vertices / covered;
+}
+
+double meanEdge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+    sum += (mesh.positions[mesh.indices[i]] - mesh.positions[mesh.indices[next]]).norm();
+  }
+  return sum / double(mesh.indices.size());
+}
+
+// The largest ratio between the target sizes at the two ends of an edge.
+double steepest(const WorkingMesh& mesh, const SizeField& sizes) {
+  double most = 1;
+  for (Index i = 0; i < mesh.mesh().halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.mesh().isEdge(h)) continue;
+    const double from = sizes.at(mesh.at(mesh.mesh().origin(h)));
+    const double to = sizes.at(mesh.at(mesh.mesh().tip(h)));
+    most = std::max({most, from / to, to / from});
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("targets: a density of 9 to 1 gives vertices in the ratio 9 to 1") {
+  const TriangleMesh body = shapes::torus(72, 36);
+  RemeshOptions options;
+  options.vertices = 3000;
+  options.adaptivity = 0;
+  for (const Vec3& p : body.positions) options.density.push_back(p.x() > 0 ? 9 : 1);
+  for (const Scheme scheme : kSchemes) {
+    options.scheme = scheme;
+    const TriangleMesh mesh = remeshSurface(body, options, {}).mesh;
+    // Gradation lets edges of 0.13 grow to 0.39 at a slope of 0.24, over a way of 1.1.
+    const double ratio = densityBeyond(mesh, 1.1, 1) / densityBeyond(mesh, 1.1, -1);
+    CAPTURE(int(scheme));
+    CHECK(ratio > 0.9 * 9);
+    CHECK(ratio < 1.1 * 9);
+    CHECK(inspectMesh(mesh).minAngle.mean >= 52);
+  }
+}
+
+TEST_CASE("targets: edges are as long as asked for on average, even or graded") {
+  const TriangleMesh body = pillow();
+  RemeshOptions options;
+  for (const Scheme scheme : kSchemes)
+    for (const double adaptivity : {0.0, 1.0})
+      for (const float density : {1.0f, 9.0f}) {
+        CAPTURE(int(scheme));
+        CAPTURE(adaptivity);
+        CAPTURE(density);
+        options.scheme = scheme;
+        options.adaptivity = adaptivity;
+        options.density.clear();
+        for (const Vec3& p : body.positions) options.density.push_back(p.x() > 0 ? density : 1);
+        options.edgeLength = 0.1;
+        const double mean = meanEdge(remeshSurface(body, options, {}).mesh);
+        CHECK(mean == doctest::Approx(0.1).epsilon(0.05));
+      }
+}
+
+TEST_CASE("targets: target sizes at the ends of an edge differ by no more than the gradation") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::torus(72, 36));
+  std::vector<float> density;
+  for (const Vec3& p : surface.positions().values()) density.push_back(p.x() > 0 ? 16 : 1);
+  for (const Scheme scheme : kSchemes)
+    for (const double gradation : {1.2, 1.5, 2.0}) {
+      CAPTURE(int(scheme));
+      const SizeField sizes(
+          surface, {.vertices = 3000, .adaptivity = 1, .gradation = gradation, .density = density});
+      Projector projector(surface, Projection::Patches, 2 * sizes.mean());
+      WorkingMesh mesh(surface);
+      Run run{mesh, projector, sizes, {}};
+      CHECK((scheme == Scheme::Best ? runBest(run, 3000, {}) : runRounds(run, {3000}, {})));
+      const double most = steepest(mesh, sizes);
+      CHECK(most <= gradation);
+      CHECK(most > 1.05);
+    }
+}
+
+TEST_CASE("targets: sizes that follow curvature lower the error at the same count") {
+  const TriangleMesh body = pillow();
+  RemeshOptions options;
+  options.vertices = 2400;
+  for (const Scheme scheme : kSchemes) {
+    CAPTURE(int(scheme));
+    options.scheme = scheme;
+    options.adaptivity = 0;
+    const TriangleMesh even = remeshSurface(body, options, {}).mesh;
+    options.adaptivity = 1;
+    const TriangleMesh graded = remeshSurface(body, options, {}).mesh;
+    const double before = measureFidelity(body, even).rms,
+                 after = measureFidelity(body, graded).rms;
+    CAPTURE(before / after);
+    CHECK(after < before / 1.3);
+    CHECK(inspectMesh(graded).minAngle.mean >= 52);
+  }
+}
