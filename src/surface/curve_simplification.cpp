@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/curve_simplification.h"
 
-#include <array>
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,8 +14,13 @@ namespace {
 
 // Both in target edge lengths. Between two curves nearer than this there is no row of triangles
 // that are any good; a chain shorter than this cannot be one edge of one.
-constexpr double kNarrow = 0.5;
+constexpr double kNarrow = 0.65;
 constexpr double kShort = 0.7;
+// A curve that bends the surface is worth thinner triangles, for the surface leaves its place with
+// it: where it bends by 90° what counts as narrow is less by half of this share.
+constexpr double kWorthOfBends = 0.8;
+// Neighbours that share this much of the longest border are as near as any.
+constexpr double kAlike = 0.8;
 
 enum class Role : char { None, Free, Fixed };
 
@@ -43,10 +48,20 @@ class Simplification {
   }
 
  private:
+  struct Border {
+    double length = 0;
+    double bend = 0;  // (1 - cos) / 2 of the dihedral angle, summed along the length
+
+    void add(const Border& other) {
+      length += other.length;
+      bend += other.bend;
+    }
+  };
+
   struct Region {
     double area = 0;
     double rim = 0;                     // length of its border
-    std::map<Index, double> neighbors;  // length of the free border shared with each
+    std::map<Index, Border> neighbors;  // the free border shared with each
     double width() const { return rim > 0 ? 2 * area / rim : 0; }
   };
 
@@ -57,6 +72,16 @@ class Simplification {
 
   double length(Halfedge h) const {
     return (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).norm();
+  }
+
+  Vec3 normal(Halfedge h) const {
+    const auto [a, b, c] = mesh_.vertices(mesh_.face(h));
+    return unitNormal(positions_[a], positions_[b], positions_[c]);
+  }
+
+  Border border(Halfedge h) const {
+    const double bend = 0.5 - 0.5 * normal(h).dot(normal(mesh_.twin(h)));
+    return {length(h), length(h) * bend};
   }
 
   // Numbers the parts into which the curves divide the surface.
@@ -96,20 +121,26 @@ class Simplification {
       const Index other = role_[h] == Role::Free ? region_[mesh_.face(mesh_.twin(h))] : kNone;
       if (own == other) continue;
       regions[own].rim += length(h);
-      if (other != kNone) regions[own].neighbors[other] += length(h);
+      if (other != kNone) regions[own].neighbors[other].add(border(h));
     }
     return regions;
   }
 
-  // The narrowest first, each into the neighbour with which it shares most of its border.
+  bool isNarrow(const std::vector<Region>& regions, Index r) const {
+    if (regions[r].neighbors.empty()) return false;
+    const Border& border = regions[r].neighbors.at(partnerOf(regions, r));
+    const double worth = kWorthOfBends * border.bend / border.length;
+    return regions[r].width() < kNarrow * size_ * (1 - worth);
+  }
+
+  // The narrowest first, each into a neighbour.
   void mergeNarrowRegions() {
     std::vector<Region> regions = measureRegions();
     std::vector<double> areas;
     std::vector<Index> into;
     std::set<std::pair<double, Index>> narrow;
     const auto enter = [&](Index r) {
-      if (regions[r].width() < kNarrow * size_ && !regions[r].neighbors.empty())
-        narrow.emplace(regions[r].width(), r);
+      if (isNarrow(regions, r)) narrow.emplace(regions[r].width(), r);
     };
     for (Index r = 0; r < regions.size(); ++r) {
       areas.push_back(regions[r].area);
@@ -118,7 +149,7 @@ class Simplification {
     }
     while (!narrow.empty()) {
       const Index small = narrow.begin()->second;
-      const Index large = widestBorder(regions[small]);
+      const Index large = partnerOf(regions, small);
       narrow.erase(narrow.begin());
       narrow.erase({regions[large].width(), large});
       merge(regions, small, large);
@@ -151,23 +182,30 @@ class Simplification {
     }
   }
 
-  static Index widestBorder(const Region& region) {
-    auto best = region.neighbors.begin();
-    for (auto n = region.neighbors.begin(); n != region.neighbors.end(); ++n)
-      if (n->second > best->second) best = n;
-    return best->first;
+  // The neighbour with the longest border to it; of several alike the narrowest, so that strips
+  // side by side join each other before what is wide swallows one after the other.
+  static Index partnerOf(const std::vector<Region>& regions, Index r) {
+    double longest = 0;
+    for (const auto& [other, border] : regions[r].neighbors)
+      longest = std::max(longest, border.length);
+    Index best = kNone;
+    for (const auto& [other, border] : regions[r].neighbors)
+      if (border.length >= kAlike * longest &&
+          (best == kNone || regions[other].width() < regions[best].width()))
+        best = other;
+    return best;
   }
 
   static void merge(std::vector<Region>& regions, Index small, Index large) {
     Region &from = regions[small], &to = regions[large];
     to.area += from.area;
-    to.rim += from.rim - 2 * from.neighbors[large];
+    to.rim += from.rim - 2 * from.neighbors[large].length;
     to.neighbors.erase(small);
     for (const auto& [other, shared] : from.neighbors) {
       if (other == large) continue;
-      to.neighbors[other] += shared;
+      to.neighbors[other].add(shared);
       regions[other].neighbors.erase(small);
-      regions[other].neighbors[large] += shared;
+      regions[other].neighbors[large].add(shared);
     }
     from.neighbors.clear();
   }

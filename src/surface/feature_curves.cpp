@@ -138,7 +138,8 @@ class ChainTracer {
   }
 
   // A corner turns sharply both from edge to edge and over half a target length: scan noise does
-  // only the first, a round arc neither. Of several within that reach the sharpest is it.
+  // only the first, a round arc neither. Of several within that reach the sharpest is it, and where
+  // curves meet there is one already.
   void markBends(const Chain& path) {
     const double reach = 0.5 * rules_.size;
     std::vector<std::pair<double, std::size_t>> bends;
@@ -149,6 +150,8 @@ class ChainTracer {
     }
     std::sort(bends.begin(), bends.end());
     std::vector<double> taken;
+    if (corner_[path.vertices.front()]) taken.push_back(0);
+    if (corner_[path.vertices.back()]) taken.push_back(path.length());
     for (const auto& [sharpness, i] : bends) {
       const double arc = path.arcs[i];
       if (std::any_of(taken.begin(), taken.end(),

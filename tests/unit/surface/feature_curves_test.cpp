@@ -82,6 +82,27 @@ TEST_CASE("feature_curves: the boundary of a rectangle has its four corners") {
   CHECK(totalLength(surface.curves()) == doctest::Approx(2 * (5 + 4)));
 }
 
+TEST_CASE("feature_curves: near a junction a bend is no corner of its own") {
+  const BuiltMesh built = buildMesh(shapes::grid(20, 20));
+  // Up along x = 10; and from its middle one to the right, then up along x = 11.
+  const auto isOn = [](const Vec3& p) { return p.x() == 10 || (p.x() == 11 && p.y() >= 10); };
+  const auto isBetween = [](const Vec3& a, const Vec3& b) {
+    return a.x() != b.x() && !(a.y() == 10 && b.y() == 10);
+  };
+  CurveRules rules;
+  Vertex bend;
+  for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const Vec3 &a = built.positions[built.mesh.origin(h)], &b = built.positions[built.mesh.tip(h)];
+    if (a.x() == 11 && a.y() == 10) bend = built.mesh.origin(h);
+    if (built.mesh.isEdge(h) && isOn(a) && isOn(b) && !isBetween(a, b)) rules.edges.push_back(h);
+  }
+  rules.size = 1;
+  CHECK(FeatureCurves(built.mesh, built.positions, rules).isCorner(bend));
+  rules.size = 4;
+  CHECK_FALSE(FeatureCurves(built.mesh, built.positions, rules).isCorner(bend));
+}
+
 TEST_CASE("feature_curves: a boundary to keep has a corner at each vertex") {
   const BuiltMesh built = buildMesh(shapes::grid(5, 4));
   CurveRules rules;
