@@ -26,6 +26,7 @@ constexpr double kManyToAnneal = 6000;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
+constexpr double kSliver = radians(10);
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -103,6 +104,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   polish(run, kPolishBelow);
   fit(run, progress.part("fit", 0.85, 1));
   lowerHausdorff(run);
+  polish(run, kSliver);
   return reached;
 }
 

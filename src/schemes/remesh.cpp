@@ -21,6 +21,9 @@ namespace remesher {
 
 namespace {
 
+// Seams lie side by side and cross the surface as they please: of most triangles there two or three
+// corners are on curves, and their angles are worth more than even steps along them.
+constexpr double kStagger = 0.8;
 constexpr double kBoundShare = 0.5;  // of a run's time, about, to keep an error bound
 
 // How long edges get on the way: the original's, or the result's on a coarse level.
@@ -102,6 +105,7 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   WorkingMesh mesh(surface);
   outcome.buildMilliseconds = stopwatch.milliseconds();
   Run run{mesh, projector, sizes, fidelityRule(options)};
+  if (!input.attributes.empty()) run.stagger = kStagger;
   const std::optional<ErrorBound> bound = errorBound(surface, options);
   const double share = bound ? kBoundShare : 0;
   const std::size_t aim = bound ? std::size_t(std::lround(sizes.vertices())) : vertices;

@@ -18,6 +18,7 @@ struct Run {
   const SizeField& sizes;
   FidelityRule rule;
   double scale = 1;         // of the sizes at the present level
+  double stagger = 0;       // how far curve vertices follow all their neighbours: see curveSweep
   LocalChange change = {};  // the proposal at hand
   Vertex result = {};       // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what

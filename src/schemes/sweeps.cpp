@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "schemes/sweeps.h"
 
+#include <algorithm>
+
 #include "operators/smoothing.h"
 
 namespace remesher {
+
+namespace {
+
+// Of the way between its neighbours along the curve a vertex leaves this share on either side.
+constexpr double kRoom = 0.25;
+
+}  // namespace
 
 CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
   CurveNeighbors result;
@@ -34,7 +43,27 @@ void forEachOfKind(const WorkingMesh& mesh, VertexKind kind, Visit visit) {
     if (mesh.mesh().isAlive(Vertex(i)) && mesh.kind(Vertex(i)) == kind) visit(Vertex(i));
 }
 
-// To where the two edges along the chain are as long as the sizes at their ends ask, in proportion.
+struct Stretch {
+  Vertex before, after;
+  double from, to;  // their places along the chain
+};
+
+// From the place `even`, which the sizes ask for, towards where v is abreast of the mean of all its
+// neighbours.
+double staggered(const Run& run, Vertex v, const Stretch& between, double even) {
+  const Vec3 way = run.mesh.position(between.after) - run.mesh.position(between.before);
+  const double length = between.to - between.from, squared = way.squaredNorm();
+  if (length == 0 || squared == 0) return even;
+  Vec3 sum = Vec3::Zero();
+  run.mesh.mesh().forEachNeighbor(
+      v, [&](Vertex w) { sum += run.mesh.position(w) - run.mesh.position(v); });
+  const double ahead = way.dot(sum) / (run.mesh.mesh().valence(v) * squared) * length;
+  const double arc = even + run.stagger * (run.mesh.on(v).arc + ahead - even);
+  return between.from + length * std::clamp((arc - between.from) / length, kRoom, 1 - kRoom);
+}
+
+// To where the two edges along the chain are as long as the sizes at their ends ask, in proportion;
+// as far as the run staggers curves, towards the mean of the neighbours.
 bool slide(Run& run, Vertex v) {
   const auto [before, after] = curveNeighbors(run.mesh, v);
   const Index chain = run.mesh.on(v).chain;
@@ -42,7 +71,8 @@ bool slide(Run& run, Vertex v) {
   const double own = run.sizes.at(run.mesh.at(v));
   const double left = own + run.sizes.at(run.mesh.at(before));
   const double right = own + run.sizes.at(run.mesh.at(after));
-  const double arc = from + (to - from) * left / (left + right);
+  double arc = from + (to - from) * left / (left + right);
+  if (run.stagger > 0) arc = staggered(run, v, {before, after, from, to}, arc);
   proposePlacement(run.mesh, v, run.mesh.onCurve({chain, arc}), run.change);
   return commit(run);
 }

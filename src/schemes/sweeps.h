@@ -24,7 +24,8 @@ void laplacianSweep(Run& run);
 bool laplacianMove(Run& run, PolarMap& star, Vertex v);
 
 // Curve vertices slide along their chain to where the target sizes want them between their two
-// neighbours.
+// neighbours there, or, with run.stagger = 1, to abreast of the mean of all their neighbours. So
+// the vertices of two curves side by side come to lie in gaps, as those of any two rows should.
 void curveSweep(Run& run);
 
 }  // namespace remesher

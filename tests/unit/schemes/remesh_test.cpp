@@ -191,3 +191,24 @@ TEST_CASE("curves: a resampled boundary follows the one it had, corners included
     for (const Vec3& corner : cornersOf(before)) CHECK(contains(outcome.mesh, corner));
   }
 }
+
+TEST_CASE("curves: between two side by side vertices lie in gaps") {
+  // A band as wide as equilateral triangles with edges 1.15 are high: two rows of vertices.
+  TriangleMesh band = shapes::grid(60, 1);
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (const Vec3& p : band.positions) {
+    uv.values.push_back(float(p.x()) / 60);
+    uv.values.push_back(float(p.y()));
+  }
+  band.attributes.push_back(std::move(uv));
+  RemeshOptions options;
+  options.vertices = 2 * 53;
+  const TriangleMesh mesh = remeshSurface(band, options, {}).mesh;
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[3 * t + k]]; };
+    sum += minAngle(at(0), at(1), at(2));
+  }
+  // 60° but at the two ends; one row straight above the other would give 41°.
+  CHECK(sum / double(mesh.triangleCount()) > radians(54));
+}
