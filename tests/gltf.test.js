@@ -39,19 +39,31 @@ function texturedSheet(change = () => {}) {
   return maker;
 }
 
-function withSparsePosition(maker, primitive) {
-  const moved = [7, 100];
-  const bumped = Float32Array.from(moved.flatMap((i) =>
-    [positions[3 * i], positions[3 * i + 1], positions[3 * i + 2] + 0.001]));
-  maker.tree.accessors[primitive.attributes.POSITION].sparse = {
-    count: moved.length,
-    indices: { bufferView: maker.addView(Uint16Array.from(moved)), componentType: 5123 },
-    values: { bufferView: maker.addView(bumped) },
+/** Every third texture coordinate replaced by a wrong one, which a sparse accessor puts right. */
+function withSparseValues(maker, primitive) {
+  const wrong = texcoords.map((value, i) => (i % 6 < 2 ? value + 0.5 : value));
+  const rows = Uint16Array.from({ length: Math.ceil(count / 3) }, (_, i) => 3 * i);
+  const right = Float32Array.from([...rows].flatMap((i) =>
+    [...texcoords.subarray(2 * i, 2 * i + 2)]));
+  primitive.attributes.TEXCOORD_0 = maker.add(wrong, 'VEC2');
+  maker.tree.accessors[primitive.attributes.TEXCOORD_0].sparse = sparse(maker, rows, right);
+}
+
+/** A sparse accessor that replaces zeros, which are nowhere. */
+function withSparseZeros(maker, primitive) {
+  const rows = Uint32Array.from({ length: count - 1 }, (_, i) => i + 1);  // the first one is zero
+  const accessor = { componentType: 5126, count, type: 'VEC2' };
+  primitive.attributes.TEXCOORD_0 = maker.describe(
+    { ...accessor, sparse: sparse(maker, rows, texcoords.slice(2)) });
+}
+
+function sparse(maker, rows, values) {
+  const componentType = rows instanceof Uint16Array ? 5123 : 5125;
+  return {
+    count: rows.length,
+    indices: { bufferView: maker.addView(rows), componentType },
+    values: { bufferView: maker.addView(values) },
   };
-  const { max, min } = maker.tree.accessors[primitive.attributes.POSITION];
-  const heights = Float32Array.from(positions.filter((_, i) => i % 3 === 2));
-  moved.forEach((i, k) => (heights[i] = bumped[3 * k + 2]));
-  [min[2], max[2]] = [Math.min(...heights), Math.max(...heights)];
 }
 
 function withIntegers(maker, primitive) {
@@ -207,15 +219,29 @@ const withIndices = (Kind) => () => {
   }]).glb();
 };
 
+function withoutIndices() {
+  const maker = new GltfMaker();
+  const unrolled = (values, width) => Float32Array.from(Array.from(small)
+    .flatMap((v) => [...values.subarray(width * v, width * (v + 1))]));
+  return maker.show([{
+    attributes: {
+      POSITION: maker.add(unrolled(positions, 3), 'VEC3'),
+      TEXCOORD_0: maker.add(unrolled(texcoords, 2), 'VEC2'),
+    },
+  }]).glb();
+}
+
 const kinds = {
   'a GLB': () => texturedSheet().glb(),
   'a .gltf with its .bin': () => texturedSheet().gltf(),
   'a data URI': () => texturedSheet().embedded(),
-  'a sparse accessor': () => texturedSheet(withSparsePosition).glb(),
+  'a sparse accessor': () => texturedSheet(withSparseValues).glb(),
+  'a sparse accessor of zeros': () => texturedSheet(withSparseZeros).glb(),
   'normalised integers': () => texturedSheet(withIntegers).glb(),
   'KHR_mesh_quantization': () => texturedSheet(withQuantization).glb(),
   'KHR_texture_transform': () => texturedSheet(withTexture).glb(),
   'interleaved buffers': () => interleaved().glb(),
+  'no indices': withoutIndices,
   'indices of bytes': withIndices(Uint8Array),
   'indices of shorts': withIndices(Uint16Array),
   'indices of ints': withIndices(Uint32Array),
@@ -265,6 +291,28 @@ test('encodings, materials, images and texture transforms come out as they went 
   assert.equal(tree.accessors[TEXCOORD_0].componentType, 5123);
   assert.equal(tree.accessors[COLOR_0].componentType, 5121);
   assert.ok(tree.accessors[COLOR_0].normalized);
+});
+
+test('images beside the file and in data URIs come back bit for bit', async () => {
+  const maker = texturedSheet((tree, primitive) => {
+    withTexture(tree, primitive);
+    const uri = `data:image/png;base64,${Buffer.from(png).toString('base64')}`;
+    Object.assign(tree.tree, { images: [{ uri: 'paint%20can.png' }, { uri }],
+      textures: [{ source: 0, sampler: 0 }, { source: 1, sampler: 0 }] });
+    tree.tree.materials[0].emissiveTexture = { index: 1 };
+  });
+  const { bytes, resources, ...options } = maker.gltf();
+  Object.assign(resources, { 'paint can.png': png });
+  const beside = await remeshFile(bytes, { ...options, resources, vertices: 400 });
+  assert.deepEqual(await validate({ ...beside, files: beside.files.slice(1) }), []);
+  assert.deepEqual(openGltf(beside).tree.images, maker.tree.images);
+  assert.deepEqual(beside.files.find(({ name }) => name === 'paint can.png')?.bytes, png);
+
+  const inside = await remeshFile(bytes, { ...options, resources, output: 'glb', vertices: 400 });
+  assert.deepEqual(await validate(inside), []);
+  const { tree, data } = openGltf(inside);
+  const { byteOffset, byteLength } = tree.bufferViews[tree.images[0].bufferView];
+  assert.deepEqual(data.slice(byteOffset, byteOffset + byteLength), png);
 });
 
 test('two materials meet without a crack', async () => {
