@@ -15,7 +15,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 6;
+constexpr int kRounds = 8;
 // Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
 // the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
