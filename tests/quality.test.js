@@ -75,6 +75,7 @@ test('rounds, the report’s algorithm, is better than what it is given', async 
   assert.equal(report.output.vertices, 4000);
   assert.ok(after.mean > before.mean, `${after.mean} > ${before.mean}`);
   assert.ok(after.histogram[5] > 2 * before.histogram[5], `${after.histogram[5]} % in 50–60°`);
+  assert.ok(after.worst >= 15, `worst angle ${after.worst}`);
 });
 
 test('sizes that follow curvature lower the error at the same count', async () => {

@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "geometry/triangle.h"
-#include "operators/angles.h"
 
 namespace remesher {
 
 namespace {
-
-// Triangles with a smaller angle are poor. For the sake of a better shape a cosine may be worse by
-// a little.
-constexpr double kPoor = radians(8);
-constexpr double kLittleWorse = 0.02;
 
 struct Corners {
   std::array<Vec3, 3> positions;
@@ -76,12 +70,7 @@ Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, double fol
 
 // The two cosines that strict and loose look at.
 struct Agreement {
-  double pair = 1, own = 1;
-
-  void lower(const Agreement& other) {
-    pair = std::min(pair, other.pair);
-    own = std::min(own, other.own);
-  }
+  double pair, own;
 };
 
 Agreement agreement(const Corners& corners, Fidelity mode) {
@@ -91,33 +80,12 @@ Agreement agreement(const Corners& corners, Fidelity mode) {
   return {*std::max_element(pairs.begin(), pairs.end()), corners.best()};
 }
 
-Verdict verdictOn(const Agreement& agreement, const FidelityRule& rule) {
-  if (!(agreement.pair > rule.cosVertexAngle)) return Verdict::VertexAngle;
-  return agreement.own > rule.cosTriangleAngle ? Verdict::Accepted : Verdict::TriangleAngle;
-}
-
-// Where the original itself breaks the rule nothing would ever change: there what makes a poor
-// triangle better will do, if it hardly disagrees with the original more than what is there. But no
-// collapse: what the rule keeps from vanishing stays.
-bool isWayForward(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule,
-                  const Agreement& coming) {
-  const double before = smallestGoingAngle(mesh, change);
-  if (change.operation == Operation::Collapse || before > kPoor) return false;
-  Agreement going;
-  for (const Face f : change.going)
-    going.lower(agreement(cornersOf(mesh, mesh.mesh().vertices(f), change.place), rule.mode));
-  if (verdictOn(going, rule) == Verdict::Accepted) return false;
-  return coming.pair >= std::min(going.pair, rule.cosVertexAngle) - kLittleWorse &&
-         coming.own >= std::min(going.own, rule.cosTriangleAngle) - kLittleWorse &&
-         smallestComingAngle(mesh, change) > before;
-}
-
 Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
-  Agreement coming;
-  for (const auto& triangle : change.coming)
-    coming.lower(agreement(cornersOf(mesh, triangle, change.place), rule.mode));
-  const Verdict verdict = verdictOn(coming, rule);
-  if (verdict == Verdict::Accepted || !isWayForward(mesh, change, rule, coming)) return verdict;
+  for (const auto& triangle : change.coming) {
+    const auto [pair, own] = agreement(cornersOf(mesh, triangle, change.place), rule.mode);
+    if (!(pair > rule.cosVertexAngle)) return Verdict::VertexAngle;
+    if (!(own > rule.cosTriangleAngle)) return Verdict::TriangleAngle;
+  }
   return Verdict::Accepted;
 }
 

@@ -7,9 +7,7 @@
 //   loose   some pair and some corner pass  (the report's program)
 //   fold    every  N_i·N_T > kFold, or the worst of them is no worse than it was before
 //
-// Where the triangles that go break strict or loose themselves, and one of them is a sliver of less
-// than 8°, a flip, a split or a move that opens it is let through if it is hardly worse by these
-// measures. Strict and loose also refuse triangles that turn over. The measure of "before" is the
+// Strict and loose also refuse triangles that turn over. The measure of "before" is the
 // worst of the triangles that the operation replaces.
 #pragma once
 

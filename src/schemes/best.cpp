@@ -101,10 +101,10 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   const bool reached = matchCount(run, vertices);
   smooth(run);
   finer.at(1);
-  polish(run, kPolishBelow);
+  polish(run, {kPolishBelow});
   fit(run, progress.part("fit", 0.85, 1));
   lowerHausdorff(run);
-  polish(run, kSliver);
+  polish(run, {kSliver});
   return reached;
 }
 

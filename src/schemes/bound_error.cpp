@@ -64,7 +64,7 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   matchCount(run, goal.vertices);
   progress.at(0.9);
   delaunayFlips(run.mesh, run.rule);
-  polish(run, kPolishBelow);
+  polish(run, {kPolishBelow});
   return run.mesh.mesh().vertexCount() == goal.vertices;
 }
 

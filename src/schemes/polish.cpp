@@ -7,6 +7,7 @@
 
 #include "geometry/polar_map.h"
 #include "operators/angles.h"
+#include "operators/shift.h"
 #include "schemes/adapt.h"
 #include "schemes/lengths.h"
 #include "schemes/relax.h"
@@ -32,6 +33,7 @@ constexpr double kCollapseBelow = 1.2;
 // The best proposal seen so far, by the worst angle it leaves.
 struct Best {
   FidelityRule rule;
+  double shift;  // model units
   LocalChange change = {};
   double gain = 0;
 
@@ -39,6 +41,7 @@ struct Best {
     const double better =
         smallestComingAngle(run.mesh, run.change) - smallestGoingAngle(run.mesh, run.change);
     if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
+    if (std::isfinite(shift) && shiftOf(run.mesh, run.change) > shift) return;
     gain = better;
     change = run.change;
   }
@@ -114,8 +117,10 @@ void offerSplits(Run& run, Face f, Best& best) {
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 // Whether something was found that makes the worst angle around f larger.
-bool mend(Run& run, Face f, Means means) {
-  Best best{means == Means::KeepCount ? run.rule : lenient(run)};
+bool mend(Run& run, Face f, Means means, double shift) {
+  const Vertex corner = run.mesh.mesh().vertices(f)[0];
+  const double size = run.scale * run.sizes.at(run.mesh.at(corner));
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, v, ground, best);
@@ -155,17 +160,17 @@ Means meansOf(int round) {
 
 }  // namespace
 
-void polish(Run& run, double angle) {
+void polish(Run& run, const PolishGoal& goal) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Face> bad = badTriangles(run, angle);
+    const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1) before = double(bad.size());
     const Means means = meansOf(round);
     for (const Face f : bad)
-      for (int i = 0; i < kTries && isBad(run, f, angle); ++i)
-        if (!mend(run, f, means)) break;
+      for (int i = 0; i < kTries && isBad(run, f, goal.angle); ++i)
+        if (!mend(run, f, means, goal.shift)) break;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);
     relax(run, 2);

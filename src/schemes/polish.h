@@ -4,11 +4,18 @@
 // piles up vertices where it does not.
 #pragma once
 
+#include <limits>
+
 #include "schemes/run.h"
 
 namespace remesher {
 
-// Works on triangles with an angle below `angle` radians. Keeps the number of vertices.
-void polish(Run& run, double angle);
+struct PolishGoal {
+  double angle;  // radians; triangles with a smaller one are worked on
+  double shift = std::numeric_limits<double>::infinity();  // of a step, in target edge lengths
+};
+
+// Keeps the number of vertices. No step moves the surface by more than the goal's shift.
+void polish(Run& run, const PolishGoal& goal);
 
 }  // namespace remesher

@@ -13,6 +13,7 @@
 #include "schemes/best.h"
 #include "schemes/bound_error.h"
 #include "schemes/curve_choice.h"
+#include "schemes/poor_regions.h"
 #include "schemes/rounds.h"
 #include "schemes/split_obtuse.h"
 #include "schemes/targets.h"
@@ -24,7 +25,8 @@ namespace {
 // Seams lie side by side and cross the surface as they please: of most triangles there two or three
 // corners are on curves, and their angles are worth more than even steps along them.
 constexpr double kStagger = 0.8;
-constexpr double kBoundShare = 0.5;  // of a run's time, about, to keep an error bound
+constexpr double kBoundShare = 0.5;    // of a run's time, about, to keep an error bound
+constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
 
 // How long edges get on the way: the original's, or the result's on a coarse level.
 double longestEdges(const OriginalSurface& surface, const SizeField& sizes) {
@@ -44,8 +46,12 @@ std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions&
 
 bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,
                const Progress& progress) {
-  if (options.scheme == Scheme::Rounds)
-    return runRounds(run, {vertices, options.splitObtuse}, progress);
+  if (options.scheme == Scheme::Rounds) {
+    const bool reached =
+        runRounds(run, {vertices, options.splitObtuse}, progress.part("rounds", 0, kRoundsShare));
+    if (run.rule.mode != Fidelity::Strict) mendPoorRegions(run);
+    return reached;
+  }
   const bool reached = runBest(run, vertices, progress);
   if (options.splitObtuse) splitObtuse(run);
   return reached;
