@@ -19,7 +19,7 @@ constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kKeepAngle 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
 constexpr double kGain = 0.99, kEnough = 0.65;
-// What makes way for another must win more.
+// What costs angles, or makes way for another, must win more.
 constexpr double kMuch = 0.9;
 // Where the maximum is stuck, what lies below this share of it decides nothing.
 constexpr double kNearMaximum = 0.8;
@@ -99,7 +99,7 @@ class Descent {
 
   bool moveCorner(Face f, double angle) {
     const double before = distances_.of(f);
-    double lowest = kGain * before;
+    double lowest = (angle < kGoodAngle ? kMuch : kGain) * before;
     Vertex mover;
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
