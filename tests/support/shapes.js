@@ -17,7 +17,7 @@ export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) 
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
-/** A ring whose tube is thin on one side, an eighth as thick as on the other: it bends most there. */
+/** A ring whose tube is on one side an eighth as thick as on the other: there it bends most. */
 export function signetRing() {
   const [columns, rows, thick] = [160, 48, 0.8];
   const { positions, indices } = torus({ columns, rows, tube: thick });
