@@ -11,7 +11,7 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
     case VertexKind::Interior:
       return !mesh.isPinned(mesh.mesh().origin(h));
     case VertexKind::Curve:
-      return mesh.isCurve(h);
+      return mesh.isCurve(h) && !mesh.isPinned(mesh.mesh().origin(h));
     case VertexKind::Corner:
       return false;
   }

@@ -6,6 +6,7 @@
 
 #include "operators/delaunay.h"
 #include "schemes/adapt.h"
+#include "schemes/boundaries.h"
 #include "schemes/fit.h"
 #include "schemes/lower_hausdorff.h"
 #include "schemes/polish.h"
@@ -77,11 +78,24 @@ void smoothOntoTips(Run& run) {
   smooth(run);
 }
 
+// Following the boundaries adds vertices, matching the count takes some away, there as well.
+bool followToCount(Run& run, std::size_t vertices) {
+  bool reached = false;
+  for (int i = 0; i < 2; ++i) {
+    followBoundaries(run);
+    reached = matchCount(run, vertices);
+    smooth(run);
+  }
+  slideToBends(run);
+  return reached;
+}
+
 }  // namespace
 
 bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   const int levels = levelCount(run, vertices);
   run.scale = std::pow(2.0, levels);
+  run.boundaries = Boundaries::Staggered;
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t base = vertices >> (2 * levels);
   adaptToSizes(run, base, progress.part("adapt", 0, 0.25));
@@ -98,8 +112,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
     smooth(run);
   }
   smoothOntoTips(run);
-  const bool reached = matchCount(run, vertices);
-  smooth(run);
+  const bool reached = followToCount(run, vertices);
   finer.at(1);
   polish(run, {kPolishBelow});
   fit(run, progress.part("fit", 0.85, 1));

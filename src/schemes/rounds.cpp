@@ -7,6 +7,8 @@
 
 #include "geometry/triangle.h"
 #include "operators/delaunay.h"
+#include "schemes/adapt.h"
+#include "schemes/boundaries.h"
 #include "schemes/lengths.h"
 #include "schemes/split_obtuse.h"
 #include "schemes/sweeps.h"
@@ -200,7 +202,11 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
                   : collapseRound(run, collapseOrder(run), goal.vertices);
     areaBasedRound(run);
   }
-  const bool reached = mesh.vertexCount() == goal.vertices;
+  bool reached = mesh.vertexCount() == goal.vertices;
+  if (reached) {
+    followBoundaries(run);
+    reached = matchCount(run, goal.vertices);
+  }
   if (goal.splitObtuse) splitObtuse(run);
   const Progress finish = rest.part("smooth", share, 1);
   for (int i = 0; i < kAreaRounds; ++i) {
@@ -211,6 +217,7 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
     finish.at(0.8 + 0.2 * i / kLaplacianRounds);
     laplacianSweep(run);
   }
+  slideToBends(run);
   return reached;
 }
 

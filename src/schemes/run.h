@@ -12,13 +12,17 @@
 
 namespace remesher {
 
+// How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
+enum class Boundaries { Even, Staggered };
+
 struct Run {
   WorkingMesh& mesh;
   Projector& projector;
   const SizeField& sizes;
   FidelityRule rule;
-  double scale = 1;         // of the sizes at the present level
-  double stagger = 0;       // how far curve vertices follow all their neighbours: see curveSweep
+  double scale = 1;    // of the sizes at the present level
+  double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
+  Boundaries boundaries = Boundaries::Even;
   LocalChange change = {};  // the proposal at hand
   Vertex result = {};       // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what

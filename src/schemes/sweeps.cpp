@@ -10,7 +10,7 @@ namespace remesher {
 namespace {
 
 // Of the way between its neighbours along the curve a vertex leaves this share on either side.
-constexpr double kRoom = 0.25;
+constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
 
 }  // namespace
 
@@ -62,9 +62,28 @@ double staggered(const Run& run, Vertex v, const Stretch& between, double even) 
   return between.from + length * std::clamp((arc - between.from) / length, kRoom, 1 - kRoom);
 }
 
+// On an open boundary: the mean of where the sizes want v between its two neighbours there, and
+// abreast of each other neighbour, which lie to one side only.
+double besideInner(const Run& run, Vertex v, const Stretch& between, double even) {
+  const double own = run.mesh.on(v).arc;
+  const Vec3 way = run.mesh.position(between.after) - run.mesh.position(between.before);
+  const double length = between.to - between.from, straight = way.norm();
+  if (length == 0 || straight == 0) return even;
+  const Vec3 ahead = way / (length > 0 ? straight : -straight);
+  double sum = 2 * (even - own);
+  run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
+    if (w == between.before || w == between.after) return;
+    sum += (run.mesh.position(w) - run.mesh.position(v)).dot(ahead);
+  });
+  const double arc = own + sum / run.mesh.mesh().valence(v);
+  return between.from +
+         length * std::clamp((arc - between.from) / length, kBoundaryRoom, 1 - kBoundaryRoom);
+}
+
 // To where the two edges along the chain are as long as the sizes at their ends ask, in proportion;
 // as far as the run staggers curves, towards the mean of the neighbours.
 bool slide(Run& run, Vertex v) {
+  if (run.mesh.isPinned(v)) return false;
   const auto [before, after] = curveNeighbors(run.mesh, v);
   const Index chain = run.mesh.on(v).chain;
   const double from = run.mesh.onChain(before, chain).arc, to = run.mesh.onChain(after, chain).arc;
@@ -72,7 +91,11 @@ bool slide(Run& run, Vertex v) {
   const double left = own + run.sizes.at(run.mesh.at(before));
   const double right = own + run.sizes.at(run.mesh.at(after));
   double arc = from + (to - from) * left / (left + right);
-  if (run.stagger > 0) arc = staggered(run, v, {before, after, from, to}, arc);
+  const bool isBoundary = run.mesh.surface().curves().chains()[chain].boundary;
+  if (run.stagger > 0)
+    arc = staggered(run, v, {before, after, from, to}, arc);
+  else if (isBoundary && run.boundaries == Boundaries::Staggered)
+    arc = besideInner(run, v, {before, after, from, to}, arc);
   proposePlacement(run.mesh, v, run.mesh.onCurve({chain, arc}), run.change);
   return commit(run);
 }

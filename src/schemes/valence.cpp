@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "schemes/valence.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "operators/angles.h"
 #include "operators/delaunay.h"
 #include "schemes/sweeps.h"
@@ -14,13 +17,29 @@ constexpr double kStartProbability = 0.5;
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
 
+// At a boundary as many edges as divide the angle there into parts of about 60°.
+int idealValence(const WorkingMesh& mesh, Vertex v) {
+  const HalfedgeMesh& m = mesh.mesh();
+  if (!m.isBoundary(v)) return 6;
+  if (mesh.isKept(m.outgoing(v))) return 4;
+  double angle = 0;
+  const Vec3& at = mesh.position(v);
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 a = mesh.position(m.tip(h)) - at;
+    const Vec3 b = mesh.position(m.opposite(h)) - at;
+    angle += std::atan2(a.cross(b).norm(), a.dot(b));
+  });
+  return 1 + std::max(1, int(std::lround(angle / radians(60))));
+}
+
 // How far each valence is from its ideal; kept up to date while flips are made.
 class Excess {
  public:
-  explicit Excess(const HalfedgeMesh& mesh) : mesh_(mesh), excess_(mesh.vertexCapacity(), 0) {
-    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+  explicit Excess(const WorkingMesh& working)
+      : mesh_(working.mesh()), excess_(working.mesh().vertexCapacity(), 0) {
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (mesh.isAlive(v)) excess_[v] = mesh.valence(v) - (mesh.isBoundary(v) ? 4 : 6);
+      if (mesh_.isAlive(v)) excess_[v] = mesh_.valence(v) - idealValence(working, v);
     }
   }
 
@@ -46,7 +65,7 @@ class Excess {
 template <class Accept>
 std::size_t flipsWhere(Run& run, double smallestAngle, Accept accept) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  Excess excess(mesh);
+  Excess excess(run.mesh);
   std::size_t flips = 0;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);

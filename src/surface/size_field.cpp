@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "surface/boundary_sizes.h"
 #include "surface/curvature.h"
 
 namespace remesher {
@@ -20,6 +21,11 @@ constexpr double kLongestEdge = 5.0 / 3;
 // Beside kept edges, in units of the smaller size: the sooner sizes are back to what they should
 // be, the more of the count is left for the rest.
 constexpr double kLongestBesideKept = 4.0 / 3;
+
+// Sizes that follow curvature follow the bends of boundaries as well, so far: the tolerance
+// of the diagonal, or, in coarse meshes, of the square of the size, as chords are from arcs.
+constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
+constexpr double kShortestChord = 0.7, kLongestChord = 4;
 
 // Relative sizes by curvature, 1 where it is the median (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
@@ -135,6 +141,17 @@ VertexData<double> keptLengths(const OriginalSurface& surface) {
   return lengths;
 }
 
+VertexData<double> chordLimits(const OriginalSurface& surface, double mean) {
+  const double tolerance = std::max(kChordOfDiagonal * surface.diagonal(),
+                                    kChordOfSquare * mean * mean / surface.diagonal());
+  return boundarySizes(surface, {tolerance, kShortestChord * mean, kLongestChord * mean});
+}
+
+void limit(const VertexData<double>& limits, VertexData<double>& sizes) {
+  for (Index v = 0; v < limits.size(); ++v)
+    sizes[Vertex(v)] = std::min(sizes[Vertex(v)], limits[Vertex(v)]);
+}
+
 // No size is below what the way from a kept edge allows: such an edge needs triangles to match,
 // even where all others are much smaller. Settled from the largest down.
 void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept, double slope,
@@ -186,12 +203,13 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
   const double slope = steepestSlope(rules.gradation);
   const double keptSlope = (rules.gradation - 1) / kLongestBesideKept;
-  VertexData<double> largest;
+  VertexData<double> largest, chords;
+  if (rules.adaptivity > 0) chords = chordLimits(surface, mean_);
   if (rules.error > 0) largest = largestSizes(surface, rules.error);
   for (int i = 0; i < kNormalizations; ++i) {
     normalize(areas, mean_, sizes_);
-    for (Index v = 0; v < largest.size(); ++v)
-      sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], largest[Vertex(v)]);
+    limit(largest, sizes_);
+    limit(chords, sizes_);
     for (Index v = 0; v < kept.size(); ++v)
       if (kept[Vertex(v)] > 0) sizes_[Vertex(v)] = std::min(sizes_[Vertex(v)], kept[Vertex(v)]);
     limitGradation(surface, slope, sizes_);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "schemes/boundaries.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "operators/angles.h"
+#include "schemes/best.h"
+#include "schemes/rounds.h"
+#include "support/runs.h"
+
+using namespace remesher;
+
+namespace {
+
+// A hilly sheet whose outline winds, to this share of its size.
+TriangleMesh sheet(double winding) {
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, 48, 48, [&](int i, int k) {
+    const double u = i / 24.0 - 1, v = k / 24.0 - 1;
+    const double reach = 1 + winding * std::sin(11 * u) * std::cos(13 * v);
+    return Vec3(reach * u, reach * v, 0.1 * std::sin(2 * u) * std::cos(3 * v));
+  });
+  return mesh;
+}
+
+// The farthest that a boundary vertex of the original lies from the chord that stands for it.
+double farthestChord(const WorkingMesh& mesh) {
+  double most = 0;
+  const HalfedgeMesh& m = mesh.mesh();
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.isAlive(h) || !m.isBoundary(h)) continue;
+    const Chain& chain = mesh.surface().curves().chains()[mesh.curve(h)];
+    const double a = mesh.onChain(m.origin(h), mesh.curve(h)).arc;
+    const double b = mesh.onChain(m.tip(h), mesh.curve(h)).arc;
+    const Vec3 &from = mesh.position(m.origin(h)), &to = mesh.position(m.tip(h));
+    for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
+      if (chain.arcs[k] < std::min(a, b) || chain.arcs[k] > std::max(a, b)) continue;
+      const Vec3& p = mesh.surface().positions()[chain.vertices[k]];
+      most = std::max(most, (closestPoint(p, from, to, to) - p).norm());
+    }
+  }
+  return most;
+}
+
+struct Means {
+  double beside = 0, inside = 0;
+};
+
+// Of the smallest angles, in degrees, of the triangles that touch a boundary and of the others.
+Means meanAngles(const WorkingMesh& mesh) {
+  Means sums, counts;
+  const HalfedgeMesh& m = mesh.mesh();
+  for (Index i = 0; i < m.faceCapacity(); ++i) {
+    if (!m.isAlive(Face(i))) continue;
+    const auto corners = m.vertices(Face(i));
+    const bool touches =
+        std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return m.isBoundary(v); });
+    (touches ? sums.beside : sums.inside) += degrees(smallestAngle(mesh, Face(i)));
+    (touches ? counts.beside : counts.inside) += 1;
+  }
+  return {sums.beside / counts.beside, sums.inside / counts.inside};
+}
+
+}  // namespace
+
+TEST_CASE("boundaries: a resampled one stays within 0.1 % of the diagonal, in both schemes") {
+  const OriginalSurface surface = shapes::surfaceOf(sheet(0.03));
+  for (const double vertices : {700.0, 1500.0})
+    for (const double adaptivity : {0.0, 0.5}) {
+      CAPTURE(vertices);
+      CAPTURE(adaptivity);
+      const SizeField sizes(surface, {.vertices = vertices, .adaptivity = adaptivity});
+      Projector projector(surface, Projection::Patches, 2 * sizes.mean());
+      WorkingMesh mesh(surface);
+      Run run{mesh, projector, sizes, {}};
+      CHECK((adaptivity > 0 ? runBest(run, std::size_t(vertices), {})
+                            : runRounds(run, {std::size_t(vertices)}, {})));
+      const double allowed = std::max(1e-3 * surface.diagonal(),
+                                      2.75 * sizes.mean() * sizes.mean() / surface.diagonal());
+      CHECK(farthestChord(mesh) < allowed);
+      CHECK(check(mesh.mesh()) == "");
+    }
+}
+
+TEST_CASE("boundaries: triangles there are as good as inside, within 2°") {
+  const OriginalSurface surface = shapes::surfaceOf(sheet(0));
+  const SizeField sizes(surface, {.vertices = 1500, .adaptivity = 0.5});
+  Projector projector(surface, Projection::Patches, 2 * sizes.mean());
+  WorkingMesh mesh(surface);
+  Run run{mesh, projector, sizes, {}};
+  CHECK(runBest(run, 1500, {}));
+  const Means means = meanAngles(mesh);
+  CAPTURE(means.beside);
+  CHECK(means.inside - means.beside < 2);
+}
