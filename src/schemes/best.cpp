@@ -27,7 +27,8 @@ constexpr double kManyToAnneal = 6000;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
-constexpr double kSliver = radians(10);
+constexpr double kSliver = radians(10), kPoor = radians(30);
+constexpr double kLittle = 0.16;  // of an edge: what the distances just lowered can bear
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -118,6 +119,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   fit(run, progress.part("fit", 0.85, 1));
   lowerHausdorff(run);
   polish(run, {kSliver});
+  if (!isLarge(run)) polish(run, {kPoor, kLittle});
   return reached;
 }
 

@@ -16,7 +16,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 8;
+constexpr int kRounds = 8, kRoundsInLarge = 6;
 // Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
 // the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
@@ -153,8 +153,8 @@ bool isBad(const Run& run, Face f, double angle) {
 
 // Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
 // where even that fails a vertex may leave the surface.
-Means meansOf(int round) {
-  if (round + 1 == kRounds) return Means::LeaveSurface;
+Means meansOf(int round, int rounds) {
+  if (round + 1 == rounds) return Means::LeaveSurface;
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
@@ -162,12 +162,13 @@ Means meansOf(int round) {
 
 void polish(Run& run, const PolishGoal& goal) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
+  const int rounds = isLarge(run) ? kRoundsInLarge : kRounds;
   double before = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1) before = double(bad.size());
-    const Means means = meansOf(round);
+    const Means means = meansOf(round, rounds);
     for (const Face f : bad)
       for (int i = 0; i < kTries && isBad(run, f, goal.angle); ++i)
         if (!mend(run, f, means, goal.shift)) break;

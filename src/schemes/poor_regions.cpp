@@ -9,8 +9,8 @@ namespace remesher {
 namespace {
 
 constexpr double kPoor = radians(20);
-// Steps above a third of an edge lose tips, below a sixth slivers stay.
-constexpr double kShift = 0.25;
+// Steps of a quarter of an edge and more lose tips, much smaller ones leave slivers.
+constexpr double kShift = 0.16;
 
 }  // namespace
 
