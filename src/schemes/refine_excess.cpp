@@ -14,7 +14,6 @@ namespace remesher {
 namespace {
 
 constexpr double kMoveWithin = 0.35;  // of the shortest edge around: so near a vertex moves
-constexpr double kLongEnough = 0.6;   // of the longest side around: so long one is split
 constexpr double kGoodAngle = radians(20);
 
 // The faces around a new or moved vertex are others now: what was found for them is void.
@@ -66,15 +65,12 @@ class Refinement {
   void reach(const ErrorBound::Lost& lost) {
     const std::vector<Vertex> near = finder_.verticesNear(lost.place);
     if (moves_ == Moves::Allowed && moveOne(near, lost.place)) return;
-    if (const Halfedge h = sideTowards(near, lost.place)) insert(h, lost.place);
+    if (const Face f = nearestFace(near, lost.place)) insert(f, lost.place);
   }
 
   void bringBack(Face f) {
     if (touched_[f] || putBackCorner(f)) return;
-    const Halfedge side = longestSide(run_.mesh, f);
-    if (!side) return;
-    proposeSplit(run_.mesh, run_.projector, side, run_.change);
-    touched_.around(apply(run_.mesh, run_.change));
+    if (const Halfedge side = longestSide(run_.mesh, f)) split(side);
   }
 
  private:
@@ -100,50 +96,41 @@ class Refinement {
     return result;
   }
 
-  // Of the sides of the faces around, that whose middle on the original is nearest to the place.
-  Halfedge sideTowards(const std::vector<Vertex>& near, const SurfacePoint& point) {
-    const std::vector<Halfedge> sides = sidesAround(near);
+  // Of the faces around; none if it has changed.
+  Face nearestFace(const std::vector<Vertex>& near, const SurfacePoint& point) const {
     const Vec3 target = run_.mesh.surface().position(point);
-    Halfedge best;
+    Face nearest;
     double least = std::numeric_limits<double>::infinity();
-    double longest = 0;
-    for (const Halfedge h : sides) longest = std::max(longest, length(run_.mesh, h));
-    for (const Halfedge h : sides) {
-      if (length(run_.mesh, h) < kLongEnough * longest) continue;
-      const Vec3 middle = midpoint(run_.mesh, run_.projector, h).position;
-      const double distance = (middle - target).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
-      best = h;
-    }
-    return best;
-  }
-
-  // None if any of the faces has changed.
-  std::vector<Halfedge> sidesAround(const std::vector<Vertex>& near) const {
-    std::vector<Halfedge> sides;
-    for (const Vertex v : near) {
-      if (isTouched(v)) return {};
+    for (const Vertex v : near)
       run_.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-        for (int i = 0; i < 3; ++i) {
-          const Halfedge side = HalfedgeMesh::halfedge(HalfedgeMesh::face(h), i);
-          if (!run_.mesh.isKept(side)) sides.push_back(side);
-        }
+        const auto [a, b, c] = run_.mesh.mesh().vertices(HalfedgeMesh::face(h));
+        const Vec3 closest = closestPoint(target, run_.mesh.position(a), run_.mesh.position(b),
+                                          run_.mesh.position(c));
+        const double distance = (closest - target).squaredNorm();
+        if (distance >= least) return;
+        least = distance;
+        nearest = HalfedgeMesh::face(h);
       });
-    }
-    return sides;
+    return nearest && touched_[nearest] ? Face() : nearest;
   }
 
-  // At the place if that makes good triangles, else in the middle of the side.
-  void insert(Halfedge h, const SurfacePoint& point) {
-    proposeSplit(run_.mesh, run_.projector, h, run_.change);
-    const Placement middle = run_.change.place;
-    if (!run_.mesh.isCurve(h)) {
-      run_.change.place = run_.mesh.onSurface(point);
-      const bool good = smallestComingAngle(run_.mesh, run_.change) >= kGoodAngle;
-      if (good && commit(run_)) return touched_.around(run_.result);
+  // Splits a side of the face: at the place if that makes good triangles, else in the middle of the
+  // longest.
+  void insert(Face f, const SurfacePoint& point) {
+    const Placement place = run_.mesh.onSurface(point);
+    for (int i = 0; i < 3; ++i) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, i);
+      if (run_.mesh.isCurve(h) || !proposeSplit(run_.mesh, run_.projector, h, run_.change))
+        continue;
+      run_.change.place = place;
+      if (smallestComingAngle(run_.mesh, run_.change) < kGoodAngle || !commit(run_)) continue;
+      return touched_.around(run_.result);
     }
-    run_.change.place = middle;
+    if (const Halfedge side = longestSide(run_.mesh, f)) split(side);
+  }
+
+  void split(Halfedge h) {
+    if (!proposeSplit(run_.mesh, run_.projector, h, run_.change)) return;
     touched_.around(apply(run_.mesh, run_.change));
   }
 

@@ -10,7 +10,7 @@ namespace remesher {
 enum class Moves { Allowed, Never };
 
 // Brings the mesh to places of the original that it has lost, by moving a vertex that is almost
-// there or by splitting the edge that passes by; and triangles that have strayed back to the
+// there or by splitting the triangle that passes by; and triangles that have strayed back to the
 // original, by undoing a fit or by splitting them.
 void refineExcess(Run& run, const ErrorBound::Excess& excess, Moves moves);
 
