@@ -130,11 +130,12 @@ function buildMeasure() {
 function decoderModules() {
   const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
   const draco = 'draco3dgltf/draco_decoder_gltf';
-  // Without `process` the script does not take Node for granted, nor its require.
+  // Without `process` the script does not take Node for granted; without the names of CommonJS no
+  // bundler takes it for a mixture of the two kinds of module, nor looks for Node's files.
   return {
     'meshopt_decoder.mjs': String(read('meshoptimizer/meshopt_decoder.mjs')),
     'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
-const process = undefined;
+const process = undefined, module = undefined, exports = undefined, require = undefined;
 ${read(`${draco}_nodejs.js`)}
 const binary = '${read(`${draco}.wasm`).toString('base64')}';
 export default () => DracoDecoderModule({
@@ -150,7 +151,8 @@ function assemblePackage() {
   const declarations = readdirSync(join(root, 'bindings'))
     .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
   const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
-    ...declarations, 'bindings/tsconfig.json', 'package.json', 'package-lock.json'];
+    ...declarations, 'bindings/build.js', 'bindings/tsconfig.json', 'package.json',
+    'package-lock.json'];
   mkdirSync(join(root, 'build'), { recursive: true });
   const stamp = new Stamp('build/dist.stamp', inputs);
   if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;

@@ -7,6 +7,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
+import { build, createLogger } from 'vite';
+
 import { offText, torus } from './support/shapes.js';
 import { readText, root } from './support/tree.js';
 
@@ -73,6 +75,17 @@ test('a program imports it and remeshes', () => {
     const { report } = await remeshFile(bytes, { name: 'torus.off', vertices: 400 });
     console.log(report.output.vertices, typeof RemeshError, optionTable.length > 10);`);
   assert.equal(call(process.execPath, ['program.js']).trim(), '400 function true');
+});
+
+test('a bundler has nothing to say about it', async () => {
+  writeFileSync(join(folder, 'index.html'), '<script type="module" src="page.js"></script>');
+  writeFileSync(join(folder, 'page.js'), "import { init } from 'remesher'; init();");
+  const said = [];
+  const say = (message) => said.push(message);
+  const customLogger = { ...createLogger(), warn: say, warnOnce: say, error: say };
+  await build({ root: folder, configFile: false, customLogger, worker: { format: 'es' },
+    build: { target: 'es2022', write: false } });
+  assert.deepEqual(said, []);
 });
 
 test('the command is installed and works', () => {
