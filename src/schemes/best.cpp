@@ -87,7 +87,7 @@ bool followToCount(Run& run, std::size_t vertices) {
     reached = matchCount(run, vertices);
     smooth(run);
   }
-  slideToBends(run);
+  settleBoundaries(run);
   return reached;
 }
 

@@ -2,176 +2,211 @@
 #include "schemes/boundaries.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
-#include "geometry/triangle.h"
 #include "operators/angles.h"
 #include "operators/delaunay.h"
 #include "schemes/relax.h"
-#include "schemes/sweeps.h"
+#include "surface/boundary_places.h"
 
 namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 8;
-constexpr int kPasses = 3;
-constexpr int kSteps = 16;  // places tried between two neighbours, besides the bends there
-constexpr double kProgress = 0.95;
-// Of its star's worst angle: below, a vertex moves for its triangles' sake; and so much is kept
-// when it moves for the curve's.
-constexpr double kBadAngle = radians(35), kKeepAngle = radians(30);
-// No split leaves a triangle with a smaller angle.
-constexpr double kSplitAngle = radians(15);
+constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
+constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
+constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
+constexpr int kRounds = 8, kSlides = 4, kPasses = 3;
+constexpr double kBadAngle = radians(35);
+constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
 
-// How far a chord may be from the curve. In coarse meshes more, by the square of the edges, as
-// chords are.
-double tolerance(const Run& run) {
-  constexpr double kOfDiagonal = 9e-4, kOfSquare = 2.5;
-  const double diagonal = run.mesh.surface().diagonal(), edge = run.sizes.mean();
-  return std::max(kOfDiagonal * diagonal, kOfSquare * edge * edge / diagonal);
-}
-
-struct Bend {
-  double distance = 0, arc = 0;
-};
-
-// Where a chain, between two of its places, is farthest from the chord.
-Bend farthestBend(const WorkingMesh& mesh, Index chain, double from, double to) {
-  const Chain& along = mesh.surface().curves().chains()[chain];
-  if (from > to) std::swap(from, to);
-  const Vec3 a = mesh.onCurve({chain, from}).position, b = mesh.onCurve({chain, to}).position;
-  const auto& arcs = along.arcs;
-  Bend bend;
-  for (auto i = std::upper_bound(arcs.begin(), arcs.end(), from); i != arcs.end() && *i < to; ++i) {
-    const Vec3& p = mesh.surface().positions()[along.vertices[i - arcs.begin()]];
-    const double distance = (closestPoint(p, a, b, b) - p).norm();
-    if (distance > bend.distance) bend = {distance, *i};
-  }
-  return bend;
-}
-
-// A vertex of a boundary and the places of its neighbours there.
-struct Span {
-  Vertex vertex;
+struct Station {
   Index chain;
-  double from, to;
+  double arc;
+  Vertex vertex;
 
-  double distanceAt(const WorkingMesh& mesh, double arc) const {
-    return std::max(farthestBend(mesh, chain, from, arc).distance,
-                    farthestBend(mesh, chain, arc, to).distance);
-  }
+  auto operator<=>(const Station&) const = default;
 };
 
-Span spanOf(const WorkingMesh& mesh, Vertex v) {
-  const auto [before, after] = curveNeighbors(mesh, v);
-  const Index chain = mesh.on(v).chain;
-  return {v, chain, mesh.onChain(before, chain).arc, mesh.onChain(after, chain).arc};
-}
+using Row = std::vector<Station>;
 
-std::vector<double> placesIn(const Chain& chain, const Span& span) {
-  const double low = std::min(span.from, span.to), high = std::max(span.from, span.to);
-  std::vector<double> arcs;
-  for (int i = 1; i < kSteps; ++i) arcs.push_back(low + (high - low) * i / kSteps);
-  const auto first = std::upper_bound(chain.arcs.begin(), chain.arcs.end(), low);
-  arcs.insert(arcs.end(), first, std::lower_bound(first, chain.arcs.end(), high));
-  return arcs;
-}
-
-// Of the places between v's neighbours where both chords are near enough, that with the best
-// triangles; if there is none, that with the nearest chords.
-bool slideToBend(Run& run, Vertex v) {
-  const Span span = spanOf(run.mesh, v);
-  const double near = tolerance(run), now = span.distanceAt(run.mesh, run.mesh.on(v).arc);
-  const double present = smallestAngleAround(run.mesh, v, run.mesh.position(v));
-  if (now <= near && present >= kBadAngle) return false;
-  double least = now > near ? kProgress * now : near;
-  double angle = now > near ? 0 : present / kProgress;
-  double best = -1;
-  for (const double arc : placesIn(run.mesh.surface().curves().chains()[span.chain], span)) {
-    const double then = std::max(near, span.distanceAt(run.mesh, arc));
-    if (then > least) continue;
-    const Vec3 place = run.mesh.onCurve({span.chain, arc}).position;
-    const double worst = smallestAngleAround(run.mesh, v, place);
-    if (worst < std::min(kKeepAngle, present) || (then == least && worst <= angle)) continue;
-    least = then;
-    angle = worst;
-    best = arc;
-  }
-  if (best < 0) return false;
-  proposePlacement(run.mesh, v, run.mesh.onCurve({span.chain, best}), run.change);
-  return commit(run);
-}
-
-// The vertices that boundaries may slide, those with the farthest chords first.
-std::vector<Vertex> farthestFirst(const Run& run) {
+// The vertices of the boundaries that are resampled, along each chain from corner to corner.
+std::vector<Row> rowsOf(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const auto& chains = run.mesh.surface().curves().chains();
-  std::vector<std::pair<double, Vertex>> ranked;
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
-    const Vertex v(i);
-    if (!mesh.isAlive(v) || run.mesh.kind(v) != VertexKind::Curve) continue;
-    const CurvePoint& on = run.mesh.on(v);
-    if (chains[on.chain].boundary)
-      ranked.emplace_back(-spanOf(run.mesh, v).distanceAt(run.mesh, on.arc), v);
-  }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<Vertex> vertices;
-  for (const auto& [rank, v] : ranked) vertices.push_back(v);
-  return vertices;
-}
-
-std::size_t splitAtBends(Run& run) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::size_t splits = 0;
-  const Index present = Index(mesh.halfedgeCapacity());
-  for (Index i = 0; i < present; ++i) {
+  Row all;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    if (!mesh.isAlive(h) || !mesh.isBoundary(h)) continue;
+    if (!mesh.isAlive(h) || !mesh.isBoundary(h) || run.mesh.isKept(h)) continue;
     const Index chain = run.mesh.curve(h);
-    const Bend bend = farthestBend(run.mesh, chain, run.mesh.onChain(mesh.origin(h), chain).arc,
-                                   run.mesh.onChain(mesh.tip(h), chain).arc);
-    if (bend.distance <= tolerance(run)) continue;
-    if (!proposeSplit(run.mesh, run.projector, h, run.change)) continue;
-    run.change.place = run.mesh.onCurve({chain, bend.arc});
-    if (smallestComingAngle(run.mesh, run.change) < kSplitAngle || !commit(run)) continue;
-    run.mesh.pin(run.result);
-    ++splits;
+    for (const Vertex v : {mesh.origin(h), mesh.tip(h)})
+      all.push_back({chain, run.mesh.onChain(v, chain).arc, v});
   }
-  if (splits > 0) delaunayFlips(run.mesh, run.rule);
-  return splits;
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<Row> rows;
+  for (const Station& station : all) {
+    if (rows.empty() || rows.back().back().chain != station.chain) rows.emplace_back();
+    rows.back().push_back(station);
+  }
+  return rows;
 }
 
-std::size_t slideOnce(Run& run) {
-  std::size_t moves = 0;
-  for (const Vertex v : farthestFirst(run)) {
-    if (!slideToBend(run, v)) continue;
-    run.mesh.pin(v);
-    run.mesh.unsettleStar(v);
-    ++moves;
+bool isNear(const Run& run, Index chain, double from, double to) {
+  const OriginalSurface& surface = run.mesh.surface();
+  return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
+}
+
+// What is to move for the chords of a row to be near: from where to where, both of which stay.
+std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& row) {
+  std::vector<std::array<std::size_t, 2>> stretches;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    if (isNear(run, row[i].chain, row[i].arc, row[i + 1].arc)) continue;
+    const std::size_t first = i - std::min(i, kReach);
+    const std::size_t last = std::min(i + 1 + kReach, row.size() - 1);
+    if (stretches.empty() || first > stretches.back()[1])
+      stretches.push_back({first, last});
+    else
+      stretches.back()[1] = last;
   }
-  return moves;
+  return stretches;
+}
+
+using Edges = std::vector<std::array<Vertex, 2>>;
+
+struct Plan {
+  Edges far;      // whose chords are
+  Edges tooLong;  // which would be so wherever their ends went
+  Row moves;      // who is to go where
+};
+
+Plan planFor(const Run& run) {
+  const OriginalSurface& surface = run.mesh.surface();
+  const double tolerance = kTolerance * surface.diagonal();
+  Plan plan;
+  for (const Row& row : rowsOf(run))
+    for (const auto& [first, last] : stretchesOf(run, row)) {
+      const Index chain = row[first].chain;
+      std::vector<double> arcs;
+      for (std::size_t i = first; i <= last; ++i) arcs.push_back(row[i].arc);
+      const std::vector<double> to = placesAlong(surface, chain, arcs, tolerance);
+      for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+        const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
+        if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
+        if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
+        if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
+      }
+    }
+  return plan;
+}
+
+// Outlines show more than angles to the surface do.
+bool commitOutline(Run& run) {
+  FidelityRule rule = run.rule;
+  if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
+  return commit(run) || commit(run, rule);
+}
+
+bool slideTo(Run& run, const Station& to) {
+  proposePlacement(run.mesh, to.vertex, run.mesh.onCurve({to.chain, to.arc}), run.change);
+  if (!commitOutline(run)) return false;
+  run.mesh.unsettleStar(to.vertex);
+  run.mesh.pin(to.vertex);
+  return true;
+}
+
+// As far as the triangles around it allow.
+bool slideTowards(Run& run, const Station& to) {
+  const double from = run.mesh.on(to.vertex).arc;
+  for (const double share : {1.0, 0.5, 0.25})
+    if (slideTo(run, {to.chain, from + share * (to.arc - from), to.vertex})) return true;
+  return false;
+}
+
+// Whether anything moved. What is inside makes way between the slides.
+bool slide(Run& run, const Row& moves) {
+  bool moved = false;
+  for (int i = 0; i < kSlides; ++i) {
+    bool again = false;
+    for (const Station& to : moves)
+      if (run.mesh.on(to.vertex).arc != to.arc) again = slideTowards(run, to) || again;
+    if (!again) break;
+    moved = true;
+    relax(run, kPasses);
+  }
+  return moved;
+}
+
+bool split(Run& run, const Edges& edges) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  bool done = false;
+  for (const auto& [a, b] : edges) {
+    const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) done = commitOutline(run) || done;
+  }
+  if (!done) return false;
+  delaunayFlips(run.mesh, run.rule);
+  relax(run, kPasses);
+  return true;
+}
+
+// Those vertices without which the chord between their neighbours would be far.
+void pinNeeded(Run& run) {
+  for (const Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
+}
+
+// To where the triangles around it are best, of the places between its neighbours with near chords.
+bool mend(Run& run, const Station& before, Station& at, const Station& after) {
+  double most = smallestAngleAround(run.mesh, at.vertex, run.mesh.position(at.vertex));
+  if (most >= kBadAngle) return false;
+  Station best = at;
+  for (int i = 1; i < kSteps; ++i) {
+    const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
+    const Vec3 place = run.mesh.onCurve({at.chain, arc}).position;
+    const double worst = smallestAngleAround(run.mesh, at.vertex, place);
+    if (worst <= most || !isNear(run, at.chain, before.arc, arc) ||
+        !isNear(run, at.chain, arc, after.arc))
+      continue;
+    most = worst;
+    best.arc = arc;
+  }
+  if (best == at || !slideTo(run, best)) return false;
+  at = best;
+  return true;
+}
+
+bool mendStars(Run& run) {
+  bool moved = false;
+  for (Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
+  if (moved) relax(run, kPasses);
+  return moved;
 }
 
 }  // namespace
 
-std::size_t slideToBends(Run& run) {
-  std::size_t moves = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    const std::size_t now = slideOnce(run);
-    if (now == 0) break;
-    moves += now;
-    if (round + 1 < kRounds) relax(run, kPasses);
+void followBoundaries(Run& run) {
+  bool changed = true;
+  for (int i = 0; i < kRounds && changed; ++i) {
+    changed = split(run, planFor(run).tooLong);
+    const Plan plan = planFor(run);
+    changed = slide(run, plan.moves) || changed || split(run, plan.far);
   }
-  return moves;
+  pinNeeded(run);
 }
 
-void followBoundaries(Run& run) {
-  for (int round = 0; round < kRounds; ++round) {
-    if (slideOnce(run) == 0 && splitAtBends(run) == 0) return;
-    if (round + 1 < kRounds) relax(run, kPasses);
+void settleBoundaries(Run& run) {
+  for (int i = 0; i < kRounds && slide(run, planFor(run).moves); ++i) {
   }
+  for (int i = 0; i < kRounds && mendStars(run); ++i) {
+  }
+  for (const Row& row : rowsOf(run))
+    for (const Station& station : row) run.mesh.pin(station.vertex);
 }
 
 }  // namespace remesher

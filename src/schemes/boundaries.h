@@ -7,12 +7,13 @@
 
 namespace remesher {
 
-// Slides the vertices of boundaries along them, to where the chords at them are near enough to the
-// curve and the triangles best, and pins those that moved. Returns the number of moves.
-std::size_t slideToBends(Run& run);
-
-// The same, and where that is not enough edges are split at their farthest bends: the number of
-// vertices grows.
+// Slides vertices of boundaries along them, to where the chords at them are near enough to the
+// curve, and pins those that moved. Where there are too few for the bends, edges are split: the
+// number of vertices grows.
 void followBoundaries(Run& run);
+
+// The same without splits. Then vertices with bad triangles slide to where these are best and the
+// chords still near; in the end all vertices of boundaries are pinned.
+void settleBoundaries(Run& run);
 
 }  // namespace remesher

@@ -92,6 +92,11 @@ class Descent {
     return distances_.of(f) > kWorthAngles * run_.sizes.at(run_.mesh.at(v));
   }
 
+  // Boundaries are near enough already: see followBoundaries.
+  bool isFixed(Vertex v) const {
+    return run_.mesh.kind(v) == VertexKind::Corner || mesh_.isBoundary(v);
+  }
+
   // Outlines show: a curve always has its way.
   double keptAt(Vertex v, double angle) const {
     return run_.mesh.kind(v) == VertexKind::Curve ? kKeepAngle : angle;
@@ -103,7 +108,7 @@ class Descent {
     Vertex mover;
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
-      if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) > lowest) continue;
+      if (isFixed(v) || distances_.onRim(v) > lowest) continue;
       StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
       search.descend(kEnough * before);
       if (search.distance() >= lowest) continue;
@@ -134,7 +139,7 @@ class Descent {
     const double before = distances_.of(f);
     bool moved = false;
     for (const Vertex v : mesh_.vertices(f)) {
-      if (run_.mesh.kind(v) == VertexKind::Corner || distances_.onRim(v) < before) continue;
+      if (isFixed(v) || distances_.onRim(v) < before) continue;
       StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
       const double own = search.distance();
       if (own < kEnough * before) continue;

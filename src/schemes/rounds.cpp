@@ -217,7 +217,7 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
     finish.at(0.8 + 0.2 * i / kLaplacianRounds);
     laplacianSweep(run);
   }
-  slideToBends(run);
+  settleBoundaries(run);
   return reached;
 }
 

@@ -16,6 +16,9 @@ constexpr std::uint32_t kSeed = 2003;
 constexpr double kStartProbability = 0.5;
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
+// At a boundary there are fewer neighbours to even an irregular vertex out: better have it inside.
+// Not so where the boundary is kept, and edges are as long as they happen to be.
+constexpr int kAtBoundary = 2;
 
 // At a boundary as many edges as divide the angle there into parts of about 60°.
 int idealValence(const WorkingMesh& mesh, Vertex v) {
@@ -36,18 +39,22 @@ int idealValence(const WorkingMesh& mesh, Vertex v) {
 class Excess {
  public:
   explicit Excess(const WorkingMesh& working)
-      : mesh_(working.mesh()), excess_(working.mesh().vertexCapacity(), 0) {
+      : mesh_(working.mesh()),
+        excess_(working.mesh().vertexCapacity(), 0),
+        weight_(working.mesh().vertexCapacity(), 1) {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (mesh_.isAlive(v)) excess_[v] = mesh_.valence(v) - idealValence(working, v);
+      if (!mesh_.isAlive(v)) continue;
+      excess_[v] = mesh_.valence(v) - idealValence(working, v);
+      if (mesh_.isBoundary(v) && !working.isKept(mesh_.outgoing(v))) weight_[v] = kAtBoundary;
     }
   }
 
-  // The change of Σ excess² by flipping h: the ends lose a neighbour, the opposite two gain one.
+  // The change of Σ weight·excess² by flipping h: the ends lose a neighbour, the opposite two gain
+  // one.
   int flipCost(Halfedge h) const {
-    const int a = excess_[mesh_.origin(h)], b = excess_[mesh_.tip(h)];
-    const int c = excess_[mesh_.opposite(h)], d = excess_[mesh_.opposite(mesh_.twin(h))];
-    return 2 * (c + d - a - b) + 4;
+    return cost(mesh_.origin(h), -1) + cost(mesh_.tip(h), -1) + cost(mesh_.opposite(h), 1) +
+           cost(mesh_.opposite(mesh_.twin(h)), 1);
   }
 
   void flipped(Halfedge edge) {
@@ -58,8 +65,11 @@ class Excess {
   }
 
  private:
+  int cost(Vertex v, int change) const { return weight_[v] * (1 + 2 * change * excess_[v]); }
+
   const HalfedgeMesh& mesh_;
   VertexData<int> excess_;
+  VertexData<int> weight_;
 };
 
 template <class Accept>

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "surface/boundary_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Places tried for a vertex: so many between its neighbours, and about so many bends there.
+constexpr int kSteps = 24;
+constexpr std::size_t kBends = 24;
+// Costs beside those of uneven edges and of moves: a chord that is too far is the worst of all.
+constexpr double kTooFar = 100, kFarther = 10;
+
+struct Site {
+  double arc;
+  Vec3 position;
+};
+
+class Curve {
+ public:
+  Curve(const OriginalSurface& surface, Index chain)
+      : surface_(surface), index_(chain), chain_(surface.curves().chains()[chain]) {}
+
+  Site at(double arc) const {
+    const auto place =
+        surface_.curves().locate(surface_.mesh(), surface_.positions(), {index_, arc});
+    return {arc, place.position};
+  }
+
+  // Of the bends between two places every one, or, where they are dense, about `most`.
+  template <class Visit>
+  void forEachBend(double from, double to, std::size_t most, Visit visit) const {
+    const auto& arcs = chain_.arcs;
+    const auto first = std::upper_bound(arcs.begin(), arcs.end(), from);
+    const auto last = std::lower_bound(first, arcs.end(), to);
+    const std::size_t stride = 1 + std::size_t(last - first) / most;
+    for (auto i = std::size_t(first - arcs.begin()); i < std::size_t(last - arcs.begin());
+         i += stride)
+      visit(arcs[i], surface_.positions()[chain_.vertices[i]]);
+  }
+
+  double distance(const Site& from, const Site& to, std::size_t most) const {
+    double farthest = 0;
+    forEachBend(from.arc, to.arc, most, [&](double, const Vec3& p) {
+      const Vec3 near = closestPoint(p, from.position, to.position, to.position);
+      farthest = std::max(farthest, (near - p).norm());
+    });
+    return farthest;
+  }
+
+ private:
+  const OriginalSurface& surface_;
+  const Index index_;
+  const Chain& chain_;
+};
+
+// Dynamic programming over the places that each vertex may take, from the first vertex on.
+class Placing {
+ public:
+  Placing(const Curve& curve, std::span<const double> arcs, double tolerance)
+      : curve_(curve),
+        arcs_(arcs),
+        tolerance_(tolerance),
+        even_((arcs.back() - arcs.front()) / double(arcs.size() - 1)) {}
+
+  std::vector<double> best() {
+    stages_.push_back({{curve_.at(arcs_.front()), 0, 0}});
+    for (std::size_t i = 1; i < arcs_.size(); ++i) addStage(i);
+    std::vector<double> places(arcs_.size());
+    std::size_t k = 0;
+    for (std::size_t i = arcs_.size(); i-- > 0; k = stages_[i][k].before)
+      places[i] = stages_[i][k].site.arc;
+    return places;
+  }
+
+ private:
+  struct Choice {
+    Site site;
+    double cost;         // of the best way here
+    std::size_t before;  // what the vertex before chose on that way
+  };
+
+  std::vector<double> candidates(std::size_t i) const {
+    std::vector<double> places = {arcs_[i]};
+    if (i + 1 == arcs_.size()) return places;
+    const double low = arcs_[i - 1], high = arcs_[i + 1];
+    for (int k = 1; k < kSteps; ++k) places.push_back(low + (high - low) * k / kSteps);
+    curve_.forEachBend(low, high, kBends, [&](double arc, const Vec3&) { places.push_back(arc); });
+    return places;
+  }
+
+  double edgeCost(const Site& from, const Site& to) const {
+    const double uneven = std::log((to.arc - from.arc) / even_);
+    const double far = curve_.distance(from, to, kBends) / tolerance_;
+    return uneven * uneven + (far > 1 ? kTooFar + kFarther * far : 0);
+  }
+
+  void addStage(std::size_t i) {
+    std::vector<Choice> stage;
+    for (const double arc : candidates(i)) {
+      Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
+      const double move = (arc - arcs_[i]) / even_;
+      for (std::size_t k = 0; k < stages_.back().size(); ++k) {
+        const Choice& before = stages_.back()[k];
+        const double least = before.cost + move * move;
+        if (before.site.arc >= arc || least >= choice.cost) continue;
+        const double cost = least + edgeCost(before.site, choice.site);
+        if (cost >= choice.cost) continue;
+        choice.cost = cost;
+        choice.before = k;
+      }
+      stage.push_back(choice);
+    }
+    stages_.push_back(std::move(stage));
+  }
+
+  const Curve& curve_;
+  const std::span<const double> arcs_;
+  const double tolerance_, even_;
+  std::vector<std::vector<Choice>> stages_;
+};
+
+}  // namespace
+
+double chordDistance(const OriginalSurface& surface, Index chain, double from, double to) {
+  const Curve curve(surface, chain);
+  return curve.distance(curve.at(from), curve.at(to), std::numeric_limits<std::size_t>::max());
+}
+
+std::vector<double> placesAlong(const OriginalSurface& surface, Index chain,
+                                std::span<const double> arcs, double tolerance) {
+  return Placing(Curve(surface, chain), arcs, tolerance).best();
+}
+
+}  // namespace remesher
