@@ -6,10 +6,10 @@ import * as platform from './platform_browser.js';
 
 /**
  * The types of all that goes in and comes out.
- * @typedef {import('./api.js').Bytes} Bytes
+ * @typedef {import('./inputs.js').Bytes} Bytes
  * @typedef {import('./api.js').InitOptions} InitOptions
- * @typedef {import('./api.js').FileOptions} FileOptions
- * @typedef {import('./api.js').OutputOptions} OutputOptions
+ * @typedef {import('./inputs.js').FileOptions} FileOptions
+ * @typedef {import('./inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./api.js').RemeshResult} RemeshResult
  * @typedef {import('./api.js').RemeshFileResult} RemeshFileResult
  * @typedef {import('./api.js').ConvertFileResult} ConvertFileResult
