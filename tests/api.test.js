@@ -131,12 +131,46 @@ test('an inspection tells what a mesh is like', async () => {
 test('what is not a mesh is refused before it travels', async () => {
   const { positions, indices } = torus({ columns: 8, rows: 6 });
   await rejectsWith(remesh(), 'INVALID_MESH', /positions/);
+  await rejectsWith(inspect('a.off'), 'INVALID_MESH', /object/);
   await rejectsWith(remesh({ positions: [0, 0, 0], indices }), 'INVALID_MESH', /Float32Array/);
   await rejectsWith(remesh({ positions, indices: [0, 1, 2] }), 'INVALID_MESH', /Uint32Array/);
   await rejectsWith(remesh({ positions: positions.slice(1), indices }), 'INVALID_MESH', /143/);
   await rejectsWith(remesh({ positions, indices: indices.slice(1) }), 'INVALID_MESH', /287/);
   const attributes = { NORMAL: { array: new Float32Array(3), itemSize: 3 } };
   await rejectsWith(remesh({ positions, indices, attributes }), 'INVALID_MESH', /NORMAL.*144/);
+});
+
+test('what is not an option is refused before anything runs', async () => {
+  const mesh = torus({ columns: 8, rows: 6 });
+  const bytes = new TextEncoder().encode(offText(mesh));
+  for (const options of [null, 5, 'vertices', [100]]) {
+    await rejectsWith(remesh(mesh, options), 'INVALID_OPTION', /options must be an object/);
+    await rejectsWith(inspect(mesh, options), 'INVALID_OPTION', /options must be an object/);
+    await rejectsWith(remeshFile(bytes, options), 'INVALID_OPTION', /options must be an object/);
+  }
+  for (const worker of [true, false]) {
+    await rejectsWith(remesh(mesh, { worker, onProgress: 5 }), 'INVALID_OPTION', /onProgress/);
+    await rejectsWith(remesh(mesh, { worker, signal: {} }), 'INVALID_OPTION', /AbortSignal/);
+  }
+  await rejectsWith(remesh(mesh, { worker: 'no' }), 'INVALID_OPTION', /worker.*true or false/);
+  const resources = null;
+  await rejectsWith(inspect(bytes, { name: 'a.off', resources }), 'INVALID_OPTION', /resources/);
+  const { report } = await remesh(mesh, { vertices: 60, signal: null, onProgress: null });
+  assert.equal(report.output.vertices, 60);
+});
+
+test('arrays and bytes whose memory was given away are refused', async () => {
+  const { positions, indices } = torus({ columns: 8, rows: 6 });
+  const given = (array) => {
+    const copy = array.slice();
+    structuredClone(copy, { transfer: [copy.buffer ?? copy] });
+    return copy;
+  };
+  await rejectsWith(remesh({ positions: given(positions), indices }), 'INVALID_MESH', /positions/);
+  await rejectsWith(remesh({ positions, indices: given(indices) }), 'INVALID_MESH', /indices/);
+  for (const bytes of [given(new Uint8Array(9)), given(new ArrayBuffer(9))]) {
+    await rejectsWith(inspect(bytes, { name: 'a.off' }), 'PARSE_ERROR', /memory/);
+  }
 });
 
 test('a mesh that cannot be remeshed is refused with the place', async () => {

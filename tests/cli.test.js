@@ -101,7 +101,7 @@ test('wrong words are named, with what to do', () => {
   failsWith(2, /--vertexes.*Did you mean --vertices/,
     'torus.off', '-o', 'x.off', '--vertexes', '3');
   failsWith(2, /--vertices needs a value/, 'torus.off', '-o', 'x.off', '--vertices');
-  failsWith(2, /--vertices must be a whole number.*not many/,
+  failsWith(2, /--vertices must be a whole number.*not 'many'/,
     'torus.off', '-o', 'x.off', '--vertices', 'many');
   failsWith(2, /--vertices must be .*not 0/, 'torus.off', '-o', 'x.off', '--vertices', '0');
   failsWith(2, /--gradation must be a number above 1/, 'torus.off', '-o', 'x.off',

@@ -49,12 +49,16 @@ test('ranges hold at their ends', () => {
 
 test('values of the wrong type are refused', () => {
   refused({ vertices: 10.5 }, 'INVALID_OPTION', /whole number/);
-  refused({ vertices: '10' }, 'INVALID_OPTION', /whole number/);
+  refused({ vertices: '10' }, 'INVALID_OPTION', /a whole number from 1 to \d+, not '10'/);
+  refused({ vertices: Object.create(null) }, 'INVALID_OPTION', /not an object/);
   refused({ ratio: NaN }, 'INVALID_OPTION', /NaN/);
   refused({ scheme: 'fast' }, 'INVALID_OPTION', /best, rounds/);
+  refused({ scheme: ['best'] }, 'INVALID_OPTION', /best, rounds, not Array/);
+  refused({ scheme: { toString: () => 'best' } }, 'INVALID_OPTION', /not Object/);
   refused({ splitObtuse: 1 }, 'INVALID_OPTION', /true or false/);
   refused({ density: [1, 2] }, 'INVALID_OPTION', /Float32Array/);
   refused({ featureEdges: [[1]] }, 'INVALID_OPTION', /pairs/);
+  refused({ featureEdges: new Uint32Array(3) }, 'INVALID_OPTION', /pairs/);
 });
 
 test('an unknown name is refused, and the nearest named', () => {

@@ -5,7 +5,7 @@
 import { Client } from './client.js';
 import { RemeshError } from './errors.js';
 import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
-import { checkOptions } from './options.js';
+import { checkOptions, requireObject } from './options.js';
 import { compileBinary } from './wasm_source.js';
 
 /** @typedef {import('./messages.js').Mesh} Mesh */
@@ -63,7 +63,7 @@ export function createApi(platform) {
    */
   async function remesh(mesh, options = {}) {
     const checked = checkOptions(options, { others: runNames });
-    const copy = copyMesh(mesh ?? {});
+    const copy = copyMesh(mesh);
     return client.run({ kind: 'remesh', mesh: copy, options: checked }, buffersOf(copy), options);
   }
 
@@ -106,7 +106,7 @@ export function createApi(platform) {
       const file = await fileRequest(bytesOrMesh, options);
       return client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
     }
-    const copy = copyMesh(bytesOrMesh ?? {});
+    const copy = copyMesh(bytesOrMesh);
     return client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
   }
 
@@ -115,6 +115,7 @@ export function createApi(platform) {
 
 /** @param {object} options @param {readonly string[]} known */
 function refuseOthers(options, known) {
+  requireObject(options);
   const unknown = Object.keys(options).find((name) => !known.includes(name));
   if (unknown) {
     throw new RemeshError('UNKNOWN_OPTION', `There is no option ${unknown} here.`,

@@ -45,6 +45,19 @@ import { RemeshError, abortError } from './errors.js';
  * @property {(error: unknown) => void} reject
  */
 
+/** @param {RunOptions} options */
+function checkRun({ signal, onProgress, worker }) {
+  /** @param {string} what @returns {never} */
+  const refuse = (what) => {
+    throw new RemeshError('INVALID_OPTION', what);
+  };
+  if (typeof (signal ?? new EventTarget()).addEventListener !== 'function') {
+    refuse('signal must be an AbortSignal.');
+  }
+  if (typeof (onProgress ?? refuse) !== 'function') refuse('onProgress must be a function.');
+  if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
+}
+
 export class Client {
   #platform;
   /** @type {Promise<WebAssembly.Module> | undefined} */
@@ -80,7 +93,9 @@ export class Client {
    * @param {RunOptions} options
    * @returns {Promise<any>}
    */
-  async run(job, transfer, { signal, onProgress, worker = true }) {
+  async run(job, transfer, options) {
+    checkRun(options);
+    const { signal, onProgress, worker = true } = options;
     if (signal?.aborted) throw abortError();
     if (!worker) return this.#runHere(job, { signal, onProgress });
     return new Promise((resolve, reject) => {

@@ -32,9 +32,23 @@ function isArrayOfNumbers(value) {
     && !(value instanceof BigInt64Array) && !(value instanceof BigUint64Array);
 }
 
-/** @param {any} mesh @returns {Mesh} the same in arrays of our own */
+/** A copy, on memory of its own. @template Values @param {Values} array @param {string} label */
+function copyArray(array, label) {
+  try {
+    return /** @type {Values} */ (new (/** @type {any} */ (array).constructor)(array));
+  } catch (cause) {
+    throw new RemeshError('INVALID_MESH', `${label} has lost its memory.`,
+      'Its buffer was transferred elsewhere: give a copy there, or here.', { cause });
+  }
+}
+
+/** @param {unknown} mesh @returns {Mesh} the same in arrays of our own */
 export function copyMesh(mesh) {
-  const { positions, indices, attributes } = mesh;
+  if (typeof mesh !== 'object' || mesh === null) {
+    refuseMesh('The mesh must be an object { positions, indices, attributes }.',
+      'Of a file, give the bytes.');
+  }
+  const { positions, indices, attributes } = /** @type {any} */ (mesh);
   if (!(positions instanceof Float32Array || positions instanceof Float64Array)) {
     refuseMesh('mesh.positions must be a Float32Array or a Float64Array.');
   }
@@ -49,8 +63,8 @@ export function copyMesh(mesh) {
     refuseMesh(`mesh.indices has ${indices.length} numbers, which is not a multiple of 3.`);
   }
   return {
-    positions: positions.slice(),
-    indices: indices.slice(),
+    positions: copyArray(positions, 'mesh.positions'),
+    indices: copyArray(indices, 'mesh.indices'),
     attributes: copyAttributes(attributes ?? {}, positions.length / 3),
   };
 }
@@ -69,7 +83,7 @@ function copyAttributes(attributes, vertexCount) {
       refuseMesh(`mesh.attributes.${semantic} has ${array.length} numbers, but ${vertexCount} `
         + `vertices × ${itemSize} are ${vertexCount * itemSize}.`);
     }
-    result[semantic] = { array: new (/** @type {any} */ (array.constructor))(array), itemSize };
+    result[semantic] = { array: copyArray(array, `mesh.attributes.${semantic}`), itemSize };
   }
   return result;
 }
@@ -93,8 +107,14 @@ async function copyBytes(value, label) {
     throw new RemeshError('PARSE_ERROR',
       `${label} must be a Uint8Array, an ArrayBuffer or a Blob.`);
   }
-  if (value instanceof Uint8Array) return new Uint8Array(value);
-  return new Uint8Array(value instanceof ArrayBuffer ? value.slice(0) : await value.arrayBuffer());
+  try {
+    if (value instanceof Uint8Array) return new Uint8Array(value);
+    const buffer = value instanceof ArrayBuffer ? value.slice(0) : await value.arrayBuffer();
+    return new Uint8Array(buffer);
+  } catch (cause) {
+    throw new RemeshError('PARSE_ERROR', `${label} cannot be read: its memory or its file is gone.`,
+      'Was its buffer transferred elsewhere?', { cause });
+  }
 }
 
 /**
@@ -106,6 +126,9 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
   const givenName = name ?? /** @type {any} */ (bytes)?.name ?? '';
   if (typeof givenName !== 'string' || !(output === undefined || typeof output === 'string')) {
     throw new RemeshError('INVALID_OPTION', 'name and output must be strings.');
+  }
+  if (typeof resources !== 'object' || resources === null) {
+    throw new RemeshError('INVALID_OPTION', 'resources must be an object of bytes by name.');
   }
   const files = [];
   for (const [resource, content] of Object.entries(resources)) {

@@ -133,7 +133,6 @@ export function rangeInWords(option) {
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const off = option.off ? ', or off' : '';
   if (option.above !== undefined) return `${kind} above ${option.above}${off}`;
-  if (option.type === 'integer') return `${kind} from ${option.min} up${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;
 }
 
@@ -143,7 +142,7 @@ function isAllowed(option, value) {
     case 'boolean':
       return typeof value === 'boolean';
     case 'choice':
-      return option.choices !== undefined && option.choices.includes(String(value));
+      return typeof value === 'string' && option.choices?.includes(value) === true;
     case 'floats':
       return value instanceof Float32Array || value instanceof Float64Array;
     case 'pairs':
@@ -161,9 +160,12 @@ function isInRange(option, value) {
   return value >= (option.min ?? -Infinity) && value <= (option.max ?? Infinity);
 }
 
-/** @param {unknown} value */
+/** What was given: '10' is not 10. @param {unknown} value */
 function inWords(value) {
-  return typeof value === 'object' && value !== null ? value.constructor.name : String(value);
+  if (typeof value === 'string') return `'${value}'`;
+  if (typeof value === 'function') return 'a function';
+  return typeof value === 'object' && value !== null
+    ? value.constructor?.name ?? 'an object' : String(value);
 }
 
 /**
@@ -178,24 +180,22 @@ export function checkValue(option, value, label) {
     `${label} must be ${rangeInWords(option)}, not ${inWords(value)}.`);
 }
 
-/** @param {readonly (readonly number[])[]} pairs */
+/** @param {Uint32Array | readonly (readonly number[])[]} pairs @returns {Uint32Array} a copy */
 function flattened(pairs) {
-  const valid = (/** @type {unknown} */ pair) => Array.isArray(pair) && pair.length === 2
+  const isPair = (/** @type {unknown} */ pair) => Array.isArray(pair) && pair.length === 2
     && pair.every((vertex) => Number.isInteger(vertex) && vertex >= 0 && vertex < 2 ** 32);
-  if (!pairs.every(valid)) {
+  const areValid = pairs instanceof Uint32Array ? pairs.length % 2 === 0 : pairs.every(isPair);
+  if (!areValid) {
     throw new RemeshError('INVALID_OPTION',
       'featureEdges must hold pairs of vertex numbers, like [[0, 1], [1, 2]].');
   }
-  return Uint32Array.from(pairs.flat());
+  return pairs instanceof Uint32Array ? pairs.slice() : Uint32Array.from(pairs.flat());
 }
 
 /** The value in the form that travels to the core. @param {Option} option @param {any} value */
 function canonical(option, value) {
   if (option.type === 'floats') return Float32Array.from(value);
-  if (option.type === 'pairs') {
-    return value instanceof Uint32Array ? value.slice() : flattened(value);
-  }
-  return value;
+  return option.type === 'pairs' ? flattened(value) : value;
 }
 
 /** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
@@ -207,6 +207,13 @@ function checkTogether(given, label) {
     `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
 }
 
+/** @param {unknown} given what a function was given as its options */
+export function requireObject(given) {
+  if (typeof given === 'object' && given !== null && !Array.isArray(given)) return;
+  throw new RemeshError('INVALID_OPTION', `The options must be an object, not ${inWords(given)}.`,
+    'Write them like { vertices: 10000 }.');
+}
+
 /**
  * The options given, checked and ready to travel; unset ones are left out.
  * @param {Record<string, unknown>} given
@@ -216,6 +223,7 @@ function checkTogether(given, label) {
  * @returns {Record<string, unknown>}
  */
 export function checkOptions(given, { others = [], label = ({ name }) => name } = {}) {
+  requireObject(given);
   /** @type {Record<string, unknown>} */
   const result = {};
   for (const [name, value] of Object.entries(given)) {
