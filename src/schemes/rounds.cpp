@@ -167,16 +167,20 @@ void areaBasedRound(Run& run) {
 }
 
 // Splits what is too long and collapses what is too short, until the sizes are about those asked
-// for; the number follows from them but for a few percent.
+// for; the number follows from them but for a few percent. Where the caller's own density asks for
+// triangles so large that they cannot lie as the surface does, that is no reason to refuse them.
 void grade(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const FidelityRule rule = run.rule;
+  if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.rule.mode = Fidelity::Fold;
   for (int i = 0; i < kGradingRounds; ++i) {
     progress.at(double(i) / kGradingRounds);
     std::size_t changes = splitRound(run, longestFirst(run, kSplitAbove), kNoLimit);
     changes += collapseRound(run, shortestFirst(run, kCollapseBelow), 0);
     areaBasedRound(run);
-    if (double(changes) < kSettled * double(mesh.vertexCount())) return;
+    if (double(changes) < kSettled * double(mesh.vertexCount())) break;
   }
+  run.rule = rule;
 }
 
 // Most of the time goes into the rounds that change the number of vertices, if there are any.
