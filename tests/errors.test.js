@@ -6,8 +6,10 @@ import { test } from 'node:test';
 
 import { RemeshError } from 'remesher';
 
+import { createApi } from '../dist/api.js';
 import { Engine, instantiate } from '../dist/engine.js';
 import { errorCodes } from '../dist/errors.js';
+import * as platform from '../dist/platform_node.js';
 import { compileBinary, compileUrl } from '../dist/wasm_source.js';
 import { rejectsWith } from './support/errors.js';
 import { torus } from './support/shapes.js';
@@ -33,6 +35,22 @@ test('a page sent instead of WebAssembly is named as such', async () => {
   await rejectsWith(compileBinary(new Uint8Array([1, 2, 3, 4]), 'x.wasm'), 'INTERNAL',
     /x\.wasm is not WebAssembly/);
   await rejectsWith(compileUrl('data:text/html,<html>'), 'INTERNAL', /HTML page/);
+});
+
+test('WebAssembly that is broken, not there or not ours is said to be', async () => {
+  const broken = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9, 9, 9]);
+  const other = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+  const { init: initAnew, inspect } = createApi(platform);
+  await rejectsWith(initAnew({ wasmBinary: broken }), 'INTERNAL', /wasmBinary is broken/);
+  await rejectsWith(initAnew({ wasmUrl: 'file:///nowhere.wasm' }), 'INTERNAL', /nowhere\.wasm/);
+  await rejectsWith(initAnew({ wasmUrl: 'http://[' }), 'INTERNAL', /http:\/\/\[ cannot be read/);
+  await rejectsWith(initAnew({ wasmUrl: 5 }), 'INVALID_OPTION', /wasmUrl/);
+  await rejectsWith(initAnew({ wasmBinary: 'bytes' }), 'INVALID_OPTION', /wasmBinary/);
+  await rejectsWith(initAnew({ wasmurl: 'x' }), 'UNKNOWN_OPTION', /wasmurl/);
+  const mesh = torus({ columns: 8, rows: 6 });
+  assert.equal((await inspect(mesh, { worker: false })).input.vertices, 48);
+  const engine = new Engine(await WebAssembly.compile(other));
+  await rejectsWith(engine.run({ kind: 'inspect', mesh }), 'INTERNAL', /cannot be started/);
 });
 
 test('an exception from inside becomes a RemeshError, and the next run works', async () => {

@@ -49,7 +49,10 @@ export function createApi(platform) {
    * @param {InitOptions} [options]
    * @returns {Promise<void>}
    */
-  async function init({ wasmUrl, wasmBinary } = {}) {
+  async function init(options = {}) {
+    refuseOthers(options, ['wasmUrl', 'wasmBinary']);
+    const { wasmUrl, wasmBinary } = options;
+    checkSource(wasmUrl, wasmBinary);
     if (wasmBinary) await client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
     else if (wasmUrl) await client.load(() => platform.compileUrl(wasmUrl));
     await client.warmUp();
@@ -111,6 +114,17 @@ export function createApi(platform) {
   }
 
   return { init, remesh, remeshFile, convertFile, inspect };
+}
+
+/** @param {unknown} wasmUrl @param {unknown} wasmBinary */
+function checkSource(wasmUrl, wasmBinary) {
+  if (wasmUrl !== undefined && typeof wasmUrl !== 'string' && !(wasmUrl instanceof URL)) {
+    throw new RemeshError('INVALID_OPTION', 'wasmUrl must be a string or a URL.');
+  }
+  if (wasmBinary !== undefined && !ArrayBuffer.isView(wasmBinary)
+    && !(wasmBinary instanceof ArrayBuffer)) {
+    throw new RemeshError('INVALID_OPTION', 'wasmBinary must be an ArrayBuffer or a typed array.');
+  }
 }
 
 /** @param {object} options @param {readonly string[]} known */

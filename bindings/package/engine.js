@@ -107,7 +107,7 @@ export class Engine {
    */
   async run(job, onProgress) {
     const plainJob = 'file' in job ? { ...job, file: await decompress(job.file) } : job;
-    const instance = await (this.#instance ??= instantiate(this.#module));
+    const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
     const outcome = this.#call(instance, plainJob, ask);
@@ -116,6 +116,16 @@ export class Engine {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
     return job.kind === 'remesh' ? { ...outcome, mesh: meshLike(outcome.mesh, job.mesh) } : outcome;
+  }
+
+  async #start() {
+    try {
+      return await (this.#instance ??= instantiate(this.#module));
+    } catch (cause) {
+      this.#instance = undefined;
+      throw new RemeshError('INTERNAL', `The WebAssembly cannot be started: ${String(cause)}.`,
+        'Are remesher.wasm and the script of one version?', { cause });
+    }
   }
 
   /**

@@ -4,13 +4,24 @@
 import { readFile } from 'node:fs/promises';
 import { Worker } from 'node:worker_threads';
 
+import { RemeshError } from './errors.js';
 import { compileBinary, compileUrl as compileFetched } from './wasm_source.js';
+
+/** @param {string | URL} url @returns {Promise<Uint8Array<ArrayBuffer> | undefined>} */
+async function readLocal(url) {
+  try {
+    const parsed = new URL(url, import.meta.url);
+    return parsed.protocol === 'file:' ? await readFile(parsed) : undefined;
+  } catch (cause) {
+    throw new RemeshError('INTERNAL', `${url} cannot be read.`,
+      'Say where remesher.wasm is: init({ wasmUrl }).', { cause });
+  }
+}
 
 /** @param {string | URL} url @returns {Promise<WebAssembly.Module>} */
 export async function compileUrl(url) {
-  const parsed = new URL(url, import.meta.url);
-  if (parsed.protocol !== 'file:') return compileFetched(parsed);
-  return compileBinary(await readFile(parsed), String(url));
+  const bytes = await readLocal(url);
+  return bytes ? compileBinary(bytes, String(url)) : compileFetched(url);
 }
 
 /** @returns {Promise<WebAssembly.Module>} */

@@ -4,13 +4,24 @@
 
 import { RemeshError } from './errors.js';
 
+const sayWhere = 'Serve remesher.wasm beside the script, or say where it is: init({ wasmUrl }).';
+
 /** @param {Uint8Array} bytes @param {string} where */
 function checkMagic(bytes, where) {
   if (bytes.length >= 4 && bytes[0] === 0 && bytes[1] === 0x61 && bytes[2] === 0x73) return;
   const isPage = bytes[0] === 0x3c;
   throw new RemeshError('INTERNAL',
-    `${where} is not WebAssembly${isPage ? ': the server sent an HTML page' : ''}.`,
-    'Serve remesher.wasm beside the script, or say where it is: init({ wasmUrl }).');
+    `${where} is not WebAssembly${isPage ? ': the server sent an HTML page' : ''}.`, sayWhere);
+}
+
+/** @param {Promise<WebAssembly.Module>} compilation @param {string} where */
+async function whole(compilation, where) {
+  try {
+    return await compilation;
+  } catch (cause) {
+    throw new RemeshError('INTERNAL', `${where} is broken or not WebAssembly.`, sayWhere,
+      { cause });
+  }
 }
 
 /**
@@ -23,7 +34,7 @@ export async function compileBinary(binary, where) {
     ? new Uint8Array(binary.buffer, binary.byteOffset, binary.byteLength)
     : new Uint8Array(binary);
   checkMagic(bytes, where);
-  return WebAssembly.compile(binary);
+  return whole(WebAssembly.compile(binary), where);
 }
 
 /** @param {string | URL} url @returns {Promise<WebAssembly.Module>} */
@@ -32,15 +43,14 @@ export async function compileUrl(url) {
   try {
     response = await fetch(url);
   } catch (cause) {
-    throw new RemeshError('INTERNAL', `${url} cannot be fetched.`,
-      'Say where remesher.wasm is: init({ wasmUrl }).', { cause });
+    throw new RemeshError('INTERNAL', `${url} cannot be fetched.`, sayWhere, { cause });
   }
   if (!response.ok) {
     throw new RemeshError('INTERNAL', `${url} cannot be fetched: status ${response.status}.`,
-      'Serve remesher.wasm beside the script, or say where it is: init({ wasmUrl }).');
+      sayWhere);
   }
   if (response.headers.get('content-type') === 'application/wasm') {
-    return WebAssembly.compileStreaming(response);
+    return whole(WebAssembly.compileStreaming(response), String(url));
   }
   return compileBinary(await response.arrayBuffer(), String(url));
 }
