@@ -360,3 +360,12 @@ test('damaged compressed data is refused in a sentence', async () => {
       'PARSE_ERROR', /^made\.glb: its compressed data cannot be decoded/);
   }
 });
+
+test('a file that says wrongly what is compressed is refused in words for people', async () => {
+  const used = '"extensionsUsed":["KHR_draco_mesh_compression"]';
+  for (const rest of ['"meshes":[{}]', '"meshes":5', '"bufferViews":[{}]']) {
+    const bytes = new TextEncoder().encode(`{"asset":{"version":"2.0"},${used},${rest}}`);
+    await rejectsWith(inspect(bytes, { name: 'a.gltf' }), 'PARSE_ERROR',
+      /^a\.gltf: its compressed data cannot be decoded: the JSON does not say/);
+  }
+});

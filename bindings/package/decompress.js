@@ -122,6 +122,13 @@ function joinBuffers(tree, contents) {
   return joined;
 }
 
+/** Why it failed, for people: a TypeError speaks to programmers. @param {unknown} error */
+function reason(error) {
+  const isPlain = error instanceof Error
+    && !(error instanceof TypeError || error instanceof RangeError);
+  return isPlain ? error.message.replace(/\.$/, '') : 'the JSON does not say rightly what it is';
+}
+
 /**
  * @param {any} tree
  * @param {Uint8Array | undefined} chunk
@@ -136,9 +143,8 @@ async function decompressTree(tree, chunk, file) {
     return packGlb(tree, joinBuffers(tree, contents));
   } catch (error) {
     if (error instanceof RemeshError) throw error;
-    const why = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
     throw new RemeshError('PARSE_ERROR',
-      `${file.name}: its compressed data cannot be decoded: ${why}.`,
+      `${file.name}: its compressed data cannot be decoded: ${reason(error)}.`,
       'Was it copied completely?', { cause: error });
   }
 }
