@@ -33,6 +33,8 @@ double worldArea(const io::Part& part) {
 // Whole numbers in proportion to `weights` that add up to `total`: each running sum is rounded.
 std::vector<Index> sharedOut(Index total, const std::vector<double>& weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  // Nothing can be shared out by what is not there; the parts will be refused each.
+  if (!(sum > 0)) return std::vector<Index>(weights.size(), total);
   std::vector<Index> shares;
   double reached = 0;
   Index given = 0;

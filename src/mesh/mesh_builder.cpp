@@ -43,10 +43,10 @@ Soup gather(const TriangleMesh& input) {
     soup.triangles.push_back(f);
   }
   if (soup.triangles.empty())
-    throw Error(ErrorCode::NoTriangles,
-                "None of the " + std::to_string(input.triangleCount()) +
-                    " triangles has three distinct corners.",
-                "The mesh may have been scaled to zero or rounded too coarsely.");
+    throw Error(
+        ErrorCode::NoTriangles,
+        "No triangle of " + std::to_string(input.triangleCount()) + " has three distinct corners.",
+        "The mesh may have been scaled to zero or rounded too coarsely.");
   return soup;
 }
 

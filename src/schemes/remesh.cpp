@@ -96,8 +96,9 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   RemeshOutcome outcome;
   BuiltMesh built = buildMesh(input);
   outcome.warnings = built.warnings;
+  const double area = surfaceArea(built);
   std::size_t vertices = targetVertices(built, options);
-  const double size = evenEdgeLength(surfaceArea(built), double(vertices));
+  const double size = evenEdgeLength(area, double(vertices));
   CurveChoice choice = chooseCurves(built, input, options, size);
   outcome.warnings.insert(outcome.warnings.end(), choice.warnings.begin(), choice.warnings.end());
   const std::vector<float> density = densityOf(built, options);

@@ -10,15 +10,14 @@
 namespace remesher {
 
 struct RemeshOutcome {
-  TriangleMesh
-      mesh;  // vertices in as many copies as their attributes need; positions distinct otherwise
+  TriangleMesh mesh;             // a vertex comes in as many copies as its attributes need
   double buildMilliseconds = 0;  // to mend the input and prepare the original surface
   Stopped stopped = Stopped::Target;
   std::vector<Warning> warnings;
 };
 
-// Throws Error as buildMesh does, and INVALID_OPTION, TARGET_TOO_SMALL, TARGET_BELOW_CURVES,
-// CANCELLED.
+// Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
+// TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
 RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
                             const Progress& progress);
 

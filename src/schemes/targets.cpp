@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -14,6 +15,12 @@ namespace {
 
 // A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
 constexpr std::size_t kFewestVertices = 4;
+
+// What there are numbers for, with six halfedges to a vertex, and addresses: its place, its normal
+// and its halfedges alone take so many bytes.
+constexpr double kBytesPerVertex = 150;
+constexpr double kMostVertices =
+    std::min(double(kNone) / 6, double(std::numeric_limits<std::size_t>::max()) / kBytesPerVertex);
 
 std::size_t fewestVertices(const HalfedgeMesh& mesh) {
   VertexData<char> seen(mesh.vertexCapacity(), 0);
@@ -81,7 +88,9 @@ double surfaceArea(const BuiltMesh& built) {
     const auto [a, b, c] = built.mesh.vertices(Face(f));
     total += area(built.positions[a], built.positions[b], built.positions[c]);
   }
-  return total;
+  if (total > 0) return total;
+  throw Error(ErrorCode::NoTriangles, "No triangle has an area: each is a line.",
+              "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
 }
 
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
@@ -91,6 +100,11 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
   if (options.ratio) target = std::round(*options.ratio * own);
   if (options.edgeLength)
     target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
+  if (!(target <= kMostVertices))
+    throw Error(ErrorCode::OutOfMemory,
+                "The target is above " + std::to_string(std::size_t(kMostVertices)) +
+                    " vertices, for which there is no memory.",
+                "Ask for fewer vertices, or give the model in parts.");
   const std::size_t fewest = fewestVertices(built.mesh);
   if (target < double(fewest))
     throw Error(ErrorCode::TargetTooSmall,

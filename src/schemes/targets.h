@@ -12,9 +12,11 @@ namespace remesher {
 // Throws INVALID_OPTION for values out of range and for lists that do not fit the input.
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices);
 
+// Throws NO_TRIANGLES when there is none.
 double surfaceArea(const BuiltMesh& built);
 
-// From vertices, ratio or edgeLength, else the input's own number. Throws TARGET_TOO_SMALL.
+// From vertices, ratio or edgeLength, else the input's own number. Throws TARGET_TOO_SMALL, and
+// OUT_OF_MEMORY for what could never be held.
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options);
 
 // Throws TARGET_BELOW_CURVES when there are more corners, which never move, than the target allows.

@@ -167,3 +167,40 @@ TEST_CASE("targets: sizes that follow curvature lower the error at the same coun
     CHECK(inspectMesh(graded).minAngle.mean >= 52);
   }
 }
+
+TEST_CASE("targets: what no memory could hold is refused before it is tried") {
+  RemeshOptions options;
+  const auto codeOf = [&](const TriangleMesh& mesh) {
+    try {
+      remeshSurface(mesh, options, {});
+    } catch (const Error& error) {
+      return error.code;
+    }
+    return ErrorCode::Internal;
+  };
+  const TriangleMesh body = shapes::tetrahedron();
+  options.ratio = 1e12;
+  CHECK(codeOf(body) == ErrorCode::OutOfMemory);
+  options.ratio = {};
+  for (const double length : {1e-12, 1e-300}) {
+    options.edgeLength = length;
+    CHECK(codeOf(body) == ErrorCode::OutOfMemory);
+  }
+}
+
+TEST_CASE("targets: triangles that are all lines are no surface") {
+  TriangleMesh lines;
+  lines.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  lines.indices = {0, 1, 2};
+  RemeshOptions options;
+  for (const bool byCount : {true, false}) {
+    if (byCount) options.vertices = 100;
+    options.edgeLength = byCount ? std::optional<double>() : 0.1;
+    try {
+      remeshSurface(lines, options, {});
+      CHECK(false);
+    } catch (const Error& error) {
+      CHECK(error.code == ErrorCode::NoTriangles);
+    }
+  }
+}
