@@ -8,6 +8,7 @@
 #include "io/formats.h"
 #include "measure/hausdorff.h"
 #include "part_report.h"
+#include "part_scale.h"
 #include "part_targets.h"
 #include "schemes/remesh.h"
 
@@ -53,6 +54,21 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   return run;
 }
 
+// The same for parts of any size.
+Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& options,
+                 const Progress& progress) {
+  const PartScale scale(originals);
+  if (!scale.isNeeded()) return remeshParts(originals, options, progress);
+  Run run = remeshParts(scale.applied(originals), scale.applied(options), progress);
+  run.parts = scale.undone(std::move(run.parts), originals);
+  return run;
+}
+
+MeshReport inspectScaled(const std::vector<io::Part>& parts) {
+  const PartScale scale(parts);
+  return inspectParts(scale.isNeeded() ? scale.applied(parts) : parts);
+}
+
 // Errors that speak of a vertex or a triangle alone do not say of which file.
 template <class Body>
 auto inFile(const std::string& name, Body body) {
@@ -70,7 +86,7 @@ auto inFile(const std::string& name, Body body) {
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
-  Run run = remeshParts({io::Part{"", mesh, {}}}, options, progress);
+  Run run = remeshScaled({io::Part{"", mesh, {}}}, options, progress);
   return {std::move(run.parts.front().mesh), std::move(run.report)};
 }
 
@@ -81,7 +97,7 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   io::Model model = io::read(input.file, input.resources);
   const double readingTime = reading.milliseconds();
   Run run = inFile(input.file.name, [&] {
-    return remeshParts(model.parts, options, progress.part("remesh", kReadShare, 1));
+    return remeshScaled(model.parts, options, progress.part("remesh", kReadShare, 1));
   });
   model.parts = std::move(run.parts);
   const Stopwatch writing;
@@ -99,7 +115,7 @@ std::vector<File> convertFile(const FileBundle& input, const std::string& output
 
 Report inspect(const TriangleMesh& mesh) {
   Report report;
-  report.input = inspectParts({io::Part{"", mesh, {}}});
+  report.input = inspectScaled({io::Part{"", mesh, {}}});
   return report;
 }
 
@@ -109,7 +125,7 @@ Report inspectFile(const FileBundle& input) {
   const io::Model model = io::read(input.file, input.resources);
   report.timings.read = stopwatch.milliseconds();
   report.warnings = model.warnings;
-  report.input = inFile(input.file.name, [&] { return inspectParts(model.parts); });
+  report.input = inFile(input.file.name, [&] { return inspectScaled(model.parts); });
   return report;
 }
 
