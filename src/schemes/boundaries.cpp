@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "operators/angles.h"
+#include "geometry/triangle.h"
 #include "operators/delaunay.h"
 #include "schemes/relax.h"
 #include "surface/boundary_places.h"
@@ -20,7 +20,7 @@ constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, o
 constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
 constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
 constexpr int kRounds = 8, kSlides = 4, kPasses = 3;
-constexpr double kBadAngle = radians(35);
+constexpr double kBadAngle = radians(35), kWorstCounts = 2, kWorthAMove = radians(0.3);
 constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
 
 struct Station {
@@ -159,19 +159,35 @@ void pinNeeded(Run& run) {
       if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
 }
 
+// Of the triangles around v, were it at `place`: the mean of their smallest angles, and more than
+// that the smallest of all where it is bad.
+double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place) {
+  double sum = 0, worst = kBadAngle;
+  int count = 0;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const double angle =
+        minAngle(place, mesh.position(mesh.mesh().tip(h)), mesh.position(mesh.mesh().opposite(h)));
+    sum += angle;
+    worst = std::min(worst, angle);
+    ++count;
+  });
+  return sum / count + kWorstCounts * worst;
+}
+
 // To where the triangles around it are best, of the places between its neighbours with near chords.
 bool mend(Run& run, const Station& before, Station& at, const Station& after) {
-  double most = smallestAngleAround(run.mesh, at.vertex, run.mesh.position(at.vertex));
-  if (most >= kBadAngle) return false;
+  const auto qualityAt = [&](double arc) {
+    return starQuality(run.mesh, at.vertex, run.mesh.onCurve({at.chain, arc}).position);
+  };
+  double most = qualityAt(at.arc) + kWorthAMove;
   Station best = at;
   for (int i = 1; i < kSteps; ++i) {
     const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
-    const Vec3 place = run.mesh.onCurve({at.chain, arc}).position;
-    const double worst = smallestAngleAround(run.mesh, at.vertex, place);
-    if (worst <= most || !isNear(run, at.chain, before.arc, arc) ||
+    const double quality = qualityAt(arc);
+    if (quality <= most || !isNear(run, at.chain, before.arc, arc) ||
         !isNear(run, at.chain, arc, after.arc))
       continue;
-    most = worst;
+    most = quality;
     best.arc = arc;
   }
   if (best == at || !slideTo(run, best)) return false;

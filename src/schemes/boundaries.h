@@ -12,7 +12,7 @@ namespace remesher {
 // number of vertices grows.
 void followBoundaries(Run& run);
 
-// The same without splits. Then vertices with bad triangles slide to where these are best and the
+// The same without splits. Then vertices slide to where the triangles around them are best and the
 // chords still near; in the end all vertices of boundaries are pinned.
 void settleBoundaries(Run& run);
 

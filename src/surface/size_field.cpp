@@ -25,7 +25,7 @@ constexpr double kLongestBesideKept = 4.0 / 3;
 // Sizes that follow curvature follow the bends of boundaries as well, so far: the tolerance
 // of the diagonal, or, in coarse meshes, of the square of the size, as chords are from arcs.
 constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
-constexpr double kShortestChord = 0.7, kLongestChord = 4;
+constexpr double kShortestChord = 0.75, kLongestChord = 4;
 
 // Relative sizes by curvature, 1 where it is the median (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
