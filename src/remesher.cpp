@@ -92,6 +92,7 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
 
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
+  io::requireWritable(outputName);
   progress.part("read", 0, kReadShare).at(0);
   const Stopwatch reading;
   io::Model model = io::read(input.file, input.resources);
@@ -109,6 +110,7 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
 }
 
 std::vector<File> convertFile(const FileBundle& input, const std::string& outputName) {
+  io::requireWritable(outputName);
   const io::Model model = io::read(input.file, input.resources);
   return io::write(model, outputName).files;
 }

@@ -9,7 +9,7 @@ import * as remesher from 'remesher';
 import { rejectsWith } from './support/errors.js';
 import { distinctPositions, eulerCharacteristic, offText, sheet, torus } from './support/shapes.js';
 
-const { init, inspect, remesh, remeshFile } = remesher;
+const { convertFile, init, inspect, remesh, remeshFile } = remesher;
 
 test('the package exports what it promises and nothing else', () => {
   assert.deepEqual(Object.keys(remesher).sort(),
@@ -185,6 +185,28 @@ test('a mesh that cannot be remeshed is refused with the place', async () => {
   await rejectsWith(remesh({ positions, indices: new Uint32Array(0) }), 'NO_TRIANGLES');
   await rejectsWith(remesh({ positions, indices: new Uint32Array(9) }), 'NO_TRIANGLES');
   await rejectsWith(remesh({ positions, indices }, { vertices: 3 }), 'TARGET_TOO_SMALL', /3 vert/);
+});
+
+test('an output of no known format is refused before the work', async () => {
+  const bytes = new TextEncoder().encode(offText(torus()));
+  const phases = [];
+  const call = (output) => remeshFile(bytes,
+    { name: 'a.off', output, vertices: 900, onProgress: ({ phase }) => phases.push(phase) });
+  await rejectsWith(call('a.stl'), 'UNKNOWN_FORMAT', /^a\.stl is of no format/);
+  await rejectsWith(call('doc'), 'UNKNOWN_FORMAT', /^a\.doc is of no format/);
+  await rejectsWith(convertFile(bytes, { name: 'a.off', output: 'a.' }), 'UNKNOWN_FORMAT', /^a\./);
+  assert.deepEqual(phases, []);
+});
+
+test('a file without a name is known by its first bytes, and spoken of', async () => {
+  const bytes = new TextEncoder().encode(offText(torus({ columns: 8, rows: 6 })));
+  assert.equal((await inspect(bytes)).input.vertices, 48);
+  const { name, report } = await remeshFile(bytes, { output: 'glb', vertices: 60 });
+  assert.equal(name, 'remeshed.glb');
+  assert.equal(report.output.vertices, 60);
+  await rejectsWith(remeshFile(bytes), 'UNKNOWN_FORMAT', /^An output without a name/);
+  await rejectsWith(inspect(bytes.slice(1)), 'UNKNOWN_FORMAT', /^The file is of no format/);
+  await rejectsWith(inspect(bytes.slice(0, 9)), 'PARSE_ERROR', /^The file, line \d/);
 });
 
 test('a file that cannot be read is refused with its name', async () => {

@@ -3,7 +3,7 @@
 // The command line: read, remesh, write to the side, rename. Nothing is written before all has
 // succeeded. Standard output carries the report or the model alone, standard error the rest.
 
-import { mkdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
+import { access, mkdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, extname, join } from 'node:path';
 
 import { helpText, parseCommandLine } from './cli_arguments.js';
@@ -71,6 +71,19 @@ async function readResources(path, bytes) {
   return resources;
 }
 
+/** @param {string} path @param {unknown} error */
+function unwritable(path, error) {
+  return new RemeshError('OUTPUT_UNWRITABLE', `${path} cannot be written: ${reason(error)}.`,
+    'Choose another output.');
+}
+
+/** Before the work, which may take long, and not after it. @param {string} output */
+async function requireFolder(output) {
+  await access(dirname(output)).catch((error) => {
+    throw unwritable(output, error);
+  });
+}
+
 /**
  * All files or none: each is written beside its place, and moved there when all are whole. The
  * file asked for comes first, and is moved last.
@@ -90,9 +103,7 @@ async function writeAll(folder, files) {
     for (const { place, draft } of moves.reverse()) await rename(draft, place);
   } catch (error) {
     await Promise.all(moves.map(({ draft }) => rm(draft, { force: true })));
-    throw new RemeshError('OUTPUT_UNWRITABLE',
-      `${join(folder, files[0].name)} cannot be written: ${reason(error)}.`,
-      'Choose another output.');
+    throw unwritable(join(folder, files[0].name), error);
   }
 }
 
@@ -171,6 +182,7 @@ async function runRemesh({ input, output, format, json, quiet, options }) {
   const isPiped = output === '-';
   const name = isPiped ? `${basename(input, extname(input))}.${format}` : basename(output);
   const bytes = await readInput(input);
+  if (!isPiped) await requireFolder(output);
   const resources = await readResources(input, bytes);
   const { onProgress, clear } = progressBar(quiet);
   const { files, report } = await remeshFile(bytes,

@@ -135,7 +135,7 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
     files.push({ name: resource, bytes: await copyBytes(content, `resources['${resource}']`) });
   }
   return {
-    name: givenName,
+    name: givenName || 'The file',
     bytes: await copyBytes(bytes, 'The file'),
     resources: files,
     output: outputName(givenName, output),

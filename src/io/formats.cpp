@@ -70,12 +70,16 @@ Model read(const File& file, const std::vector<File>& resources) {
   return format->read(file, resources);
 }
 
+void requireWritable(const std::string& outputName) {
+  if (findByExtension(outputName) != nullptr) return;
+  const std::string output = outputName.empty() ? "An output without a name" : outputName;
+  throw Error(ErrorCode::UnknownFormat, output + " is of no format that can be written.",
+              "Let its name end in one of " + listOfExtensions() + ".");
+}
+
 WrittenFiles write(const Model& model, const std::string& outputName) {
-  const Format* const format = findByExtension(outputName);
-  if (format == nullptr)
-    throw Error(ErrorCode::UnknownFormat, outputName + " is of no format that can be written.",
-                "Let its name end in one of " + listOfExtensions() + ".");
-  return format->write(model, outputName);
+  requireWritable(outputName);
+  return findByExtension(outputName)->write(model, outputName);
 }
 
 }  // namespace remesher::io

@@ -17,6 +17,9 @@ namespace remesher::io {
 // has no parts, and is written as it came.
 Model read(const File& file, const std::vector<File>& resources = {});
 
+// Throws Error: UNKNOWN_FORMAT, unless `write` knows the format of such a name.
+void requireWritable(const std::string& outputName);
+
 struct WrittenFiles {
   std::vector<File> files;  // the one asked for first; the names of the others are relative to it
   std::vector<Warning> warnings;
