@@ -159,8 +159,8 @@ function reportInWords(report) {
   const parts = [meshInWords('input', report.input)];
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) {
-    parts.push(`distance to the input: ${report.fidelity.hausdorff.toFixed(4)} % at most, `
-      + `${report.fidelity.rms.toFixed(4)} % RMS, of the diagonal`);
+    parts.push(`distance to the input: ${report.fidelity.hausdorff.toFixed(4)} % at the farthest `
+      + `point found, ${report.fidelity.rms.toFixed(4)} % RMS, of the diagonal`);
   }
   for (const { message } of report.warnings) parts.push(`warning: ${message}`);
   if (report.stopped && report.stopped !== 'target') {

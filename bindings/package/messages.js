@@ -79,7 +79,8 @@
 /**
  * @typedef {object} RunPart
  * @property {MeshReport} output
- * @property {{ hausdorff: number, rms: number }} fidelity two-sided, percent of the diagonal
+ * @property {{ hausdorff: number, rms: number }} fidelity two-sided, percent of the diagonal of the
+ *   original's bounding box; the largest distance is the largest that samples find
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped what ended the run
  */
 
