@@ -5,55 +5,39 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/piecewise.h"
+#include "operators/nearness.h"
 
 namespace remesher {
 
 namespace {
 
-// Pieces that are unsure even when so small, relative to the distance, count as too far.
-constexpr double kSmallest = 0.04;
-// A proof takes a few hundred pieces. For the whole mesh, where one of a few large triangles may
-// lie under thousands of small ones, the limit must be generous; a single change is refused
-// earlier.
-constexpr std::size_t kMostPieces = 100'000;
-constexpr std::size_t kMostLocalPieces = 2'000;
-
-double squaredDistance(const Vec3& p, const Triangle& t) {
-  return (closestPoint(p, t[0], t[1], t[2]) - p).squaredNorm();
-}
-
-bool isNear(const Piece& piece, const Triangle& target, double squared) {
-  const auto corners = piece.corners();
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](const Vec3& p) { return squaredDistance(p, target) <= squared; });
-}
+// A proof takes a few hundred pieces.
+constexpr std::size_t kMostPieces = 2'000;
 
 // A short list of triangles, each with a ball that holds it, which rules most of them out.
 class Nearby {
  public:
-  struct Nearest {
-    Triangle triangle = {};
-    double distance = std::numeric_limits<double>::infinity();
-  };
-
   void add(const Triangle& t) {
     const Piece piece(t);
     members_.push_back({t, piece.centre(), piece.radius()});
   }
 
-  Nearest nearest(const Vec3& p) const {
-    Nearest nearest;
-    const Member* best = nullptr;
-    for (const Member& member : members_) {
-      const double reach = nearest.distance + member.radius;
-      if ((p - member.centre).squaredNorm() >= reach * reach) continue;
-      const double distance = std::sqrt(squaredDistance(p, member.triangle));
-      if (distance >= nearest.distance) continue;
-      nearest.distance = distance;
-      best = &member;
+  const Triangle& triangle(std::size_t member) const { return members_[member].triangle; }
+
+  struct Nearest {
+    std::size_t member = 0;
+    double distance = std::numeric_limits<double>::infinity();
+  };
+
+  // Fastest when `start` is near.
+  Nearest nearest(const Vec3& p, std::size_t start = 0) const {
+    Nearest nearest{start, std::sqrt(squaredDistance(p, members_[start].triangle))};
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const double reach = nearest.distance + members_[i].radius;
+      if (i == start || (p - members_[i].centre).squaredNorm() >= reach * reach) continue;
+      const double distance = std::sqrt(squaredDistance(p, members_[i].triangle));
+      if (distance < nearest.distance) nearest = {i, distance};
     }
-    if (best) nearest.triangle = best->triangle;
     return nearest;
   }
 
@@ -66,54 +50,34 @@ class Nearby {
   std::vector<Member> members_;
 };
 
-Triangle cornersOf(const WorkingMesh& mesh, Face f) {
-  const auto [a, b, c] = mesh.mesh().vertices(f);
-  return {mesh.position(a), mesh.position(b), mesh.position(c)};
-}
-
-// Looks whether pieces of one surface are near the triangles of another. Pieces come in an order
-// along which they are close to each other, so the last nearest triangle is where to begin.
-class NearTree {
+// Looks whether pieces of the original that only the going triangles may have been near are near
+// those that remain or come.
+class NearChange {
  public:
-  NearTree(const TriangleTree& tree, double distance, Index start = 0)
-      : tree_(tree), distance_(distance), last_(start) {}
+  NearChange(const Nearby& going, const Nearby& present, double distance)
+      : going_(going), present_(present), distance_(distance) {}
 
   Look operator()(const Piece& piece) {
     const double squared = distance_ * distance_;
-    if (isNear(piece, tree_.corners(last_), squared)) return {Finding::Holds};
-    const TriangleTree::Nearest nearest = tree_.nearest(piece.centre(), last_);
-    const bool isOther = nearest.triangle != last_;
-    last_ = nearest.triangle;
-    if (nearest.squaredDistance > squared) return {Finding::Fails};
-    if (isOther && isNear(piece, tree_.corners(last_), squared)) return {Finding::Holds};
-    if (std::sqrt(nearest.squaredDistance) + piece.radius() <= distance_) return {Finding::Holds};
-    return {Finding::Unsure, tree_.corners(last_)};
+    if (isNear(piece, present_.triangle(last_), squared)) return {Finding::Holds};
+    const Vec3 centre = piece.centre();
+    const double radius = piece.radius();
+    const Nearby::Nearest remains = present_.nearest(centre, last_);
+    const bool isOther = remains.member != last_;
+    last_ = remains.member;
+    if (remains.distance + radius <= distance_) return {Finding::Holds};
+    if (isOther && isNear(piece, present_.triangle(last_), squared)) return {Finding::Holds};
+    const double toGoing = going_.nearest(centre).distance;
+    if (toGoing - radius > distance_) return {Finding::Holds};
+    if (remains.distance > distance_ && toGoing <= distance_) return {Finding::Fails};
+    return {Finding::Unsure, present_.triangle(last_)};
   }
 
  private:
-  const TriangleTree& tree_;
+  const Nearby& going_;
+  const Nearby& present_;
   double distance_;
-  Index last_;
-};
-
-// Looks whether pieces of the original that only the going triangles may have been near are near
-// those that remain or come.
-struct NearChange {
-  const Nearby& going;
-  const Nearby& present;
-  double distance;
-
-  Look operator()(const Piece& piece) const {
-    const Vec3 centre = piece.centre();
-    const double radius = piece.radius();
-    const double toGoing = going.nearest(centre).distance;
-    if (toGoing - radius > distance) return {Finding::Holds};
-    const Nearby::Nearest remains = present.nearest(centre);
-    if (remains.distance + radius <= distance) return {Finding::Holds};
-    if (isNear(piece, remains.triangle, distance * distance)) return {Finding::Holds};
-    if (remains.distance > distance && toGoing <= distance) return {Finding::Fails};
-    return {Finding::Unsure, remains.triangle};
-  }
+  std::size_t last_ = 0;
 };
 
 std::vector<Triangle> comingTriangles(const WorkingMesh& mesh, const LocalChange& change) {
@@ -147,13 +111,6 @@ std::vector<Face> facesAround(const HalfedgeMesh& mesh, const std::vector<Face>&
   return around;
 }
 
-std::vector<Face> aliveFaces(const HalfedgeMesh& mesh) {
-  std::vector<Face> faces;
-  for (Index f = 0; f < mesh.faceCapacity(); ++f)
-    if (mesh.isAlive(Face(f))) faces.push_back(Face(f));
-  return faces;
-}
-
 }  // namespace
 
 ErrorBound::ErrorBound(const OriginalSurface& surface, double distance)
@@ -167,18 +124,18 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
   Nearby going, present;
   Box box;
   for (const Face f : faces) {
-    const Triangle t = cornersOf(mesh, f);
+    const Triangle t = mesh.corners(f);
     going.add(t);
     for (const Vec3& p : t) box.extend(p);
   }
   for (const Triangle& t : coming) present.add(t);
-  for (const Face f : facesAround(mesh.mesh(), faces)) present.add(cornersOf(mesh, f));
+  for (const Face f : facesAround(mesh.mesh(), faces)) present.add(mesh.corners(f));
   const Vec3 margin = Vec3::Constant(distance_);
-  const NearChange look{going, present, distance_};
+  NearChange look(going, present, distance_);
   bool kept = true;
   tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
     kept = kept &&
-           !findFailure(tree_.corners(triangle), {kSmallest * distance_, kMostLocalPieces}, look);
+           !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces}, look);
   });
   return kept;
 }
@@ -188,38 +145,8 @@ bool ErrorBound::allows(const WorkingMesh& mesh, const LocalChange& change) cons
   const Vertex rim = mesh.mesh().vertices(change.going[0])[0];
   NearTree look(tree_, distance_, mesh.at(rim).face.index);
   for (const Triangle& t : coming)
-    if (findFailure(t, {kSmallest * distance_, kMostLocalPieces}, look)) return false;
+    if (findFailure(t, {kSmallestPiece * distance_, kMostPieces}, look)) return false;
   return keepsOriginal(mesh, change, coming);
-}
-
-ErrorBound::Excess ErrorBound::excess(const WorkingMesh& mesh) const {
-  const SearchLimits limits{kSmallest * distance_, kMostPieces};
-  Excess result;
-  const std::vector<Face> faces = aliveFaces(mesh.mesh());
-  const std::vector<Index> triangles = mesh.mesh().triangles();
-  const TriangleTree tree(mesh.positions().values(), triangles);
-  NearTree toOriginal(tree_, distance_), toMesh(tree, distance_);
-  for (const Index t : tree.order())
-    if (findFailure(tree.corners(t), limits, toOriginal)) result.stray.push_back(faces[t]);
-  std::sort(result.stray.begin(), result.stray.end());
-
-  for (const Index t : tree_.order()) {
-    const Triangle whole = tree_.corners(t);
-    const auto failure = findFailure(whole, limits, toMesh);
-    if (!failure) continue;
-    Lost lost;
-    for (const Vec3& p : {*failure, whole[0], whole[1], whole[2]}) {
-      const TriangleTree::Nearest nearest = tree.nearest(p);
-      if (nearest.squaredDistance <= lost.distance) continue;
-      const Vec3 weights = closestBarycentric(p, whole[0], whole[1], whole[2]);
-      lost = {{Face(t), weights}, faces[nearest.triangle], nearest.squaredDistance};
-    }
-    lost.distance = std::sqrt(lost.distance);
-    if (lost.nearest) result.lost.push_back(lost);
-  }
-  std::stable_sort(result.lost.begin(), result.lost.end(),
-                   [](const Lost& a, const Lost& b) { return a.distance > b.distance; });
-  return result;
 }
 
 }  // namespace remesher

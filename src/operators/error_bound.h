@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bound on the distance between the mesh and the original, in both directions: proven for a whole
-// mesh, and kept by every change that is allowed.
-//
-// What is used throughout: the distance to a triangle is a convex function, so a piece whose three
-// corners are near one triangle is near it everywhere; and the distance to anything changes by no
-// more than the way between two points.
+// A bound on the distance between the mesh and the original, in both directions, kept by every
+// change that is allowed.
 #pragma once
 
 #include <vector>
@@ -24,21 +20,8 @@ class ErrorBound {
   // those around.
   bool allows(const WorkingMesh& mesh, const LocalChange& change) const;
 
-  // A place of the original that is too far from the mesh, or cannot be proven not to be.
-  struct Lost {
-    SurfacePoint place;
-    Face nearest;  // of the mesh
-    double distance = 0;
-  };
-
-  // Where a mesh leaves the bound; nothing if it is proven not to.
-  struct Excess {
-    std::vector<Face> stray;  // triangles of the mesh too far from the original
-    std::vector<Lost> lost;   // the farthest first
-
-    bool empty() const { return stray.empty() && lost.empty(); }
-  };
-  Excess excess(const WorkingMesh& mesh) const;
+  double distance() const { return distance_; }
+  const TriangleTree& original() const { return tree_; }
 
  private:
   bool keepsOriginal(const WorkingMesh& mesh, const LocalChange& change,

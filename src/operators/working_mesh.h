@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "geometry/triangle.h"
 #include "mesh/euler_operators.h"
 #include "surface/original_surface.h"
 
@@ -35,6 +36,10 @@ class WorkingMesh {
   const VertexData<Vec3>& positions() const { return position_; }
   const Vec3& position(Vertex v) const { return position_[v]; }
   const Vec3& normal(Vertex v) const { return normal_[v]; }
+  Triangle corners(Face f) const {
+    const auto [a, b, c] = mesh_.vertices(f);
+    return {position_[a], position_[b], position_[c]};
+  }
   VertexKind kind(Vertex v) const { return kind_[v]; }
   const SurfacePoint& at(Vertex v) const { return at_[v]; }
   const CurvePoint& on(Vertex v) const { return on_[v]; }

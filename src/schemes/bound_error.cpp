@@ -10,7 +10,6 @@
 #include "schemes/polish.h"
 #include "schemes/refine_excess.h"
 #include "schemes/relax.h"
-#include "schemes/valence.h"
 
 namespace remesher {
 
@@ -18,19 +17,27 @@ namespace {
 
 constexpr int kPatience = 6;            // rounds within which what is left must halve
 constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
-constexpr double kMostVertices = 1.25;  // times those that the scheme made
+constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
 constexpr double kPolishBelow = radians(30);
+
+// With so many vertices mending has no future: those asked for are out of reach from there, and the
+// original itself is nearer to them.
+double mostVertices(const Run& run, std::size_t vertices) {
+  const double made = double(run.mesh.mesh().vertexCount());
+  const double original = double(run.mesh.surface().mesh().vertexCount());
+  return std::max(kMostVertices * double(vertices), std::min(kMostVertices * made, original));
+}
 
 // A few rounds mend what a scheme has left. Where there is much of it, or where it does not shrink,
 // for the mesh stands for the original in the wrong places, it is not worth mending. Returns
 // whether the bound is kept in the end.
-bool mend(Run& run, const ErrorBound& bound, const Progress& progress) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double most = kMostVertices * double(mesh.vertexCount());
+bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
+  const double most = mostVertices(run, goal.vertices);
+  ExcessSearch search(goal.bound);
   std::size_t halfOfEarlier = std::numeric_limits<std::size_t>::max();
-  for (int round = 0; double(mesh.vertexCount()) <= most; ++round) {
-    progress.at(double(round) / (round + kPatience));
-    const ErrorBound::Excess excess = bound.excess(run.mesh);
+  for (int round = 0; double(run.mesh.mesh().vertexCount()) <= most; ++round) {
+    progress.at(double(round) / (round + 2));  // each takes less time than the one before
+    const Excess excess = search.find(run.mesh);
     if (excess.empty()) return true;
     const std::size_t left = excess.stray.size() + excess.lost.size();
     if (round % kPatience == kPatience - 1) {
@@ -43,29 +50,29 @@ bool mend(Run& run, const ErrorBound& bound, const Progress& progress) {
   return false;
 }
 
-// The original itself keeps every bound, and under the gate so does all that is made of it.
-void beginAgain(Run& run, std::size_t vertices, const Progress& progress) {
-  run.mesh = WorkingMesh(run.mesh.surface());
-  run.scale = 1;
-  adaptToSizes(run, vertices, progress.part("adapt", 0, 0.8));
-  annealValences(run, 2, progress.part("anneal", 0.8, 0.9));
-  coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
-  progress.at(0.95);
-  relax(run, 2);
+// Polishing splits and collapses, and under the gate it may not get all collapses back.
+void polishInCount(Run& run) {
+  const WorkingMesh before = run.mesh;
+  polish(run, {kPolishBelow});
+  if (run.mesh.mesh().vertexCount() != before.mesh().vertexCount()) run.mesh = before;
 }
 
 }  // namespace
 
 bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
-  const bool isMended = mend(run, goal.bound, progress.part("mend", 0, 0.3));
+  if (!mend(run, goal, progress.part("mend", 0, 0.3))) run.mesh = WorkingMesh(run.mesh.surface());
+  run.scale = 1;
   run.rule.bound = &goal.bound;
-  if (!isMended) beginAgain(run, goal.vertices, progress.part("adapt", 0.3, 0.8));
-  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds);
-  matchCount(run, goal.vertices);
-  progress.at(0.9);
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.part("coarsen", 0.3, 0.8));
+  const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
   delaunayFlips(run.mesh, run.rule);
-  polish(run, {kPolishBelow});
-  return run.mesh.mesh().vertexCount() == goal.vertices;
+  progress.part("polish", 0.8, 1).at(0);
+  if (isReached)
+    polishInCount(run);
+  else
+    relax(run, 2);
+  return isReached;
 }
 
 }  // namespace remesher

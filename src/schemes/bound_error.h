@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // `--max-error`: what a scheme has made is refined where it leaves the bound, until it is proven to
-// keep it; what is too many vertices then is collapsed again, as far as the bound allows.
+// keep it; what is too many vertices then is collapsed again, as far as the bound allows. Where
+// refinement does not get there, the original itself is where to begin: it keeps every bound, and
+// under the gate so does all that is made of it.
 #pragma once
 
 #include "operators/error_bound.h"

@@ -12,6 +12,6 @@ enum class MeetingPlace { Middle, MiddleOrEnds };
 
 // The shortest edges, relative to their targets, until no more than `vertices` are left or nothing
 // more goes. What was refused is asked again only when something around it has changed.
-void coarsen(Run& run, std::size_t vertices, MeetingPlace place);
+void coarsen(Run& run, std::size_t vertices, MeetingPlace place, const Progress& progress = {});
 
 }  // namespace remesher

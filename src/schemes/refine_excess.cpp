@@ -62,7 +62,7 @@ class Refinement {
   Refinement(Run& run, Moves moves)
       : run_(run), moves_(moves), finder_(run.mesh), touched_(run.mesh.mesh()) {}
 
-  void reach(const ErrorBound::Lost& lost) {
+  void reach(const Lost& lost) {
     const std::vector<Vertex> near = finder_.verticesNear(lost.place);
     if (moves_ == Moves::Allowed && moveOne(near, lost.place)) return;
     if (const Face f = nearestFace(near, lost.place)) insert(f, lost.place);
@@ -156,9 +156,9 @@ class Refinement {
 
 }  // namespace
 
-void refineExcess(Run& run, const ErrorBound::Excess& excess, Moves moves) {
+void refineExcess(Run& run, const Excess& excess, Moves moves) {
   Refinement refinement(run, moves);
-  for (const ErrorBound::Lost& lost : excess.lost) refinement.reach(lost);
+  for (const Lost& lost : excess.lost) refinement.reach(lost);
   for (const Face f : excess.stray) refinement.bringBack(f);
 }
 

@@ -2,7 +2,7 @@
 // One round of refinement where a mesh and its original are too far apart.
 #pragma once
 
-#include "operators/error_bound.h"
+#include "operators/excess.h"
 #include "schemes/run.h"
 
 namespace remesher {
@@ -12,6 +12,6 @@ enum class Moves { Allowed, Never };
 // Brings the mesh to places of the original that it has lost, by moving a vertex that is almost
 // there or by splitting the triangle that passes by; and triangles that have strayed back to the
 // original, by undoing a fit or by splitting them.
-void refineExcess(Run& run, const ErrorBound::Excess& excess, Moves moves);
+void refineExcess(Run& run, const Excess& excess, Moves moves);
 
 }  // namespace remesher

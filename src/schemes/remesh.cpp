@@ -25,7 +25,7 @@ namespace {
 // Seams lie side by side and cross the surface as they please: of most triangles there two or three
 // corners are on curves, and their angles are worth more than even steps along them.
 constexpr double kStagger = 0.8;
-constexpr double kBoundShare = 0.5;    // of a run's time, about, to keep an error bound
+constexpr double kBoundShare = 0.7;    // of a run's time, about, to keep an error bound
 constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
 
 // How long edges get on the way: the original's, or the result's on a coarse level.
@@ -62,6 +62,19 @@ std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const Remes
   constexpr double kMargin = 1e-3;
   if (!options.maxError) return {};
   return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
+}
+
+// Where the bound asks for more vertices than the original has, which keeps every bound, no scheme
+// is a way to fewer.
+bool runWithin(Run& run, const BoundGoal& goal, const RemeshOptions& options,
+               const Progress& progress) {
+  const std::size_t aim = std::size_t(std::lround(run.sizes.vertices()));
+  const std::size_t original = run.mesh.mesh().vertexCount();
+  if (goal.vertices <= original && original < aim && !options.splitObtuse)
+    return boundError(run, goal, progress);
+  runScheme(run, aim, options, progress.part("remesh", 0, 1 - kBoundShare));
+  const std::size_t most = options.splitObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
+  return boundError(run, {goal.bound, most}, progress.part("bound", 1 - kBoundShare, 1));
 }
 
 std::size_t distinctPositions(const WorkingMesh& mesh) {
@@ -114,13 +127,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   Run run{mesh, projector, sizes, fidelityRule(options)};
   if (!input.attributes.empty()) run.stagger = kStagger;
   const std::optional<ErrorBound> bound = errorBound(surface, options);
-  const double share = bound ? kBoundShare : 0;
-  const std::size_t aim = bound ? std::size_t(std::lround(sizes.vertices())) : vertices;
-  bool reached = runScheme(run, aim, options, progress.part("remesh", 0, 1 - share));
-  if (bound) {
-    const std::size_t most = options.splitObtuse ? mesh.mesh().vertexCount() : vertices;
-    reached = boundError(run, {*bound, most}, progress.part("bound", 1 - share, 1));
-  }
+  bool reached = bound ? runWithin(run, {*bound, vertices}, options, progress)
+                       : runScheme(run, vertices, options, progress.part("remesh", 0, 1));
   if (reached && !options.splitObtuse) reached = matchPositions(run, vertices);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   outcome.stopped = reached ? Stopped::Target : byBound ? Stopped::MaxError : Stopped::Fidelity;

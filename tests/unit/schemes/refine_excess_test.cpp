@@ -23,12 +23,13 @@ TEST_CASE("refine excess: a fine mesh finds its way to the corners of a coarse o
     Run run{mesh, projector, sizes, fidelityRule({})};
     adaptToSizes(run, vertices, {});
     const ErrorBound bound(surface, 0.002 * surface.diagonal());
-    REQUIRE_FALSE(bound.excess(mesh).empty());
+    ExcessSearch search(bound);
+    REQUIRE_FALSE(search.find(mesh).empty());
     for (int i = 0; i < kRounds; ++i) {
-      refineExcess(run, bound.excess(mesh), Moves::Allowed);
+      refineExcess(run, search.find(mesh), Moves::Allowed);
       delaunayFlips(mesh, run.rule);
     }
-    CHECK(bound.excess(mesh).empty());
+    CHECK(search.find(mesh).empty());
     CHECK(check(mesh.mesh()).empty());
   }
 }
