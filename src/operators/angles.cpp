@@ -14,9 +14,7 @@ double smallestAngle(const WorkingMesh& mesh, Face f) {
 }
 
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change) {
-  const auto at = [&](Vertex v) -> const Vec3& {
-    return v == kMoved ? change.place.position : mesh.position(v);
-  };
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : change.coming)
     smallest = std::min(smallest, minAngle(at(a), at(b), at(c)));

@@ -73,7 +73,7 @@ std::size_t Crossings::count(const std::vector<Named>& triangles, const LocalCha
 }
 
 bool Crossings::grow(const LocalChange& change) const {
-  const auto at = [&](Vertex v) { return v == kMoved ? change.place.position : mesh_.position(v); };
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh_, change, v); };
   std::vector<Named> coming, going;
   for (const auto& v : change.coming) coming.push_back({v, {at(v[0]), at(v[1]), at(v[2])}});
   const std::size_t after = count(coming, change);

@@ -5,10 +5,10 @@
 // itself:
 //   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
 //   loose   some pair and some corner pass  (the report's program)
-//   fold    every  N_i·N_T > kFold, or the worst of them is no worse than it was before
+//   fold    every  N_i·N_T > fold, or the worst of them is no worse than it was before: than the
+//           worst of the triangles that the operation replaces
 //
-// Strict and loose also refuse triangles that turn over. The measure of "before" is the
-// worst of the triangles that the operation replaces.
+// With angles below 90° no triangle that turns over passes strict or loose.
 #pragma once
 
 #include "base/options.h"

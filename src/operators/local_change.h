@@ -31,6 +31,11 @@ struct LocalChange {
   }
 };
 
+// Where a corner of a coming triangle will be.
+inline const Vec3& positionAfter(const WorkingMesh& mesh, const LocalChange& change, Vertex v) {
+  return v == kMoved ? change.place.position : mesh.position(v);
+}
+
 // Carries out an accepted change. Returns the vertex it made, moved or kept; none for a flip.
 Vertex apply(WorkingMesh& mesh, const LocalChange& change);
 

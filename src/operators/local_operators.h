@@ -22,8 +22,8 @@ bool proposeFlip(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 // At the middle of the edge.
 bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change);
 
-// At the middle of the edge between equals, else at the end that may not move. A pinned vertex does
-// neither move nor go.
+// At the middle of the edge between equals, else at the end that may not move. A pinned vertex
+// neither moves nor goes.
 bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
                      LocalChange& change);
 

@@ -7,10 +7,16 @@
 
 namespace remesher {
 
+namespace {
+
+constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
+
+}  // namespace
+
 Projector::Projector(const OriginalSurface& surface, Projection mode, double reach)
     : surface_(surface),
       mode_(mode),
-      atlas_(surface.mesh(), surface.positions(), 1.5 * reach, surface.barriers()) {}
+      atlas_(surface.mesh(), surface.positions(), kMargin * reach, surface.barriers()) {}
 
 // Through a patch; where none serves, the closest point found by walking from the nearest corner,
 // and of the walks from the three corners the one that ends nearest.

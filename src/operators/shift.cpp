@@ -33,9 +33,7 @@ double farthest(const std::vector<Triangle>& from, const std::vector<Triangle>& 
 }  // namespace
 
 double shiftOf(const WorkingMesh& mesh, const LocalChange& change) {
-  const auto at = [&](Vertex v) -> const Vec3& {
-    return v == kMoved ? change.place.position : mesh.position(v);
-  };
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   std::vector<Triangle> coming, going;
   for (const auto& [a, b, c] : change.coming) coming.push_back({at(a), at(b), at(c)});
   for (const Face f : change.going) {

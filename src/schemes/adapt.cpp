@@ -14,9 +14,6 @@ namespace remesher {
 
 namespace {
 
-// [Botsch & Kobbelt 2004]: an edge is split or collapsed where that brings it nearer to its target.
-constexpr double kSplitAbove = 4.0 / 3;
-constexpr double kCollapseBelow = 4.0 / 5;
 // So short an edge goes even at the price of a fold.
 constexpr double kMustGo = 0.4;
 constexpr int kRounds = 5;
@@ -30,7 +27,7 @@ std::size_t splitLong(Run& run, std::size_t limit) {
   const Index present = Index(mesh.halfedgeCapacity());
   for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
     const Halfedge h(i);
-    if (!mesh.isEdge(h) || relativeLength(run, h) <= kSplitAbove) continue;
+    if (!mesh.isEdge(h) || relativeLength(run, h) <= kLong) continue;
     if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
   }
   return splits;
@@ -54,7 +51,7 @@ bool makesLongEdge(const Run& run, Halfedge h) {
   const Vertex into = mesh.tip(h);
   bool found = false;
   mesh.forEachNeighbor(mesh.origin(h), [&](Vertex w) {
-    found = found || (w != into && relativeLength(run, into, w) > kSplitAbove);
+    found = found || (w != into && relativeLength(run, into, w) > kLong);
   });
   return found;
 }
@@ -74,7 +71,7 @@ void collapseShort(Run& run) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
     const double length = relativeLength(run, h);
-    if (length >= kCollapseBelow) continue;
+    if (length >= kShort) continue;
     FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
     for (const Halfedge direction : outermostFirst(run, h)) {
       if (!direction || makesLongEdge(run, direction)) continue;

@@ -6,6 +6,10 @@
 
 namespace remesher {
 
+// Relative lengths from which on splitting an edge, or collapsing it, brings it nearer to its
+// target [Botsch & Kobbelt 2004].
+inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
+
 inline double targetLength(const Run& run, Vertex a, Vertex b) {
   return 0.5 * run.scale * (run.sizes.at(run.mesh.at(a)) + run.sizes.at(run.mesh.at(b)));
 }

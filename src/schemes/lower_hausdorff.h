@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The very last step of `best`: what is left of the Hausdorff distance is decided by a handful of
+// Near the end of both schemes: what is left of the Hausdorff distance is decided by a handful of
 // places. The vertices around each are moved, on and off the surface, to where the largest of the
 // distances around them, in both directions, is smallest.
 #pragma once

@@ -10,7 +10,7 @@ namespace remesher {
 
 // Mends what is left of triangles below 20° under a rule that looks for folds only, in steps that
 // hardly move the surface, and then lowers the distances that are largest. Keeps the number of
-// vertices; changes no angles where there are no such triangles.
+// vertices; where nothing is poor, only the places of those distances are touched.
 void mendPoorRegions(Run& run);
 
 }  // namespace remesher

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/triangle.h"
+#include "operators/angles.h"
 #include "operators/delaunay.h"
 #include "schemes/adapt.h"
 #include "schemes/boundaries.h"
@@ -23,18 +23,12 @@ constexpr int kLaplacianRounds = 10;
 // An edge more than twice as long as another of its triangles is too long to collapse.
 constexpr double kTooLong = 2;
 // Where sizes are graded: rounds of both kinds first, for edges much longer or shorter than asked
-// for [Botsch & Kobbelt 2004], until so small a share of the vertices changes.
+// for, until so small a share of the vertices changes.
 constexpr int kGradingRounds = 12;
-constexpr double kSplitAbove = 4.0 / 3, kCollapseBelow = 4.0 / 5;
 constexpr double kSettled = 0.01;
 constexpr double kGradingShare = 0.4;  // of the time
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 constexpr double kAny = std::numeric_limits<double>::infinity();
-
-double minAngleOf(const WorkingMesh& mesh, Face f) {
-  const auto [a, b, c] = mesh.mesh().vertices(f);
-  return minAngle(mesh.position(a), mesh.position(b), mesh.position(c));
-}
 
 // In units of the size asked for there, where sizes differ.
 double length(const Run& run, Halfedge h) {
@@ -72,7 +66,7 @@ std::vector<Ranked> rankedEdges(const HalfedgeMesh& mesh, double above, Key key)
 double badness(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
   const auto shortfall = [&](Face f) {
-    const double missing = radians(60) - minAngleOf(mesh, f);
+    const double missing = radians(60) - smallestAngle(mesh, f);
     return missing * missing;
   };
   constexpr double kBoundaryFirst = 1e3;
@@ -82,8 +76,8 @@ double badness(const WorkingMesh& mesh, Halfedge h) {
 
 double goodness(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
-  if (m.isBoundary(h)) return minAngleOf(mesh, m.face(h));
-  return std::max(minAngleOf(mesh, m.face(h)), minAngleOf(mesh, m.face(m.twin(h))));
+  if (m.isBoundary(h)) return smallestAngle(mesh, m.face(h));
+  return std::max(smallestAngle(mesh, m.face(h)), smallestAngle(mesh, m.face(m.twin(h))));
 }
 
 std::vector<Ranked> longestFirst(const Run& run, double above) {
@@ -175,8 +169,8 @@ void grade(Run& run, const Progress& progress) {
   if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.rule.mode = Fidelity::Fold;
   for (int i = 0; i < kGradingRounds; ++i) {
     progress.at(double(i) / kGradingRounds);
-    std::size_t changes = splitRound(run, longestFirst(run, kSplitAbove), kNoLimit);
-    changes += collapseRound(run, shortestFirst(run, kCollapseBelow), 0);
+    std::size_t changes = splitRound(run, longestFirst(run, kLong), kNoLimit);
+    changes += collapseRound(run, shortestFirst(run, kShort), 0);
     areaBasedRound(run);
     if (double(changes) < kSettled * double(mesh.vertexCount())) break;
   }

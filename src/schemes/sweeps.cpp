@@ -7,13 +7,6 @@
 
 namespace remesher {
 
-namespace {
-
-// Of the way between its neighbours along the curve a vertex leaves this share on either side.
-constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
-
-}  // namespace
-
 CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
   CurveNeighbors result;
   const HalfedgeMesh& m = mesh.mesh();
@@ -27,6 +20,9 @@ CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
 }
 
 namespace {
+
+// Of the way between its neighbours along the curve a vertex leaves this share on either side.
+constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
 
 // Moves v to `target` in the plane of its polar map, if that lies inside the star.
 bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flips that make valences regular: 6 inside, 4 on a boundary.
+// Flips that make valences regular: 6 inside, 4 on a straight boundary, and elsewhere there what
+// divides the angle into parts of about 60°.
 #pragma once
 
 #include "base/random.h"
