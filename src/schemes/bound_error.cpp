@@ -51,9 +51,9 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
 }
 
 // Polishing splits and collapses, and under the gate it may not get all collapses back.
-void polishInCount(Run& run) {
+void polishInCount(Run& run, const Progress& progress) {
   const WorkingMesh before = run.mesh;
-  polish(run, {kPolishBelow});
+  polish(run, {kPolishBelow}, progress);
   if (run.mesh.mesh().vertexCount() != before.mesh().vertexCount()) run.mesh = before;
 }
 
@@ -64,12 +64,11 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   run.scale = 1;
   run.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.part("coarsen", 0.3, 0.8));
+  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.part("coarsen", 0.3, 0.6));
   const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
   delaunayFlips(run.mesh, run.rule);
-  progress.part("polish", 0.8, 1).at(0);
   if (isReached)
-    polishInCount(run);
+    polishInCount(run, progress.part("polish", 0.6, 1));
   else
     relax(run, 2);
   return isReached;

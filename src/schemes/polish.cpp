@@ -160,11 +160,12 @@ Means meansOf(int round, int rounds) {
 
 }  // namespace
 
-void polish(Run& run, const PolishGoal& goal) {
+void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = isLarge(run) ? kRoundsInLarge : kRounds;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
+    progress.at(double(round) / rounds);
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1) before = double(bad.size());

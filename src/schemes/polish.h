@@ -16,6 +16,6 @@ struct PolishGoal {
 };
 
 // Keeps the number of vertices. No step moves the surface by more than the goal's shift.
-void polish(Run& run, const PolishGoal& goal);
+void polish(Run& run, const PolishGoal& goal, const Progress& progress = {});
 
 }  // namespace remesher

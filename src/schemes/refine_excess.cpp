@@ -134,14 +134,18 @@ class Refinement {
     touched_.around(apply(run_.mesh, run_.change));
   }
 
-  // Fitting leaves vertices off the original: one that is goes back.
+  // Fitting and the mending of poor triangles leave vertices off the original: one that is goes
+  // back, in the end even where that folds the mesh over.
   bool putBackCorner(Face f) {
     for (const Vertex v : run_.mesh.mesh().vertices(f)) {
       if (run_.mesh.kind(v) != VertexKind::Interior) continue;
       const Placement place = run_.mesh.onSurface(run_.mesh.at(v));
       if (place.position == run_.mesh.position(v)) continue;
       proposePlacement(run_.mesh, v, place, run_.change);
-      if (!commit(run_, lenient(run_))) continue;
+      if (moves_ == Moves::Never)
+        apply(run_.mesh, run_.change);
+      else if (!commit(run_, lenient(run_)))
+        continue;
       touched_.around(v);
       return true;
     }

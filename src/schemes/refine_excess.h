@@ -7,6 +7,7 @@
 
 namespace remesher {
 
+// Of vertices that are where they should be.
 enum class Moves { Allowed, Never };
 
 // Brings the mesh to places of the original that it has lost, by moving a vertex that is almost
