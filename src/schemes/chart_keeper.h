@@ -2,8 +2,9 @@
 // Keeps each triangle of the result within one chart of every attribute. Where a seam is a curve it
 // is by construction; a triangle across a seam that was let go takes the chart that most of its
 // corners are in, and its other corners the nearest points of it: nothing bleeds. Charts too narrow
-// for triangles of their own give way to those beside them, or every other triangle along them
-// would show one and the next the other, like the teeth of a saw.
+// for triangles of their own give way to those beside them, whose values and shading extend over
+// them, or every other triangle along them would show one and the next the other, like the teeth of
+// a saw.
 #pragma once
 
 #include <array>
@@ -35,6 +36,8 @@ class ChartKeeper {
   };
 
   void collect(Face start, const Ball& ball);
+  Face absorberOf(const std::array<SurfacePoint, 3>& points);
+  Face chartFor(const std::array<SurfacePoint, 3>& points, const Ball& ball);
   bool contains(Face f) const { return seen_[f] == stamp_; }
   std::array<SurfacePoint, 3> intoChart(const std::array<SurfacePoint, 3>& points) const;
 

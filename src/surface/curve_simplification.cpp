@@ -12,9 +12,9 @@ namespace remesher {
 
 namespace {
 
-// Both in target edge lengths. Between two curves nearer than this there is no row of triangles
-// that are any good; a chain shorter than this cannot be one edge of one.
-constexpr double kNarrow = 0.65;
+// Both in target edge lengths. Between two curves nearer than this a row of triangles is worth less
+// than what it would show; a chain shorter than this cannot be one edge of a good one.
+constexpr double kNarrow = 0.5;
 constexpr double kShort = 0.7;
 // A curve that bends the surface is worth thinner triangles, for the surface leaves its place with
 // it: where it bends by 90° what counts as narrow is less by half of this share.

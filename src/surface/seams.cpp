@@ -2,7 +2,9 @@
 #include "surface/seams.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "geometry/triangle.h"
 
@@ -47,6 +49,29 @@ bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
          differ(attribute, built.wedges[mesh.next(h)], built.wedges[t]);
 }
 
+bool isTexture(const Attribute& attribute) {
+  return attribute.itemSize == 2 && attribute.semantic.rfind("TEXCOORD_", 0) == 0;
+}
+
+// Twice the signed area of a face in the plane of a texture.
+double areaIn(const BuiltMesh& built, const Attribute& texture, Face f) {
+  std::array<Vec2, 3> at;
+  for (int i = 0; i < 3; ++i) {
+    const float* uv = &texture.values[std::size_t{2} * built.wedges[HalfedgeMesh::halfedge(f, i)]];
+    at[i] = {uv[0], uv[1]};
+  }
+  const Vec2 a = at[1] - at[0], b = at[2] - at[0];
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Whether the texture turns back at the edge, as where the two halves of a model share one: a
+// triangle across it would skip what lies between its corners.
+bool mirrors(const BuiltMesh& built, const Attribute& texture, Halfedge h) {
+  return areaIn(built, texture, built.mesh.face(h)) *
+             areaIn(built, texture, built.mesh.face(built.mesh.twin(h))) <
+         0;
+}
+
 struct Edges {
   std::vector<Halfedge> inner;
   double cosHardNormal;
@@ -71,6 +96,9 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
   for (const Halfedge h : found)
     if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
   if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
+  if (!isTexture(attribute)) return;
+  for (const Halfedge h : edges.inner)
+    if (mirrors(built, attribute, h)) seams.edges.push_back(h);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Edges across which an attribute jumps or a material changes. They must be feature curves, or
-// textures would bleed over them.
+// Edges across which an attribute jumps, a texture turns back or a material changes. They must be
+// feature curves, or textures would bleed over them.
 #pragma once
 
 #include <string>

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/mesh_builder.h"
 #include "schemes/remesh.h"
+#include "surface/seams.h"
 
 using namespace remesher;
 
@@ -43,6 +45,36 @@ TriangleMesh sheetOf(ChartAt chartAt) {
 
 TriangleMesh strips() {
   return sheetOf([](Index x) { return x; });
+}
+
+// A floor 8 wide, a step of 0.5 down and a floor 16 wide, each with normals of its own. The texture
+// goes on from the first floor over the step and jumps at the second.
+TriangleMesh step() {
+  struct Column {
+    double x, z;
+    float u;
+  };
+  TriangleMesh mesh;
+  Attribute uv{"TEXCOORD_0", 2, {}}, normals{"NORMAL", 3, {}};
+  const auto add = [&](const std::vector<Column>& columns, const Eigen::Vector3f& normal) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      for (Index y = 0; y <= kSide; ++y) {
+        const Index a = Index(mesh.positions.size()), b = a + kSide + 1;
+        mesh.positions.emplace_back(columns[i].x, y, columns[i].z);
+        uv.values.insert(uv.values.end(), {columns[i].u, float(y)});
+        normals.values.insert(normals.values.end(), normal.begin(), normal.end());
+        if (i + 1 < columns.size() && y < kSide)
+          mesh.indices.insert(mesh.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+      }
+  };
+  std::vector<Column> upper, lower;
+  for (int x = 0; x <= 8; ++x) upper.push_back({double(x), 0.5, float(x)});
+  for (int x = 8; x <= kSide; ++x) lower.push_back({double(x), 0, kApart + float(x)});
+  add(upper, {0, 0, 1});
+  add({{8, 0.5, 8}, {8, 0, 8.5F}}, {1, 0, 0});
+  add(lower, {0, 0, 1});
+  mesh.attributes = {std::move(uv), std::move(normals)};
+  return mesh;
 }
 
 const std::vector<float>& texcoords(const TriangleMesh& mesh) {
@@ -94,4 +126,41 @@ TEST_CASE("chart_keeper: a chart too narrow for triangles gives way all along") 
   const std::vector<float>& uv = texcoords(mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     CHECK(std::abs(uv[2 * v] - kApart) > 2);  // the strip has those from 48 to 49
+}
+
+TEST_CASE("chart_keeper: a triangle all within what is absorbed shows what is not") {
+  const TriangleMesh input = sheetOf([](Index x) { return x < 10 ? 0U : x < 14 ? x - 9 : 5U; });
+  BuiltMesh built = buildMesh(input);
+  ChartRules rules{findSeams(built, input, 40).jumps, FaceData<char>(built.mesh.faceCapacity(), 0)};
+  const auto middle = [&](Face f) {
+    const auto [a, b, c] = built.mesh.vertices(f);
+    return (built.positions[a].x() + built.positions[b].x() + built.positions[c].x()) / 3;
+  };
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
+    rules.absorbed[Face(f)] = middle(Face(f)) > 10 && middle(Face(f)) < 14;
+  FeatureCurves curves(built.mesh, built.positions, {});
+  const OriginalSurface surface(std::move(built), std::move(curves));
+  const WorkingMesh mesh(surface);
+  ChartKeeper keeper(mesh, rules);
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
+    CAPTURE(f);
+    const std::array<SurfacePoint, 3> points = keeper.corners(Face(f));
+    for (const SurfacePoint& point : points) {
+      CHECK_FALSE(rules.absorbed[point.face]);
+      CHECK((surface.position(point).x() < 12) == (surface.position(points[0]).x() < 12));
+    }
+  }
+}
+
+TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shading") {
+  const TriangleMesh input = step();
+  RemeshOptions options;
+  options.vertices = 100;  // edges 2.6 long, and a step of 0.5
+  const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
+  const Attribute* normals = findAttribute(mesh, "NORMAL");
+  REQUIRE(normals);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    CAPTURE(v);
+    CHECK(normals->values[3 * v + 2] > 0.9F);  // the step's own is (1, 0, 0)
+  }
 }
