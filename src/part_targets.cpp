@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "part_targets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -30,43 +31,41 @@ double worldArea(const io::Part& part) {
   return area * scaleOf(part) * scaleOf(part);
 }
 
-// Whole numbers in proportion to `weights` that add up to `total`: each running sum is rounded.
-std::vector<Index> sharedOut(Index total, const std::vector<double>& weights) {
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  // Nothing can be shared out by what is not there; the parts will be refused each.
-  if (!(sum > 0)) return std::vector<Index>(weights.size(), total);
-  std::vector<Index> shares;
-  double reached = 0;
-  Index given = 0;
-  for (double weight : weights) {
-    reached += weight;
-    const auto upToHere = static_cast<Index>(std::llround(reached / sum * total));
-    shares.push_back(upToHere - given);
-    given = upToHere;
-  }
-  return shares;
-}
-
 }  // namespace
 
-std::vector<RemeshOptions> optionsPerPart(const std::vector<io::Part>& parts,
-                                          const RemeshOptions& options) {
-  std::vector<RemeshOptions> result(parts.size(), options);
+PartTargets::PartTargets(const std::vector<io::Part>& parts, const RemeshOptions& options)
+    : parts_(parts), options_(options), order_(parts.size()) {
   if (parts.size() > 1 && !(options.density.empty() && options.featureEdges.empty()))
     throw Error(ErrorCode::InvalidOption,
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
-  if (options.vertices) {
-    std::vector<double> areas;
-    for (const io::Part& part : parts) areas.push_back(worldArea(part));
-    const std::vector<Index> shares = sharedOut(*options.vertices, areas);
-    for (std::size_t i = 0; i < parts.size(); ++i) result[i].vertices = shares[i];
+  for (const io::Part& part : parts) areas_.push_back(worldArea(part));
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return areas_[a] < areas_[b]; });
+  areaLeft_ = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+  verticesLeft_ = options.vertices ? double(*options.vertices) : 0;
+}
+
+RemeshOptions PartTargets::of(std::size_t part) const {
+  RemeshOptions result = options_;
+  const bool isLast = part == order_.back();
+  // The last part has only what is left; and a whole that asks for no number asks for no fewer.
+  const bool asksForNone = !options_.vertices && !options_.ratio && !options_.edgeLength;
+  const bool isOneOfMany = parts_.size() > 1 && !(isLast && options_.vertices);
+  if (asksForNone || isOneOfMany) result.tooFew = TooFew::Raise;
+  if (options_.vertices) {
+    const double share = isLast || !(areaLeft_ > 0) ? 1 : areas_[part] / areaLeft_;
+    result.vertices = Index(std::llround(share * verticesLeft_));
   }
-  if (options.edgeLength)
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      result[i].edgeLength = *options.edgeLength / scaleOf(parts[i]);
+  if (options_.edgeLength) *result.edgeLength /= scaleOf(parts_[part]);
   return result;
+}
+
+void PartTargets::given(std::size_t part, std::size_t vertices) {
+  areaLeft_ -= areas_[part];
+  verticesLeft_ = std::max(0.0, verticesLeft_ - double(vertices));
 }
 
 }  // namespace remesher

@@ -25,12 +25,15 @@ struct Run {
   Report report;
 };
 
-void remeshPart(Run& run, io::Part& part, const RemeshOptions& options, const Progress& progress) {
+// Returns the number of vertices aimed at.
+std::size_t remeshPart(Run& run, io::Part& part, const RemeshOptions& options,
+                       const Progress& progress) {
   RemeshOutcome outcome = remeshSurface(part.mesh, options, progress);
   part.mesh = std::move(outcome.mesh);
   run.report.timings.build += outcome.buildMilliseconds;
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
+  return outcome.target;
 }
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
@@ -38,12 +41,13 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   Run run{originals, {}};
   run.report.input = inspectParts(originals);
   const Stopwatch stopwatch;
-  const std::vector<RemeshOptions> perPart = optionsPerPart(originals, options);
+  PartTargets targets(originals, options);
   const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
   double done = 0;
-  for (std::size_t i = 0; i < run.parts.size(); ++i) {
+  for (const std::size_t i : targets.order()) {
     const double share = double(originals[i].mesh.triangleCount()) / total;
-    remeshPart(run, run.parts[i], perPart[i], progress.part("remesh", done, done + share));
+    const Progress part = progress.part("remesh", done, done + share);
+    targets.given(i, remeshPart(run, run.parts[i], targets.of(i), part));
     done += share;
   }
   run.report.timings.remesh = stopwatch.milliseconds() - run.report.timings.build;

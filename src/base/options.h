@@ -16,6 +16,7 @@ enum class Scheme { Best, Rounds };          // ours | the report's Algorithm 2
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
+enum class TooFew { Refuse, Raise };  // a target below what the surface needs
 
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
@@ -35,6 +36,7 @@ struct RemeshOptions {
   std::optional<double> maxError;                     // percent of the diagonal
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+  TooFew tooFew = TooFew::Refuse;                     // not the caller's: see PartTargets
 };
 
 }  // namespace remesher

@@ -117,7 +117,10 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   const std::vector<float> density = densityOf(built, options);
   const OriginalSurface surface(std::move(built), std::move(choice.curves));
   vertices = correctedTarget(surface, options, density, vertices);
-  checkCurves(surface.curves(), surface.mesh(), vertices);
+  const std::size_t corners = countCorners(surface.curves(), surface.mesh());
+  if (options.tooFew == TooFew::Raise) vertices = std::max(vertices, corners);
+  checkCurves(corners, vertices);
+  outcome.target = vertices;
   SizeRules rules = sizeRules(options, double(vertices), density);
   if (options.maxError) rules.error = *options.maxError / 100 * surface.diagonal();
   const SizeField sizes(surface, rules);

@@ -13,6 +13,7 @@ struct RemeshOutcome {
   TriangleMesh mesh;             // a vertex comes in as many copies as its attributes need
   double buildMilliseconds = 0;  // to mend the input and prepare the original surface
   Stopped stopped = Stopped::Target;
+  std::size_t target = 0;  // the number of vertices aimed at
   std::vector<Warning> warnings;
 };
 

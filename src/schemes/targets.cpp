@@ -106,6 +106,7 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
                     " vertices, for which there is no memory.",
                 "Ask for fewer vertices, or give the model in parts.");
   const std::size_t fewest = fewestVertices(built.mesh);
+  if (target < double(fewest) && options.tooFew == TooFew::Raise) return fewest;
   if (target < double(fewest))
     throw Error(ErrorCode::TargetTooSmall,
                 "The target of " + std::to_string(std::size_t(target)) +
@@ -115,9 +116,13 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
   return std::size_t(target);
 }
 
-void checkCurves(const FeatureCurves& curves, const HalfedgeMesh& mesh, std::size_t vertices) {
+std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh) {
   std::size_t corners = 0;
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) corners += curves.isCorner(Vertex(i)) ? 1 : 0;
+  return corners;
+}
+
+void checkCurves(std::size_t corners, std::size_t vertices) {
   if (corners <= vertices) return;
   throw Error(ErrorCode::TargetBelowCurves,
               "The target of " + std::to_string(vertices) + " vertices is below the " +

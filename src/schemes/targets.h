@@ -15,12 +15,16 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices);
 // Throws NO_TRIANGLES when there is none.
 double surfaceArea(const BuiltMesh& built);
 
-// From vertices, ratio or edgeLength, else the input's own number. Throws TARGET_TOO_SMALL, and
-// OUT_OF_MEMORY for what could never be held.
+// From vertices, ratio or edgeLength, else the input's own number. What is fewer than the surface
+// needs is raised or refused with TARGET_TOO_SMALL, as the options say; throws OUT_OF_MEMORY for
+// what could never be held.
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options);
 
-// Throws TARGET_BELOW_CURVES when there are more corners, which never move, than the target allows.
-void checkCurves(const FeatureCurves& curves, const HalfedgeMesh& mesh, std::size_t vertices);
+// As many of the original's vertices are corners of curves, which never move.
+std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh);
+
+// Throws TARGET_BELOW_CURVES when there are more corners than vertices.
+void checkCurves(std::size_t corners, std::size_t vertices);
 
 // What the sizes follow. `density` is per vertex of the original and must outlive the rules.
 SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density);
