@@ -59,14 +59,12 @@ void PatchBuilder::growCore(Index cell) {
   }
 }
 
-void PatchBuilder::growMargin() {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+// From the faces there are, breadth first: over the first few faces in any case, then over those
+// that isWanted(face it came from, face) says.
+template <class IsWanted>
+void PatchBuilder::growOutwards(IsWanted isWanted) {
   reaches_.clear();
-  for (const Face f : grower_.faces()) {
-    normal += frames_[f].normal;
-    reaches_.push_back({f, 0});
-  }
-  const float lowest = kMarginCone * normal.norm();
+  for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
   for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
     if (grower_.faces().size() >= kMaxPatchFaces) break;
     const Reach from = reaches_[head];
@@ -74,12 +72,20 @@ void PatchBuilder::growMargin() {
     for (int i = 0; i < 3; ++i) {
       const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
       if (!g || grower_.holds(g)) continue;
-      const float distance = (frames_[g].centroid - frames_[from.source].centroid).norm();
-      const bool isWanted = distance <= margin_ && frames_[g].normal.dot(normal) >= lowest;
-      if (!isWanted && from.steps >= kMinReach) continue;
+      if (from.steps >= kMinReach && !isWanted(from.source, g)) continue;
       if (grower_.add(g)) reaches_.push_back({from.source, from.steps + 1});
     }
   }
+}
+
+void PatchBuilder::growMargin() {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  for (const Face f : grower_.faces()) normal += frames_[f].normal;
+  const float lowest = kMarginCone * normal.norm();
+  growOutwards([&](Face source, Face g) {
+    const float distance = (frames_[g].centroid - frames_[source].centroid).norm();
+    return distance <= margin_ && frames_[g].normal.dot(normal) >= lowest;
+  });
 }
 
 PlanarPatch PatchBuilder::finish(std::span<const Face> kept) {
@@ -134,19 +140,7 @@ PlanarPatch PatchBuilder::aroundFaces(const std::array<Face, 3>& faces, const Ba
   grower_.clear();
   grower_.add(faces[0]);
   if (!growWays(faces, ball)) return {};
-  reaches_.clear();
-  for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
-  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
-    if (grower_.faces().size() >= kMaxPatchFaces) break;
-    const Reach from = reaches_[head];
-    const Face f = grower_.faces()[head];
-    for (int i = 0; i < 3; ++i) {
-      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
-      if (!g || grower_.holds(g)) continue;
-      if (from.steps >= kMinReach && !ball.holds(frames_[g].centroid)) continue;
-      if (grower_.add(g)) reaches_.push_back({from.source, from.steps + 1});
-    }
-  }
+  growOutwards([&](Face, Face g) { return ball.holds(frames_[g].centroid); });
   visitedFaces_ += grower_.faces().size();
   return finish(faces);
 }

@@ -39,6 +39,8 @@ class PatchBuilder {
 
  private:
   void growCore(Index cell);
+  template <class IsWanted>
+  void growOutwards(IsWanted isWanted);
   void growMargin();
   bool growWays(const std::array<Face, 3>& faces, const Ball& ball);
   bool addWay(Face f);
