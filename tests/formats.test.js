@@ -105,3 +105,12 @@ for (const [what, [name, bytes, code]] of Object.entries(refused)) {
     await rejectsWith(remeshFile(bytes, { name, output: 'glb', vertices: 100 }), code, /^a\.\w+/);
   });
 }
+
+test('coordinates beyond single precision are refused by glTF, and kept by OBJ', async () => {
+  const bytes = encode('v 1e39 0 0\nv 0 1e39 0\nv 0 0 1e39\nf 1 2 3\n');
+  const options = { name: 'a.obj', vertices: 20 };
+  await rejectsWith(remeshFile(bytes, { ...options, output: 'glb' }), 'UNSUPPORTED',
+    /too large for glTF/);
+  const { report } = await remeshFile(bytes, { ...options, output: 'off' });
+  assert.ok(report.fidelity.hausdorff < 1e-6);
+});

@@ -2,7 +2,11 @@
 #include "io/gltf_pool.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
+
+#include "base/error.h"
 
 namespace remesher::io {
 namespace {
@@ -65,6 +69,14 @@ void PoolEncoder::add(const std::string& semantic, const Table& table, const Enc
   result_.attributes[semantic] = {encoding, encodeRows(table, encoding)};
 }
 
+float single(double coordinate) {
+  if (std::abs(coordinate) <= double(std::numeric_limits<float>::max()))
+    return static_cast<float>(coordinate);
+  throw Error(ErrorCode::Unsupported,
+              "A coordinate is too large for glTF, which has numbers of single precision.",
+              "Write OBJ or OFF, or scale the model down.");
+}
+
 void PoolEncoder::encodePositions() {
   Encoding encoding = encodingOf("POSITION", 3);
   if (!canRoundPositions(mesh_, encoding)) encoding = {TINYGLTF_COMPONENT_TYPE_FLOAT, false, 3};
@@ -72,7 +84,7 @@ void PoolEncoder::encodePositions() {
   table.values.reserve(3 * vertices_.size());
   for (const Index vertex : vertices_)
     for (const double coordinate : mesh_.positions[vertex])
-      table.values.push_back(static_cast<float>(coordinate));
+      table.values.push_back(single(coordinate));
   add("POSITION", table, encoding);
 }
 
