@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `--scheme best`: adapt to the sizes on a coarse level, where irregular vertices are cheap to
 // remove; subdivide through the projection; smooth what still moves; land on the exact count;
-// polish; fit.
+// polish; fit; lower the largest distances; polish what slivers are left.
 #pragma once
 
 #include "schemes/run.h"

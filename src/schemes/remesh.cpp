@@ -64,13 +64,13 @@ std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const Remes
   return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
 }
 
-// Where the bound asks for more vertices than the original has, which keeps every bound, no scheme
-// is a way to fewer.
+// Where the bound asks for more vertices than there are to be, and than the original has, which
+// keeps every bound, no scheme is a way there.
 bool runWithin(Run& run, const BoundGoal& goal, const RemeshOptions& options,
                const Progress& progress) {
   const std::size_t aim = std::size_t(std::lround(run.sizes.vertices()));
   const std::size_t original = run.mesh.mesh().vertexCount();
-  if (goal.vertices <= original && original < aim && !options.splitObtuse)
+  if (std::max(goal.vertices, original) < aim && !options.splitObtuse)
     return boundError(run, goal, progress);
   runScheme(run, aim, options, progress.part("remesh", 0, 1 - kBoundShare));
   const std::size_t most = options.splitObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;

@@ -26,8 +26,6 @@ struct Run {
   LocalChange change = {};  // the proposal at hand
   Vertex result = {};       // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
-
-  std::size_t refused() const { return verdicts[1] + verdicts[2] + verdicts[3] + verdicts[4]; }
 };
 
 // Judges the proposal at hand by `rule` and carries it out if it is accepted.

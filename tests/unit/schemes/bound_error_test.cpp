@@ -65,3 +65,11 @@ TEST_CASE("max error: a bound that is kept anyway changes nothing of the count")
   CHECK(outcome.stopped == Stopped::Target);
   CHECK(outcome.mesh.positions.size() == 500);
 }
+
+TEST_CASE("max error: however small, the original has it, and more vertices do not leave it") {
+  const TriangleMesh shape = shapes::torus(24, 12);
+  const RemeshOutcome outcome = run({shape, 400, 1e-10}, Scheme::Best);
+  CHECK(outcome.stopped == Stopped::Target);
+  CHECK(outcome.mesh.positions.size() == 400);
+  CHECK(measureFidelity(shape, outcome.mesh, Maximum::Proven).hausdorff <= 1e-10);
+}
