@@ -13,6 +13,7 @@
 #include "schemes/relax.h"
 #include "schemes/subdivide.h"
 #include "schemes/sweeps.h"
+#include "schemes/targets.h"
 #include "schemes/tips.h"
 #include "schemes/valence.h"
 
@@ -28,7 +29,6 @@ constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
 constexpr double kSliver = radians(10), kPoor = radians(30);
-constexpr double kLittle = 0.16;  // of an edge: what the distances just lowered can bear
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -38,10 +38,9 @@ constexpr std::size_t kVerticesPerCorner = 6;
 
 int levelCount(const Run& run, std::size_t vertices) {
   const HalfedgeMesh& original = run.mesh.surface().mesh();
-  std::size_t corners = 0;
-  for (Index i = 0; i < original.vertexCapacity(); ++i)
-    corners += run.mesh.surface().curves().isCorner(Vertex(i)) ? 1 : 0;
-  const auto& chains = run.mesh.surface().curves().chains();
+  const FeatureCurves& curves = run.mesh.surface().curves();
+  const std::size_t corners = countCorners(curves, original);
+  const auto& chains = curves.chains();
   // Subdividing would divide what is to be kept.
   if (std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; })) return 0;
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
@@ -119,7 +118,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   fit(run, progress.part("fit", 0.85, 1));
   lowerHausdorff(run);
   polish(run, {kSliver});
-  if (!isLarge(run)) polish(run, {kPoor, kLittle});
+  if (!isLarge(run)) polish(run, {kPoor, kSmallShift});
   return reached;
 }
 

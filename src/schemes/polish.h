@@ -10,6 +10,9 @@
 
 namespace remesher {
 
+// Steps of a quarter of an edge and more lose tips, much smaller ones leave slivers.
+constexpr double kSmallShift = 0.16;
+
 struct PolishGoal {
   double angle;  // radians; triangles with a smaller one are worked on
   double shift = std::numeric_limits<double>::infinity();  // of a step, in target edge lengths

@@ -9,15 +9,13 @@ namespace remesher {
 namespace {
 
 constexpr double kPoor = radians(20);
-// Steps of a quarter of an edge and more lose tips, much smaller ones leave slivers.
-constexpr double kShift = 0.16;
 
 }  // namespace
 
 void mendPoorRegions(Run& run) {
   const FidelityRule rule = run.rule;
   run.rule.mode = Fidelity::Fold;
-  polish(run, {kPoor, kShift});
+  polish(run, {kPoor, kSmallShift});
   lowerHausdorff(run);
   run.rule = rule;
 }

@@ -36,9 +36,9 @@ int idealValence(const WorkingMesh& mesh, Vertex v) {
 }
 
 // How far each valence is from its ideal; kept up to date while flips are made.
-class Excess {
+class ValenceExcess {
  public:
-  explicit Excess(const WorkingMesh& working)
+  explicit ValenceExcess(const WorkingMesh& working)
       : mesh_(working.mesh()),
         excess_(working.mesh().vertexCapacity(), 0),
         weight_(working.mesh().vertexCapacity(), 1) {
@@ -75,7 +75,7 @@ class Excess {
 template <class Accept>
 std::size_t flipsWhere(Run& run, double smallestAngle, Accept accept) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  Excess excess(run.mesh);
+  ValenceExcess excess(run.mesh);
   std::size_t flips = 0;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
