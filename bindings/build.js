@@ -9,9 +9,10 @@
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import {
-  chmodSync, copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync,
+  chmodSync, copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync,
+  writeFileSync,
 } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
@@ -145,9 +146,17 @@ export default () => DracoDecoderModule({
   };
 }
 
+/** @param {string} folder @returns {string[]} the files below it, by their paths from the root */
+function filesIn(folder) {
+  return readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(root, join(entry.parentPath ?? entry.path, entry.name)))
+    .sort();
+}
+
 /** dist/: the sources as they are, the WebAssembly, and the types read from the comments. */
 function assemblePackage() {
-  const sources = readdirSync(join(root, 'bindings/package')).map((f) => `bindings/package/${f}`);
+  const sources = filesIn('bindings/package');
   const declarations = readdirSync(join(root, 'bindings'))
     .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
   const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
@@ -158,16 +167,15 @@ function assemblePackage() {
   if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;
   say('Assembling the package in dist/');
   rmSync(join(root, 'dist'), { recursive: true, force: true });
-  mkdirSync(join(root, 'dist'));
-  const toDist = (/** @type {string} */ file) =>
-    copyFileSync(join(root, file), join(root, 'dist', file.slice(file.lastIndexOf('/') + 1)));
-  [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', ...declarations]
-    .forEach(toDist);
+  cpSync(join(root, 'bindings/package'), join(root, 'dist'), { recursive: true });
+  for (const file of ['build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', ...declarations]) {
+    copyFileSync(join(root, file), join(root, 'dist', basename(file)));
+  }
   for (const [name, text] of Object.entries(decoderModules())) {
     writeFileSync(join(root, 'dist', name), text);
   }
   chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
-  chmodSync(join(root, 'dist/cli.js'), 0o755);
+  chmodSync(join(root, 'dist/cli/cli.js'), 0o755);
   run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);
   stamp.set();
 }

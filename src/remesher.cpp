@@ -7,9 +7,9 @@
 #include "base/stopwatch.h"
 #include "io/formats.h"
 #include "measure/hausdorff.h"
-#include "part_report.h"
-#include "part_scale.h"
-#include "part_targets.h"
+#include "parts/part_report.h"
+#include "parts/part_scale.h"
+#include "parts/part_targets.h"
 #include "schemes/remesh.h"
 
 namespace remesher {

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The tree keeps its shape: arrows between layers point down, nothing is circular, every source
+// The tree keeps its shape: arrows between rooms point down, nothing is circular, every source
 // file is built, and none has outgrown its reader.
 import assert from 'node:assert/strict';
-import { dirname, join, normalize } from 'node:path';
+import { dirname, join, normalize, relative } from 'node:path';
 import { test } from 'node:test';
 
+import { coreRooms, findCircle, packageRooms, pageRooms, wrongArrows } from './support/rooms.js';
 import { filesUnder, readText } from './support/tree.js';
-
-/** For each folder of src, the folders it may include from besides its own. */
-const below = {
-  base: [],
-  mesh: ['base'],
-  geometry: ['base', 'mesh'],
-  surface: ['base', 'mesh', 'geometry'],
-  operators: ['base', 'mesh', 'geometry', 'surface'],
-  schemes: ['base', 'mesh', 'geometry', 'surface', 'operators'],
-  measure: ['base', 'mesh', 'geometry', 'surface'],
-  io: ['base'],
-};
-const facade = ['base', 'io', 'measure', 'schemes'];
 
 const cppFiles = filesUnder('src', /\.(h|cpp)$/);
 const bindingFiles = filesUnder('bindings', /\.(h|cpp)$/);
@@ -30,45 +18,46 @@ const includesOf = (file) => [...readText(file).matchAll(/^#include "(.+)"/gm)].
 const importsOf = (file) =>
   [...readText(file).matchAll(/(?:^import|^export|^\} from|\bimport\()[^'"\n;]*['"]([^'"]+)['"]/gm)]
     .map(([, name]) => name);
-const layerOf = (path) => (path.includes('/') ? path.split('/')[0] : 'facade');
 
-/** The first circle in a graph of names, or none. */
-function findCircle(graph) {
-  const state = new Map();
-  const visit = (node, path) => {
-    if (state.get(node) === 'done') return undefined;
-    if (state.get(node) === 'open') return [...path.slice(path.indexOf(node)), node];
-    state.set(node, 'open');
-    for (const next of graph.get(node) ?? []) {
-      const circle = visit(next, [...path, node]);
-      if (circle) return circle;
-    }
-    state.set(node, 'done');
-    return undefined;
-  };
-  for (const node of graph.keys()) {
-    const circle = visit(node, []);
-    if (circle) return circle;
-  }
-  return undefined;
-}
+/** What a file imports of ours, by path from a folder. */
+const importedFrom = (top, file) => importsOf(file).filter((name) => name.startsWith('.'))
+  .map((name) => relative(top, join(dirname(file), name)))
+  .filter((path) => !path.startsWith('..'));
 
-test('a circle is found where there is one', () => {
+test('an arrow up, one sideways and a circle are found where they are', () => {
+  const rooms = { base: [], left: ['base'], right: ['base'], '': ['base', 'left', 'right'] };
+  const arrows = [['main', ['left/a', 'base/b']], ['left/a', ['right/c', 'left/d', 'base/b']],
+    ['base/b', ['left/a']]];
+  assert.deepEqual(wrongArrows(rooms, arrows), ['left/a -> right/c', 'base/b -> left/a']);
   const circle = new Map([['a', ['b']], ['b', ['c']], ['c', ['b']]]);
   assert.deepEqual(findCircle(circle), ['b', 'c', 'b']);
   assert.equal(findCircle(new Map([['a', ['b', 'c']], ['b', ['c']], ['c', []]])), undefined);
 });
 
-test('includes in src point to lower layers only', () => {
-  const wrong = [];
-  for (const file of cppFiles) {
-    const from = layerOf(file.slice('src/'.length));
-    const allowed = from === 'facade' ? [...facade, 'facade'] : [...below[from] ?? [], from];
-    for (const included of includesOf(file)) {
-      if (!allowed.includes(layerOf(included))) wrong.push(`${file} includes ${included}`);
-    }
+test('rooms name only rooms before them, and all there are', () => {
+  const trees = [[coreRooms, 'src', cppFiles], [packageRooms, 'bindings/package', packageFiles],
+    [pageRooms, 'web', pageFiles]];
+  for (const [rooms, top, files] of trees) {
+    const names = Object.keys(rooms);
+    names.forEach((name, i) => assert.deepEqual(
+      rooms[name].filter((below) => !names.slice(0, i).includes(below)), [], name));
+    const folders = new Set(files.map((file) => relative(top, dirname(file))));
+    assert.deepEqual([...folders].sort(), [...names].sort());
   }
-  assert.deepEqual(wrong, []);
+});
+
+test('includes in src point to lower rooms only', () => {
+  const arrows = cppFiles.map((file) => [relative('src', file), includesOf(file)]);
+  assert.deepEqual(wrongArrows(coreRooms, arrows), []);
+});
+
+test('imports in the package and in the page point to lower rooms only', () => {
+  const trees = [[packageRooms, 'bindings/package', packageFiles], [pageRooms, 'web', pageFiles]];
+  for (const [rooms, top, files] of trees) {
+    const arrows = files.map((file) => [relative(top, file), importedFrom(top, file)
+      .filter((target) => target.endsWith('.js'))]);
+    assert.deepEqual(wrongArrows(rooms, arrows), []);
+  }
 });
 
 test('includes in src name files that exist, from the root of src', () => {
@@ -93,9 +82,9 @@ test('no include is circular', () => {
 });
 
 test('the package imports only itself, and Node only where it runs in Node', () => {
-  const inNode = /\/(cli|cli_arguments|node|platform_node|worker_node)\.js$/;
+  const inNode = /\/(cli\/\w+|node|platform_node|worker_node)\.js$/;
   const wrong = packageFiles.flatMap((file) => importsOf(file)
-    .filter((name) => !(/^\.\/[a-z_]+\.m?js$/.test(name)
+    .filter((name) => !(/^\.\.?\/[a-z_/]+\.m?js$/.test(name)
       || (name.startsWith('node:') && inNode.test(file))))
     .map((name) => `${file} imports ${name}`));
   assert.deepEqual(wrong, []);
@@ -106,12 +95,13 @@ test('what runs in browsers does not reach what runs in Node', () => {
   const visit = (file) => {
     if (reached.has(file)) return;
     reached.add(file);
-    importsOf(`bindings/package/${file}`)
+    importedFrom('bindings/package', `bindings/package/${file}`)
       .filter((name) => name.endsWith('.js'))
-      .forEach((name) => visit(name.slice(2)));
+      .forEach(visit);
   };
   ['index.js', 'worker.js'].forEach(visit);
-  assert.deepEqual([...reached].filter((file) => /(^|_)node\.js$|^cli[._]/.test(file)), []);
+  assert.ok(reached.size > 10, 'the walk goes through the package');
+  assert.deepEqual([...reached].filter((file) => /(^|_)node\.js$|^cli\//.test(file)), []);
 });
 
 test('no import is circular', () => {
@@ -123,7 +113,7 @@ test('no import is circular', () => {
 
 test('the page knows the package by its public name alone', () => {
   const wrong = pageFiles.flatMap((file) => importsOf(file)
-    .filter((name) => /bindings|dist\/|^\.\.\//.test(name))
+    .filter((name) => /bindings|dist\/|^\.\.\/\.\.\//.test(name))
     .map((name) => `${file} imports ${name}`));
   assert.deepEqual(wrong, []);
 });

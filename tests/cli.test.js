@@ -9,11 +9,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { referencesOf } from '../dist/resources.js';
+import { referencesOf } from '../dist/codecs/resources.js';
 import { root } from './support/tree.js';
 import { offText, torus } from './support/shapes.js';
 
-const cli = join(root, 'dist/cli.js');
+const cli = join(root, 'dist/cli/cli.js');
 const folder = mkdtempSync(join(tmpdir(), 'remesher-cli-'));
 after(() => rmSync(folder, { recursive: true }));
 

@@ -6,11 +6,11 @@ import { test } from 'node:test';
 
 import { RemeshError } from 'remesher';
 
-import { createApi } from '../dist/api.js';
-import { Engine, instantiate } from '../dist/engine.js';
-import { errorCodes } from '../dist/errors.js';
+import { createApi } from '../dist/api/api.js';
+import { Engine, instantiate } from '../dist/worker/engine.js';
+import { errorCodes } from '../dist/base/errors.js';
 import * as platform from '../dist/platform_node.js';
-import { compileBinary, compileUrl } from '../dist/wasm_source.js';
+import { compileBinary, compileUrl } from '../dist/api/wasm_source.js';
 import { rejectsWith } from './support/errors.js';
 import { torus } from './support/shapes.js';
 

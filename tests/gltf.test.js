@@ -8,7 +8,7 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import draco3d from 'draco3dgltf';
 import { inspect, remeshFile } from 'remesher';
 
-import { packGlb } from '../bindings/package/gltf_container.js';
+import { packGlb } from '../bindings/package/codecs/gltf_container.js';
 import { rejectsWith } from './support/errors.js';
 import { GltfMaker, openGltf, validate, valuesOf } from './support/gltf.js';
 import { sheet } from './support/shapes.js';

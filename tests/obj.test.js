@@ -82,8 +82,9 @@ test('an OBJ comes back with its groups, materials, normals, and texture in plac
   mkdirSync(join(folder, 'out'));
   writeFileSync(join(folder, 'torus.obj'), atlasObj());
   writeFileSync(join(folder, 'paint.mtl'), library);
-  const { status, stderr } = spawnSync(process.execPath, [join(root, 'dist/cli.js'), 'torus.obj',
-    '-o', 'out/torus.obj', '--vertices', '1500', '--quiet'], { cwd: folder, encoding: 'utf8' });
+  const { status, stderr } = spawnSync(process.execPath, [join(root, 'dist/cli/cli.js'),
+    'torus.obj', '-o', 'out/torus.obj', '--vertices', '1500', '--quiet'],
+  { cwd: folder, encoding: 'utf8' });
   assert.equal(status, 0, stderr);
   const text = readFileSync(join(folder, 'out/torus.obj'), 'utf8');
   assert.match(text, /^mtllib paint.mtl$/m);

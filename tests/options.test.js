@@ -6,8 +6,8 @@ import { test } from 'node:test';
 
 import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options';
 
-import { helpText, parseCommandLine } from '../dist/cli_arguments.js';
-import { instantiate } from '../dist/engine.js';
+import { helpText, parseCommandLine } from '../dist/cli/cli_arguments.js';
+import { instantiate } from '../dist/worker/engine.js';
 
 const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
   assert.equal(error.code, code);

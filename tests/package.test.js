@@ -59,9 +59,9 @@ test('types come first among the conditions, and the default last', () => {
 });
 
 test('what browsers load does not speak of Node', () => {
-  const files = ['index', 'api', 'client', 'engine', 'serve', 'worker', 'wasm_source', 'options',
-    'errors', 'platform_browser'].map((name) => `dist/${name}.js`);
-  for (const file of [...files, 'dist/remesher.mjs']) {
+  const files = ['index', 'platform_browser', 'worker', 'api/api', 'api/client',
+    'api/wasm_source', 'base/errors', 'base/options', 'worker/engine', 'worker/serve'];
+  for (const file of [...files.map((name) => `dist/${name}.js`), 'dist/remesher.mjs']) {
     const text = readFileSync(join(installed, file), 'utf8');
     assert.doesNotMatch(text, /['"]node:|require\(|new Function\b|\beval\(/, file);
   }

@@ -7,7 +7,7 @@ import { promisify } from 'node:util';
 
 import { init, remesh } from 'remesher';
 
-import { Client } from '../dist/client.js';
+import { Client } from '../dist/api/client.js';
 import * as platform from '../dist/platform_node.js';
 import { rejectsWith } from './support/errors.js';
 import { root } from './support/tree.js';

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The page's wiring: what happens when a model comes in, when a run is asked for, and when it ends.
-import { commandLine, readAddress, writeAddress } from './address.js';
-import { byId, element } from './dom.js';
-import { download, downloadButtons } from './downloads.js';
-import { modelFrom } from './files.js';
-import { count, degrees, withExtension } from './format.js';
-import { wireIntake } from './intake.js';
-import { announce, isAbort, showError, showProgress } from './messages.js';
-import { Panel } from './panel.js';
-import { modelFacts, reportView } from './report_view.js';
-import { samples } from './samples.js';
-import { Session } from './session.js';
-import { Stage } from './stage.js';
+import { commandLine, readAddress, writeAddress } from './model/address.js';
+import { byId, element } from './base/dom.js';
+import { download, downloadButtons } from './panel/downloads.js';
+import { modelFrom } from './model/files.js';
+import { count, degrees, withExtension } from './base/format.js';
+import { wireIntake } from './panel/intake.js';
+import { announce, isAbort, showError, showProgress } from './panel/messages.js';
+import { Panel } from './panel/panel.js';
+import { modelFacts, reportView } from './panel/report_view.js';
+import { samples } from './model/samples.js';
+import { Session } from './model/session.js';
+import { Stage } from './view/stage.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
@@ -58,7 +58,7 @@ async function showOriginal() {
   }
 }
 
-/** @param {Promise<import('./files.js').PathedFile[]>} items
+/** @param {Promise<import('./model/files.js').PathedFile[]>} items
  * @param {string | null} from a sample */
 function open(items, from) {
   return busy(async () => {
@@ -107,7 +107,7 @@ async function remesh() {
 /** @param {string} format */
 const save = (format) => busy(async () => download(await session.filesAs(format)));
 
-/** @param {import('./address.js').Values} values */
+/** @param {import('./model/address.js').Values} values */
 function commandView(values) {
   const name = session.model?.name ?? '';
   const command = commandLine(name, withExtension(name, 'remeshed.glb'), values);

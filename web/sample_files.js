@@ -2,7 +2,7 @@
 // Build step: writes the built-in models, which npm packages carry as JavaScript arrays, as OBJ
 // files into the built page.
 import { createRequire } from 'node:module';
-import { samples } from './samples.js';
+import { samples } from './model/samples.js';
 
 const require = createRequire(import.meta.url);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The package in Node.
 
-import { createApi } from './api.js';
+import { createApi } from './api/api.js';
 import * as platform from './platform_node.js';
 
-export { RemeshError } from './errors.js';
+export { RemeshError } from './base/errors.js';
 export const { init, remesh, remeshFile, convertFile, inspect } = createApi(platform);

@@ -2,7 +2,7 @@
 // What differs in browsers: where the WebAssembly is and how a worker is started. The two
 // `new URL(…, import.meta.url)` are written out so that bundlers see them.
 
-import { compileUrl } from './wasm_source.js';
+import { compileUrl } from './api/wasm_source.js';
 
 /** @returns {Promise<WebAssembly.Module>} */
 export function compileDefault() {
@@ -11,7 +11,7 @@ export function compileDefault() {
 
 export { compileUrl };
 
-/** @typedef {import('./client.js').WorkerPort} WorkerPort */
+/** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
 
 /** @returns {WorkerPort | undefined} undefined: there are no workers here */
 export function spawn() {

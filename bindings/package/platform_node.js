@@ -4,8 +4,8 @@
 import { readFile } from 'node:fs/promises';
 import { Worker } from 'node:worker_threads';
 
-import { RemeshError } from './errors.js';
-import { compileBinary, compileUrl as compileFetched } from './wasm_source.js';
+import { RemeshError } from './base/errors.js';
+import { compileBinary, compileUrl as compileFetched } from './api/wasm_source.js';
 
 /** @param {string | URL} url @returns {Promise<Uint8Array<ArrayBuffer> | undefined>} */
 async function readLocal(url) {
@@ -29,7 +29,7 @@ export function compileDefault() {
   return compileUrl(new URL('./remesher.wasm', import.meta.url));
 }
 
-/** @typedef {import('./client.js').WorkerPort} WorkerPort */
+/** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
 
 /** @returns {WorkerPort} */
 export function spawn() {

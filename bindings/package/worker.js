@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The worker in browsers.
 
-import { serve } from './serve.js';
+import { serve } from './worker/serve.js';
 
 const scope = /** @type {any} */ (globalThis);
 const receive = serve((message, transfer) => scope.postMessage(message, transfer));

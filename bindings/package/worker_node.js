@@ -3,6 +3,6 @@
 
 import { parentPort } from 'node:worker_threads';
 
-import { serve } from './serve.js';
+import { serve } from './worker/serve.js';
 
 parentPort?.on('message', serve((message, transfer) => parentPort?.postMessage(message, transfer)));

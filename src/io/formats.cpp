@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "io/gltf.h"
-#include "io/obj.h"
-#include "io/off.h"
+#include "io/gltf/gltf.h"
+#include "io/text/obj.h"
+#include "io/text/off.h"
 
 namespace remesher::io {
 namespace {

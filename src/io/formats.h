@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/file.h"
-#include "io/model.h"
+#include "io/model/model.h"
+#include "io/model/written_files.h"
 
 namespace remesher::io {
 
@@ -19,11 +20,6 @@ Model read(const File& file, const std::vector<File>& resources = {});
 
 // Throws Error: UNKNOWN_FORMAT, unless `write` knows the format of such a name.
 void requireWritable(const std::string& outputName);
-
-struct WrittenFiles {
-  std::vector<File> files;  // the one asked for first; the names of the others are relative to it
-  std::vector<Warning> warnings;
-};
 
 // The format follows the extension of `outputName`. Into the format it came from, a model takes
 // its whole scene along; into another, its parts where their instances are.

@@ -5,7 +5,7 @@
 
 #include "base/options.h"
 #include "operators/working_mesh.h"
-#include "surface/patch_atlas.h"
+#include "patches/patch_atlas.h"
 
 namespace remesher {
 

@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "operators/delaunay.h"
-#include "schemes/adapt.h"
-#include "schemes/boundaries.h"
-#include "schemes/fit.h"
-#include "schemes/lower_hausdorff.h"
-#include "schemes/polish.h"
-#include "schemes/relax.h"
-#include "schemes/subdivide.h"
-#include "schemes/sweeps.h"
+#include "accuracy/fit.h"
+#include "accuracy/lower_hausdorff.h"
+#include "accuracy/tips.h"
 #include "schemes/targets.h"
-#include "schemes/tips.h"
-#include "schemes/valence.h"
+#include "steps/adapt.h"
+#include "steps/boundaries.h"
+#include "steps/delaunay.h"
+#include "steps/polish.h"
+#include "steps/relax.h"
+#include "steps/subdivide.h"
+#include "steps/sweeps.h"
+#include "steps/valence.h"
 
 namespace remesher {
 

@@ -4,7 +4,7 @@
 // polish; fit; lower the largest distances; polish what slivers are left.
 #pragma once
 
-#include "schemes/run.h"
+#include "steps/run.h"
 
 namespace remesher {
 

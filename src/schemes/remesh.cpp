@@ -6,17 +6,17 @@
 #include <cmath>
 #include <optional>
 
+#include "accuracy/bound_error.h"
+#include "accuracy/poor_regions.h"
+#include "attributes/attribute_transfer.h"
+#include "attributes/curve_choice.h"
 #include "base/stopwatch.h"
 #include "mesh/mesh_builder.h"
-#include "schemes/adapt.h"
-#include "schemes/attribute_transfer.h"
 #include "schemes/best.h"
-#include "schemes/bound_error.h"
-#include "schemes/curve_choice.h"
-#include "schemes/poor_regions.h"
 #include "schemes/rounds.h"
-#include "schemes/split_obtuse.h"
 #include "schemes/targets.h"
+#include "steps/adapt.h"
+#include "steps/split_obtuse.h"
 
 namespace remesher {
 

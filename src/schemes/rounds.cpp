@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "operators/angles.h"
-#include "operators/delaunay.h"
-#include "schemes/adapt.h"
-#include "schemes/boundaries.h"
-#include "schemes/lengths.h"
-#include "schemes/split_obtuse.h"
-#include "schemes/sweeps.h"
+#include "gate/angles.h"
+#include "steps/adapt.h"
+#include "steps/boundaries.h"
+#include "steps/delaunay.h"
+#include "steps/lengths.h"
+#include "steps/split_obtuse.h"
+#include "steps/sweeps.h"
 
 namespace remesher {
 

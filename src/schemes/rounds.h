@@ -2,7 +2,7 @@
 // `--scheme rounds`: the report's Algorithm 2, step by step.
 #pragma once
 
-#include "schemes/run.h"
+#include "steps/run.h"
 
 namespace remesher {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/options.h"
+#include "curves/feature_curves.h"
 #include "mesh/mesh_builder.h"
-#include "surface/feature_curves.h"
 #include "surface/size_field.h"
 
 namespace remesher {

@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "curves/feature_curves.h"
+#include "geometry/surface_point.h"
 #include "mesh/mesh_builder.h"
-#include "surface/feature_curves.h"
-#include "surface/surface_point.h"
 
 namespace remesher {
 

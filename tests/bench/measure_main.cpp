@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/bake.h"
 #include "io/formats.h"
+#include "io/model/bake.h"
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"

@@ -29,12 +29,12 @@ export default [
     },
   },
   {
-    files: ['bindings/build.js', 'bindings/package/*node.js', 'bindings/package/cli*.js',
+    files: ['bindings/build.js', 'bindings/package/*node.js', 'bindings/package/cli/*.js',
       'tests/**', 'web/serve.js'],
     languageOptions: { globals: globals.node },
   },
   {
-    files: ['bindings/package/*.js', 'web/**/*.js', 'tests/**'],
+    files: ['bindings/package/**/*.js', 'web/**/*.js', 'tests/**'],
     languageOptions: { globals: globals.browser },
   },
 ];

@@ -2,7 +2,7 @@
 // glTF files made by tests, looked into, and judged by the Khronos validator.
 import validator from 'gltf-validator';
 
-import { openContainer, packGlb } from '../../bindings/package/gltf_container.js';
+import { openContainer, packGlb } from '../../bindings/package/codecs/gltf_container.js';
 
 const componentTypes = new Map([[Int8Array, 5120], [Uint8Array, 5121], [Int16Array, 5122],
   [Uint16Array, 5123], [Uint32Array, 5125], [Float32Array, 5126]]);

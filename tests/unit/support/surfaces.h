@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/surface_point.h"
 #include "mesh/mesh_builder.h"
 #include "support/shapes.h"
-#include "surface/surface_point.h"
 
 namespace remesher::surfaces {
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The public functions, for whichever platform they are made: each has what the caller gave checked
+// and copied, and hands a job to the client.
+
+import { Client } from './client.js';
+import { RemeshError } from '../base/errors.js';
+import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
+import { checkOptions, requireObject } from '../base/options.js';
+import { compileBinary } from './wasm_source.js';
+
+/** @typedef {import('../base/messages.js').Mesh} Mesh */
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+/** @typedef {import('../base/messages.js').Inspection} Inspection */
+/** @typedef {import('../base/messages.js').RemeshReport} RemeshReport */
+/** @typedef {import('../base/options.js').RemeshOptions} RemeshOptions */
+/** @typedef {import('./client.js').RunOptions} RunOptions */
+/** @typedef {import('./inputs.js').Bytes} Bytes */
+/** @typedef {import('./inputs.js').FileOptions} FileOptions */
+/** @typedef {import('./inputs.js').OutputOptions} OutputOptions */
+
+/**
+ * @typedef {object} InitOptions
+ * @property {string | URL} [wasmUrl] where remesher.wasm is, if not beside the script
+ * @property {BufferSource} [wasmBinary] its bytes, if they are there already
+ */
+
+/** @typedef {{ mesh: Mesh, report: RemeshReport }} RemeshResult */
+
+/**
+ * @typedef {object} RemeshFileResult
+ * @property {string} name
+ * @property {Uint8Array} bytes
+ * @property {NamedBytes[]} files this file first, then those it refers to (a .bin, a .mtl)
+ * @property {RemeshReport} report
+ */
+
+/** @typedef {Omit<RemeshFileResult, 'report'>} ConvertFileResult */
+
+const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
+const fileNames = /** @type {const} */ (['name', 'resources']);
+
+/** @param {import('./client.js').Platform} platform */
+export function createApi(platform) {
+  const client = new Client(platform);
+
+  /**
+   * Loads the WebAssembly and starts the worker ahead of time. Optional, and cheap to repeat: the
+   * first call decides where the WebAssembly comes from.
+   * @param {InitOptions} [options]
+   * @returns {Promise<void>}
+   */
+  async function init(options = {}) {
+    refuseOthers(options, ['wasmUrl', 'wasmBinary']);
+    const { wasmUrl, wasmBinary } = options;
+    checkSource(wasmUrl, wasmBinary);
+    if (wasmBinary) await client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
+    else if (wasmUrl) await client.load(() => platform.compileUrl(wasmUrl));
+    await client.warmUp();
+  }
+
+  /**
+   * Remeshes a mesh. Its arrays are copied, and stay the caller's.
+   * @param {Mesh} mesh
+   * @param {RemeshOptions & RunOptions} [options]
+   * @returns {Promise<RemeshResult>}
+   */
+  async function remesh(mesh, options = {}) {
+    const checked = checkOptions(options, { others: runNames });
+    const copy = copyMesh(mesh);
+    return client.run({ kind: 'remesh', mesh: copy, options: checked }, buffersOf(copy), options);
+  }
+
+  /**
+   * Remeshes a file, given and returned as bytes.
+   * @param {Bytes} bytes
+   * @param {RemeshOptions & FileOptions & OutputOptions & RunOptions} options
+   * @returns {Promise<RemeshFileResult>}
+   */
+  async function remeshFile(bytes, options = {}) {
+    const checked = checkOptions(options, { others: [...runNames, ...fileNames, 'output'] });
+    const file = await fileRequest(bytes, options);
+    const { files, report } = await client.run(
+      { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, report };
+  }
+
+  /**
+   * Writes a file in another format; its triangles stay as they are.
+   * @param {Bytes} bytes
+   * @param {FileOptions & OutputOptions & RunOptions} options
+   * @returns {Promise<ConvertFileResult>}
+   */
+  async function convertFile(bytes, options = {}) {
+    refuseOthers(options, [...runNames, ...fileNames, 'output']);
+    const file = await fileRequest(bytes, options);
+    const { files } = await client.run({ kind: 'convertFile', file }, fileBuffers(file), options);
+    return { ...files[0], files };
+  }
+
+  /**
+   * Reports on a file or a mesh; changes nothing.
+   * @param {Bytes | Mesh} bytesOrMesh
+   * @param {FileOptions & RunOptions} [options]
+   * @returns {Promise<Inspection>}
+   */
+  async function inspect(bytesOrMesh, options = {}) {
+    refuseOthers(options, [...runNames, ...fileNames]);
+    if (isBytes(bytesOrMesh)) {
+      const file = await fileRequest(bytesOrMesh, options);
+      return client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
+    }
+    const copy = copyMesh(bytesOrMesh);
+    return client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
+  }
+
+  return { init, remesh, remeshFile, convertFile, inspect };
+}
+
+/** @param {unknown} wasmUrl @param {unknown} wasmBinary */
+function checkSource(wasmUrl, wasmBinary) {
+  if (wasmUrl !== undefined && typeof wasmUrl !== 'string' && !(wasmUrl instanceof URL)) {
+    throw new RemeshError('INVALID_OPTION', 'wasmUrl must be a string or a URL.');
+  }
+  if (wasmBinary !== undefined && !ArrayBuffer.isView(wasmBinary)
+    && !(wasmBinary instanceof ArrayBuffer)) {
+    throw new RemeshError('INVALID_OPTION', 'wasmBinary must be an ArrayBuffer or a typed array.');
+  }
+}
+
+/** @param {object} options @param {readonly string[]} known */
+function refuseOthers(options, known) {
+  requireObject(options);
+  const unknown = Object.keys(options).find((name) => !known.includes(name));
+  if (unknown) {
+    throw new RemeshError('UNKNOWN_OPTION', `There is no option ${unknown} here.`,
+      `There are ${known.join(', ')}.`);
+  }
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Who runs a job: one worker, kept warm, one job at a time in the order of asking; or an engine in
+// the calling thread where there are no workers or none is wanted. Aborting a running job
+// terminates its worker, which frees all it held; the next job starts another from the module
+// compiled already. Every promise settles.
+
+import { RemeshError, abortError } from '../base/errors.js';
+
+/** @typedef {import('../base/messages.js').Job} Job */
+/** @typedef {import('../base/messages.js').ToWorker} ToWorker */
+/** @typedef {import('../base/messages.js').FromWorker} FromWorker */
+/** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
+
+/**
+ * A worker, the same in browsers and Node.
+ * @typedef {object} WorkerPort
+ * @property {(message: ToWorker, transfer: ArrayBuffer[]) => void} post
+ * @property {(onMessage: (message: FromWorker) => void, onFailure: (why: string) => void) => void}
+ *   listen
+ * @property {() => void} terminate
+ * @property {(busy: boolean) => void} keepAlive whether the process must wait for it
+ */
+
+/**
+ * @typedef {object} Platform
+ * @property {() => Promise<WebAssembly.Module>} compileDefault
+ * @property {(url: string | URL) => Promise<WebAssembly.Module>} compileUrl
+ * @property {() => WorkerPort | undefined} spawn
+ */
+
+/**
+ * @typedef {object} RunOptions
+ * @property {AbortSignal} [signal]
+ * @property {(event: ProgressEvent) => void} [onProgress]
+ * @property {boolean} [worker] false: run in the calling thread
+ */
+
+/**
+ * @typedef {object} Task
+ * @property {Job} job
+ * @property {ArrayBuffer[]} transfer the buffers the job owns
+ * @property {AbortSignal | undefined} signal
+ * @property {((event: ProgressEvent) => void) | undefined} onProgress
+ * @property {(result: any) => void} resolve
+ * @property {(error: unknown) => void} reject
+ */
+
+/** @param {RunOptions} options */
+function checkRun({ signal, onProgress, worker }) {
+  /** @param {string} what @returns {never} */
+  const refuse = (what) => {
+    throw new RemeshError('INVALID_OPTION', what);
+  };
+  if (typeof (signal ?? new EventTarget()).addEventListener !== 'function') {
+    refuse('signal must be an AbortSignal.');
+  }
+  if (typeof (onProgress ?? refuse) !== 'function') refuse('onProgress must be a function.');
+  if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
+}
+
+export class Client {
+  #platform;
+  /** @type {Promise<WebAssembly.Module> | undefined} */
+  #module;
+  /** @type {Promise<import('../worker/engine.js').Engine> | undefined} */
+  #engine;
+  /** @type {WorkerPort | undefined} */
+  #worker;
+  /** @type {Task[]} the first is running, if #isRunning */
+  #tasks = [];
+  #isRunning = false;
+
+  /** @param {Platform} platform */
+  constructor(platform) {
+    this.#platform = platform;
+  }
+
+  /**
+   * The compiled module; the first call says where it comes from, a failed one may be repeated.
+   * @param {() => Promise<WebAssembly.Module>} compile
+   */
+  load(compile = () => this.#platform.compileDefault()) {
+    if (!this.#module) {
+      this.#module = compile();
+      this.#module.catch(() => (this.#module = undefined));
+    }
+    return this.#module;
+  }
+
+  /**
+   * @param {Job} job
+   * @param {ArrayBuffer[]} transfer
+   * @param {RunOptions} options
+   * @returns {Promise<any>}
+   */
+  async run(job, transfer, options) {
+    checkRun(options);
+    const { signal, onProgress, worker = true } = options;
+    if (signal?.aborted) throw abortError();
+    if (!worker) return this.#runHere(job, { signal, onProgress });
+    return new Promise((resolve, reject) => {
+      /** @type {Task} */
+      const task = { job, transfer, signal, onProgress, resolve, reject };
+      const abort = () => this.#abort(task);
+      signal?.addEventListener('abort', abort, { once: true });
+      task.resolve = (result) => {
+        signal?.removeEventListener('abort', abort);
+        resolve(result);
+      };
+      task.reject = (error) => {
+        signal?.removeEventListener('abort', abort);
+        reject(error);
+      };
+      this.#tasks.push(task);
+      void this.#startNext();
+    });
+  }
+
+  /** Makes the worker, if there can be one. @returns {Promise<WorkerPort | undefined>} */
+  async warmUp() {
+    const module = await this.load();
+    if (this.#worker) return this.#worker;
+    const worker = this.#platform.spawn();
+    if (!worker) return undefined;
+    this.#worker = worker;
+    worker.listen(
+      (message) => this.#receive(worker, message),
+      (why) => this.#fail(worker, why));
+    worker.post({ type: 'start', module }, []);
+    worker.keepAlive(false);
+    return worker;
+  }
+
+  async #startNext() {
+    const [task] = this.#tasks;
+    if (this.#isRunning || !task) return;
+    this.#isRunning = true;
+    try {
+      const worker = await this.warmUp();
+      if (this.#tasks[0] !== task) return; // aborted meanwhile
+      if (!worker) {
+        const result = await this.#runHere(task.job, task);
+        this.#finish(task).resolve(result);
+        return;
+      }
+      worker.keepAlive(true);
+      worker.post({ type: 'job', job: task.job, progress: Boolean(task.onProgress) },
+        task.transfer);
+    } catch (error) {
+      if (this.#tasks[0] === task) this.#finish(task).reject(error);
+    }
+  }
+
+  /** Takes the running task off the queue and lets the next one start. @param {Task} task */
+  #finish(task) {
+    this.#tasks.shift();
+    this.#isRunning = false;
+    this.#worker?.keepAlive(false);
+    void this.#startNext();
+    return task;
+  }
+
+  /** @param {Task} task */
+  #abort(task) {
+    if (this.#tasks[0] === task && this.#isRunning) {
+      this.#worker?.terminate();
+      this.#worker = undefined;
+      this.#finish(task);
+    } else {
+      this.#tasks = this.#tasks.filter((other) => other !== task);
+    }
+    task.reject(abortError());
+  }
+
+  /** @param {WorkerPort} worker @param {FromWorker} message */
+  #receive(worker, message) {
+    if (worker !== this.#worker || !this.#isRunning) return;
+    const [task] = this.#tasks;
+    if (message.type === 'progress') {
+      this.#report(task, message.event);
+    } else if (message.type === 'done') {
+      this.#finish(task).resolve(message.result);
+    } else {
+      const { code, message: text, hint } = message.failure;
+      this.#finish(task).reject(new RemeshError(code, text, hint));
+    }
+  }
+
+  /** A listener that throws ends its run. @param {Task} task @param {ProgressEvent} event */
+  #report(task, event) {
+    try {
+      task.onProgress?.(event);
+    } catch (error) {
+      task.reject(error);
+      this.#abort(task);
+    }
+  }
+
+  /** @param {WorkerPort} worker @param {string} why */
+  #fail(worker, why) {
+    if (worker !== this.#worker) return;
+    worker.terminate();
+    this.#worker = undefined;
+    if (!this.#isRunning) return;
+    this.#finish(this.#tasks[0]).reject(new RemeshError('INTERNAL',
+      `The worker failed: ${why || 'its script cannot be loaded'}.`,
+      'Check that worker.js is served beside the script, or pass worker: false.'));
+  }
+
+  /**
+   * @param {Job} job
+   * @param {{ signal?: AbortSignal, onProgress?: (event: ProgressEvent) => void }} options
+   */
+  async #runHere(job, { signal, onProgress }) {
+    this.#engine ??= Promise.all([import('../worker/engine.js'), this.load()])
+      .then(([{ Engine }, module]) => new Engine(module));
+    this.#engine.catch(() => (this.#engine = undefined));
+    const engine = await this.#engine;
+    if (signal?.aborted) throw abortError();
+    /** @type {unknown} */
+    let thrown;
+    /** @param {ProgressEvent} event */
+    const listen = (event) => {
+      try {
+        onProgress?.(event);
+      } catch (error) {
+        thrown = error;
+      }
+      return thrown === undefined && !signal?.aborted;
+    };
+    try {
+      return await engine.run(job, onProgress || signal ? listen : undefined);
+    } catch (error) {
+      if (thrown !== undefined) throw thrown;
+      throw signal?.aborted ? abortError() : error;
+    }
+  }
+}

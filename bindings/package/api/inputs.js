@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// What the caller gives, meshes and files, checked and copied: the caller's arrays stay the
+// caller's, and the copies can be handed over to a worker.
+
+import { RemeshError } from '../base/errors.js';
+
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
+/** @typedef {import('../base/messages.js').Mesh} Mesh */
+/** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
+
+/** @typedef {Uint8Array | ArrayBuffer | Blob} Bytes */
+
+/**
+ * @typedef {object} FileOptions
+ * @property {string} [name] the file's name; its extension tells the format
+ * @property {Record<string, Bytes>} [resources] files it refers to, by the names it uses for them
+ */
+
+/**
+ * @typedef {object} OutputOptions
+ * @property {string} [output] a name, or a bare format; the input's if not given
+ */
+
+/** @param {string} message @param {string} [hint] @returns {never} */
+function refuseMesh(message, hint) {
+  throw new RemeshError('INVALID_MESH', message, hint);
+}
+
+/** @param {unknown} value */
+function isArrayOfNumbers(value) {
+  return ArrayBuffer.isView(value) && !(value instanceof DataView)
+    && !(value instanceof BigInt64Array) && !(value instanceof BigUint64Array);
+}
+
+/** A copy, on memory of its own. @template Values @param {Values} array @param {string} label */
+function copyArray(array, label) {
+  try {
+    return /** @type {Values} */ (new (/** @type {any} */ (array).constructor)(array));
+  } catch (cause) {
+    throw new RemeshError('INVALID_MESH', `${label} has lost its memory.`,
+      'Its buffer was transferred elsewhere: give a copy there, or here.', { cause });
+  }
+}
+
+/** @param {unknown} mesh @returns {Mesh} the same in arrays of our own */
+export function copyMesh(mesh) {
+  if (typeof mesh !== 'object' || mesh === null) {
+    refuseMesh('The mesh must be an object { positions, indices, attributes }.',
+      'Of a file, give the bytes.');
+  }
+  const { positions, indices, attributes } = /** @type {any} */ (mesh);
+  if (!(positions instanceof Float32Array || positions instanceof Float64Array)) {
+    refuseMesh('mesh.positions must be a Float32Array or a Float64Array.');
+  }
+  if (!(indices instanceof Uint32Array || indices instanceof Uint16Array)) {
+    refuseMesh('mesh.indices must be a Uint32Array or a Uint16Array.',
+      'For a mesh without indices, give 0, 1, 2, …: equal positions are welded.');
+  }
+  if (positions.length % 3 !== 0) {
+    refuseMesh(`mesh.positions has ${positions.length} numbers, which is not a multiple of 3.`);
+  }
+  if (indices.length % 3 !== 0) {
+    refuseMesh(`mesh.indices has ${indices.length} numbers, which is not a multiple of 3.`);
+  }
+  return {
+    positions: copyArray(positions, 'mesh.positions'),
+    indices: copyArray(indices, 'mesh.indices'),
+    attributes: copyAttributes(attributes ?? {}, positions.length / 3),
+  };
+}
+
+/** @param {Record<string, MeshAttribute>} attributes @param {number} vertexCount */
+function copyAttributes(attributes, vertexCount) {
+  /** @type {Record<string, MeshAttribute>} */
+  const result = {};
+  for (const [semantic, attribute] of Object.entries(attributes)) {
+    const { array, itemSize } = attribute ?? {};
+    if (!isArrayOfNumbers(array) || !Number.isInteger(itemSize) || itemSize < 1) {
+      refuseMesh(`mesh.attributes.${semantic} must be { array, itemSize }, a typed array and a `
+        + 'whole number.');
+    }
+    if (array.length !== vertexCount * itemSize) {
+      refuseMesh(`mesh.attributes.${semantic} has ${array.length} numbers, but ${vertexCount} `
+        + `vertices × ${itemSize} are ${vertexCount * itemSize}.`);
+    }
+    result[semantic] = { array: copyArray(array, `mesh.attributes.${semantic}`), itemSize };
+  }
+  return result;
+}
+
+/** @param {Mesh} mesh @returns {ArrayBuffer[]} */
+export function buffersOf(mesh) {
+  const arrays = [mesh.positions, mesh.indices,
+    ...Object.values(mesh.attributes ?? {}).map(({ array }) => array)];
+  return arrays.map((array) => /** @type {ArrayBuffer} */ (array.buffer));
+}
+
+/** @param {unknown} value @returns {value is Bytes} */
+export function isBytes(value) {
+  return value instanceof Uint8Array || value instanceof ArrayBuffer
+    || (typeof Blob !== 'undefined' && value instanceof Blob);
+}
+
+/** @param {unknown} value @param {string} label @returns {Promise<Uint8Array<ArrayBuffer>>} */
+async function copyBytes(value, label) {
+  if (!isBytes(value)) {
+    throw new RemeshError('PARSE_ERROR',
+      `${label} must be a Uint8Array, an ArrayBuffer or a Blob.`);
+  }
+  try {
+    if (value instanceof Uint8Array) return new Uint8Array(value);
+    const buffer = value instanceof ArrayBuffer ? value.slice(0) : await value.arrayBuffer();
+    return new Uint8Array(buffer);
+  } catch (cause) {
+    throw new RemeshError('PARSE_ERROR', `${label} cannot be read: its memory or its file is gone.`,
+      'Was its buffer transferred elsewhere?', { cause });
+  }
+}
+
+/**
+ * @param {unknown} bytes
+ * @param {FileOptions & OutputOptions} options
+ * @returns {Promise<FileRequest>}
+ */
+export async function fileRequest(bytes, { name, output, resources = {} }) {
+  const givenName = name ?? /** @type {any} */ (bytes)?.name ?? '';
+  if (typeof givenName !== 'string' || !(output === undefined || typeof output === 'string')) {
+    throw new RemeshError('INVALID_OPTION', 'name and output must be strings.');
+  }
+  if (typeof resources !== 'object' || resources === null) {
+    throw new RemeshError('INVALID_OPTION', 'resources must be an object of bytes by name.');
+  }
+  const files = [];
+  for (const [resource, content] of Object.entries(resources)) {
+    files.push({ name: resource, bytes: await copyBytes(content, `resources['${resource}']`) });
+  }
+  return {
+    name: givenName || 'The file',
+    bytes: await copyBytes(bytes, 'The file'),
+    resources: files,
+    output: outputName(givenName, output),
+  };
+}
+
+/**
+ * `glb` becomes the input's name with that extension.
+ * @param {string} name
+ * @param {string} [output]
+ */
+function outputName(name, output) {
+  if (output === undefined) return name;
+  if (output.includes('.')) return output;
+  return `${name.replace(/\.[^./\\]*$/, '') || 'remeshed'}.${output}`;
+}
+
+/** @param {FileRequest} file @returns {ArrayBuffer[]} */
+export function fileBuffers(file) {
+  return [file, ...file.resources].map(({ bytes }) => /** @type {ArrayBuffer} */ (bytes.buffer));
+}

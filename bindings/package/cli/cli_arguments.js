@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The command line's words: parsing by the option table, and the help made from it.
+
+import { RemeshError } from '../base/errors.js';
+import { checkOptions, checkValue, defaultOf, nearest, optionTable } from '../base/options.js';
+
+/** @typedef {import('../base/options.js').Option} Option */
+
+/**
+ * @typedef {object} CommandLine
+ * @property {'remesh' | 'inspect' | 'help' | 'version'} command
+ * @property {string} input
+ * @property {string} output
+ * @property {string} format for output to '-'
+ * @property {boolean} json
+ * @property {boolean} quiet
+ * @property {Record<string, unknown>} options
+ */
+
+/** The flags that are the command line's own. */
+const ownFlags = [
+  { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
+  { flag: '--format F', help: 'glb, gltf, obj or off: the format written to -' },
+  { flag: '--json', help: 'the report, and nothing else, on standard output' },
+  { flag: '--quiet', help: 'no progress bar' },
+  { flag: '-h, --help', help: 'this text' },
+  { flag: '--version', help: 'the version' },
+];
+
+/** `--vertices` of '--vertices N'. @param {Option} option */
+function flagOf(option) {
+  return option.flag?.split(' ')[0];
+}
+
+const tableFlags = new Map(optionTable.flatMap((option) => {
+  const flag = flagOf(option);
+  return flag ? [/** @type {const} */ ([flag, option])] : [];
+}));
+const valueFlags = ['-o', '--output', '--format'];
+const plainFlags = ['--json', '--quiet', '-h', '--help', '--version'];
+
+/** @param {string} message @param {string} [hint] */
+function wrongUse(message, hint = 'remesher --help lists the options.') {
+  return new RemeshError('INVALID_OPTION', message, hint);
+}
+
+/** @param {Option} option @param {string} text */
+function valueFrom(option, text) {
+  const isNumber = option.type === 'integer' || option.type === 'number';
+  const value = isNumber && text.trim() !== '' && text !== 'off' ? Number(text) : text;
+  checkValue(option, Number.isNaN(value) ? text : value, String(flagOf(option)));
+  return value;
+}
+
+/** @param {string} flag */
+function unknownFlag(flag) {
+  const meant = nearest(flag, [...tableFlags.keys(), ...valueFlags, ...plainFlags]);
+  return new RemeshError('UNKNOWN_OPTION', `There is no option ${flag}.`,
+    meant ? `Did you mean ${meant}?` : 'remesher --help lists the options.');
+}
+
+/**
+ * Splits `--flag=value`, and gives each flag the word that follows if it needs one.
+ * @param {readonly string[]} words
+ */
+function* tokens(words) {
+  for (let i = 0; i < words.length; i += 1) {
+    const word = words[i];
+    if (word === '-' || !word.startsWith('-')) {
+      yield { flag: '', value: word };
+      continue;
+    }
+    const [, flag, inline] = /^(--?[^=]*)(?:=(.*))?$/s.exec(word) ?? [];
+    const option = tableFlags.get(flag);
+    const isPlain = plainFlags.includes(flag) || option?.type === 'boolean';
+    if (!isPlain && !option && !valueFlags.includes(flag)) throw unknownFlag(flag);
+    if (isPlain && inline !== undefined) throw wrongUse(`${flag} takes no value.`);
+    const value = isPlain ? '' : inline ?? words[(i += 1)];
+    if (value === undefined) throw wrongUse(`${flag} needs a value.`);
+    yield { flag, value };
+  }
+}
+
+/** @param {CommandLine} line @param {string} flag @param {string} value */
+function setOwn(line, flag, value) {
+  if (flag === '-o' || flag === '--output') line.output = value;
+  if (flag === '--format') line.format = value.replace(/^\./, '').toLowerCase();
+  if (flag === '--json') line.json = true;
+  if (flag === '--quiet') line.quiet = true;
+  if (flag === '-h' || flag === '--help') line.command = 'help';
+  if (flag === '--version') line.command = 'version';
+}
+
+/** @param {CommandLine} line @param {readonly string[]} names */
+function setNames(line, names) {
+  const isInspection = names[0] === 'inspect';
+  const [input, extra] = isInspection ? names.slice(1) : names;
+  if (line.command === 'help' || line.command === 'version') return;
+  if (input === undefined) {
+    throw wrongUse('No input file is given.', 'Use: remesher <input> -o <output> [options]');
+  }
+  if (extra !== undefined) {
+    throw wrongUse(`There are two input files, ${input} and ${extra}.`,
+      'Name the output with -o <output>.');
+  }
+  line.input = input;
+  if (isInspection) line.command = 'inspect';
+}
+
+/** @param {CommandLine} line */
+function checkOutput(line) {
+  if (line.command !== 'remesh') return;
+  if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
+  if (line.output === '-' && line.format === '') {
+    throw wrongUse('Output to - needs a format.', 'Add --format glb, obj or off.');
+  }
+  if (line.output === '-' && line.json) {
+    throw wrongUse('--json and -o - both want standard output.', 'Write to a file instead.');
+  }
+}
+
+/** @param {readonly string[]} words @returns {CommandLine} */
+export function parseCommandLine(words) {
+  /** @type {CommandLine} */
+  const line = {
+    command: 'remesh', input: '', output: '', format: '', json: false, quiet: false, options: {},
+  };
+  const names = [];
+  for (const { flag, value } of tokens(words)) {
+    const option = tableFlags.get(flag);
+    if (option) line.options[option.name] = value === '' || valueFrom(option, value);
+    else if (flag === '') names.push(value);
+    else setOwn(line, flag, value);
+  }
+  setNames(line, names);
+  checkOutput(line);
+  line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
+  return line;
+}
+
+/** @param {string} flag @param {string} text */
+function helpRow(flag, text) {
+  const indent = ' '.repeat(26);
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const last = lines.length - 1;
+    if (`${lines[last]} ${word}`.length > 72) lines.push(word);
+    else lines[last] = `${lines[last]} ${word}`.trim();
+  }
+  return `  ${flag.padEnd(23)} ${lines.join(`\n${indent}`)}`;
+}
+
+/** @param {Option} option */
+function optionHelp(option) {
+  const flag = option.choices
+    ? `${flagOf(option)} ${option.choices.join('|')}`
+    : `${option.flag}${option.off ? '|off' : ''}`;
+  const [best, rounds] = [defaultOf(option, 'best'), defaultOf(option, 'rounds')];
+  const value = best === rounds ? String(best) : `${best}; ${rounds} with rounds`;
+  const shown = best === undefined || best === false ? '' : ` (default: ${value})`;
+  const unit = option.unit ? `; ${option.unit}` : '';
+  const text = `${option.help}${unit}${shown}`;
+  return flag.length > 22 ? `  ${flag}\n${helpRow('', text)}` : helpRow(flag, text);
+}
+
+export function helpText() {
+  const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
+  return [
+    'remesher <input> -o <output> [options]     remesh a file',
+    'remesher inspect <input> [--json]          report on a file, change nothing',
+    '',
+    'The formats follow the extensions: .glb .gltf .obj .off.',
+    '',
+    ...rows,
+    '',
+    ...ownFlags.map(({ flag, help }) => helpRow(flag, help)),
+    '',
+    'Exit status: 0 done; 2 the arguments or the file are at fault; 1 our fault.',
+    '',
+  ].join('\n');
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Compressed glTF becomes plain glTF before the core sees it: EXT_meshopt_compression (and its
+// successor KHR_meshopt_compression) and KHR_draco_mesh_compression. The decoders are loaded when
+// the first file needs them. What is decompressed is a GLB whatever it was: all its buffers in one.
+
+import { decodeDracoPrimitives, dracoExtension } from './draco.js';
+import { RemeshError } from '../base/errors.js';
+import { openContainer, packGlb } from './gltf_container.js';
+
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+
+const meshoptExtensions = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
+const compressions = [...meshoptExtensions, dracoExtension];
+
+/** @param {string} path */
+const baseName = (path) => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+
+/** @param {NamedBytes[]} resources @param {string} uri */
+function findResource(resources, uri) {
+  const decoded = decodeURIComponent(uri);
+  const exact = resources.find(({ name }) => name === uri || name === decoded);
+  const alike = resources.filter(({ name }) => baseName(name) === baseName(decoded));
+  return exact ?? (alike.length === 1 ? alike[0] : undefined);
+}
+
+/** @param {string} uri */
+function decodeDataUri(uri) {
+  const [head, data] = [uri.slice(0, uri.indexOf(',')), uri.slice(uri.indexOf(',') + 1)];
+  if (!head.endsWith(';base64')) return new TextEncoder().encode(decodeURIComponent(data));
+  return Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+}
+
+/**
+ * The bytes of each buffer; of those that only stand in for compressed data, none.
+ * @param {any} tree
+ * @param {Uint8Array | undefined} chunk
+ * @param {FileRequest} file
+ * @returns {Uint8Array[]}
+ */
+function loadBuffers(tree, chunk, file) {
+  return (tree.buffers ?? []).map((/** @type {any} */ { uri }, /** @type {number} */ i) => {
+    if (uri === undefined) return i === 0 && chunk ? chunk : new Uint8Array();
+    if (uri.startsWith('data:')) return decodeDataUri(uri);
+    const resource = findResource(file.resources, uri);
+    if (!resource) {
+      throw new RemeshError('MISSING_RESOURCE',
+        `${file.name}: it needs ${uri}, which was not given.`,
+        `Keep ${uri} beside the file, or give both together.`);
+    }
+    return resource.bytes;
+  });
+}
+
+/**
+ * @param {Uint8Array} bytes
+ * @param {{ byteOffset?: number, byteLength: number }} view
+ */
+function slice(bytes, { byteOffset = 0, byteLength }) {
+  if (byteOffset + byteLength > bytes.length) throw new Error('a range reaches beyond its buffer');
+  return bytes.subarray(byteOffset, byteOffset + byteLength);
+}
+
+/**
+ * The bytes that each buffer view shows, decompressed.
+ * @param {any} tree
+ * @param {Uint8Array[]} buffers
+ * @returns {Promise<Uint8Array[]>}
+ */
+async function loadBufferViews(tree, buffers) {
+  const decoded = [];
+  for (const view of tree.bufferViews ?? []) {
+    const name = meshoptExtensions.find((extension) => view.extensions?.[extension]);
+    if (!name) {
+      decoded.push(slice(buffers[view.buffer], view));
+      continue;
+    }
+    const { buffer, count, byteStride, mode, filter, ...range } = view.extensions[name];
+    const { MeshoptDecoder } = await import('../meshopt_decoder.mjs');
+    await MeshoptDecoder.ready;
+    const target = new Uint8Array(count * byteStride);
+    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, slice(buffers[buffer], range),
+      mode, filter);
+    decoded.push(target);
+    removeExtension(view, name);
+  }
+  return decoded;
+}
+
+/** @param {any} object @param {string} name */
+function removeExtension(object, name) {
+  delete object.extensions[name];
+  if (Object.keys(object.extensions).length === 0) delete object.extensions;
+}
+
+/** @param {any} tree */
+function forgetCompressions(tree) {
+  for (const list of ['extensionsUsed', 'extensionsRequired']) {
+    if (!tree[list]) continue;
+    tree[list] = tree[list].filter((/** @type {string} */ name) => !compressions.includes(name));
+    if (tree[list].length === 0) delete tree[list];
+  }
+}
+
+/**
+ * All buffer views in one buffer.
+ * @param {any} tree
+ * @param {Uint8Array[]} contents per buffer view
+ * @returns {Uint8Array}
+ */
+function joinBuffers(tree, contents) {
+  const alignment = 8;
+  let length = 0;
+  contents.forEach((bytes, i) => {
+    Object.assign(tree.bufferViews[i],
+      { buffer: 0, byteOffset: length, byteLength: bytes.length });
+    length += Math.ceil(bytes.length / alignment) * alignment;
+  });
+  const joined = new Uint8Array(length);
+  contents.forEach((bytes, i) => joined.set(bytes, tree.bufferViews[i].byteOffset));
+  tree.buffers = [{ byteLength: length }];
+  return joined;
+}
+
+/** Why it failed, for people: a TypeError speaks to programmers. @param {unknown} error */
+function reason(error) {
+  const isPlain = error instanceof Error
+    && !(error instanceof TypeError || error instanceof RangeError);
+  return isPlain ? error.message.replace(/\.$/, '') : 'the JSON does not say rightly what it is';
+}
+
+/**
+ * @param {any} tree
+ * @param {Uint8Array | undefined} chunk
+ * @param {FileRequest} file
+ */
+async function decompressTree(tree, chunk, file) {
+  try {
+    const buffers = loadBuffers(tree, chunk, file);
+    const contents = await loadBufferViews(tree, buffers);
+    await decodeDracoPrimitives(tree, contents);
+    forgetCompressions(tree);
+    return packGlb(tree, joinBuffers(tree, contents));
+  } catch (error) {
+    if (error instanceof RemeshError) throw error;
+    throw new RemeshError('PARSE_ERROR',
+      `${file.name}: its compressed data cannot be decoded: ${reason(error)}.`,
+      'Was it copied completely?', { cause: error });
+  }
+}
+
+/**
+ * The same file without compression; the very same if it has none or cannot be understood.
+ * @param {FileRequest} file
+ * @returns {Promise<FileRequest>}
+ */
+export async function decompress(file) {
+  if (!/\.gl(b|tf)$/i.test(file.name)) return file;
+  const { text, chunk } = openContainer(file.bytes);
+  if (!compressions.some((name) => text.includes(`"${name}"`))) return file;
+  let tree;
+  try {
+    tree = JSON.parse(text);
+  } catch {
+    return file;
+  }
+  return { ...file, bytes: await decompressTree(tree, chunk, file) };
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// The only file that touches the WebAssembly instance: makes it, calls it, turns what comes back
+// into plain objects and errors. An instance that has failed in itself, or whose memory has grown
+// (it never shrinks), is dropped; the next call makes a new one from the compiled module.
+
+import createInstance from '../remesher.mjs';
+import { decompress } from '../codecs/decompress.js';
+import { RemeshError } from '../base/errors.js';
+
+/** @typedef {import('../base/messages.js').Job} Job */
+/** @typedef {import('../base/messages.js').Mesh} Mesh */
+/** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
+/** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
+
+// What an instance starts with, by Emscripten's default.
+const initialMemory = 16 * 2 ** 20;
+
+/**
+ * @param {WebAssembly.Module} module
+ * @returns {Promise<any>}
+ */
+export function instantiate(module) {
+  return new Promise((resolve, reject) => {
+    /**
+     * @param {WebAssembly.Imports} imports
+     * @param {(instance: WebAssembly.Instance) => void} use
+     */
+    const instantiateWasm = (imports, use) => {
+      WebAssembly.instantiate(module, imports).then(use).catch(reject);
+      return {};
+    };
+    createInstance({ instantiateWasm }).then(resolve, reject);
+  });
+}
+
+/** @param {Record<string, MeshAttribute> | undefined} attributes */
+function listed(attributes = {}) {
+  return Object.entries(attributes).map(([semantic, { array, itemSize }]) =>
+    ({ semantic, array, itemSize }));
+}
+
+/**
+ * The values in an array of the caller's own type; integers are rounded here, once.
+ * @param {Float32Array} values
+ * @param {import('../base/messages.js').NumberArray | undefined} model
+ */
+function likeModel(values, model) {
+  if (!model || model instanceof Float32Array) return values;
+  if (model instanceof Float64Array) return Float64Array.from(values);
+  const Kind = /** @type {any} */ (model.constructor);
+  return new Kind(values.map(Math.round));
+}
+
+/** @param {any} mesh as it comes back @param {Mesh} model as it went in @returns {Mesh} */
+function meshLike(mesh, model) {
+  const { positions, indices } = mesh;
+  const isSmall = model.indices instanceof Uint16Array && positions.length / 3 <= 2 ** 16;
+  /** @type {Record<string, MeshAttribute>} */
+  const attributes = {};
+  for (const { semantic, array, itemSize } of mesh.attributes) {
+    attributes[semantic] =
+      { array: likeModel(array, model.attributes?.[semantic]?.array), itemSize };
+  }
+  return {
+    positions: model.positions instanceof Float32Array ? Float32Array.from(positions) : positions,
+    indices: isSmall ? Uint16Array.from(indices) : indices,
+    attributes,
+  };
+}
+
+/**
+ * @param {any} instance
+ * @param {Job} job
+ * @param {((phase: string, fraction: number) => boolean) | undefined} ask
+ */
+function call(instance, job, ask) {
+  switch (job.kind) {
+    case 'remesh':
+      return instance.remesh(
+        { ...job.mesh, attributes: listed(job.mesh.attributes) }, job.options, ask);
+    case 'remeshFile':
+      return instance.remeshFile(job.file, job.options, ask);
+    case 'convertFile':
+      return instance.convertFile(job.file);
+    case 'inspect':
+      return instance.inspect({ ...job.mesh, attributes: listed(job.mesh.attributes) });
+    default:
+      return instance.inspectFile(job.file);
+  }
+}
+
+export class Engine {
+  #module;
+  /** @type {Promise<any> | undefined} */
+  #instance;
+
+  /** @param {WebAssembly.Module} module */
+  constructor(module) {
+    this.#module = module;
+  }
+
+  /**
+   * Runs one job to its end. onProgress returns false to stop it.
+   * @param {Job} job
+   * @param {(event: ProgressEvent) => boolean | void} [onProgress]
+   * @returns {Promise<any>}
+   */
+  async run(job, onProgress) {
+    const plainJob = 'file' in job ? { ...job, file: await decompress(job.file) } : job;
+    const instance = await this.#start();
+    const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
+      onProgress({ phase, fraction }) !== false);
+    const outcome = this.#call(instance, plainJob, ask);
+    if (instance.HEAPU8.length > initialMemory) this.#instance = undefined;
+    if (outcome.error) {
+      throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
+    }
+    return job.kind === 'remesh' ? { ...outcome, mesh: meshLike(outcome.mesh, job.mesh) } : outcome;
+  }
+
+  async #start() {
+    try {
+      return await (this.#instance ??= instantiate(this.#module));
+    } catch (cause) {
+      this.#instance = undefined;
+      throw new RemeshError('INTERNAL', `The WebAssembly cannot be started: ${String(cause)}.`,
+        'Are remesher.wasm and the script of one version?', { cause });
+    }
+  }
+
+  /**
+   * @param {any} instance
+   * @param {Job} job
+   * @param {((phase: string, fraction: number) => boolean) | undefined} ask
+   */
+  #call(instance, job, ask) {
+    try {
+      return call(instance, job, ask);
+    } catch (cause) {
+      this.#instance = undefined;
+      throw new RemeshError('INTERNAL', `The run failed inside WebAssembly: ${String(cause)}.`,
+        'Please report this as a bug, with the model if you can.', { cause });
+    }
+  }
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The worker's side of the conversation, the same in browsers and Node.
+
+import { Engine } from './engine.js';
+import { RemeshError } from '../base/errors.js';
+
+/** @typedef {import('../base/messages.js').ToWorker} ToWorker */
+/** @typedef {import('../base/messages.js').FromWorker} FromWorker */
+
+/** The buffers a result owns, to be handed over instead of copied. @param {any} result */
+function buffersOf(result) {
+  const arrays = [];
+  if (result.mesh) {
+    arrays.push(result.mesh.positions, result.mesh.indices);
+    for (const { array } of Object.values(result.mesh.attributes)) arrays.push(array);
+  }
+  for (const { bytes } of result.files ?? []) arrays.push(bytes);
+  return arrays.map((array) => array.buffer);
+}
+
+/** @param {unknown} error @returns {import('../base/messages.js').Failure} */
+function failureFrom(error) {
+  if (error instanceof RemeshError) {
+    return { code: error.code, message: error.message, hint: error.hint };
+  }
+  return { code: 'INTERNAL', message: String(error), hint: '' };
+}
+
+/**
+ * @param {(message: FromWorker, transfer: ArrayBuffer[]) => void} post
+ * @returns {(message: ToWorker) => Promise<void>} to be called with every message
+ */
+export function serve(post) {
+  /** @type {Engine} */
+  let engine;
+  return async (message) => {
+    if (message.type === 'start') {
+      engine = new Engine(message.module);
+      return;
+    }
+    try {
+      const onProgress = message.progress
+        ? (/** @type {import('../base/messages.js').ProgressEvent} */ event) =>
+          post({ type: 'progress', event }, [])
+        : undefined;
+      const result = await engine.run(message.job, onProgress);
+      post({ type: 'done', result }, buffersOf(result));
+    } catch (error) {
+      post({ type: 'failed', failure: failureFrom(error) }, []);
+    }
+  };
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/fit.h"
+
+#include <algorithm>
+#include <array>
+
+#include "gate/angles.h"
+#include "geometry/triangle.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+// The last pass gains little; a large mesh does without it.
+constexpr int kPasses = 3, kPassesInLarge = 2;
+// Angles above this may shrink, but never below it; what is below may not shrink at all.
+constexpr double kKeepAngle = radians(33);
+
+// Sample points of a triangle: two symmetric orbits of three and the centre.
+constexpr double kNear = 0.7, kNearRest = 0.15, kFar = 0.1, kFarRest = 0.45;
+constexpr std::array<std::array<double, 3>, 7> kSamples = {{
+    {kNear, kNearRest, kNearRest},
+    {kNearRest, kNear, kNearRest},
+    {kNearRest, kNearRest, kNear},
+    {kFar, kFarRest, kFarRest},
+    {kFarRest, kFar, kFarRest},
+    {kFarRest, kFarRest, kFar},
+    {1.0 / 3, 1.0 / 3, 1.0 / 3},
+}};
+
+struct Offset {
+  double sum = 0;
+  double weight = 0;
+};
+
+// Where the samples of a triangle were found on the original: the next search begins there.
+using NearFaces = std::array<Face, kSamples.size()>;
+
+// The signed distances from the samples of a triangle to the original, shared out to its corners.
+void addOffsets(const WorkingMesh& mesh, Face f, NearFaces& near, VertexData<Offset>& offsets) {
+  const auto corners = mesh.mesh().vertices(f);
+  const std::array<Vec3, 3> p = {mesh.position(corners[0]), mesh.position(corners[1]),
+                                 mesh.position(corners[2])};
+  const Vec3 n = areaVector(p[0], p[1], p[2]);
+  const double area = n.norm();
+  if (!(area > 0)) return;
+  const OriginalSurface& surface = mesh.surface();
+  SurfacePoint point = mesh.cornerPoint(HalfedgeMesh::halfedge(f));
+  for (std::size_t k = 0; k < kSamples.size(); ++k) {
+    const auto& w = kSamples[k];
+    const Vec3 sample = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
+    if (near[k]) point.face = near[k];
+    point = closestPointFrom(surface, point, sample);
+    near[k] = point.face;
+    const double distance = (surface.position(point) - sample).dot(n) / area;
+    for (int i = 0; i < 3; ++i) {
+      offsets[corners[i]].sum += area * w[i] * distance;
+      offsets[corners[i]].weight += area * w[i];
+    }
+  }
+}
+
+bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  const double after = smallestAngleAround(mesh, v, to);
+  return after >= kKeepAngle || after >= smallestAngleAround(mesh, v, mesh.position(v));
+}
+
+// Along the mean normal of the triangles around v, by the mean of their samples' distances.
+void offsetVertex(Run& run, Vertex v, double distance) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Vec3 normal = Vec3::Zero();
+  const Vec3 at = run.mesh.position(v);
+  mesh.forEachOutgoing(v, [&](Halfedge h) {
+    normal += areaVector(at, run.mesh.position(mesh.tip(h)), run.mesh.position(mesh.opposite(h)));
+  });
+  if (!(normal.norm() > 0)) return;
+  Placement place = run.mesh.placement(v);
+  place.position += distance * normal.normalized();
+  if (!staysGood(run.mesh, v, place.position)) return;
+  proposePlacement(run.mesh, v, place, run.change);
+  commit(run);
+}
+
+}  // namespace
+
+void fit(Run& run, const Progress& progress) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  FaceData<NearFaces> near(mesh.faceCapacity());
+  const int passes = isLarge(run) ? kPassesInLarge : kPasses;
+  for (int pass = 0; pass < passes; ++pass) {
+    progress.at(double(pass) / passes);
+    VertexData<Offset> offsets(mesh.vertexCapacity());
+    for (Index f = 0; f < mesh.faceCapacity(); ++f)
+      if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), near[Face(f)], offsets);
+    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (mesh.isAlive(v) && run.mesh.kind(v) == VertexKind::Interior && offsets[v].weight > 0)
+        offsetVertex(run, v, offsets[v].sum / offsets[v].weight);
+    }
+  }
+}
+
+}  // namespace remesher

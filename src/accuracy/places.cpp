@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/mesh_tree.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kSpacing = 0.5;  // of the target edge length
+// A walk may end in a local minimum; places farther than this are tried from other sides too.
+constexpr double kDoubtful = 0.3;  // of the target edge length
+constexpr int kRetries = 4;
+// Inside a triangle with sides no longer than this, and corners that are near, all is near.
+constexpr double kBetween = 2;    // target edge lengths
+constexpr double kSameWay = 0.9;  // cosine
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+// Whether the place is nearer to where a walk from `start` ends.
+bool improve(const WorkingMesh& mesh, Place& place, Face start) {
+  const SurfacePoint near = closestPointFrom(mesh.mesh(), mesh.positions(), start, place.position);
+  const auto [a, b, c] = mesh.mesh().vertices(near.face);
+  const Vec3& w = near.barycentric;
+  const Vec3 there = w[0] * mesh.position(a) + w[1] * mesh.position(b) + w[2] * mesh.position(c);
+  const double distance = (there - place.position).norm();
+  if (distance >= place.distance) return false;
+  place.nearest = near.face;
+  place.distance = distance;
+  return true;
+}
+
+// For each vertex of the original a vertex of the mesh that lies near it along the surface: those
+// on its own faces first, then what its neighbours have.
+class NearbyVertices {
+ public:
+  explicit NearbyVertices(const WorkingMesh& mesh)
+      : original_(mesh.surface().mesh()), near_(original_.vertexCapacity()) {
+    seed(mesh);
+    spread();
+  }
+
+  Vertex operator[](Vertex v) const { return near_[v]; }
+
+ private:
+  void seed(const WorkingMesh& mesh) {
+    const VertexData<Vec3>& positions = mesh.surface().positions();
+    for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {
+      const Vertex w(i);
+      if (!mesh.mesh().isAlive(w)) continue;
+      for (const Vertex v : original_.vertices(mesh.at(w).face)) {
+        if (!near_[v]) reached_.push_back(v);
+        const auto distance2 = [&](Vertex u) {
+          return (mesh.position(u) - positions[v]).squaredNorm();
+        };
+        if (!near_[v] || distance2(w) < distance2(near_[v])) near_[v] = w;
+      }
+    }
+  }
+
+  void spread() {
+    for (std::size_t head = 0; head < reached_.size(); ++head) {
+      const Vertex from = reached_[head];
+      original_.forEachNeighbor(from, [&](Vertex v) {
+        if (near_[v]) return;
+        near_[v] = near_[from];
+        reached_.push_back(v);
+      });
+    }
+  }
+
+  const HalfedgeMesh& original_;
+  VertexData<Vertex> near_;
+  std::vector<Vertex> reached_;
+};
+
+class Survey {
+ public:
+  Survey(const Run& run, double enough)
+      : run_(run),
+        enough_(enough),
+        mesh_(run.mesh),
+        nearby_(run.mesh),
+        near_(run.mesh.surface().mesh().vertexCapacity(), 0) {}
+
+  std::vector<Place> places() {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
+    for (Index i = 0; i < original.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (!original.isAlive(v) || !nearby_[v]) continue;
+      near_[v] = isSurelyNear(v);
+      if (!near_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
+    }
+    for (Index i = 0; i < original.faceCapacity(); ++i) addInside(Face(i));
+    return std::move(places_);
+  }
+
+ private:
+  // Whether a place lies in the tangent plane of the vertex nearby and faces its way: a look that
+  // spares most places a walk.
+  bool isSurelyNear(Vertex v) const {
+    const Vertex w = nearby_[v];
+    // A boundary's tangent plane goes on where the mesh does not.
+    if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
+    const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
+    const double size = run_.scale * run_.sizes.at(mesh_.at(w));
+    return offset.squaredNorm() < size * size &&
+           std::abs(offset.dot(mesh_.normal(w))) < enough_ * size &&
+           mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
+               kSameWay;
+  }
+
+  Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
+
+  bool isDoubtful(const Place& place) const {
+    return place.distance >= kDoubtful * run_.scale * run_.sizes.at(place.original);
+  }
+
+  // Walks again from all around where the last one ended.
+  void retry(Place& place) const {
+    const HalfedgeMesh& mesh = mesh_.mesh();
+    for (int i = 0; i < kRetries; ++i) {
+      if (!isDoubtful(place)) return;
+      bool improved = false;
+      for (const Vertex v : mesh.vertices(place.nearest))
+        mesh.forEachNeighbor(
+            v, [&](Vertex w) { improved = improve(mesh_, place, faceAt(w)) || improved; });
+      if (!improved) return;
+    }
+  }
+
+  // Returns the triangle nearest to the place.
+  Face add(const SurfacePoint& original, Face start) {
+    Place place{original, mesh_.surface().position(original), start, kEndless};
+    improve(mesh_, place, start);
+    retry(place);
+    if (isDoubtful(place)) {
+      if (!tree_) tree_.emplace(mesh_.mesh(), mesh_.positions());
+      const MeshTree::Nearest nearest = tree_->nearest(place.position);
+      place.nearest = nearest.face;
+      place.distance = nearest.distance;
+    }
+    if (place.distance >= enough_ * run_.scale * run_.sizes.at(original)) places_.push_back(place);
+    return place.nearest;
+  }
+
+  void addInside(Face f) {
+    const auto corners = mesh_.surface().mesh().vertices(f);
+    const VertexData<Vec3>& positions = mesh_.surface().positions();
+    const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
+    const double longest =
+        std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
+    const double size = run_.scale * run_.sizes.at(corners[0]);
+    if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
+      return;
+    const int n = int(std::ceil(longest / (kSpacing * size)));
+    if (n <= 1 || !nearby_[corners[0]]) return;
+    Face start = faceAt(nearby_[corners[0]]);
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k + j <= n; ++k) {
+        if (j == n || k == n || j + k == 0) continue;  // a vertex
+        const double u = double(j) / n, v = double(k) / n;
+        start = add({f, Vec3(1 - u - v, u, v)}, start);
+      }
+  }
+
+  const Run& run_;
+  const double enough_;
+  const WorkingMesh& mesh_;
+  const NearbyVertices nearby_;
+  // For the few places that no walk finds the nearest triangle for: those inside triangles of the
+  // original far larger than the mesh's.
+  std::optional<MeshTree> tree_;
+  VertexData<char> near_;  // surely
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+void measureAgain(const WorkingMesh& mesh, Place& place) {
+  place.distance = kEndless;
+  improve(mesh, place, place.nearest);
+}
+
+std::vector<Place> measurePlaces(const Run& run, double enough) {
+  return Survey(run, enough).places();
+}
+
+}  // namespace remesher

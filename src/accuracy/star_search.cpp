@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "accuracy/star_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "gate/angles.h"
+#include "geometry/triangle.h"
+#include "steps/sweeps.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+// Steps in units of the mean spoke.
+constexpr double kFirstStep = 0.4, kLastStep = 0.04;
+constexpr int kDirections = 8;
+constexpr std::size_t kAlongNormal = 2;
+// A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
+constexpr double kRoom = 0.1;
+const double kSmallTurn = std::cos(radians(45));
+
+double meanSpoke(const WorkingMesh& mesh, Vertex v) {
+  double sum = 0;
+  mesh.mesh().forEachNeighbor(
+      v, [&](Vertex w) { sum += (mesh.position(w) - mesh.position(v)).norm(); });
+  return sum / mesh.mesh().valence(v);
+}
+
+// First up and down the star's mean normal, then around it.
+std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const Vec3& at = mesh.position(v);
+  Vec3 normal = Vec3::Zero();
+  m.forEachOutgoing(v, [&](Halfedge h) {
+    normal += areaVector(at, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));
+  });
+  normal.normalize();
+  const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - at;
+  const Vec3 x = (spoke - normal * normal.dot(spoke)).normalized(), y = normal.cross(x);
+  std::vector<Vec3> directions = {0.5 * normal, -0.5 * normal};
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kDirections;
+    directions.push_back(std::cos(turn) * x + std::sin(turn) * y);
+  }
+  return directions;
+}
+
+// Whether a triangle around v would turn by more than the limit.
+bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  bool found = false;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 &a = mesh.position(mesh.mesh().tip(h)), &b = mesh.position(mesh.mesh().opposite(h));
+    found = found || unitNormal(mesh.position(v), a, b).dot(unitNormal(to, a, b)) < kSmallTurn;
+  });
+  return found;
+}
+
+}  // namespace
+
+StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
+                       Vertex v, double keepAngle)
+    : mesh_(run.mesh),
+      rule_(lenient(run)),
+      crossings_(crossings),
+      distances_(distances),
+      v_(v),
+      spoke_(meanSpoke(mesh_, v)),
+      best_(mesh_.placement(v)),
+      distance_(distances.around(v, best_)),
+      lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
+
+bool StarSearch::isAllowed(const Placement& place) {
+  if (turnsOver(mesh_, v_, place.position)) return false;
+  proposePlacement(mesh_, v_, place, change_);
+  return judge(mesh_, change_, rule_) == Verdict::Accepted && !crossings_.grow(change_);
+}
+
+bool StarSearch::offer(const Placement& place) {
+  if (smallestAngleAround(mesh_, v_, place.position) < lowest_) return false;
+  const double distance = distances_.around(v_, place, distance_);
+  if (distance >= distance_ || !isAllowed(place)) return false;
+  distance_ = distance;
+  best_ = place;
+  return true;
+}
+
+Placement StarSearch::at(const Vec3& position) const {
+  Placement place = mesh_.onSurface(closestPointFrom(mesh_.surface(), best_.at, position));
+  place.position = position;
+  return place;
+}
+
+void StarSearch::move(double enough, std::span<const Vec3> directions) {
+  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+    bool better = false;
+    const Vec3 from = best_.position;
+    for (const Vec3& direction : directions)
+      better = offer(at(from + step * spoke_ * direction)) || better;
+    if (!better) step /= 2;
+  }
+}
+
+// Between its neighbours along the curve, or the curve would turn back.
+void StarSearch::slide(double enough) {
+  const auto [before, after] = curveNeighbors(mesh_, v_);
+  const Index chain = best_.on.chain;
+  const auto [first, last] =
+      std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
+  const double room = kRoom * (last - first);
+  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+    bool better = false;
+    const double from = best_.on.arc;
+    for (const double way : {step * spoke_, -step * spoke_}) {
+      const double arc = from + way;
+      if (arc > first + room && arc < last - room)
+        better = offer(mesh_.onCurve({chain, arc})) || better;
+    }
+    if (!better) step /= 2;
+  }
+}
+
+void StarSearch::descend(double enough) {
+  if (best_.kind == VertexKind::Curve) return slide(enough);
+  const std::vector<Vec3> directions = directionsAt(mesh_, v_);
+  // Moves along the normal cost no angles.
+  move(enough, std::span(directions).first(kAlongNormal));
+  move(enough, directions);
+}
+
+}  // namespace remesher

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where a vertex makes the largest of the distances around it smallest: a pattern search over
+// places on and off the surface, or along its curve.
+#pragma once
+
+#include <span>
+
+#include "accuracy/two_sided_distance.h"
+#include "gate/crossings.h"
+
+namespace remesher {
+
+class StarSearch {
+ public:
+  // What is below `keepAngle` may not shrink; what is above may not fall below it.
+  StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances, Vertex v,
+             double keepAngle);
+
+  double distance() const { return distance_; }  // at the best place so far
+  const Placement& best() const { return best_; }
+
+  // Until the distance is no more than `enough`, or nothing helps.
+  void descend(double enough);
+
+ private:
+  bool offer(const Placement& place);
+  bool isAllowed(const Placement& place);
+  Placement at(const Vec3& position) const;
+  void move(double enough, std::span<const Vec3> steps);
+  void slide(double enough);
+
+  const WorkingMesh& mesh_;
+  const FidelityRule rule_;
+  const Crossings& crossings_;
+  TwoSidedDistance& distances_;
+  const Vertex v_;
+  const double spoke_;  // the mean length of its edges
+  Placement best_;
+  double distance_;
+  double lowest_;
+  LocalChange change_;
+};
+
+}  // namespace remesher

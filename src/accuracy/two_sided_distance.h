@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// How far the mesh and the original are apart, triangle by triangle and in both directions, kept up
+// to date while vertices move: what lowering the Hausdorff distance steers by.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "accuracy/places.h"
+#include "geometry/mesh_tree.h"
+
+namespace remesher {
+
+class TwoSidedDistance {
+ public:
+  explicit TwoSidedDistance(const Run& run);
+
+  // The largest distance from the triangle's samples to the original, and to the triangle from the
+  // places that belong to it.
+  double of(Face f) const { return distance_[f]; }
+
+  // The largest of those that a move of v changes, were v there; any larger one where it exceeds
+  // `limit`.
+  double around(Vertex v, const Placement& to,
+                double limit = std::numeric_limits<double>::infinity());
+
+  // The largest of those around v that no move of v changes: along the rim of its star.
+  double onRim(Vertex v);
+
+  // The largest of those of the two triangles of an inner edge, were it flipped.
+  double ifFlipped(Halfedge h);
+
+  // Measures anew around a vertex that has moved, or the two triangles of an edge that was flipped:
+  // places there go over to the nearest triangle.
+  void update(Vertex v);
+  void update(Halfedge h);
+
+ private:
+  // A triangle that changes, with its corners where it is asked about: the moved vertex comes
+  // first.
+  struct Changed {
+    Face face;
+    Triangle at;
+  };
+
+  void gather(Vertex v, const Placement& to);
+  double farthestPlace(double limit);
+  void measureGathered();
+  void measureNear(Place& place) const;
+  SurfacePoint startAt(Halfedge corner) const;
+  double fromOriginal(const Vec3& sample, Face f) const;
+  double fromOriginal(const Vec3& from, const Vec3& to, Face f) const;
+  double fromOriginal(const Triangle& triangle, Face f) const;
+  bool followsOriginal(Halfedge h) const;
+  void raise(Face f, double distance);
+  void add(Index place);
+  void measureFaces();
+
+  const WorkingMesh& mesh_;
+  const double doubtful_;
+  const bool originalIsCoarse_;
+  std::vector<Place> places_;
+  std::vector<Index> next_;  // the next place of the same triangle, or kNone
+  FaceData<Index> first_;    // the first place of a triangle, or kNone
+  FaceData<double> distance_;
+  mutable std::optional<MeshTree> tree_;  // of the original, for where walks end in a valley
+  std::vector<Changed> gathered_;
+  Vertex moved_;  // that they change with, if any
+  Placement to_;
+  std::vector<Index> moving_;
+};
+
+}  // namespace remesher

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The result as plain arrays, with the attributes of the original at every vertex's place on it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "attributes/chart_keeper.h"
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct TransferRules {
+  std::vector<std::string> chartless;  // see AttributeMix
+  ChartRules charts;
+};
+
+// A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the
+// original triangle they lie on.
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const TransferRules& rules);
+
+}  // namespace remesher

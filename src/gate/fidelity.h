@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The one gate that every operation passes [report, "Controlling Mesh Fidelity"].
+//
+// With N_i the original's unit normal under a corner i of a triangle T and N_T the normal of T
+// itself:
+//   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
+//   loose   some pair and some corner pass  (the report's program)
+//   fold    every  N_i·N_T > fold, or the worst of them is no worse than it was before: than the
+//           worst of the triangles that the operation replaces
+//
+// With angles below 90° no triangle that turns over passes strict or loose.
+#pragma once
+
+#include "base/options.h"
+#include "gate/error_bound.h"
+#include "operators/local_change.h"
+
+namespace remesher {
+
+enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError };
+
+// A triangle may lean 78° against the surface before it counts as folding over; 107° where the
+// surface itself folds more tightly than the triangles are large, and nothing else would remove a
+// cluster.
+inline constexpr double kFold = 0.2;
+inline constexpr double kTightFold = -0.3;
+
+struct FidelityRule {
+  Fidelity mode = Fidelity::Fold;
+  double cosVertexAngle = 0;
+  double cosTriangleAngle = 0;
+  double fold = kFold;                // smallest N_i·N_T that is not a fold
+  const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
+};
+
+FidelityRule fidelityRule(const RemeshOptions& options);
+
+Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule);
+
+}  // namespace remesher

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// tinygltf's implementation is compiled here. It sees only the part of the tree that describes
+// geometry, and no bytes: it reads images and buffers without looking whether they are all there.
+// The headers before the definitions are those it forgets to include, or includes hidden.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_FS
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "io/gltf/gltf_document.h"
+#include "io/model/resources.h"
+
+namespace remesher::io {
+namespace {
+
+constexpr std::uint32_t kGlbMagic = 0x46546C67;     // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
+constexpr std::size_t kGlbHeader = 12;
+constexpr std::size_t kChunkHeader = 8;
+
+// Real files nest about ten deep; the limit keeps the recursion of JSON writers off the stack's
+// end.
+constexpr int kDeepestNesting = 256;
+
+struct Chunks {
+  std::span<const std::uint8_t> json;
+  std::optional<std::span<const std::uint8_t>> binary;
+};
+
+std::uint32_t littleEndian(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+void appendLittleEndian(Bytes& bytes, std::size_t value) {
+  for (int shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+Chunks splitGlb(const GltfDocument& document) {
+  const std::span<const std::uint8_t> bytes = document.original.bytes;
+  const auto truncated = [&](const std::string& what) {
+    document.fail(ErrorCode::ParseError, what, "Was it copied completely?");
+  };
+  if (bytes.size() < kGlbHeader + kChunkHeader) truncated("the file ends within its header.");
+  if (littleEndian(bytes, 4) != 2)
+    document.fail(ErrorCode::Unsupported,
+                  "the file is glTF " + std::to_string(littleEndian(bytes, 4)) + ", not 2.",
+                  "Convert it to glTF 2.0 first.");
+  const std::size_t length = littleEndian(bytes, 8);
+  if (length > bytes.size())
+    truncated("the file has " + std::to_string(bytes.size()) + " bytes, its header promises " +
+              std::to_string(length) + ".");
+  Chunks chunks;
+  for (std::size_t at = kGlbHeader; at + kChunkHeader <= length;) {
+    const std::size_t size = littleEndian(bytes, at);
+    const std::uint32_t type = littleEndian(bytes, at + 4);
+    const bool isFirst = at == kGlbHeader;
+    at += kChunkHeader;
+    if (size > length - at) truncated("a chunk reaches beyond the end of the file.");
+    if (isFirst && type != kJsonChunk)
+      document.fail(ErrorCode::ParseError, "the first chunk of the file is not JSON.");
+    if (isFirst)
+      chunks.json = bytes.subspan(at, size);
+    else if (type == kBinaryChunk && !chunks.binary)
+      chunks.binary = bytes.subspan(at, size);
+    at += size;
+  }
+  return chunks;
+}
+
+// Strings are passed over, so that brackets in names and base64 do not count.
+bool nestsTooDeep(std::span<const std::uint8_t> text) {
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      for (++i; i < text.size() && text[i] != '"'; ++i)
+        if (text[i] == '\\') ++i;
+    } else if (text[i] == '{' || text[i] == '[') {
+      if (++depth > kDeepestNesting) return true;
+    } else if (text[i] == '}' || text[i] == ']') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+Json parseTree(const GltfDocument& document, std::span<const std::uint8_t> text) {
+  if (nestsTooDeep(text))
+    document.fail(ErrorCode::ParseError, "the JSON nests deeper than any glTF file does.");
+  Json tree;
+  try {
+    tree = Json::parse(text.begin(), text.end());
+  } catch (const Json::parse_error& error) {
+    document.fail(ErrorCode::ParseError,
+                  "the JSON is broken at byte " + std::to_string(error.byte) + ".",
+                  "Is this a glTF file, and was it copied completely?");
+  }
+  if (!tree.is_object() || !tree.contains("asset"))
+    document.fail(ErrorCode::ParseError, "the JSON is not a glTF document: it has no \"asset\".");
+  const Json version = tree["asset"].is_object() ? tree["asset"].value("version", Json()) : Json();
+  if (!version.is_string() || !version.get_ref<const std::string&>().starts_with("2"))
+    document.fail(ErrorCode::Unsupported, "the document is not of glTF version 2.",
+                  "Convert it to glTF 2.0 first.");
+  return tree;
+}
+
+// What the bindings decode before the core sees the file. A fallback beside compressed data is
+// refused too: the writer could not keep the two in step.
+void refuseCompression(const GltfDocument& document) {
+  constexpr std::array kCompressions = {"EXT_meshopt_compression", "KHR_meshopt_compression",
+                                        "KHR_draco_mesh_compression"};
+  const Json used = document.tree.value("extensionsUsed", Json::array());
+  for (const char* compression : kCompressions)
+    if (std::find(used.begin(), used.end(), compression) != used.end())
+      document.fail(ErrorCode::Unsupported,
+                    std::string("the file is compressed with ") + compression + ".",
+                    "Decompress it first.");
+}
+
+tinygltf::Model typedView(const GltfDocument& document) {
+  Json geometry;
+  for (const char* member :
+       {"asset", "accessors", "bufferViews", "meshes", "nodes", "scenes", "scene", "skins"})
+    if (document.tree.contains(member)) geometry[member] = document.tree[member];
+  const std::string text = geometry.dump(-1, ' ', false, Json::error_handler_t::replace);
+  tinygltf::TinyGLTF loader;
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  const bool isLoaded =
+      loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                 static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
+  if (!isLoaded)
+    document.fail(ErrorCode::ParseError,
+                  "the glTF document is invalid: " + error.substr(0, error.find('\n')));
+  return model;
+}
+
+Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& buffer,
+                 const std::optional<std::span<const std::uint8_t>>& chunk) {
+  const std::string where = "buffer " + std::to_string(number);
+  Bytes bytes;
+  if (!buffer.is_object() || !buffer.contains("uri")) {
+    if (number != 0 || !chunk)
+      document.fail(ErrorCode::ParseError, where + " has neither a URI nor the binary chunk.");
+    bytes.assign(chunk->begin(), chunk->end());
+  } else {
+    const std::string uri = buffer["uri"].is_string() ? buffer["uri"].get<std::string>() : "";
+    if (isDataUri(uri)) {
+      std::optional<Bytes> decoded = decodeDataUri(uri);
+      if (!decoded) document.fail(ErrorCode::ParseError, where + " has a malformed data URI.");
+      bytes = std::move(*decoded);
+    } else {
+      const File* const file = findResource(document.resources, uri);
+      if (file == nullptr)
+        document.fail(ErrorCode::MissingResource, "it needs " + uri + ", which was not given.",
+                      "Keep " + uri + " beside the file, or give both together.");
+      bytes = file->bytes;
+    }
+  }
+  const Json& length = buffer.is_object() ? buffer.value("byteLength", Json()) : Json();
+  if (!length.is_number_unsigned())
+    document.fail(ErrorCode::ParseError, where + " has no byteLength.");
+  if (length.get<std::uint64_t>() > bytes.size())
+    document.fail(ErrorCode::ParseError,
+                  where + " has " + std::to_string(bytes.size()) + " bytes, but promises " +
+                      std::to_string(length.get<std::uint64_t>()) + ".",
+                  "Was it copied completely?");
+  bytes.resize(length.get<std::size_t>());
+  return bytes;
+}
+
+void checkBufferViews(const GltfDocument& document) {
+  const auto& views = document.typed.bufferViews;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const bool hasBuffer =
+        views[i].buffer >= 0 && static_cast<std::size_t>(views[i].buffer) < document.buffers.size();
+    const std::size_t size = hasBuffer ? document.buffers[views[i].buffer].size() : 0;
+    if (!hasBuffer || views[i].byteOffset > size ||
+        views[i].byteLength > size - views[i].byteOffset)
+      document.fail(ErrorCode::ParseError,
+                    "buffer view " + std::to_string(i) + " reaches beyond its buffer.",
+                    "Was the file copied completely?");
+  }
+}
+
+void loadBuffers(GltfDocument& document,
+                 const std::optional<std::span<const std::uint8_t>>& chunk) {
+  if (!document.tree.contains("buffers") || !document.tree["buffers"].is_array()) return;
+  Json& list = document.tree["buffers"];
+  document.isEmbedded = !document.isBinary && !list.empty();
+  for (Json& buffer : list) {
+    document.buffers.push_back(loadBuffer(document, document.buffers.size(), buffer, chunk));
+    const bool isInline =
+        buffer.contains("uri") && isDataUri(buffer["uri"].get_ref<std::string&>());
+    document.isEmbedded = document.isEmbedded && isInline;
+    if (buffer.contains("uri") && !isInline)
+      document.bufferFiles.push_back(
+          {percentDecoded(buffer["uri"].get<std::string>()), document.buffers.back()});
+    buffer.erase("uri");
+  }
+}
+
+}  // namespace
+
+void GltfDocument::fail(ErrorCode code, const std::string& what, std::string hint) const {
+  throw Error(code, original.name + ": " + what, std::move(hint));
+}
+
+std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>& resources) {
+  const auto document = std::make_shared<GltfDocument>();
+  document->original = file;
+  document->resources = resources;
+  const std::span<const std::uint8_t> bytes = document->original.bytes;
+  document->isBinary = bytes.size() >= 4 && littleEndian(bytes, 0) == kGlbMagic;
+  if (!document->isBinary && file.name.ends_with(".glb"))
+    document->fail(ErrorCode::ParseError, "the file does not begin as a binary glTF file does.",
+                   "Is it of another format, or a .gltf?");
+  const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{bytes, std::nullopt};
+  document->tree = parseTree(*document, chunks.json);
+  refuseCompression(*document);
+  document->typed = typedView(*document);
+  loadBuffers(*document, chunks.binary);
+  checkBufferViews(*document);
+  return document;
+}
+
+Bytes packGlb(const Json& tree, const Bytes& data) {
+  std::string text = tree.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::size_t dataSize = (data.size() + 3) / 4 * 4;
+  const std::size_t total =
+      kGlbHeader + kChunkHeader + text.size() + (data.empty() ? 0 : kChunkHeader + dataSize);
+  Bytes bytes;
+  bytes.reserve(total);
+  for (const std::size_t word :
+       {std::size_t{kGlbMagic}, std::size_t{2}, total, text.size(), std::size_t{kJsonChunk}})
+    appendLittleEndian(bytes, word);
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  if (!data.empty()) {
+    appendLittleEndian(bytes, dataSize);
+    appendLittleEndian(bytes, kBinaryChunk);
+    bytes.insert(bytes.end(), data.begin(), data.end());
+  }
+  bytes.resize(total, 0);
+  return bytes;
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A glTF file taken apart, not yet understood: the JSON tree with every name and extension it
+// has, the bytes of its buffers, and tinygltf's typed view of what describes geometry. Whatever
+// the accessors promise is checked where they are read, not here.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "io/model/model.h"
+
+namespace remesher::io {
+
+using Json = nlohmann::ordered_json;
+using Bytes = std::vector<std::uint8_t>;
+
+struct GltfDocument : Source {
+  File original;
+  std::vector<File> resources;
+  bool isBinary = false;    // .glb
+  bool isEmbedded = false;  // all buffers of a .gltf are data URIs
+  Json tree;                // without the URIs of buffers
+  std::vector<Bytes> buffers;
+  std::vector<File> bufferFiles;  // those of them that lay beside the file
+  tinygltf::Model typed;          // accessors, bufferViews, meshes, nodes, scenes, skins
+  std::vector<int> partMeshes;    // per part of the model: its mesh
+
+  // "name: what".
+  [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;
+};
+
+// Throws PARSE_ERROR, MISSING_RESOURCE, UNSUPPORTED.
+std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>& resources);
+
+// A binary glTF file of these two chunks; without a second one when `data` is empty.
+Bytes packGlb(const Json& tree, const Bytes& data);
+
+}  // namespace remesher::io

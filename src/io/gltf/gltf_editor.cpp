@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_editor.h"
+
+#include <string>
+#include <utility>
+
+namespace remesher::io {
+namespace {
+
+const char* typeName(int components) {
+  switch (components) {
+    case 1:
+      return "SCALAR";
+    case 2:
+      return "VEC2";
+    case 3:
+      return "VEC3";
+    default:
+      return "VEC4";
+  }
+}
+
+// Bounds of integers are written as integers.
+Json boundsOf(const std::vector<double>& bounds, int componentType) {
+  Json list = Json::array();
+  for (const double bound : bounds)
+    if (componentType == TINYGLTF_COMPONENT_TYPE_FLOAT)
+      list.push_back(bound);
+    else
+      list.push_back(static_cast<std::int64_t>(bound));
+  return list;
+}
+
+}  // namespace
+
+GltfEditor::GltfEditor(Json tree, const GltfDocument* document)
+    : tree_(std::move(tree)),
+      document_(document),
+      newBuffer_(document == nullptr ? 0 : document->buffers.size()) {}
+
+std::size_t GltfEditor::addBufferView(const EncodedAccessor& encoded, int target) {
+  data_.resize((data_.size() + 3) / 4 * 4, 0);
+  Json view = {
+      {"buffer", newBuffer_}, {"byteOffset", data_.size()}, {"byteLength", encoded.bytes.size()}};
+  if (target == TINYGLTF_TARGET_ARRAY_BUFFER) view["byteStride"] = encoded.stride;
+  if (target != 0) view["target"] = target;
+  data_.insert(data_.end(), encoded.bytes.begin(), encoded.bytes.end());
+  tree_["bufferViews"].push_back(std::move(view));
+  return tree_["bufferViews"].size() - 1;
+}
+
+std::size_t GltfEditor::addFile(const Bytes& bytes) { return addBufferView({bytes, 0, {}, {}}, 0); }
+
+std::size_t GltfEditor::addAccessor(Json accessor) {
+  tree_["accessors"].push_back(std::move(accessor));
+  return tree_["accessors"].size() - 1;
+}
+
+// What the old accessor said of itself, with the new layout.
+Json GltfEditor::describe(int oldAccessor, const Encoding& encoding, std::size_t count) const {
+  Json accessor = oldAccessor < 0 ? Json::object() : tree_["accessors"][oldAccessor];
+  for (const char* member : {"bufferView", "byteOffset", "sparse", "min", "max", "normalized"})
+    accessor.erase(member);
+  accessor["componentType"] = encoding.componentType;
+  if (encoding.normalized) accessor["normalized"] = true;
+  accessor["count"] = count;
+  if (!accessor.contains("type")) accessor["type"] = typeName(encoding.components);
+  return accessor;
+}
+
+AccessorsBySemantic GltfEditor::addAttributes(const EncodedPool& encoded, const VertexPool& pool) {
+  AccessorsBySemantic added;
+  for (const auto& [semantic, attribute] : encoded.attributes) {
+    const auto& [encoding, values] = attribute;
+    const int old = pool.accessors.at(semantic);
+    Json accessor = describe(old, encoding, encoded.vertexCount);
+    const bool isZero = values.bytes.empty();
+    if (!isZero) accessor["bufferView"] = addBufferView(values, TINYGLTF_TARGET_ARRAY_BUFFER);
+    if (semantic.ends_with("POSITION") || (old >= 0 && tree_["accessors"][old].contains("min"))) {
+      const std::vector<double> zero(encoding.components, 0.0);
+      accessor["min"] = boundsOf(isZero ? zero : values.min, encoding.componentType);
+      accessor["max"] = boundsOf(isZero ? zero : values.max, encoding.componentType);
+    }
+    added[semantic] = static_cast<int>(addAccessor(std::move(accessor)));
+  }
+  return added;
+}
+
+std::size_t GltfEditor::addIndices(const Json& primitive, const std::vector<Index>& indices,
+                                   std::size_t vertexCount) {
+  const int old = primitive.contains("indices") ? primitive["indices"].get<int>() : -1;
+  const int oldType = old < 0 ? 0 : accessorEncoding(*document_, old).componentType;
+  const Encoding encoding{indexType(oldType, vertexCount), false, 1};
+  Json accessor = describe(old, encoding, indices.size());
+  accessor["bufferView"] = addBufferView(encodeIndices(indices, encoding.componentType),
+                                         TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  return addAccessor(std::move(accessor));
+}
+
+void GltfEditor::abandon(const Json& primitive) {
+  const auto insert = [&](const Json& number) { abandoned_.insert(number.get<int>()); };
+  if (primitive.contains("indices")) insert(primitive["indices"]);
+  for (const Json& number : primitive["attributes"]) insert(number);
+  if (!primitive.contains("targets")) return;
+  for (const Json& target : primitive["targets"])
+    for (const Json& number : target) insert(number);
+}
+
+void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors,
+                                  std::size_t indices) {
+  Json attributes = Json::object();
+  for (const auto& [semantic, old] : primitive["attributes"].items()) {
+    const auto replacement = accessors.find(semantic);
+    if (replacement != accessors.end()) attributes[semantic] = replacement->second;
+  }
+  primitive["attributes"] = std::move(attributes);
+  if (primitive.contains("targets")) {
+    std::size_t number = 0;
+    for (Json& target : primitive["targets"]) {
+      const std::string prefix = "TARGET_" + std::to_string(number++) + "/";
+      for (auto& [semantic, accessor] : target.items()) accessor = accessors.at(prefix + semantic);
+    }
+  }
+  primitive["indices"] = indices;
+  primitive.erase("mode");  // triangles are the default
+}
+
+void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
+                                 const std::vector<VertexPool>& pools) {
+  Json& primitives = tree_["meshes"][meshNumber]["primitives"];
+  std::set<int> emptied;
+  for (const VertexPool& pool : pools) {
+    const EncodedPool encoded = encodePool(mesh, pool, document_);
+    const AccessorsBySemantic accessors = addAttributes(encoded, pool);
+    for (const int number : pool.primitives) {
+      Json& primitive = primitives[number];
+      abandon(primitive);
+      const auto triangles = encoded.triangles.find(number);
+      if (triangles == encoded.triangles.end())
+        emptied.insert(number);
+      else
+        rewritePrimitive(primitive, accessors,
+                         addIndices(primitive, triangles->second, encoded.vertexCount));
+    }
+  }
+  for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
+    primitives.erase(*number);
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A glTF tree being changed: new geometry goes into accessors, buffer views and a buffer of its
+// own behind the existing ones, so that no number in the tree changes its meaning.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "base/triangle_mesh.h"
+#include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_pool.h"
+
+namespace remesher::io {
+
+class GltfEditor {
+ public:
+  // document: where the old accessors are; may be null when there are none and every pool names -1
+  // for each accessor.
+  GltfEditor(Json tree, const GltfDocument* document);
+
+  // The primitives of the pools get the triangles of their groups; those left without any go away.
+  void replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
+                       const std::vector<VertexPool>& pools);
+
+  // A file as a buffer view; returns its number.
+  std::size_t addFile(const Bytes& bytes);
+
+  Json& tree() { return tree_; }
+  const Bytes& newData() const { return data_; }
+  // The accessors that replaced primitives named.
+  const std::set<int>& abandoned() const { return abandoned_; }
+
+ private:
+  std::size_t addBufferView(const EncodedAccessor& encoded, int target);
+  std::size_t addAccessor(Json accessor);
+  Json describe(int oldAccessor, const Encoding& encoding, std::size_t count) const;
+  AccessorsBySemantic addAttributes(const EncodedPool& encoded, const VertexPool& pool);
+  std::size_t addIndices(const Json& primitive, const std::vector<Index>& indices,
+                         std::size_t vertexCount);
+  void abandon(const Json& primitive);
+  void rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors, std::size_t indices);
+
+  Json tree_;
+  const GltfDocument* document_;
+  std::size_t newBuffer_;  // the number of the buffer that data_ will be
+  Bytes data_;
+  std::set<int> abandoned_;
+};
+
+}  // namespace remesher::io

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/gltf/gltf_accessor.h"
+
+namespace remesher::io {
+namespace {
+
+bool isTriangles(const tinygltf::Primitive& primitive) {
+  return (primitive.mode == TINYGLTF_MODE_TRIANGLES ||
+          primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+          primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) &&
+         primitive.attributes.count("POSITION") == 1;
+}
+
+AccessorsBySemantic accessorsOf(const tinygltf::Primitive& primitive) {
+  AccessorsBySemantic accessors = primitive.attributes;
+  for (std::size_t target = 0; target < primitive.targets.size(); ++target)
+    for (const auto& [semantic, accessor] : primitive.targets[target])
+      accessors["TARGET_" + std::to_string(target) + "/" + semantic] = accessor;
+  return accessors;
+}
+
+class GeometryReader {
+ public:
+  GeometryReader(const GltfDocument& document, int mesh, std::vector<Warning>& warnings)
+      : document_(document),
+        mesh_(document.typed.meshes[mesh]),
+        where_("mesh " + std::to_string(mesh) + ", primitive "),
+        warnings_(warnings) {}
+  TriangleMesh read();
+
+ private:
+  void readPositions(const VertexPool& pool);
+  void readTriangles(int primitiveNumber, Index firstVertex, std::size_t vertexCount);
+  void layOutAttributes(const std::vector<VertexPool>& pools);
+  void readAttributes(const VertexPool& pool, std::size_t firstVertex, std::size_t vertexCount);
+  std::vector<Index> vertexSequence(int primitiveNumber, std::size_t vertexCount) const;
+  void warn(const char* code, const std::string& message);
+
+  const GltfDocument& document_;
+  const tinygltf::Mesh& mesh_;
+  std::string where_;
+  std::vector<Warning>& warnings_;
+  TriangleMesh result_;
+};
+
+// One warning of each kind and text, counted.
+void GeometryReader::warn(const char* code, const std::string& message) {
+  for (Warning& warning : warnings_) {
+    if (warning.code != code || warning.message != message) continue;
+    ++warning.count;
+    return;
+  }
+  warnings_.push_back({code, message, 1});
+}
+
+void GeometryReader::readPositions(const VertexPool& pool) {
+  const int accessor = pool.accessors.at("POSITION");
+  const std::size_t count = accessorCount(document_, accessor);
+  if (accessorEncoding(document_, accessor).components != 3)
+    document_.fail(ErrorCode::ParseError, where_ + std::to_string(pool.primitives[0]) +
+                                              ": its positions have not three coordinates.");
+  const std::vector<float> values = readFloats(document_, accessor, count);
+  result_.positions.reserve(result_.positions.size() + count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 position(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+    if (!position.allFinite())
+      document_.fail(ErrorCode::NonFinite,
+                     where_ + std::to_string(pool.primitives[0]) + ": the position of vertex " +
+                         std::to_string(i) + " is not finite.",
+                     "Repair the file: every coordinate must be a finite number.");
+    result_.positions.push_back(position);
+  }
+}
+
+std::vector<Index> GeometryReader::vertexSequence(int primitiveNumber,
+                                                  std::size_t vertexCount) const {
+  const tinygltf::Primitive& primitive = mesh_.primitives[primitiveNumber];
+  if (primitive.indices < 0) {
+    std::vector<Index> sequence(vertexCount);
+    for (std::size_t i = 0; i < vertexCount; ++i) sequence[i] = static_cast<Index>(i);
+    return sequence;
+  }
+  std::vector<Index> sequence = readIndices(document_, primitive.indices);
+  const auto outside = std::find_if(sequence.begin(), sequence.end(),
+                                    [&](Index vertex) { return vertex >= vertexCount; });
+  if (outside != sequence.end())
+    document_.fail(ErrorCode::IndexOutOfRange,
+                   where_ + std::to_string(primitiveNumber) + ": index " +
+                       std::to_string(outside - sequence.begin()) + " names vertex " +
+                       std::to_string(*outside) + ", but there are " + std::to_string(vertexCount) +
+                       ".",
+                   "The file is damaged: export it again.");
+  return sequence;
+}
+
+void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
+                                   std::size_t vertexCount) {
+  const std::vector<Index> sequence = vertexSequence(primitiveNumber, vertexCount);
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const std::size_t i : {a, b, c}) result_.indices.push_back(sequence[i] + firstVertex);
+  };
+  // Strips are stitched together by triangles that name a vertex twice.
+  const auto isStitch = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return sequence[a] == sequence[b] || sequence[b] == sequence[c] || sequence[c] == sequence[a];
+  };
+  const int mode = mesh_.primitives[primitiveNumber].mode;
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    for (std::size_t i = 0; i + 2 < sequence.size(); i += 3) add(i, i + 1, i + 2);
+  } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+    for (std::size_t i = 0; i + 2 < sequence.size(); ++i)
+      if (!isStitch(i, i + 1, i + 2)) add(i, i + 1 + i % 2, i + 2 - i % 2);
+  } else {
+    for (std::size_t i = 0; i + 2 < sequence.size(); ++i) add(i + 1, i + 2, 0);
+  }
+  result_.groups.resize(result_.triangleCount(), static_cast<Index>(primitiveNumber));
+}
+
+// Room for every attribute that any pool has, as wide as the widest, filled with what the
+// vertices of the other pools shall have.
+void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
+  std::map<std::string, int> itemSizes;
+  for (const VertexPool& pool : pools) {
+    for (const auto& [semantic, accessor] : pool.accessors) {
+      if (semantic == "POSITION") continue;
+      if (!isCarried(document_, accessor)) {
+        warn("ATTRIBUTE_NOT_CARRIED",
+             "The attribute " + semantic + " is a matrix of small integers and is lost.");
+        continue;
+      }
+      int& size = itemSizes[semantic];
+      size = std::max(size, accessorEncoding(document_, accessor).components);
+    }
+  }
+  for (const auto& [semantic, itemSize] : itemSizes) {
+    const float filler = semantic.starts_with("COLOR_") ? 1.0F : 0.0F;
+    result_.attributes.push_back(
+        {semantic, itemSize, std::vector<float>(itemSize * result_.positions.size(), filler)});
+  }
+}
+
+void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVertex,
+                                    std::size_t vertexCount) {
+  for (Attribute& attribute : result_.attributes) {
+    const auto found = pool.accessors.find(attribute.semantic);
+    if (found == pool.accessors.end()) continue;
+    const std::vector<float> values = readFloats(document_, found->second, vertexCount);
+    const int width = accessorEncoding(document_, found->second).components;
+    for (std::size_t i = 0; i < vertexCount; ++i) {
+      for (int k = 0; k < width; ++k) {
+        const float value = values[i * width + k];
+        float& place = attribute.values[(firstVertex + i) * attribute.itemSize + k];
+        place = std::isfinite(value) ? value : 0.0F;
+        if (!std::isfinite(value))
+          warn("NON_FINITE_ATTRIBUTE",
+               "Values of " + attribute.semantic + " that are not finite are read as 0.");
+      }
+    }
+  }
+}
+
+TriangleMesh GeometryReader::read() {
+  const std::vector<VertexPool> pools = vertexPools(mesh_);
+  std::vector<std::size_t> firstVertices = {0};
+  for (const VertexPool& pool : pools) {
+    readPositions(pool);
+    firstVertices.push_back(result_.positions.size());
+  }
+  std::vector<std::pair<int, std::size_t>> primitives;  // with their pool, in the file's order
+  for (std::size_t i = 0; i < pools.size(); ++i)
+    for (const int primitive : pools[i].primitives) primitives.emplace_back(primitive, i);
+  std::sort(primitives.begin(), primitives.end());
+  for (const auto& [primitive, pool] : primitives)
+    readTriangles(primitive, static_cast<Index>(firstVertices[pool]),
+                  firstVertices[pool + 1] - firstVertices[pool]);
+  layOutAttributes(pools);
+  for (std::size_t i = 0; i < pools.size(); ++i)
+    readAttributes(pools[i], firstVertices[i], firstVertices[i + 1] - firstVertices[i]);
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh) {
+  std::vector<VertexPool> pools;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    if (!isTriangles(mesh.primitives[i])) continue;
+    AccessorsBySemantic accessors = accessorsOf(mesh.primitives[i]);
+    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
+      return pool.accessors == accessors;
+    });
+    if (same == pools.end())
+      pools.push_back({std::move(accessors), {static_cast<int>(i)}});
+    else
+      same->primitives.push_back(static_cast<int>(i));
+  }
+  return pools;
+}
+
+bool isCarried(const GltfDocument& document, int accessor) {
+  const Encoding encoding = accessorEncoding(document, accessor);
+  return encoding.components <= 4 || componentSize(encoding.componentType) == 4;
+}
+
+TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings) {
+  return GeometryReader(document, mesh, warnings).read();
+}
+
+}  // namespace remesher::io

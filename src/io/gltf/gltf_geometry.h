@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The triangles of one glTF mesh as one triangle mesh. Primitives that name the same accessors
+// share their vertices; such a set is a vertex pool. The group of a triangle is its primitive's
+// number. The writer uses the same pools to put vertices back where they came from.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "io/gltf/gltf_document.h"
+
+namespace remesher::io {
+
+// Accessors by semantic, those of morph targets as TARGET_0/POSITION.
+using AccessorsBySemantic = std::map<std::string, int>;
+
+struct VertexPool {
+  AccessorsBySemantic accessors;
+  std::vector<int> primitives;  // their numbers in the mesh
+};
+
+// The pools of the primitives that are triangles, strips or fans and have positions.
+std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh);
+
+// Throws PARSE_ERROR, INDEX_OUT_OF_RANGE, NON_FINITE.
+TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings);
+
+// Small integers in the columns of a matrix are padded; no file is known to have them, and they are
+// not carried along.
+bool isCarried(const GltfDocument& document, int accessor);
+
+}  // namespace remesher::io

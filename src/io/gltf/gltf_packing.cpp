@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_packing.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+
+namespace remesher::io {
+namespace {
+
+using Visitor = std::function<void(Json& number)>;
+
+// Calls the visitor with object[key] if it is there, for every element of an array or member.
+void visitMember(Json& object, const char* key, const Visitor& visit) {
+  if (object.is_object() && object.contains(key)) visit(object[key]);
+}
+
+void visitEach(Json& object, const char* key, const Visitor& visit) {
+  visitMember(object, key, [&](Json& list) {
+    if (list.is_structured())
+      for (Json& element : list) visit(element);
+  });
+}
+
+void visitPath(Json& object, std::initializer_list<const char*> path, const Visitor& visit) {
+  Json* at = &object;
+  for (const char* key : path) {
+    if (!at->is_object() || !at->contains(key)) return;
+    at = &(*at)[key];
+  }
+  visit(*at);
+}
+
+void forEachAccessorNumber(Json& tree, const Visitor& visit) {
+  visitEach(tree, "meshes", [&](Json& mesh) {
+    visitEach(mesh, "primitives", [&](Json& primitive) {
+      visitEach(primitive, "attributes", visit);
+      visitMember(primitive, "indices", visit);
+      visitEach(primitive, "targets", [&](Json& target) {
+        for (Json& number : target) visit(number);
+      });
+    });
+  });
+  visitEach(tree, "animations", [&](Json& animation) {
+    visitEach(animation, "samplers", [&](Json& sampler) {
+      visitMember(sampler, "input", visit);
+      visitMember(sampler, "output", visit);
+    });
+  });
+  visitEach(tree, "skins", [&](Json& skin) { visitMember(skin, "inverseBindMatrices", visit); });
+  visitEach(tree, "nodes", [&](Json& node) {
+    visitPath(node, {"extensions", "EXT_mesh_gpu_instancing"},
+              [&](Json& instancing) { visitEach(instancing, "attributes", visit); });
+  });
+}
+
+void visitBufferViewsOf(Json& accessor, const Visitor& visit) {
+  visitMember(accessor, "bufferView", visit);
+  visitPath(accessor, {"sparse", "indices", "bufferView"}, visit);
+  visitPath(accessor, {"sparse", "values", "bufferView"}, visit);
+}
+
+void forEachBufferViewNumber(Json& tree, const Visitor& visit) {
+  visitEach(tree, "accessors", [&](Json& accessor) { visitBufferViewsOf(accessor, visit); });
+  visitEach(tree, "images", [&](Json& image) { visitMember(image, "bufferView", visit); });
+}
+
+bool hasInteger(const Json& value) {
+  if (value.is_number_integer()) return true;
+  return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
+}
+
+// Extensions whose numbers are known to mean materials, textures, nodes or the like.
+bool isHarmless(std::string_view extension) {
+  constexpr std::array<std::string_view, 14> kPrefixes = {"KHR_materials_",
+                                                          "KHR_texture_",
+                                                          "KHR_lights_",
+                                                          "KHR_node_",
+                                                          "KHR_mesh_quantization",
+                                                          "KHR_xmp",
+                                                          "KHR_animation_pointer",
+                                                          "EXT_materials_",
+                                                          "EXT_texture_",
+                                                          "EXT_lights_image_based",
+                                                          "EXT_mesh_gpu_instancing",
+                                                          "MSFT_",
+                                                          "VRM",
+                                                          "ADOBE_materials_"};
+  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
+                     [&](std::string_view prefix) { return extension.starts_with(prefix); });
+}
+
+bool hasUnknownReferences(const Json& value) {
+  if (!value.is_structured()) return false;
+  if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
+    for (const auto& [name, extension] : value["extensions"].items())
+      if (!isHarmless(name) && hasInteger(extension)) return true;
+  return std::any_of(value.begin(), value.end(), hasUnknownReferences);
+}
+
+int asIndex(const Json& number) { return number.is_number_integer() ? number.get<int>() : -1; }
+
+// Removes the elements of tree[list] that are in `candidates` and that `forEach` does not find.
+// Returns those removed, and renumbers what `forEach` finds.
+std::vector<Json> removeUnused(Json& tree, const char* list, const std::set<int>& candidates,
+                               void (*forEach)(Json&, const Visitor&)) {
+  std::set<int> unused = candidates;
+  forEach(tree, [&](Json& number) { unused.erase(asIndex(number)); });
+  if (unused.empty() || !tree.contains(list)) return {};
+  std::vector<Json> removed;
+  Json kept = Json::array();
+  std::vector<std::size_t> newNumbers;
+  for (std::size_t i = 0; i < tree[list].size(); ++i) {
+    newNumbers.push_back(kept.size());
+    if (unused.count(static_cast<int>(i)) == 1)
+      removed.push_back(std::move(tree[list][i]));
+    else
+      kept.push_back(std::move(tree[list][i]));
+  }
+  forEach(tree, [&](Json& number) {
+    const int index = asIndex(number);
+    if (index >= 0 && static_cast<std::size_t>(index) < newNumbers.size())
+      number = newNumbers[index];
+  });
+  if (kept.empty())
+    tree.erase(list);
+  else
+    tree[list] = std::move(kept);
+  return removed;
+}
+
+void dropAbandoned(Json& tree, const std::set<int>& abandoned) {
+  std::vector<Json> accessors = removeUnused(tree, "accessors", abandoned, forEachAccessorNumber);
+  std::set<int> bufferViews;
+  for (Json& accessor : accessors)
+    visitBufferViewsOf(accessor, [&](Json& number) { bufferViews.insert(asIndex(number)); });
+  removeUnused(tree, "bufferViews", bufferViews, forEachBufferViewNumber);
+}
+
+// Bytes of an old buffer that some buffer view shows, and where they go.
+struct Range {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t target = 0;
+};
+
+std::size_t sizeMember(const Json& object, const char* key) {
+  return object.contains(key) ? object[key].get<std::size_t>() : 0;
+}
+
+std::vector<Range> shownRanges(const Json& bufferViews, std::size_t buffer) {
+  std::vector<Range> ranges;
+  for (const Json& view : bufferViews)
+    if (sizeMember(view, "buffer") == buffer) {
+      const std::size_t begin = sizeMember(view, "byteOffset");
+      ranges.push_back({begin, begin + sizeMember(view, "byteLength"), 0});
+    }
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Range& a, const Range& b) { return a.begin < b.begin; });
+  std::vector<Range> merged;
+  for (const Range& range : ranges) {
+    if (!merged.empty() && range.begin <= merged.back().end)
+      merged.back().end = std::max(merged.back().end, range.end);
+    else
+      merged.push_back(range);
+  }
+  return merged;
+}
+
+// Copies the ranges behind `data`, each as aligned as it was.
+void copyRanges(std::vector<Range>& ranges, const Bytes& buffer, Bytes& data) {
+  constexpr std::size_t kAlignment = 8;
+  for (Range& range : ranges) {
+    while (data.size() % kAlignment != range.begin % kAlignment) data.push_back(0);
+    range.target = data.size();
+    data.insert(data.end(), buffer.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                buffer.begin() + static_cast<std::ptrdiff_t>(range.end));
+  }
+}
+
+std::size_t movedOffset(const std::vector<Range>& ranges, std::size_t offset) {
+  const auto after = std::upper_bound(
+      ranges.begin(), ranges.end(), offset,
+      [](std::size_t position, const Range& range) { return position < range.begin; });
+  const Range& range = *std::prev(after);
+  return range.target + (offset - range.begin);
+}
+
+Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidden) {
+  Bytes data;
+  if (!tree.contains("bufferViews")) return data;
+  Json& bufferViews = tree["bufferViews"];
+  std::vector<std::vector<Range>> ranges;
+  std::size_t total = 0;
+  for (const Bytes& buffer : buffers) total += buffer.size() + 8;
+  data.reserve(total);
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    ranges.push_back(keepsHidden ? std::vector<Range>{{0, buffers[i].size(), 0}}
+                                 : shownRanges(bufferViews, i));
+    copyRanges(ranges.back(), buffers[i], data);
+  }
+  for (Json& view : bufferViews) {
+    const std::size_t offset =
+        movedOffset(ranges[sizeMember(view, "buffer")], sizeMember(view, "byteOffset"));
+    view["buffer"] = 0;
+    view["byteOffset"] = offset;
+  }
+  return data;
+}
+
+}  // namespace
+
+PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const std::set<int>& abandoned) {
+  const bool keepsAll = hasUnknownReferences(tree);
+  if (!keepsAll) dropAbandoned(tree, abandoned);
+  Bytes data = mergeBuffers(tree, buffers, keepsAll);
+  if (data.empty()) {
+    tree.erase("buffers");
+  } else {
+    Json buffer = Json::object();
+    if (tree.contains("buffers") && !tree["buffers"].empty()) buffer = tree["buffers"][0];
+    buffer["byteLength"] = data.size();
+    tree["buffers"] = Json::array({buffer});
+  }
+  return {std::move(tree), std::move(data)};
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "io/gltf/gltf.h"
+#include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_scene.h"
+
+namespace remesher::io {
+namespace {
+
+// Instances of all meshes; where the file shows none at all, each mesh once where it is.
+std::vector<std::vector<Transform>> placedMeshes(const GltfDocument& document) {
+  std::vector<std::vector<Transform>> instances = meshInstances(document);
+  const bool isEmpty = std::all_of(instances.begin(), instances.end(),
+                                   [](const auto& list) { return list.empty(); });
+  if (isEmpty)
+    for (auto& list : instances) list.push_back(Transform::Identity());
+  return instances;
+}
+
+std::size_t trianglePrimitives(const tinygltf::Mesh& mesh) {
+  std::size_t count = 0;
+  for (const VertexPool& pool : vertexPools(mesh)) count += pool.primitives.size();
+  return count;
+}
+
+// By primitive number. Semantics of some primitives only are those the others lack.
+std::vector<GroupInfo> groupInfos(const GltfDocument& document, const tinygltf::Mesh& mesh,
+                                  const TriangleMesh& triangles) {
+  std::vector<GroupInfo> infos(mesh.primitives.size());
+  for (const VertexPool& pool : vertexPools(mesh)) {
+    for (const int primitive : pool.primitives) {
+      GroupInfo& info = infos[primitive];
+      for (const Attribute& attribute : triangles.attributes)
+        if (pool.accessors.count(attribute.semantic) == 0) info.lacks.push_back(attribute.semantic);
+      const int material = mesh.primitives[primitive].material;
+      const Json materials = document.tree.value("materials", Json::array());
+      if (material >= 0 && static_cast<std::size_t>(material) < materials.size())
+        info.material = materials[material].value("name", "material " + std::to_string(material));
+    }
+  }
+  return infos;
+}
+
+Model readDocument(const std::shared_ptr<GltfDocument>& document) {
+  Model model;
+  const std::vector<std::vector<Transform>> instances = placedMeshes(*document);
+  std::size_t untouched = 0;
+  for (std::size_t i = 0; i < document->typed.meshes.size(); ++i) {
+    const tinygltf::Mesh& mesh = document->typed.meshes[i];
+    untouched += mesh.primitives.size() - trianglePrimitives(mesh);
+    TriangleMesh triangles = readGeometry(*document, static_cast<int>(i), model.warnings);
+    if (triangles.indices.empty()) continue;
+    const std::string name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
+    std::vector<GroupInfo> groups = groupInfos(*document, mesh, triangles);
+    model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
+    document->partMeshes.push_back(static_cast<int>(i));
+  }
+  if (untouched > 0)
+    model.warnings.push_back({"NOT_TRIANGLES",
+                              "Points, lines and primitives without positions are not remeshed.",
+                              untouched});
+  model.source = document;
+  return model;
+}
+
+}  // namespace
+
+Model readGltf(const File& file, const std::vector<File>& resources) {
+  try {
+    return readDocument(openGltf(file, resources));
+  } catch (const Json::exception&) {
+    throw Error(ErrorCode::ParseError, file.name + ": the glTF document is invalid.",
+                "A glTF validator tells where.");
+  }
+}
+
+}  // namespace remesher::io

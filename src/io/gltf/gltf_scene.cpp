@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_scene.h"
+
+#include <string>
+#include <utility>
+
+#include "io/gltf/gltf_accessor.h"
+
+namespace remesher::io {
+namespace {
+
+Transform localTransform(const tinygltf::Node& node) {
+  Transform transform = Transform::Identity();
+  if (node.matrix.size() == 16) {
+    transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
+    return transform;
+  }
+  if (node.translation.size() == 3)
+    transform.translate(Vec3(node.translation[0], node.translation[1], node.translation[2]));
+  if (node.rotation.size() == 4) {
+    const Eigen::Quaterniond rotation(node.rotation[3], node.rotation[0], node.rotation[1],
+                                      node.rotation[2]);
+    if (rotation.norm() > 0) transform.rotate(rotation.normalized());
+  }
+  if (node.scale.size() == 3) transform.scale(Vec3(node.scale[0], node.scale[1], node.scale[2]));
+  return transform;
+}
+
+class SceneWalk {
+ public:
+  explicit SceneWalk(const GltfDocument& document)
+      : document_(document), world_(document.typed.nodes.size()), visited_(world_.size(), 0) {}
+  std::vector<std::vector<Transform>> meshInstances();
+
+ private:
+  void visitTree(int root);
+  std::vector<int> roots() const;
+  Transform skinTransform(const tinygltf::Skin& skin) const;
+
+  const GltfDocument& document_;
+  std::vector<Transform> world_;  // per node
+  std::vector<char> visited_;     // per node
+};
+
+// Parents before children, without recursion: a chain of nodes may be long.
+void SceneWalk::visitTree(int root) {
+  std::vector<std::pair<int, int>> open = {{root, -1}};  // a node and its parent
+  while (!open.empty()) {
+    const auto [node, parent] = open.back();
+    open.pop_back();
+    if (node < 0 || static_cast<std::size_t>(node) >= world_.size())
+      document_.fail(ErrorCode::ParseError,
+                     "the scene names node " + std::to_string(node) + ", which is not there.");
+    if (visited_[node])
+      document_.fail(ErrorCode::ParseError,
+                     "node " + std::to_string(node) + " hangs in the scene more than once.");
+    visited_[node] = 1;
+    const Transform local = localTransform(document_.typed.nodes[node]);
+    world_[node] = parent < 0 ? local : world_[parent] * local;
+    for (const int child : document_.typed.nodes[node].children) open.emplace_back(child, node);
+  }
+}
+
+std::vector<int> SceneWalk::roots() const {
+  const tinygltf::Model& model = document_.typed;
+  if (!model.scenes.empty()) {
+    const bool isNamed = model.defaultScene >= 0 &&
+                         static_cast<std::size_t>(model.defaultScene) < model.scenes.size();
+    return model.scenes[isNamed ? model.defaultScene : 0].nodes;
+  }
+  std::vector<char> isChild(model.nodes.size(), 0);
+  for (const tinygltf::Node& node : model.nodes)
+    for (const int child : node.children)
+      if (child >= 0 && static_cast<std::size_t>(child) < isChild.size()) isChild[child] = 1;
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < isChild.size(); ++i)
+    if (!isChild[i]) roots.push_back(static_cast<int>(i));
+  return roots;
+}
+
+// A skinned mesh stands where its joints carry it, not where its node is. At rest they usually
+// all carry it alike, so the first one speaks for all.
+Transform SceneWalk::skinTransform(const tinygltf::Skin& skin) const {
+  if (skin.joints.empty()) return Transform::Identity();
+  const int joint = skin.joints[0];
+  if (joint < 0 || static_cast<std::size_t>(joint) >= world_.size() || !visited_[joint])
+    return Transform::Identity();
+  Transform inverseBind = Transform::Identity();
+  if (skin.inverseBindMatrices >= 0) {
+    const std::vector<float> matrices = readFloats(
+        document_, skin.inverseBindMatrices, accessorCount(document_, skin.inverseBindMatrices));
+    if (matrices.size() >= 16)
+      inverseBind.matrix() = Eigen::Map<const Eigen::Matrix4f>(matrices.data()).cast<double>();
+  }
+  return world_[joint] * inverseBind;
+}
+
+std::vector<std::vector<Transform>> SceneWalk::meshInstances() {
+  for (const int root : roots()) visitTree(root);
+  const tinygltf::Model& model = document_.typed;
+  std::vector<std::vector<Transform>> instances(model.meshes.size());
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const tinygltf::Node& node = model.nodes[i];
+    if (!visited_[i] || node.mesh < 0) continue;
+    if (static_cast<std::size_t>(node.mesh) >= instances.size())
+      document_.fail(ErrorCode::ParseError, "node " + std::to_string(i) + " shows mesh " +
+                                                std::to_string(node.mesh) +
+                                                ", which is not there.");
+    const bool isSkinned =
+        node.skin >= 0 && static_cast<std::size_t>(node.skin) < model.skins.size();
+    instances[node.mesh].push_back(isSkinned ? skinTransform(model.skins[node.skin]) : world_[i]);
+  }
+  return instances;
+}
+
+}  // namespace
+
+std::vector<std::vector<Transform>> meshInstances(const GltfDocument& document) {
+  return SceneWalk(document).meshInstances();
+}
+
+}  // namespace remesher::io

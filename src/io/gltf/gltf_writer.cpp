@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// A model that came from glTF goes back into its own tree, parts that were not replaced being left
+// alone; any other model becomes a new, plain document.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "io/gltf/gltf.h"
+#include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_editor.h"
+#include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_packing.h"
+#include "io/model/resources.h"
+
+namespace remesher::io {
+namespace {
+
+enum class Container { Text, Binary };
+
+bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
+  const auto sameAttribute = [](const Attribute& x, const Attribute& y) {
+    return x.semantic == y.semantic && x.itemSize == y.itemSize && x.values == y.values;
+  };
+  return a.indices == b.indices && a.groups == b.groups && a.positions == b.positions &&
+         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), sameAttribute);
+}
+
+// Whether the mesh is the one that was read: the file itself is the only record of it.
+bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
+  std::vector<Warning> alreadyKnown;
+  return isSame(part.mesh, readGeometry(document, mesh, alreadyKnown));
+}
+
+// The numbers of the parts that were replaced.
+std::vector<std::size_t> replacedParts(const GltfDocument& document, const Model& model) {
+  std::vector<std::size_t> replaced;
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (!isUntouched(document, model.parts[i], document.partMeshes[i])) replaced.push_back(i);
+  return replaced;
+}
+
+std::optional<std::string> imageType(const Bytes& bytes) {
+  const auto hasAt = [&](std::size_t at, std::string_view magic) {
+    return bytes.size() >= at + magic.size() &&
+           std::equal(magic.begin(), magic.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+  };
+  if (hasAt(0, "\x89PNG")) return "image/png";
+  if (hasAt(0, "\xFF\xD8\xFF")) return "image/jpeg";
+  if (hasAt(0, "RIFF") && hasAt(8, "WEBP")) return "image/webp";
+  if (hasAt(0, "\xABKTX 20\xBB")) return "image/ktx2";
+  return std::nullopt;
+}
+
+std::optional<Bytes> imageBytes(const GltfDocument& document, const std::string& uri) {
+  if (isDataUri(uri)) return decodeDataUri(uri);
+  const File* const file = findResource(document.resources, uri);
+  if (file == nullptr) return std::nullopt;
+  return file->bytes;
+}
+
+// A text file becoming a binary one takes its images along inside.
+void embedImages(GltfEditor& editor, const GltfDocument& document) {
+  if (!editor.tree().contains("images")) return;
+  for (std::size_t i = 0; i < editor.tree()["images"].size(); ++i) {
+    const Json image = editor.tree()["images"][i];
+    if (!image.contains("uri")) continue;
+    const std::optional<Bytes> bytes = imageBytes(document, image["uri"].get<std::string>());
+    const std::optional<std::string> type = bytes ? imageType(*bytes) : std::nullopt;
+    if (!type) continue;
+    const std::size_t view = editor.addFile(*bytes);
+    Json& changed = editor.tree()["images"][i];
+    changed.erase("uri");
+    changed["mimeType"] = *type;
+    changed["bufferView"] = view;
+  }
+}
+
+// The images that the tree still refers to, as far as they were given.
+void addImageFiles(WrittenFiles& written, const Json& tree, const std::vector<File>& resources) {
+  if (!tree.contains("images")) return;
+  std::set<std::string> done;
+  for (const Json& image : tree["images"]) {
+    if (!image.contains("uri")) continue;
+    const std::string uri = image["uri"].get<std::string>();
+    if (isDataUri(uri) || !done.insert(uri).second) continue;
+    const File* const file = findResource(resources, uri);
+    if (file != nullptr)
+      written.files.push_back({percentDecoded(uri), file->bytes});
+    else
+      written.warnings.push_back(
+          {"RESOURCE_NOT_GIVEN",
+           "The image " + uri + " was not given: the result refers to it, but it is not passed on.",
+           1});
+  }
+}
+
+WrittenFiles serialized(PackedGltf packed, const std::string& outputName, Container container,
+                        bool isEmbedded) {
+  WrittenFiles written;
+  if (container == Container::Binary) {
+    written.files.push_back({outputName, packGlb(packed.tree, packed.data)});
+    return written;
+  }
+  const std::string_view base = baseName(outputName);
+  const std::string dataName = std::string(base.substr(0, base.rfind('.'))) + ".bin";
+  if (!packed.data.empty())
+    packed.tree["buffers"][0]["uri"] = isEmbedded
+                                           ? encodeDataUri("application/octet-stream", packed.data)
+                                           : percentEncoded(dataName);
+  const std::string text = packed.tree.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  written.files.push_back({outputName, {text.begin(), text.end()}});
+  if (!packed.data.empty() && !isEmbedded)
+    written.files.push_back({dataName, std::move(packed.data)});
+  return written;
+}
+
+// The file as it came, with what lay beside it.
+WrittenFiles asItCame(const GltfDocument& document, const std::string& outputName) {
+  WrittenFiles written;
+  written.files.push_back({outputName, document.original.bytes});
+  for (const File& file : document.bufferFiles) written.files.push_back(file);
+  addImageFiles(written, document.tree, document.resources);
+  return written;
+}
+
+WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
+                           const std::string& outputName, Container container) {
+  const Container before = document.isBinary ? Container::Binary : Container::Text;
+  const std::vector<std::size_t> replaced = replacedParts(document, model);
+  if (replaced.empty() && container == before) return asItCame(document, outputName);
+
+  GltfEditor editor(document.tree, &document);
+  for (const std::size_t i : replaced) {
+    const int mesh = document.partMeshes[i];
+    editor.replaceGeometry(static_cast<std::size_t>(mesh), model.parts[i].mesh,
+                           vertexPools(document.typed.meshes[mesh]));
+  }
+  if (container == Container::Binary && before == Container::Text) embedImages(editor, document);
+  std::vector<Bytes> buffers = document.buffers;
+  buffers.push_back(editor.newData());
+  PackedGltf packed = packGltf(std::move(editor.tree()), buffers, editor.abandoned());
+  const Json images = {{"images", packed.tree.value("images", Json::array())}};
+  WrittenFiles written = serialized(std::move(packed), outputName, container, document.isEmbedded);
+  addImageFiles(written, images, document.resources);
+  return written;
+}
+
+// OBJ counts texture rows from the bottom, glTF from the top.
+TriangleMesh withTopLeftOrigin(TriangleMesh mesh, TextureOrigin origin) {
+  if (origin == TextureOrigin::BottomLeft)
+    for (Attribute& attribute : mesh.attributes)
+      if (attribute.semantic.starts_with("TEXCOORD_"))
+        for (std::size_t i = 1; i < attribute.values.size(); i += 2)
+          attribute.values[i] = 1 - attribute.values[i];
+  return mesh;
+}
+
+// One primitive per group; those that lack the same attributes share a pool, its accessors yet to
+// come.
+std::vector<VertexPool> poolsOfGroups(const Part& part) {
+  std::vector<VertexPool> pools;
+  for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
+    AccessorsBySemantic accessors = {{"POSITION", -1}};
+    for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
+    if (group < part.groups.size())
+      for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
+    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
+      return pool.accessors == accessors;
+    });
+    if (same == pools.end())
+      pools.push_back({std::move(accessors), {static_cast<int>(group)}});
+    else
+      same->primitives.push_back(static_cast<int>(group));
+  }
+  return pools;
+}
+
+// The number of the material of this name, which is added if it is new.
+std::size_t materialNumber(Json& tree, const std::string& name) {
+  Json& materials = tree["materials"];
+  const auto same = std::find_if(materials.begin(), materials.end(),
+                                 [&](const Json& material) { return material["name"] == name; });
+  const auto number = static_cast<std::size_t>(same - materials.begin());
+  if (same == materials.end()) materials.push_back({{"name", name}});
+  return number;
+}
+
+// The part's mesh, its primitives without accessors.
+Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
+  Json primitives = Json::array();
+  primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));
+  for (const VertexPool& pool : pools) {
+    for (const int group : pool.primitives) {
+      for (const auto& [semantic, accessor] : pool.accessors)
+        primitives[group]["attributes"][semantic] = accessor;
+      const bool isKnown = static_cast<std::size_t>(group) < part.groups.size();
+      if (isKnown && !part.groups[group].material.empty())
+        primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
+    }
+  }
+  return {{"name", part.name}, {"primitives", primitives}};
+}
+
+Json plainDocument(const Model& model) {
+  Json tree = {{"asset", {{"version", "2.0"}, {"generator", "remesher"}}}, {"scene", 0}};
+  Json roots = Json::array();
+  Json nodes = Json::array();
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    for (const Transform& instance : model.parts[i].instances) {
+      Json node = {{"name", model.parts[i].name}, {"mesh", i}};
+      const Eigen::Matrix4d& matrix = instance.matrix();
+      if (matrix != Eigen::Matrix4d::Identity())
+        node["matrix"] = std::vector<double>(matrix.data(), matrix.data() + 16);
+      roots.push_back(nodes.size());
+      nodes.push_back(std::move(node));
+    }
+  }
+  tree["scenes"] = Json::array({{{"nodes", roots}}});
+  tree["nodes"] = std::move(nodes);
+  return tree;
+}
+
+WrittenFiles writePlain(const Model& model, const std::string& outputName, Container container) {
+  if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
+  GltfEditor editor(plainDocument(model), nullptr);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const TriangleMesh mesh = withTopLeftOrigin(model.parts[i].mesh, model.textureOrigin);
+    const std::vector<VertexPool> pools = poolsOfGroups(model.parts[i]);
+    editor.tree()["meshes"].push_back(plainMesh(editor.tree(), model.parts[i], pools));
+    editor.replaceGeometry(i, mesh, pools);
+  }
+  return serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}), outputName,
+                    container, false);
+}
+
+WrittenFiles writeIn(const Model& model, const std::string& outputName, Container container) {
+  const auto* const document = dynamic_cast<const GltfDocument*>(model.source.get());
+  try {
+    return document == nullptr ? writePlain(model, outputName, container)
+                               : writeDocument(*document, model, outputName, container);
+  } catch (const Json::exception&) {
+    throw Error(ErrorCode::ParseError, "The glTF document is invalid and cannot be written back.",
+                "A glTF validator tells where.");
+  }
+}
+
+}  // namespace
+
+WrittenFiles writeGltf(const Model& model, const std::string& outputName) {
+  return writeIn(model, outputName, Container::Text);
+}
+
+WrittenFiles writeGlb(const Model& model, const std::string& outputName) {
+  return writeIn(model, outputName, Container::Binary);
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "io/model/bake.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+
+namespace remesher::io {
+namespace {
+
+void transformDirections(Attribute& attribute, const Eigen::Matrix3d& matrix) {
+  const std::size_t stride = attribute.itemSize;
+  for (std::size_t at = 0; at + stride <= attribute.values.size(); at += stride) {
+    Eigen::Map<Eigen::Vector3f> direction(&attribute.values[at]);
+    const Vec3 turned = matrix * direction.cast<double>();
+    const double length = turned.norm();
+    if (length > 0) direction = (turned / length).cast<float>();
+  }
+}
+
+void transformMesh(TriangleMesh& mesh, const Transform& transform) {
+  for (Vec3& position : mesh.positions) position = transform * position;
+  const Eigen::Matrix3d linear = transform.linear();
+  for (Attribute& attribute : mesh.attributes) {
+    if (attribute.semantic == "NORMAL")
+      transformDirections(attribute, linear.inverse().transpose());
+    if (attribute.semantic == "TANGENT") transformDirections(attribute, linear);
+  }
+  if (linear.determinant() < 0)
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+      std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+}
+
+const Attribute* find(const TriangleMesh& mesh, const Attribute& like) {
+  const auto found =
+      std::find_if(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
+        return attribute.semantic == like.semantic && attribute.itemSize == like.itemSize;
+      });
+  return found == mesh.attributes.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<Part> bakeInstances(const Model& model) {
+  std::vector<Part> baked;
+  for (const Part& part : model.parts) {
+    for (const Transform& instance : part.instances) {
+      baked.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
+      if (!instance.isApprox(Transform::Identity(), 0.0))
+        transformMesh(baked.back().mesh, instance);
+    }
+  }
+  if (baked.empty()) throw Error(ErrorCode::NoTriangles, "The file shows no triangles to write.");
+  return baked;
+}
+
+TriangleMesh mergeParts(const std::vector<Part>& parts) {
+  TriangleMesh merged;
+  for (Index number = 0; number < parts.size(); ++number) {
+    const TriangleMesh& mesh = parts[number].mesh;
+    const auto offset = static_cast<Index>(merged.positions.size());
+    merged.positions.insert(merged.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    for (const Index vertex : mesh.indices) merged.indices.push_back(vertex + offset);
+    merged.groups.resize(merged.groups.size() + mesh.triangleCount(), number);
+  }
+  if (parts.empty()) return merged;
+  for (const Attribute& attribute : parts.front().mesh.attributes) {
+    Attribute joined{attribute.semantic, attribute.itemSize, {}};
+    const bool everywhere = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+      return find(part.mesh, attribute) != nullptr;
+    });
+    if (!everywhere) continue;
+    for (const Part& part : parts) {
+      const std::vector<float>& values = find(part.mesh, attribute)->values;
+      joined.values.insert(joined.values.end(), values.begin(), values.end());
+    }
+    merged.attributes.push_back(std::move(joined));
+  }
+  return merged;
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A scene flattened for formats that know no scene: every instance of every part as a mesh of its
+// own, in world space.
+#pragma once
+
+#include <vector>
+
+#include "io/model/model.h"
+
+namespace remesher::io {
+
+// One part per instance, its only instance the identity; named as the part it came from. Normals
+// stay perpendicular, and a mirroring transform turns the triangles around, so that outside stays
+// outside. Throws NO_TRIANGLES when there is nothing to bake.
+std::vector<Part> bakeInstances(const Model& model);
+
+// All parts as one mesh; the group of a triangle is the number of its part. Attributes that not
+// all parts have are left out.
+TriangleMesh mergeParts(const std::vector<Part>& parts);
+
+}  // namespace remesher::io

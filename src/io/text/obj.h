@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Wavefront OBJ. Read: v (with colours as x y z r g b), vt, vn, f with polygons of any size and
+// negative numbers, o, g, s, usemtl, mtllib. Written back: the same statements, the material
+// library unread and as it came.
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/file.h"
+#include "io/model/model.h"
+#include "io/model/written_files.h"
+
+namespace remesher::io {
+
+Model readObj(const File& file, const std::vector<File>& resources);
+WrittenFiles writeObj(const Model& model, const std::string& outputName);
+
+// The state in which a run of faces was read, one per triangle group: every group number is an
+// index into ObjSource::groups.
+struct ObjGroup {
+  std::string object;
+  std::string groups;
+  std::string smoothing;
+  std::string material;
+  bool hasTexcoords = false;
+  bool hasNormals = false;
+
+  auto members() const {
+    return std::tie(object, groups, smoothing, material, hasTexcoords, hasNormals);
+  }
+  bool operator==(const ObjGroup&) const = default;
+  bool operator<(const ObjGroup& other) const { return members() < other.members(); }
+};
+
+struct ObjSource : Source {
+  std::vector<ObjGroup> groups;
+  std::vector<std::string> libraries;  // the operands of mtllib
+  std::vector<File> libraryFiles;      // those of them that were given
+  File original;
+};
+
+}  // namespace remesher::io

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+// OBJ keeps positions, texture coordinates and normals in three lists, and a face's corner names
+// one of each. A mesh vertex is made for each combination that occurs, in the order of positions,
+// so that a file without vt and vn keeps the numbers of its vertices.
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "io/model/polygon.h"
+#include "io/text/obj.h"
+#include "io/text/text_scanner.h"
+
+namespace remesher::io {
+namespace {
+
+// Indices into the three lists; texcoord and normal may be kNone.
+struct Corner {
+  Index position = kNone;
+  Index texcoord = kNone;
+  Index normal = kNone;
+
+  bool operator==(const Corner&) const = default;
+};
+
+struct ObjContent {
+  std::vector<Vec3> positions;
+  std::vector<float> colors;     // 3 per position, or fewer when some have none
+  std::vector<float> texcoords;  // 2 each
+  std::vector<float> normals;    // 3 each
+  std::vector<Corner> corners;   // 3 per triangle
+  std::vector<Index> groups;     // 1 per triangle
+  std::size_t skippedElements = 0;
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name)
+      : scanner_(text, name), source_(std::make_shared<ObjSource>()) {}
+
+  ObjContent read();
+  std::shared_ptr<ObjSource> source() { return source_; }
+
+ private:
+  void readStatement(std::string_view keyword);
+  void readPosition();
+  void readNumbers(std::vector<float>& list, int count, std::string_view what);
+  void readFace();
+  Corner readCorner(std::string_view word);
+  Index resolve(std::string_view& word, std::size_t listed, std::string_view what);
+  Index groupOf(const Corner& corner);
+
+  TextScanner scanner_;
+  std::shared_ptr<ObjSource> source_;
+  ObjContent content_;
+  ObjGroup state_;
+  std::optional<Index> group_;  // of state_, once looked up
+  std::map<ObjGroup, Index> groupNumbers_;
+  std::vector<Corner> polygon_;
+  std::vector<Vec3> polygonPoints_;
+};
+
+void ObjReader::readPosition() {
+  Vec3 position;
+  for (double& coordinate : position) coordinate = scanner_.number("the coordinate of a vertex");
+  content_.positions.push_back(position);
+  std::array<float, 4> extra{};
+  std::size_t extras = 0;
+  while (extras < extra.size() && !scanner_.atLineEnd())
+    extra[extras++] = static_cast<float>(scanner_.number("the colour of a vertex"));
+  // A single extra number is the weight of a rational curve, which triangles have no use for.
+  if (extras < 3) return;
+  content_.colors.resize(3 * (content_.positions.size() - 1), 1.0F);
+  content_.colors.insert(content_.colors.end(), extra.begin(), extra.begin() + 3);
+}
+
+void ObjReader::readNumbers(std::vector<float>& list, int count, std::string_view what) {
+  for (int i = 0; i < count; ++i) {
+    const bool isOptional = i > 0 && scanner_.atLineEnd();
+    list.push_back(isOptional ? 0.0F : static_cast<float>(scanner_.number(what)));
+  }
+}
+
+// OBJ counts from one, and back from the end with negative numbers.
+Index ObjReader::resolve(std::string_view& word, std::size_t listed, std::string_view what) {
+  const auto [number, rest] = TextScanner::leadingInteger(word);
+  if (rest.size() == word.size())
+    scanner_.fail(ErrorCode::ParseError, "a face has no number where its " + std::string(what) +
+                                             " should be: \"" + std::string(word) + "\".");
+  word = rest;
+  const auto count = static_cast<long long>(listed);
+  if (number == 0 || number > count || number < -count)
+    scanner_.fail(ErrorCode::IndexOutOfRange,
+                  "a face names " + std::string(what) + " " + std::to_string(number) + ", but " +
+                      (count == 0 ? "there is none" : "there are " + std::to_string(count)) + ".",
+                  "Repair the file: a face may name only what stands before it.");
+  return static_cast<Index>(number > 0 ? number - 1 : count + number);
+}
+
+// v, v/vt, v//vn or v/vt/vn.
+Corner ObjReader::readCorner(std::string_view word) {
+  const std::string_view whole = word;
+  Corner corner;
+  corner.position = resolve(word, content_.positions.size(), "vertex");
+  if (!word.empty() && word[0] == '/') {
+    word.remove_prefix(1);
+    if (!word.empty() && word[0] != '/')
+      corner.texcoord = resolve(word, content_.texcoords.size() / 2, "texture coordinate");
+    if (!word.empty() && word[0] == '/') {
+      word.remove_prefix(1);
+      if (!word.empty()) corner.normal = resolve(word, content_.normals.size() / 3, "normal");
+    }
+  }
+  if (!word.empty())
+    scanner_.fail(ErrorCode::ParseError,
+                  "a face has a corner that is not v, v/vt, v//vn or v/vt/vn: \"" +
+                      std::string(whole) + "\".");
+  return corner;
+}
+
+Index ObjReader::groupOf(const Corner& corner) {
+  const bool hasTexcoords = corner.texcoord != kNone;
+  const bool hasNormals = corner.normal != kNone;
+  if (!group_ || hasTexcoords != state_.hasTexcoords || hasNormals != state_.hasNormals) {
+    state_.hasTexcoords = hasTexcoords;
+    state_.hasNormals = hasNormals;
+    const auto next = static_cast<Index>(source_->groups.size());
+    const auto [entry, isNew] = groupNumbers_.emplace(state_, next);
+    if (isNew) source_->groups.push_back(state_);
+    group_ = entry->second;
+  }
+  return *group_;
+}
+
+void ObjReader::readFace() {
+  polygon_.clear();
+  while (!scanner_.atLineEnd()) polygon_.push_back(readCorner(scanner_.word()));
+  if (polygon_.size() < 3)
+    scanner_.fail(ErrorCode::ParseError, "a face has fewer than three corners.");
+  // A face whose corners disagree in what they name has none of it.
+  const auto lacks = [&](Index Corner::*field) {
+    return std::any_of(polygon_.begin(), polygon_.end(),
+                       [&](const Corner& corner) { return corner.*field == kNone; });
+  };
+  for (Index Corner::*field : {&Corner::texcoord, &Corner::normal})
+    if (lacks(field))
+      for (Corner& corner : polygon_) corner.*field = kNone;
+
+  const Index group = groupOf(polygon_[0]);
+  if (polygon_.size() == 3) {
+    content_.corners.insert(content_.corners.end(), polygon_.begin(), polygon_.end());
+    content_.groups.push_back(group);
+    return;
+  }
+  polygonPoints_.clear();
+  for (const Corner& corner : polygon_)
+    polygonPoints_.push_back(content_.positions[corner.position]);
+  for (const auto& triangle : triangulate(polygonPoints_)) {
+    for (const Index i : triangle) content_.corners.push_back(polygon_[i]);
+    content_.groups.push_back(group);
+  }
+}
+
+void ObjReader::readStatement(std::string_view keyword) {
+  const auto setState = [&](std::string& field) {
+    field = scanner_.rest();
+    group_.reset();
+  };
+  if (keyword == "v") {
+    readPosition();
+  } else if (keyword == "vt") {
+    readNumbers(content_.texcoords, 2, "a texture coordinate");
+  } else if (keyword == "vn") {
+    readNumbers(content_.normals, 3, "the coordinate of a normal");
+  } else if (keyword == "f") {
+    readFace();
+  } else if (keyword == "o") {
+    setState(state_.object);
+  } else if (keyword == "g") {
+    setState(state_.groups);
+  } else if (keyword == "s") {
+    setState(state_.smoothing);
+  } else if (keyword == "usemtl") {
+    setState(state_.material);
+  } else if (keyword == "mtllib") {
+    source_->libraries.emplace_back(scanner_.rest());
+  } else if (keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "surf") {
+    ++content_.skippedElements;
+  }
+}
+
+ObjContent ObjReader::read() {
+  while (scanner_.nextLine())
+    if (!scanner_.atLineEnd()) readStatement(scanner_.word());
+  return std::move(content_);
+}
+
+// The distinct corners: those of one position form a chain from first[position] through next.
+struct Wedges {
+  std::vector<Corner> corners;
+  std::vector<Index> ofCorner;  // per corner of the content: its wedge
+};
+
+Wedges distinctCorners(const ObjContent& content) {
+  std::vector<Index> first(content.positions.size(), kNone);
+  std::vector<Index> next;
+  std::vector<Corner> found;
+  std::vector<Index> ofCorner;
+  ofCorner.reserve(content.corners.size());
+  for (const Corner& corner : content.corners) {
+    Index wedge = first[corner.position];
+    while (wedge != kNone && found[wedge] != corner) wedge = next[wedge];
+    if (wedge == kNone) {
+      wedge = static_cast<Index>(found.size());
+      found.push_back(corner);
+      next.push_back(std::exchange(first[corner.position], wedge));
+    }
+    ofCorner.push_back(wedge);
+  }
+
+  // Renumbered in the order of positions; a position no face uses keeps a vertex too.
+  Wedges wedges;
+  std::vector<Index> renumbered(found.size());
+  for (Index position = 0; position < first.size(); ++position) {
+    if (first[position] == kNone) wedges.corners.push_back({position, kNone, kNone});
+    for (Index wedge = first[position]; wedge != kNone; wedge = next[wedge]) {
+      renumbered[wedge] = static_cast<Index>(wedges.corners.size());
+      wedges.corners.push_back(found[wedge]);
+    }
+  }
+  for (Index& wedge : ofCorner) wedge = renumbered[wedge];
+  wedges.ofCorner = std::move(ofCorner);
+  return wedges;
+}
+
+// One of the file's lists as an attribute: its values by the number that `field` of a corner names.
+struct ListedValues {
+  const char* semantic;
+  int itemSize;
+  const std::vector<float>& values;
+  Index Corner::*field;
+};
+
+Attribute gathered(const ListedValues& list, const Wedges& wedges) {
+  Attribute attribute{list.semantic, list.itemSize, {}};
+  attribute.values.resize(list.itemSize * wedges.corners.size(), 0.0F);
+  for (std::size_t i = 0; i < wedges.corners.size(); ++i) {
+    const Index entry = wedges.corners[i].*list.field;
+    if (entry != kNone)
+      std::copy_n(list.values.begin() + std::ptrdiff_t{list.itemSize} * entry, list.itemSize,
+                  attribute.values.begin() + list.itemSize * static_cast<std::ptrdiff_t>(i));
+  }
+  return attribute;
+}
+
+TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
+  const Wedges wedges = distinctCorners(content);
+  TriangleMesh mesh;
+  mesh.indices = wedges.ofCorner;
+  mesh.groups = std::move(content.groups);
+  mesh.positions.reserve(wedges.corners.size());
+  for (const Corner& corner : wedges.corners)
+    mesh.positions.push_back(content.positions[corner.position]);
+
+  const auto anyGroup = [&](bool ObjGroup::*field) {
+    return std::any_of(groups.begin(), groups.end(),
+                       [&](const ObjGroup& group) { return group.*field; });
+  };
+  if (anyGroup(&ObjGroup::hasNormals))
+    mesh.attributes.push_back(gathered({"NORMAL", 3, content.normals, &Corner::normal}, wedges));
+  if (anyGroup(&ObjGroup::hasTexcoords))
+    mesh.attributes.push_back(
+        gathered({"TEXCOORD_0", 2, content.texcoords, &Corner::texcoord}, wedges));
+  if (!content.colors.empty()) {
+    content.colors.resize(3 * content.positions.size(), 1.0F);
+    mesh.attributes.push_back(gathered({"COLOR_0", 3, content.colors, &Corner::position}, wedges));
+  }
+  return mesh;
+}
+
+std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const std::vector<ObjGroup>& groups) {
+  std::vector<GroupInfo> infos;
+  for (const ObjGroup& group : groups) {
+    GroupInfo info{group.material, {}};
+    for (const Attribute& attribute : mesh.attributes)
+      if ((attribute.semantic == "NORMAL" && !group.hasNormals) ||
+          (attribute.semantic == "TEXCOORD_0" && !group.hasTexcoords))
+        info.lacks.push_back(attribute.semantic);
+    infos.push_back(std::move(info));
+  }
+  return infos;
+}
+
+void findLibraries(ObjSource& source, const std::vector<File>& resources,
+                   std::vector<Warning>& warnings) {
+  for (const std::string& library : source.libraries) {
+    const auto found = std::find_if(resources.begin(), resources.end(),
+                                    [&](const File& file) { return file.name == library; });
+    if (found != resources.end())
+      source.libraryFiles.push_back(*found);
+    else
+      warnings.push_back({"RESOURCE_NOT_GIVEN",
+                          "The material library " + library +
+                              " was not given: the result refers to it, but it is not passed on.",
+                          1});
+  }
+}
+
+}  // namespace
+
+Model readObj(const File& file, const std::vector<File>& resources) {
+  ObjReader reader({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()},
+                   file.name);
+  ObjContent content = reader.read();
+  const std::shared_ptr<ObjSource> source = reader.source();
+  source->original = file;
+
+  Model model;
+  model.textureOrigin = TextureOrigin::BottomLeft;
+  findLibraries(*source, resources, model.warnings);
+  if (content.skippedElements > 0)
+    model.warnings.push_back({"NOT_TRIANGLES",
+                              "Points, lines and curves are not remeshed; the result lacks them.",
+                              content.skippedElements});
+  if (content.corners.empty())
+    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+                "Only surfaces can be remeshed, not points or lines.");
+  TriangleMesh mesh = meshOf(std::move(content), source->groups);
+  std::vector<GroupInfo> groups = groupInfos(mesh, source->groups);
+  model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}, std::move(groups)});
+  model.source = source;
+  return model;
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "io/text/text_scanner.h"
+
+#include <fast_float/fast_float.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace remesher::io {
+namespace {
+
+constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+
+// Behind the line ending at `at`, which may be \n, \r or \r\n.
+const char* afterLineEnd(const char* at, const char* end) {
+  const bool isPair = *at == '\r' && at + 1 < end && at[1] == '\n';
+  return at + (isPair ? 2 : 1);
+}
+
+}  // namespace
+
+TextScanner::TextScanner(std::string_view text, std::string fileName)
+    : fileName_(std::move(fileName)), at_(text.data()), end_(text.data() + text.size()) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ += kByteOrderMark.size();
+}
+
+bool TextScanner::nextLine() {
+  if (line_ > 0) {
+    while (at_ < end_ && !isLineEnd(*at_)) ++at_;
+    if (at_ < end_) at_ = afterLineEnd(at_, end_);
+  }
+  if (at_ == end_) return false;
+  ++line_;
+  return true;
+}
+
+void TextScanner::skipBlanks() {
+  while (at_ < end_) {
+    if (isBlank(*at_)) {
+      ++at_;
+    } else if (*at_ == '\\' && at_ + 1 < end_ && isLineEnd(at_[1])) {
+      at_ = afterLineEnd(at_ + 1, end_);
+      ++line_;
+    } else {
+      break;
+    }
+  }
+  if (at_ < end_ && *at_ == '#')
+    while (at_ < end_ && !isLineEnd(*at_)) ++at_;
+}
+
+std::string_view TextScanner::word() {
+  skipBlanks();
+  const char* const begin = at_;
+  while (at_ < end_ && !isBlank(*at_) && !isLineEnd(*at_)) {
+    if (*at_ == '\\' && at_ + 1 < end_ && isLineEnd(at_[1])) break;
+    ++at_;
+  }
+  return {begin, static_cast<std::size_t>(at_ - begin)};
+}
+
+std::string_view TextScanner::rest() {
+  while (at_ < end_ && isBlank(*at_)) ++at_;
+  const char* const begin = at_;
+  while (at_ < end_ && !isLineEnd(*at_)) ++at_;
+  const char* last = at_;
+  while (last > begin && isBlank(last[-1])) --last;
+  return {begin, static_cast<std::size_t>(last - begin)};
+}
+
+bool TextScanner::atLineEnd() {
+  skipBlanks();
+  return at_ == end_ || isLineEnd(*at_);
+}
+
+bool TextScanner::skipEmptyLines() {
+  while (atLineEnd())
+    if (!nextLine()) return false;
+  return true;
+}
+
+double TextScanner::number(std::string_view what) {
+  const std::string_view text = word();
+  const char* const begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  double value = 0;
+  const auto [stop, problem] = fast_float::from_chars(begin, end, value);
+  if (problem != std::errc() || stop != end)
+    fail(ErrorCode::ParseError,
+         text.empty() ? std::string(what) + " is missing."
+                      : std::string(what) + " is not a number: \"" + std::string(text) + "\".");
+  if (!std::isfinite(value))
+    fail(ErrorCode::NonFinite, std::string(what) + " is not finite.",
+         "Repair the file: every coordinate must be a finite number.");
+  return value;
+}
+
+TextScanner::IntegerAndRest TextScanner::leadingInteger(std::string_view text) {
+  const std::size_t skipped = !text.empty() && text[0] == '+' ? 1 : 0;
+  long long value = 0;
+  const auto [stop, problem] =
+      std::from_chars(text.data() + skipped, text.data() + text.size(), value);
+  if (problem != std::errc()) return {0, text};
+  return {value, text.substr(static_cast<std::size_t>(stop - text.data()))};
+}
+
+void TextScanner::fail(ErrorCode code, const std::string& what, std::string hint) const {
+  throw Error(code, fileName_ + ", line " + std::to_string(line_) + ": " + what, std::move(hint));
+}
+
+}  // namespace remesher::io

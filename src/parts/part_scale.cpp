@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "parts/part_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesher {
+namespace {
+
+// Sizes up to this power of two, and down to its inverse, are computed with as they are.
+constexpr int kUsual = 30;
+// As far as powers of two and their inverses both are doubles.
+constexpr int kFarthest = 1022;
+
+void scale(std::vector<Vec3>& positions, double factor) {
+  for (Vec3& p : positions) p *= factor;
+}
+
+// The points' box at half its size: that of the largest doubles would be infinite.
+using HalfBox = Eigen::AlignedBox3d;
+
+HalfBox halfBox(const io::Part& part, const io::Transform& place) {
+  HalfBox box;
+  for (const Vec3& p : part.mesh.positions) box.extend(0.5 * (place * p));
+  return box;
+}
+
+HalfBox halfBoxOfWorld(const std::vector<io::Part>& parts) {
+  HalfBox box;
+  for (const io::Part& part : parts)
+    box.extend(
+        halfBox(part, part.instances.empty() ? io::Transform::Identity() : part.instances.front()));
+  return box;
+}
+
+// What brings the longest side of the box to between 1 and 2.
+double unitScale(const HalfBox& box) {
+  const double half = box.isEmpty() ? 0 : (box.max() - box.min()).maxCoeff();
+  if (!std::isfinite(half) || half == 0) return 1;
+  const int power = std::ilogb(half) + 1;
+  if (std::abs(power) <= kUsual) return 1;
+  return std::ldexp(1.0, -std::clamp(power, -kFarthest, kFarthest));
+}
+
+}  // namespace
+
+PartScale::PartScale(const std::vector<io::Part>& parts)
+    : world_(unitScale(halfBoxOfWorld(parts))) {
+  for (const io::Part& part : parts)
+    local_.push_back(unitScale(halfBox(part, io::Transform::Identity())));
+}
+
+bool PartScale::isNeeded() const {
+  return world_ != 1 || std::any_of(local_.begin(), local_.end(), [](double s) { return s != 1; });
+}
+
+std::vector<io::Part> PartScale::applied(std::vector<io::Part> parts) const {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    scale(parts[i].mesh.positions, local_[i]);
+    if (parts[i].instances.empty()) parts[i].instances.push_back(io::Transform::Identity());
+    for (io::Transform& place : parts[i].instances) place.prescale(world_).scale(1 / local_[i]);
+  }
+  return parts;
+}
+
+RemeshOptions PartScale::applied(RemeshOptions options) const {
+  if (options.edgeLength) *options.edgeLength *= world_;
+  return options;
+}
+
+std::vector<io::Part> PartScale::undone(std::vector<io::Part> parts,
+                                        const std::vector<io::Part>& originals) const {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    scale(parts[i].mesh.positions, 1 / local_[i]);
+    parts[i].instances = originals[i].instances;
+  }
+  return parts;
+}
+
+}  // namespace remesher

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The original surface covered by overlapping disk patches, each mapped to the unit disk
+// [report, "Projection on the Initial Surface"]: a partition into small cells, each grown by a
+// margin. A point given by barycentric weights between three surface points is found by mixing
+// their images in a patch that holds all three. Patches are built when first asked for.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "geometry/surface_point.h"
+#include "geometry/triangle.h"
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+class PatchAtlas {
+ public:
+  // mesh and positions must outlive the atlas. margin: how far, in model units, a patch reaches
+  // beyond its cell; about 1.5 × the longest edge of the meshes to be projected. Patches never
+  // reach across a halfedge marked in `barriers` (sized to the mesh, both halfedges of an edge
+  // marked), if given.
+  PatchAtlas(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin,
+             HalfedgeData<char> barriers = {});
+  ~PatchAtlas();
+  PatchAtlas(PatchAtlas&&) noexcept;
+
+  // The point that lies in the plane of some patch at weights[0]·a + weights[1]·b + weights[2]·c,
+  // or none when no patch holds all three corners or the map would throw it far off the triangle.
+  std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
+                                          const Vec3& weights);
+
+  // The same where the caller has the corners' places at hand. They may lie somewhat off the
+  // original; what is too far is judged from them.
+  std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
+                                          const Triangle& places, const Vec3& weights);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace remesher

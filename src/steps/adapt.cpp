@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "steps/adapt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "steps/coarsen.h"
+#include "steps/delaunay.h"
+#include "steps/lengths.h"
+#include "steps/sweeps.h"
+#include "steps/valence.h"
+
+namespace remesher {
+
+namespace {
+
+// So short an edge goes even at the price of a fold.
+constexpr double kMustGo = 0.4;
+constexpr int kRounds = 5;
+constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
+
+// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
+// Returns the number of splits.
+std::size_t splitLong(Run& run, std::size_t limit) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t splits = 0;
+  const Index present = Index(mesh.halfedgeCapacity());
+  for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h) || relativeLength(run, h) <= kLong) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+  }
+  return splits;
+}
+
+// Much too long edges need several halvings, with Delaunay flips between or slivers would be split
+// into ever thinner ones.
+void refine(Run& run, std::size_t vertices) {
+  constexpr int kHalvings = 16;
+  // Slivers can ask for splits for ever.
+  const std::size_t limit = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
+  for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
+    if (splitLong(run, limit) * 10 < run.mesh.mesh().vertexCount()) return;
+    delaunayFlips(run.mesh, run.rule);
+  }
+}
+
+// Whether the star of the vertex that goes would get an edge that is to be split again.
+bool makesLongEdge(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Vertex into = mesh.tip(h);
+  bool found = false;
+  mesh.forEachNeighbor(mesh.origin(h), [&](Vertex w) {
+    found = found || (w != into && relativeLength(run, into, w) > kLong);
+  });
+  return found;
+}
+
+// The end where the original bends more, and sizes are smaller, had better stay: it may be a tip.
+std::array<Halfedge, 2> outermostFirst(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double from = run.sizes.at(run.mesh.at(mesh.origin(h)));
+  const double to = run.sizes.at(run.mesh.at(mesh.tip(h)));
+  if (from < to && mesh.twin(h)) return {mesh.twin(h), h};
+  return {h, mesh.twin(h)};
+}
+
+void collapseShort(Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = relativeLength(run, h);
+    if (length >= kShort) continue;
+    FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
+    for (const Halfedge direction : outermostFirst(run, h)) {
+      if (!direction || makesLongEdge(run, direction)) continue;
+      if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;
+    }
+  }
+}
+
+struct Ranked {
+  double length;
+  Vertex from, to;
+};
+
+std::vector<Ranked> edgesLongestFirst(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<Ranked> edges;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (mesh.isEdge(h)) edges.push_back({relativeLength(run, h), mesh.origin(h), mesh.tip(h)});
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.length > b.length; });
+  return edges;
+}
+
+// Returns the number of splits.
+std::size_t splitLongest(Run& run, std::size_t vertices) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t splits = 0;
+  for (const Ranked& edge : edgesLongestFirst(run)) {
+    if (mesh.vertexCount() >= vertices) break;
+    const Halfedge h = mesh.find(edge.from, edge.to);
+    if (h && proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+  }
+  return splits;
+}
+
+}  // namespace
+
+void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
+  for (int i = 0; i < kRounds; ++i) {
+    progress.at(double(i) / kRounds);
+    refine(run, vertices);
+    collapseShort(run);
+    valenceFlips(run);
+    if (i == 0 || i + 1 == kRounds) delaunayFlips(run.mesh, run.rule);
+    for (int k = 0; k < 2; ++k) laplacianSweep(run);
+    const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
+    if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+  }
+}
+
+bool matchCount(Run& run, std::size_t vertices) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  coarsen(run, vertices, MeetingPlace::Middle);
+  while (mesh.vertexCount() < vertices && splitLongest(run, vertices) > 0) {
+  }
+  return mesh.vertexCount() == vertices;
+}
+
+}  // namespace remesher

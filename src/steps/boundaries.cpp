@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "steps/boundaries.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "steps/delaunay.h"
+#include "steps/relax.h"
+#include "surface/boundary_places.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
+constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
+constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
+constexpr int kRounds = 8, kSlides = 4, kPasses = 3;
+constexpr double kBadAngle = radians(35), kWorstCounts = 2, kWorthAMove = radians(0.3);
+constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
+
+struct Station {
+  Index chain;
+  double arc;
+  Vertex vertex;
+
+  auto operator<=>(const Station&) const = default;
+};
+
+using Row = std::vector<Station>;
+
+// The vertices of the boundaries that are resampled, along each chain from corner to corner.
+std::vector<Row> rowsOf(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Row all;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isAlive(h) || !mesh.isBoundary(h) || run.mesh.isKept(h)) continue;
+    const Index chain = run.mesh.curve(h);
+    for (const Vertex v : {mesh.origin(h), mesh.tip(h)})
+      all.push_back({chain, run.mesh.onChain(v, chain).arc, v});
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<Row> rows;
+  for (const Station& station : all) {
+    if (rows.empty() || rows.back().back().chain != station.chain) rows.emplace_back();
+    rows.back().push_back(station);
+  }
+  return rows;
+}
+
+bool isNear(const Run& run, Index chain, double from, double to) {
+  const OriginalSurface& surface = run.mesh.surface();
+  return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
+}
+
+// What is to move for the chords of a row to be near: from where to where, both of which stay.
+std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& row) {
+  std::vector<std::array<std::size_t, 2>> stretches;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    if (isNear(run, row[i].chain, row[i].arc, row[i + 1].arc)) continue;
+    const std::size_t first = i - std::min(i, kReach);
+    const std::size_t last = std::min(i + 1 + kReach, row.size() - 1);
+    if (stretches.empty() || first > stretches.back()[1])
+      stretches.push_back({first, last});
+    else
+      stretches.back()[1] = last;
+  }
+  return stretches;
+}
+
+using Edges = std::vector<std::array<Vertex, 2>>;
+
+struct Plan {
+  Edges far;      // whose chords are
+  Edges tooLong;  // which would be so wherever their ends went
+  Row moves;      // who is to go where
+};
+
+Plan planFor(const Run& run) {
+  const OriginalSurface& surface = run.mesh.surface();
+  const double tolerance = kTolerance * surface.diagonal();
+  Plan plan;
+  for (const Row& row : rowsOf(run))
+    for (const auto& [first, last] : stretchesOf(run, row)) {
+      const Index chain = row[first].chain;
+      std::vector<double> arcs;
+      for (std::size_t i = first; i <= last; ++i) arcs.push_back(row[i].arc);
+      const std::vector<double> to = placesAlong(surface, chain, arcs, tolerance);
+      for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+        const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
+        if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
+        if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
+        if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
+      }
+    }
+  return plan;
+}
+
+// Outlines show more than angles to the surface do.
+bool commitOutline(Run& run) {
+  FidelityRule rule = run.rule;
+  if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
+  return commit(run) || commit(run, rule);
+}
+
+bool slideTo(Run& run, const Station& to) {
+  proposePlacement(run.mesh, to.vertex, run.mesh.onCurve({to.chain, to.arc}), run.change);
+  if (!commitOutline(run)) return false;
+  run.mesh.unsettleStar(to.vertex);
+  run.mesh.pin(to.vertex);
+  return true;
+}
+
+// As far as the triangles around it allow.
+bool slideTowards(Run& run, const Station& to) {
+  const double from = run.mesh.on(to.vertex).arc;
+  for (const double share : {1.0, 0.5, 0.25})
+    if (slideTo(run, {to.chain, from + share * (to.arc - from), to.vertex})) return true;
+  return false;
+}
+
+// Whether anything moved. What is inside makes way between the slides.
+bool slide(Run& run, const Row& moves) {
+  bool moved = false;
+  for (int i = 0; i < kSlides; ++i) {
+    bool again = false;
+    for (const Station& to : moves)
+      if (run.mesh.on(to.vertex).arc != to.arc) again = slideTowards(run, to) || again;
+    if (!again) break;
+    moved = true;
+    relax(run, kPasses);
+  }
+  return moved;
+}
+
+bool split(Run& run, const Edges& edges) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  bool done = false;
+  for (const auto& [a, b] : edges) {
+    const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) done = commitOutline(run) || done;
+  }
+  if (!done) return false;
+  delaunayFlips(run.mesh, run.rule);
+  relax(run, kPasses);
+  return true;
+}
+
+// Those vertices without which the chord between their neighbours would be far.
+void pinNeeded(Run& run) {
+  for (const Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
+}
+
+// Of the triangles around v, were it at `place`: the mean of their smallest angles, and more than
+// that the smallest of all where it is bad.
+double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place) {
+  double sum = 0, worst = kBadAngle;
+  int count = 0;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const double angle =
+        minAngle(place, mesh.position(mesh.mesh().tip(h)), mesh.position(mesh.mesh().opposite(h)));
+    sum += angle;
+    worst = std::min(worst, angle);
+    ++count;
+  });
+  return sum / count + kWorstCounts * worst;
+}
+
+// To where the triangles around it are best, of the places between its neighbours with near chords.
+bool mend(Run& run, const Station& before, Station& at, const Station& after) {
+  const auto qualityAt = [&](double arc) {
+    return starQuality(run.mesh, at.vertex, run.mesh.onCurve({at.chain, arc}).position);
+  };
+  double most = qualityAt(at.arc) + kWorthAMove;
+  Station best = at;
+  for (int i = 1; i < kSteps; ++i) {
+    const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
+    const double quality = qualityAt(arc);
+    if (quality <= most || !isNear(run, at.chain, before.arc, arc) ||
+        !isNear(run, at.chain, arc, after.arc))
+      continue;
+    most = quality;
+    best.arc = arc;
+  }
+  if (best == at || !slideTo(run, best)) return false;
+  at = best;
+  return true;
+}
+
+bool mendStars(Run& run) {
+  bool moved = false;
+  for (Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
+  if (moved) relax(run, kPasses);
+  return moved;
+}
+
+}  // namespace
+
+void followBoundaries(Run& run) {
+  bool changed = true;
+  for (int i = 0; i < kRounds && changed; ++i) {
+    changed = split(run, planFor(run).tooLong);
+    const Plan plan = planFor(run);
+    changed = slide(run, plan.moves) || changed || split(run, plan.far);
+  }
+  pinNeeded(run);
+}
+
+void settleBoundaries(Run& run) {
+  for (int i = 0; i < kRounds && slide(run, planFor(run).moves); ++i) {
+  }
+  for (int i = 0; i < kRounds && mendStars(run); ++i) {
+  }
+  for (const Row& row : rowsOf(run))
+    for (const Station& station : row) run.mesh.pin(station.vertex);
+}
+
+}  // namespace remesher

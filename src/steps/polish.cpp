@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "steps/polish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gate/angles.h"
+#include "geometry/polar_map.h"
+#include "operators/shift.h"
+#include "steps/adapt.h"
+#include "steps/lengths.h"
+#include "steps/relax.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kRounds = 8, kRoundsInLarge = 6;
+// Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
+// the rest is around handles no larger than a triangle.
+constexpr double kHopeless = 0.8;
+constexpr std::size_t kMany = 200;
+constexpr int kTries = 3;  // per triangle and round of topological changes
+// A pattern search: eight directions, with steps that shrink as none of them helps.
+constexpr int kDirections = 8;
+constexpr double kFirstStep = 0.3;  // of the mean spoke
+constexpr double kLastStep = 0.02;
+// Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
+constexpr double kSplitAbove = 0.7;
+constexpr double kCollapseBelow = 1.2;
+
+// The best proposal seen so far, by the worst angle it leaves.
+struct Best {
+  FidelityRule rule;
+  double shift;  // model units
+  LocalChange change = {};
+  double gain = 0;
+
+  void offer(const Run& run) {
+    const double better =
+        smallestComingAngle(run.mesh, run.change) - smallestGoingAngle(run.mesh, run.change);
+    if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
+    if (std::isfinite(shift) && shiftOf(run.mesh, run.change) > shift) return;
+    gain = better;
+    change = run.change;
+  }
+};
+
+void offerFlips(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i)
+    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
+}
+
+// Where a vertex may go: where its polar map's plane is projected to, or, where the original is so
+// crumpled that every such place folds the star over, on the mesh itself.
+enum class Ground { Original, Mesh };
+
+// To `p` in the plane of v's polar map.
+bool proposeMove(Run& run, const PolarMap& star, const Vec2& p, Ground ground) {
+  const auto location = star.locate(p);
+  if (!location) return false;
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Vertex a = star.neighbor(location->triangle);
+  const Halfedge h = mesh.find(star.center(), a);
+  const Vec3& w = location->barycentric;
+  if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
+  if (ground == Ground::Mesh)
+    run.change.place.position = w[0] * run.mesh.position(star.center()) +
+                                w[1] * run.mesh.position(a) +
+                                w[2] * run.mesh.position(mesh.opposite(h));
+  return true;
+}
+
+// Searches around v for a place where the worst angle of its star is largest.
+void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
+  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  if (run.mesh.isPinned(v) && ground == Ground::Original) return;
+  PolarMap star;
+  star.build(run.mesh.mesh(), run.mesh.positions(), v);
+  double spoke = 0;
+  for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
+  Vec2 at = Vec2::Zero();
+  double angle = 0;
+  for (double step = kFirstStep; step >= kLastStep; step /= 2) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double turn = 2 * std::numbers::pi * i / kDirections;
+      const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
+      if (!proposeMove(run, star, to, ground)) continue;
+      const double worst = smallestComingAngle(run.mesh, run.change);
+      if (worst <= angle) continue;
+      angle = worst;
+      at = to;
+      best.offer(run);
+    }
+  }
+}
+
+void offerCollapses(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) > kCollapseBelow) continue;
+    for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
+      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+        best.offer(run);
+  }
+}
+
+void offerSplits(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) < kSplitAbove) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+  }
+}
+
+enum class Means { KeepCount, ChangeCount, LeaveSurface };
+
+// Whether something was found that makes the worst angle around f larger.
+bool mend(Run& run, Face f, Means means, double shift) {
+  const Vertex corner = run.mesh.mesh().vertices(f)[0];
+  const double size = run.scale * run.sizes.at(run.mesh.at(corner));
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
+  offerFlips(run, f, best);
+  const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
+  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, v, ground, best);
+  if (means == Means::ChangeCount) {
+    offerCollapses(run, f, best);
+    offerSplits(run, f, best);
+  }
+  if (best.gain <= 0) return false;
+  run.result = apply(run.mesh, best.change);
+  return true;
+}
+
+std::vector<Face> badTriangles(const Run& run, double angle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<std::pair<double, Face>> bad;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    if (!mesh.isAlive(Face(i))) continue;
+    const double own = smallestAngle(run.mesh, Face(i));
+    if (own < angle) bad.emplace_back(own, Face(i));
+  }
+  std::sort(bad.begin(), bad.end());
+  std::vector<Face> faces;
+  for (const auto& [own, f] : bad) faces.push_back(f);
+  return faces;
+}
+
+bool isBad(const Run& run, Face f, double angle) {
+  return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f) < angle;
+}
+
+// Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
+// where even that fails a vertex may leave the surface.
+Means meansOf(int round, int rounds) {
+  if (round + 1 == rounds) return Means::LeaveSurface;
+  return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
+}
+
+}  // namespace
+
+void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
+  const std::size_t vertices = run.mesh.mesh().vertexCount();
+  const int rounds = isLarge(run) ? kRoundsInLarge : kRounds;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    progress.at(double(round) / rounds);
+    const std::vector<Face> bad = badTriangles(run, goal.angle);
+    if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
+    if (round % 2 == 1) before = double(bad.size());
+    const Means means = meansOf(round, rounds);
+    for (const Face f : bad)
+      for (int i = 0; i < kTries && isBad(run, f, goal.angle); ++i)
+        if (!mend(run, f, means, goal.shift)) break;
+    if (run.mesh.mesh().vertexCount() == vertices) continue;
+    matchCount(run, vertices);
+    relax(run, 2);
+  }
+}
+
+}  // namespace remesher

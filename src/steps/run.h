@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What every step of a scheme works with, and the one way it changes the mesh: propose, judge,
+// apply.
+#pragma once
+
+#include <array>
+
+#include "base/progress.h"
+#include "gate/fidelity.h"
+#include "operators/local_operators.h"
+#include "surface/size_field.h"
+
+namespace remesher {
+
+// How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
+enum class Boundaries { Even, Staggered };
+
+struct Run {
+  WorkingMesh& mesh;
+  Projector& projector;
+  const SizeField& sizes;
+  FidelityRule rule;
+  double scale = 1;    // of the sizes at the present level
+  double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
+  Boundaries boundaries = Boundaries::Even;
+  LocalChange change = {};  // the proposal at hand
+  Vertex result = {};       // what the last change made, moved or kept; none after a flip
+  std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
+};
+
+// Judges the proposal at hand by `rule` and carries it out if it is accepted.
+inline bool commit(Run& run, const FidelityRule& rule) {
+  const Verdict verdict = judge(run.mesh, run.change, rule);
+  ++run.verdicts[std::size_t(verdict)];
+  if (verdict != Verdict::Accepted) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
+inline bool commit(Run& run) { return commit(run, run.rule); }
+
+// Where a step costs seconds, and a few triangles more or less near a limit are not seen.
+inline bool isLarge(const Run& run) {
+  constexpr std::size_t kLarge = 100000;
+  return run.mesh.mesh().vertexCount() >= kLarge;
+}
+
+// The run's rule, but more tolerant of folds: for what must go.
+inline FidelityRule lenient(const Run& run) {
+  FidelityRule rule = run.rule;
+  rule.fold = kTightFold;
+  return rule;
+}
+
+}  // namespace remesher

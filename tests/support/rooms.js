@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The rooms of the tree and their order. A file may use its own room and those named after it here,
+// which all stand before it: what is not named is above, or beside, and neither is allowed.
+
+/** @type {Record<string, string[]>} folders of src; '' is src itself, the public functions */
+export const coreRooms = {
+  base: [],
+  mesh: ['base'],
+  geometry: ['base', 'mesh'],
+  curves: ['base', 'mesh', 'geometry'],
+  patches: ['base', 'mesh', 'geometry'],
+  surface: ['base', 'mesh', 'geometry', 'curves'],
+  operators: ['base', 'mesh', 'geometry', 'patches', 'surface'],
+  gate: ['base', 'mesh', 'geometry', 'surface', 'operators'],
+  steps: ['base', 'mesh', 'geometry', 'surface', 'operators', 'gate'],
+  accuracy: ['base', 'mesh', 'geometry', 'surface', 'operators', 'gate', 'steps'],
+  attributes: ['base', 'mesh', 'geometry', 'curves', 'surface', 'operators'],
+  schemes: ['base', 'mesh', 'geometry', 'curves', 'surface', 'operators', 'gate', 'steps',
+    'accuracy', 'attributes'],
+  measure: ['base', 'geometry'],
+  'io/model': ['base'],
+  'io/text': ['base', 'io/model'],
+  'io/gltf': ['base', 'io/model'],
+  io: ['base', 'io/model', 'io/text', 'io/gltf'],
+  parts: ['base', 'measure', 'io/model'],
+  '': ['base', 'schemes', 'measure', 'io', 'parts'],
+};
+
+/** @type {Record<string, string[]>} folders of bindings/package; '': what is imported by name */
+export const packageRooms = {
+  base: [],
+  codecs: ['base'],
+  worker: ['base', 'codecs'],
+  api: ['base', 'worker'],
+  '': ['base', 'worker', 'api'],
+  cli: ['base', 'codecs', ''],
+};
+
+/** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */
+export const pageRooms = {
+  base: [],
+  model: ['base'],
+  view: ['base', 'model'],
+  panel: ['base', 'model'],
+  '': ['base', 'model', 'view', 'panel'],
+};
+
+/** @param {string} path from the rooms' top */
+const roomOf = (path) => path.split('/').slice(0, -1).join('/');
+
+/**
+ * The arrows that do not point down: from a file to another, both by their paths from the top.
+ * @param {Record<string, string[]>} rooms
+ * @param {Iterable<readonly [string, readonly string[]]>} arrows
+ */
+export function wrongArrows(rooms, arrows) {
+  const wrong = [];
+  for (const [file, targets] of arrows) {
+    const allowed = [roomOf(file), ...(rooms[roomOf(file)] ?? [])];
+    wrong.push(...targets.filter((target) => !allowed.includes(roomOf(target)))
+      .map((target) => `${file} -> ${target}`));
+  }
+  return wrong;
+}
+
+/**
+ * The first circle in a graph of names, or none.
+ * @param {Map<string, readonly string[]>} graph
+ */
+export function findCircle(graph) {
+  const state = new Map();
+  const visit = (/** @type {string} */ node, /** @type {string[]} */ path) => {
+    if (state.get(node) === 'done') return undefined;
+    if (state.get(node) === 'open') return [...path.slice(path.indexOf(node)), node];
+    state.set(node, 'open');
+    for (const next of graph.get(node) ?? []) {
+      const circle = visit(next, [...path, node]);
+      if (circle) return circle;
+    }
+    state.set(node, 'done');
+    return undefined;
+  };
+  for (const node of graph.keys()) {
+    const circle = visit(node, []);
+    if (circle) return circle;
+  }
+  return undefined;
+}

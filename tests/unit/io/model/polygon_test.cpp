@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "io/model/polygon.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace remesher;
+
+namespace {
+
+// Twice the area vector: its length is the area, its direction the orientation.
+Vec3 areaOf(const std::vector<Vec3>& polygon) {
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    area += polygon[i].cross(polygon[(i + 1) % polygon.size()]);
+  return area;
+}
+
+// Triangles that cover a simple polygon exactly: their areas add up without a fold.
+void checkCovers(const std::vector<Vec3>& polygon) {
+  const auto triangles = io::triangulate(polygon);
+  CHECK(triangles.size() == polygon.size() - 2);
+  const Vec3 whole = areaOf(polygon);
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 area = (polygon[b] - polygon[a]).cross(polygon[c] - polygon[a]);
+    CHECK(area.dot(whole) >= 0);
+    sum += area.norm();
+  }
+  CHECK(sum == doctest::Approx(whole.norm()));
+}
+
+}  // namespace
+
+TEST_CASE("polygon: a convex polygon becomes a fan of its first corner") {
+  const std::vector<Vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const auto triangles = io::triangulate(square);
+  REQUIRE(triangles.size() == 2);
+  CHECK(triangles[0] == std::array<Index, 3>{0, 1, 2});
+  CHECK(triangles[1] == std::array<Index, 3>{0, 2, 3});
+}
+
+TEST_CASE("polygon: concave polygons are covered without folds, whichever corner comes first") {
+  const std::vector<Vec3> arrow = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}};
+  const std::vector<Vec3> comb = {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0}, {4, 1, 0}, {3, 1, 0},
+                                  {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  for (std::vector<Vec3> polygon : {arrow, comb}) {
+    for (std::size_t turn = 0; turn < polygon.size(); ++turn) {
+      std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+      checkCovers(polygon);
+      std::vector<Vec3> tilted;
+      for (const Vec3& p : polygon) tilted.emplace_back(p.y() + 3, p.x() - p.y(), p.x() * 0.5);
+      checkCovers(tilted);
+    }
+  }
+}
+
+TEST_CASE("polygon: corners in a straight line make no flat triangle") {
+  const std::vector<Vec3> house = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+  for (const auto& [a, b, c] : io::triangulate(house))
+    CHECK((house[b] - house[a]).cross(house[c] - house[a]).norm() > 0);
+}
+
+TEST_CASE("polygon: collapsed polygons still give n - 2 triangles") {
+  const std::vector<Vec3> needle = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}};
+  CHECK(io::triangulate(needle).size() == 2);
+  CHECK(io::triangulate(std::vector<Vec3>(2)).empty());
+  CHECK(io::triangulate({}).empty());
+}

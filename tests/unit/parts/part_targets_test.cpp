@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "parts/part_targets.h"
+
+#include <doctest/doctest.h>
+
+#include <numeric>
+
+#include "measure/mesh_report.h"
+#include "schemes/remesh.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+io::Part partOf(const TriangleMesh& mesh, double scale) {
+  return {"", mesh, {io::Transform(Eigen::Scaling(scale))}};
+}
+
+// Remeshes all in order, and returns how many vertices each part has in the end.
+std::vector<std::size_t> remeshed(const std::vector<io::Part>& parts,
+                                  const RemeshOptions& options) {
+  PartTargets targets(parts, options);
+  std::vector<std::size_t> vertices(parts.size());
+  for (const std::size_t i : targets.order()) {
+    const RemeshOutcome outcome = remeshSurface(parts[i].mesh, targets.of(i), {});
+    vertices[i] = inspectMesh(outcome.mesh).vertices;
+    CHECK(outcome.target == vertices[i]);
+    targets.given(i, outcome.target);
+  }
+  return vertices;
+}
+
+std::size_t sum(const std::vector<std::size_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+}  // namespace
+
+TEST_CASE("part_targets: vertices are shared out by area in the world") {
+  const TriangleMesh torus = shapes::torus(24, 16);
+  RemeshOptions options;
+  options.vertices = 1000;
+  const std::vector<std::size_t> vertices =
+      remeshed({partOf(torus, 1), partOf(torus, 2), partOf(torus, 1)}, options);
+  CHECK(sum(vertices) == 1000);
+  CHECK(std::abs(double(vertices[1]) - 1000 * 4.0 / 6) <= 1);
+}
+
+TEST_CASE("part_targets: small parts have what they need, and the whole its number") {
+  const std::vector<io::Part> parts = {partOf(shapes::torus(24, 16), 1),
+                                       partOf(shapes::tetrahedron(), 0.001),
+                                       partOf(shapes::cube(2), 0.001)};
+  RemeshOptions options;
+  options.vertices = 500;
+  const std::vector<std::size_t> vertices = remeshed(parts, options);
+  CHECK(sum(vertices) == 500);
+  CHECK(vertices[1] >= 4);
+  CHECK(vertices[2] >= 8);
+  options.vertices = {};
+  options.edgeLength = 0.3;
+  CHECK(remeshed(parts, options)[1] >= 4);
+}
+
+TEST_CASE("part_targets: a number that is asked for and too small for the whole is refused") {
+  RemeshOptions options;
+  options.vertices = 3;
+  CHECK_THROWS_AS(remeshed({partOf(shapes::tetrahedron(), 1)}, options), Error);
+  options.vertices = 7;
+  CHECK_THROWS_AS(
+      remeshed({partOf(shapes::tetrahedron(), 1), partOf(shapes::tetrahedron(), 1)}, options),
+      Error);
+}

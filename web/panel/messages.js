@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What the page tells its visitor: errors in a box, news to screen readers, progress in a bar.
+import { byId, element } from '../base/dom.js';
+import { words } from '../base/format.js';
+
+/** @param {string} text heard by screen readers, not seen */
+export function announce(text) {
+  byId('status', HTMLElement).textContent = text;
+}
+
+export const isAbort = (/** @type {unknown} */ error) =>
+  error instanceof Error && error.name === 'AbortError'
+  || error instanceof DOMException && error.name === 'AbortError';
+
+/** Shows an error, or takes it away. A cancelled run is none. @param {unknown} [error] */
+export function showError(error) {
+  const box = byId('error', HTMLElement);
+  box.replaceChildren();
+  box.hidden = !error || isAbort(error);
+  if (box.hidden) return;
+  const { message, hint } = /** @type {{ message?: string, hint?: string }} */ (error);
+  box.append(element('strong', {}, message || 'Something went wrong.'));
+  if (hint) box.append(element('span', {}, hint));
+}
+
+/** @param {{ phase: string, fraction: number } | null} event null: nothing runs */
+export function showProgress(event) {
+  byId('progress', HTMLElement).hidden = !event;
+  if (!event) return;
+  byId('progress-phase', HTMLElement).textContent = words(event.phase);
+  byId('progress-percent', HTMLElement).textContent = `${Math.round(100 * event.fraction)} %`;
+  byId('progress-bar', HTMLProgressElement).value = event.fraction;
+}

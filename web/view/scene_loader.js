@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a glTF to a three.js group, textures included. Files that the glTF names are
+// served from memory, so nothing is fetched.
+import { Cache, LoadingManager } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
+
+/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+
+Cache.enabled = false;  // two files may use one name
+
+/** @param {Uint8Array} bytes */
+const blobUrl = (bytes) => URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)]));
+
+/**
+ * @param {Uint8Array} bytes a GLB, or the text of a glTF
+ * @param {NamedBytes[]} [resources]
+ * @returns {Promise<import('three').Group>}
+ */
+export async function loadScene(bytes, resources = []) {
+  const urls = new Map(resources.map(({ name, bytes: content }) => [name, blobUrl(content)]));
+  const manager = new LoadingManager();
+  manager.setURLModifier((url) => urls.get(url) ?? urls.get(decodeURIComponent(url)) ?? url);
+  const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
+  try {
+    const data = bytes.slice().buffer;
+    return (await loader.parseAsync(data, '')).scene;
+  } finally {
+    for (const url of urls.values()) URL.revokeObjectURL(url);
+  }
+}

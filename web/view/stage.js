@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The view's controls: comparison, shading, wireframe, divider, keys. Works without a viewer, too:
+// where there is no WebGL the page says so and goes on.
+import { byId } from '../base/dom.js';
+import { loadScene } from './scene_loader.js';
+import { Viewer } from './viewer.js';
+
+/** @typedef {import('./viewer.js').Side} Side */
+/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+
+const narrow = '(max-width: 760px)';
+
+/** Whether a key belongs to what has the focus, and not to the page. @param {Event} event */
+function isTyping({ target }) {
+  const kinds = 'input:not([type=range], [type=checkbox]), select, textarea';
+  return target instanceof Element && target.matches(kinds);
+}
+
+/** @param {Event} event whether the space bar would press what has the focus */
+const isPressing = ({ target }) => target instanceof Element
+  && target.matches('button, summary, select, input');
+
+export class Stage {
+  /** @type {Viewer | null} */
+  #viewer = null;
+  #root = byId('stage', HTMLElement);
+  #wireframe = byId('wireframe', HTMLButtonElement);
+  /** Wires suit bare shapes and hide textures, until the visitor says otherwise. */
+  #chosenWireframe = /** @type {boolean | null} */ (null);
+
+  constructor() {
+    try {
+      this.#viewer = new Viewer(byId('canvas', HTMLCanvasElement));
+    } catch {
+      this.say('This browser cannot show 3-D here. Remeshing and downloading still work.');
+      this.#root.classList.add('blind');
+    }
+    this.#wireDivider();
+    this.#wireButtons();
+    this.#wireKeys();
+    this.#setCompare(matchMedia(narrow).matches ? 'wipe' : 'side');
+    this.#press('shading', 'smooth');
+  }
+
+  /** A line on the stage itself; empty to take it away. @param {string} text */
+  say(text) {
+    const message = byId('stage-message', HTMLElement);
+    message.textContent = text;
+    message.hidden = !text;
+  }
+
+  #wireDivider() {
+    const divider = byId('divider', HTMLInputElement);
+    const apply = () => {
+      // The thumb stays within the track, so its middle does not travel the whole width.
+      const thumb = 36, width = divider.clientWidth || 1;
+      const x = thumb / 2 + divider.valueAsNumber * (width - thumb);
+      this.#viewer?.setDivider(x / width);
+      this.#root.style.setProperty('--divider', `${(100 * x) / width}%`);
+    };
+    divider.addEventListener('input', apply);
+    divider.addEventListener('dblclick', () => {
+      divider.value = '0.5';
+      apply();
+    });
+    new ResizeObserver(apply).observe(divider);
+  }
+
+  /** @param {'compare' | 'shading'} group @param {string} value */
+  #press(group, value) {
+    for (const button of this.#root.querySelectorAll(`[data-${group}]`)) {
+      const { dataset } = /** @type {HTMLElement} */ (button);
+      button.setAttribute('aria-pressed', String(dataset[group] === value));
+    }
+  }
+
+  /** @param {import('./viewer.js').Compare} compare */
+  #setCompare(compare) {
+    this.#press('compare', compare);
+    this.#viewer?.setCompare(compare);
+  }
+
+  #wireButtons() {
+    this.#root.addEventListener('click', ({ target }) => {
+      const { compare, shading } = target instanceof HTMLElement ? target.dataset : {};
+      if (compare) this.#setCompare(/** @type {import('./viewer.js').Compare} */ (compare));
+      if (!shading) return;
+      this.#press('shading', shading);
+      this.#viewer?.setShading(/** @type {import('./viewer.js').Shading} */ (shading));
+    });
+    this.#wireframe.addEventListener('click', () => this.#toggleWireframe());
+    byId('fit', HTMLButtonElement).addEventListener('click', () => this.#viewer?.fit());
+  }
+
+  #toggleWireframe() {
+    this.#chosenWireframe = this.#wireframe.getAttribute('aria-pressed') !== 'true';
+    this.#setWireframe(this.#chosenWireframe);
+  }
+
+  /** @param {boolean} isVisible */
+  #setWireframe(isVisible) {
+    this.#wireframe.setAttribute('aria-pressed', String(isVisible));
+    this.#viewer?.setWireframe(isVisible);
+  }
+
+  #wireKeys() {
+    addEventListener('keydown', (event) => {
+      if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+      if (event.key === 'w') this.#toggleWireframe();
+      if (event.key === 'f') this.#viewer?.fit();
+      if (event.key === ' ' && !isPressing(event)) this.#hold(event, true);
+    });
+    addEventListener('keyup', (event) => {
+      if (event.key === ' ' && !isPressing(event)) this.#hold(event, false);
+    });
+  }
+
+  /** @param {Event} event @param {boolean} holds */
+  #hold(event, holds) {
+    event.preventDefault();  // the page would scroll
+    this.#viewer?.holdOriginal(holds);
+    this.#root.classList.toggle('holding', holds);
+  }
+
+  /** @param {Side} side @param {{ bytes: Uint8Array, resources: NamedBytes[] }} gltf */
+  async show(side, { bytes, resources }) {
+    if (!this.#viewer) return;
+    this.#viewer.show(side, await loadScene(bytes, resources));
+    this.#root.classList.toggle(`has-${side}`, true);
+    if (side === 'original') this.#setWireframe(this.#chosenWireframe ?? !this.#viewer.isTextured);
+  }
+
+  /** @param {Side} side */
+  clear(side) {
+    this.#viewer?.show(side, null);
+    this.#root.classList.toggle(`has-${side}`, false);
+  }
+}
