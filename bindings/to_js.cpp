@@ -60,6 +60,17 @@ val objectFrom(const Timings& timings) {
   return result;
 }
 
+val objectFrom(const std::vector<Phase>& phases) {
+  val result = val::array();
+  for (const Phase& phase : phases) {
+    val object = val::object();
+    object.set("name", phase.name);
+    object.set("milliseconds", phase.milliseconds);
+    result.call<void>("push", object);
+  }
+  return result;
+}
+
 val objectFrom(const std::vector<Warning>& warnings) {
   val result = val::array();
   for (const Warning& warning : warnings) {
@@ -114,6 +125,7 @@ val objectFrom(const Report& report) {
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
+  result.set("phases", objectFrom(report.phases));
   result.set("warnings", objectFrom(report.warnings));
   if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
   return result;

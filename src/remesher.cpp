@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "base/stopwatch.h"
 #include "io/formats.h"
 #include "measure/hausdorff.h"
 #include "parts/part_report.h"
@@ -30,7 +29,6 @@ std::size_t remeshPart(Run& run, io::Part& part, const RemeshOptions& options,
                        const Progress& progress) {
   RemeshOutcome outcome = remeshSurface(part.mesh, options, progress);
   part.mesh = std::move(outcome.mesh);
-  run.report.timings.build += outcome.buildMilliseconds;
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   return outcome.target;
@@ -39,19 +37,18 @@ std::size_t remeshPart(Run& run, io::Part& part, const RemeshOptions& options,
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                 const Progress& progress) {
   Run run{originals, {}};
+  progress.phase("inspect", 0, 0);
   run.report.input = inspectParts(originals);
-  const Stopwatch stopwatch;
   PartTargets targets(originals, options);
   const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
   double done = 0;
   for (const std::size_t i : targets.order()) {
     const double share = double(originals[i].mesh.triangleCount()) / total;
-    const Progress part = progress.part("remesh", done, done + share);
+    const Progress part = progress.part(done, done + share);
     targets.given(i, remeshPart(run, run.parts[i], targets.of(i), part));
     done += share;
   }
-  run.report.timings.remesh = stopwatch.milliseconds() - run.report.timings.build;
-  progress.part("measure", 1 - kMeasureShare, 1).at(0);
+  progress.phase("measure", 1 - kMeasureShare, 1);
   run.report.output = inspectParts(run.parts);
   if (!originals.empty())
     run.report.fidelity = measureFidelity(gathered(originals), gathered(run.parts));
@@ -73,6 +70,12 @@ MeshReport inspectScaled(const std::vector<io::Part>& parts) {
   return inspectParts(scale.isNeeded() ? scale.applied(parts) : parts);
 }
 
+Report timed(Report report, PhaseClock& clock) {
+  report.phases = clock.finish();
+  report.timings = timingsOf(report.phases);
+  return report;
+}
+
 // Errors that speak of a vertex or a triangle alone do not say of which file.
 template <class Body>
 auto inFile(const std::string& name, Body body) {
@@ -90,27 +93,25 @@ auto inFile(const std::string& name, Body body) {
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
-  Run run = remeshScaled({io::Part{"", mesh, {}}}, options, progress);
-  return {std::move(run.parts.front().mesh), std::move(run.report)};
+  PhaseClock clock;
+  Run run = remeshScaled({io::Part{"", mesh, {}}}, options, progress.timedBy(clock));
+  return {std::move(run.parts.front().mesh), timed(std::move(run.report), clock)};
 }
 
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
-  progress.part("read", 0, kReadShare).at(0);
-  const Stopwatch reading;
+  PhaseClock clock;
+  const Progress whole = progress.timedBy(clock);
+  whole.phase("read", 0, kReadShare);
   io::Model model = io::read(input.file, input.resources);
-  const double readingTime = reading.milliseconds();
-  Run run = inFile(input.file.name, [&] {
-    return remeshScaled(model.parts, options, progress.part("remesh", kReadShare, 1));
-  });
+  Run run = inFile(input.file.name,
+                   [&] { return remeshScaled(model.parts, options, whole.part(kReadShare, 1)); });
   model.parts = std::move(run.parts);
-  const Stopwatch writing;
+  whole.phase("write", 1, 1);
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
-  run.report.timings.write = writing.milliseconds();
-  run.report.timings.read = readingTime;
   run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);
-  return {std::move(written.files), std::move(run.report)};
+  return {std::move(written.files), timed(std::move(run.report), clock)};
 }
 
 std::vector<File> convertFile(const FileBundle& input, const std::string& outputName) {
@@ -120,19 +121,22 @@ std::vector<File> convertFile(const FileBundle& input, const std::string& output
 }
 
 Report inspect(const TriangleMesh& mesh) {
+  PhaseClock clock;
+  clock.enter("inspect");
   Report report;
   report.input = inspectScaled({io::Part{"", mesh, {}}});
-  return report;
+  return timed(std::move(report), clock);
 }
 
 Report inspectFile(const FileBundle& input) {
-  Report report;
-  const Stopwatch stopwatch;
+  PhaseClock clock;
+  clock.enter("read");
   const io::Model model = io::read(input.file, input.resources);
-  report.timings.read = stopwatch.milliseconds();
+  clock.enter("inspect");
+  Report report;
   report.warnings = model.warnings;
   report.input = inFile(input.file.name, [&] { return inspectScaled(model.parts); });
-  return report;
+  return timed(std::move(report), clock);
 }
 
 }  // namespace remesher

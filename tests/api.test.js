@@ -34,6 +34,19 @@ for (const scheme of ['best', 'rounds']) {
   });
 }
 
+test('the phases of a run are told in order, and make up its times', async () => {
+  const { report } = await remeshFile(new TextEncoder().encode(offText(torus())),
+    { name: 'a.off', output: 'a.glb', ratio: 0.5 });
+  const names = report.phases.map(({ name }) => name);
+  assert.deepEqual([names[0], names.at(-1)], ['read', 'write']);
+  assert.ok(names.indexOf('adapt') < names.indexOf('anneal'), names.join());
+  const sum = (times) => times.reduce((total, time) => total + time, 0);
+  const judging = ['inspect', 'measure'];
+  const working = report.phases.filter(({ name }) => !judging.includes(name));
+  assert.ok(Math.abs(sum(working.map(({ milliseconds }) => milliseconds))
+    - sum(Object.values(report.timings))) < 1e-6);
+});
+
 test('the caller’s arrays stay as they were', async () => {
   const mesh = torus();
   const [positions, indices] = [mesh.positions.slice(), mesh.indices.slice()];

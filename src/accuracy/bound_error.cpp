@@ -60,15 +60,15 @@ void polishInCount(Run& run, const Progress& progress) {
 }  // namespace
 
 bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
-  if (!mend(run, goal, progress.part("mend", 0, 0.3))) run.mesh = WorkingMesh(run.mesh.surface());
+  if (!mend(run, goal, progress.phase("mend", 0, 0.3))) run.mesh = WorkingMesh(run.mesh.surface());
   run.scale = 1;
   run.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.part("coarsen", 0.3, 0.6));
+  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.phase("coarsen", 0.3, 0.6));
   const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
   delaunayFlips(run.mesh, run.rule);
   if (isReached)
-    polishInCount(run, progress.part("polish", 0.6, 1));
+    polishInCount(run, progress.phase("polish", 0.6, 1));
   else
     relax(run, 2);
   return isReached;

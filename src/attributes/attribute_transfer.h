@@ -11,7 +11,7 @@
 namespace remesher {
 
 struct TransferRules {
-  std::vector<std::string> chartless;  // see AttributeMix
+  std::vector<std::string> chartless;  // attributes whose seams are not kept: see AttributeMix
   ChartRules charts;
 };
 

@@ -61,8 +61,9 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   rules.size = size;
   rules.keepBoundary = options.boundary == Boundary::Keep;
   if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
-  return {FeatureCurves(built.mesh, built.positions, rules), std::move(seams.chartless),
-          std::move(seams.jumps), std::move(simplified.absorbed), std::move(seams.warnings)};
+  return {FeatureCurves(built.mesh, built.positions, rules),
+          {std::move(seams.chartless), {std::move(seams.jumps), std::move(simplified.absorbed)}},
+          std::move(seams.warnings)};
 }
 
 }  // namespace remesher

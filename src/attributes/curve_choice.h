@@ -2,9 +2,9 @@
 // Which edges of the original become feature curves: detected, given by the caller, or seams.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "attributes/attribute_transfer.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
@@ -15,9 +15,7 @@ namespace remesher {
 
 struct CurveChoice {
   FeatureCurves curves;
-  std::vector<std::string> chartless;  // attributes whose seams are not kept: see findSeams
-  std::vector<Halfedge> jumps;         // the seams that texture must not bleed over, kept or not
-  FaceData<char> absorbed;             // see SimplifiedCurves
+  TransferRules transfer;  // for the attributes whose seams are not kept, or not as curves
   std::vector<Warning> warnings;
 };
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Progress of one run, passed down by value: each stage divides its own share among its steps, so
 // that the fraction the caller sees only ever grows. The callback's `false` cancels the run: the
-// stack unwinds through Error{Cancelled}.
+// stack unwinds through Error{Cancelled}. Where a phase begins the run's clock, if any, is told.
 #pragma once
 
 #include <functional>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/phase_clock.h"
 
 namespace remesher {
 
@@ -19,10 +20,25 @@ class Progress {
   Progress() = default;
   explicit Progress(Callback callback) : callback_(std::move(callback)) {}
 
-  // The stretch from `from` to `to` (0 to 1) of this one, under a name of its own.
-  Progress part(std::string_view phase, double from, double to) const {
+  // The same, but phases are timed by this clock, which must outlive it.
+  Progress timedBy(PhaseClock& clock) const {
     Progress result = *this;
-    result.phase_ = phase;
+    result.clock_ = &clock;
+    return result;
+  }
+
+  // A phase of this name begins, and takes the stretch from `from` to `to` (0 to 1) of this one.
+  Progress phase(std::string_view name, double from, double to) const {
+    Progress result = part(from, to);
+    result.phase_ = name;
+    if (clock_) clock_->enter(name);
+    result.at(0);
+    return result;
+  }
+
+  // The stretch from `from` to `to` (0 to 1) of this one.
+  Progress part(double from, double to) const {
+    Progress result = *this;
     result.begin_ = begin_ + from * length_;
     result.length_ = (to - from) * length_;
     return result;
@@ -36,6 +52,7 @@ class Progress {
 
  private:
   Callback callback_;
+  PhaseClock* clock_ = nullptr;
   std::string_view phase_ = "remesh";
   double begin_ = 0;
   double length_ = 1;

@@ -47,6 +47,11 @@ struct FidelityReport {
 
 enum class Stopped { Target, Fidelity, MaxError, Cancelled };
 
+struct Phase {
+  std::string name;
+  double milliseconds = 0;
+};
+
 struct Timings {  // milliseconds
   double read = 0;
   double build = 0;
@@ -59,6 +64,7 @@ struct Report {
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
   Timings timings;
+  std::vector<Phase> phases;  // in order; together they are the run
   std::uint64_t peakBytes = 0;
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;

@@ -36,16 +36,24 @@ constexpr std::size_t kFewVertices = 400;
 // Corners never move: a coarse mesh needs so many vertices to each.
 constexpr std::size_t kVerticesPerCorner = 6;
 
-int levelCount(const Run& run, std::size_t vertices) {
+// How the vertices come about: a coarse mesh, subdivided so often.
+struct Levels {
+  int count;
+  std::size_t coarse;  // vertices of the coarse mesh, at first
+  std::size_t vertices;
+};
+
+Levels planLevels(const Run& run, std::size_t vertices) {
   const HalfedgeMesh& original = run.mesh.surface().mesh();
   const FeatureCurves& curves = run.mesh.surface().curves();
   const std::size_t corners = countCorners(curves, original);
   const auto& chains = curves.chains();
   // Subdividing would divide what is to be kept.
-  if (std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; })) return 0;
+  if (std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; }))
+    return {0, vertices, vertices};
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
   while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
-  return levels;
+  return {levels, vertices >> (2 * levels), vertices};
 }
 
 int annealRounds(std::size_t vertices) {
@@ -90,35 +98,54 @@ bool followToCount(Run& run, std::size_t vertices) {
   return reached;
 }
 
-}  // namespace
-
-bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
-  const int levels = levelCount(run, vertices);
-  run.scale = std::pow(2.0, levels);
-  run.boundaries = Boundaries::Staggered;
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::size_t base = vertices >> (2 * levels);
-  adaptToSizes(run, base, progress.part("adapt", 0, 0.25));
-  while (subdividedCount(mesh, base, levels) < vertices) ++base;
-  matchCount(run, base);
-  annealValences(run, annealRounds(base), progress.part("anneal", 0.25, 0.45));
-  if (run.sizes.isWished()) evenOut(run, base);
+// As many vertices as the levels make the wished number of, or a few more, nearly all regular, the
+// tips of the original reached.
+void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
+  run.scale = std::pow(2.0, levels.count);
+  adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
+  std::size_t coarse = levels.coarse;
+  while (subdividedCount(run.mesh.mesh(), coarse, levels.count) < levels.vertices) ++coarse;
+  matchCount(run, coarse);
+  annealValences(run, annealRounds(coarse), progress.phase("anneal", 0.55, 1));
+  if (run.sizes.isWished()) evenOut(run, coarse);
+  progress.phase("tips", 1, 1);
   smoothOntoTips(run);
-  matchCount(run, base);
-  const Progress finer = progress.part("refine", 0.45, 0.85);
-  for (int i = 0; i < levels; ++i) {
-    finer.at(double(i) / levels);
+  matchCount(run, coarse);
+}
+
+// Down to the level of the result, and to the exact number. Returns whether it was reached.
+bool refine(Run& run, const Levels& levels, const Progress& progress) {
+  for (int i = 0; i < levels.count; ++i) {
+    progress.phase("refine", double(i) / levels.count, 1);
     subdivide(run);
     smooth(run);
   }
+  progress.phase("tips", 1, 1);
   smoothOntoTips(run);
-  const bool reached = followToCount(run, vertices);
-  finer.at(1);
+  progress.phase("count", 1, 1);
+  return followToCount(run, levels.vertices);
+}
+
+// Nearer to the original, and no triangle left that could be better.
+void finish(Run& run, const Progress& progress) {
+  progress.phase("polish", 0, 0);
   polish(run, {kPolishBelow});
-  fit(run, progress.part("fit", 0.85, 1));
+  fit(run, progress.phase("fit", 0, 1));
+  progress.phase("lower Hausdorff", 1, 1);
   lowerHausdorff(run);
+  progress.phase("polish", 1, 1);
   polish(run, {kSliver});
   if (!isLarge(run)) polish(run, {kPoor, kSmallShift});
+}
+
+}  // namespace
+
+bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
+  const Levels levels = planLevels(run, vertices);
+  run.boundaries = Boundaries::Staggered;
+  makeCoarse(run, levels, progress.part(0, 0.45));
+  const bool reached = refine(run, levels, progress.part(0.45, 0.85));
+  finish(run, progress.part(0.85, 1));
   return reached;
 }
 

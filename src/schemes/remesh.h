@@ -10,8 +10,7 @@
 namespace remesher {
 
 struct RemeshOutcome {
-  TriangleMesh mesh;             // a vertex comes in as many copies as its attributes need
-  double buildMilliseconds = 0;  // to mend the input and prepare the original surface
+  TriangleMesh mesh;  // a vertex comes in as many copies as its attributes need
   Stopped stopped = Stopped::Target;
   std::size_t target = 0;  // the number of vertices aimed at
   std::vector<Warning> warnings;

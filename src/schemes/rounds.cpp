@@ -188,8 +188,8 @@ double changingShare(std::size_t from, std::size_t to) {
 bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const double grading = run.sizes.isEven() ? 0 : kGradingShare;
-  if (grading > 0) grade(run, progress.part("grade", 0, grading));
-  const Progress rest = progress.part("remesh", grading, 1);
+  if (grading > 0) grade(run, progress.phase("grade", 0, grading));
+  const Progress rest = progress.phase("rounds", grading, 1);
   const double start = double(mesh.vertexCount()), way = double(goal.vertices) - start;
   const double share = changingShare(mesh.vertexCount(), goal.vertices);
   std::size_t changes = 1;
@@ -206,7 +206,7 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
     reached = matchCount(run, goal.vertices);
   }
   if (goal.splitObtuse) splitObtuse(run);
-  const Progress finish = rest.part("smooth", share, 1);
+  const Progress finish = rest.phase("smooth", share, 1);
   for (int i = 0; i < kAreaRounds; ++i) {
     finish.at(0.8 * i / kAreaRounds);
     areaBasedRound(run);

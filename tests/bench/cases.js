@@ -2,6 +2,7 @@
 // Both schemes on every case, with the limits that `best` has to keep.
 import { brokenPromises, judge } from './judge.js';
 import { loadModel } from './models.js';
+import { phaseTable } from './phases.js';
 import { timeRemesh } from './run.js';
 import { fixed, markdownTable } from './table.js';
 import { timeYardstick } from './yardstick.js';
@@ -22,7 +23,7 @@ function brokenLimits(limits, values) {
 }
 
 async function runScheme(mesh, limits, { scheme, runs, yardstick }) {
-  const { mesh: result, seconds, bytes } =
+  const { mesh: result, report, seconds, bytes } =
     await timeRemesh(mesh, { vertices: limits.vertices, scheme }, runs);
   const judgement = judge(mesh, result);
   const values = { ...judgement.result, ...judgement.fidelity,
@@ -36,13 +37,14 @@ async function runScheme(mesh, limits, { scheme, runs, yardstick }) {
     fixed(bytes / 2 ** 20, 0), fixed(values.worstAngle, 1), fixed(values.meanAngle, 2),
     fixed(values.below30, 2), fixed(values.above50, 1), fixed(values.valence6, 1),
     fixed(values.hausdorff, 3), fixed(values.rms, 4), values.selfIntersections];
-  return { row, broken };
+  return { row, broken, phases: report.phases };
 }
 
 /** @param {Record<string, any>} cases */
 export async function runCases(cases, { folder, names, runs }) {
   const rows = [];
   const broken = [];
+  const timed = [];
   for (const [name, limits] of Object.entries(cases)) {
     if (names.length > 0 && !names.some((wanted) => name.startsWith(wanted))) continue;
     const mesh = loadModel(limits.model, folder);
@@ -51,9 +53,10 @@ export async function runCases(cases, { folder, names, runs }) {
     for (const scheme of ['best', 'rounds']) {
       const outcome = await runScheme(mesh, limits, { scheme, runs, yardstick });
       rows.push([name, ...outcome.row]);
+      timed.push({ name: `${name} ${scheme}`, phases: outcome.phases });
       broken.push(...outcome.broken.map((what) => `${name} ${scheme}: ${what}`));
       console.log(`${name} ${outcome.row.join(' ')}`);
     }
   }
-  return { table: markdownTable(columns, rows), broken };
+  return { table: `${markdownTable(columns, rows)}\n\n${phaseTable(timed)}`, broken };
 }

@@ -73,6 +73,7 @@
  * @property {MeshReport} input
  * @property {{ read: number, build: number, remesh: number, write: number }} timings milliseconds
  * @property {{ peakBytes: number }} memory
+ * @property {{ name: string, milliseconds: number }[]} phases in order; together they are the run
  * @property {Warning[]} warnings
  */
 
