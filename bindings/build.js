@@ -15,6 +15,8 @@ import {
 import { basename, dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { optionDeclarations, withPlainImports } from './declarations.js';
+
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
 const debianPackages = {
@@ -154,14 +156,23 @@ function filesIn(folder) {
     .sort();
 }
 
+function emitDeclarations() {
+  writeFileSync(join(root, 'dist/base/remesh_options.d.ts'), optionDeclarations());
+  run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);
+  for (const file of filesIn('dist').filter((name) => name.endsWith('.d.ts'))) {
+    const path = join(root, file);
+    writeFileSync(path, withPlainImports(readFileSync(path, 'utf8')));
+  }
+}
+
 /** dist/: the sources as they are, the WebAssembly, and the types read from the comments. */
 function assemblePackage() {
   const sources = filesIn('bindings/package');
   const declarations = readdirSync(join(root, 'bindings'))
     .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
   const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
-    ...declarations, 'bindings/build.js', 'bindings/tsconfig.json', 'package.json',
-    'package-lock.json'];
+    ...declarations, 'bindings/build.js', 'bindings/declarations.js', 'bindings/tsconfig.json',
+    'package.json', 'package-lock.json'];
   mkdirSync(join(root, 'build'), { recursive: true });
   const stamp = new Stamp('build/dist.stamp', inputs);
   if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;
@@ -176,7 +187,7 @@ function assemblePackage() {
   }
   chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
   chmodSync(join(root, 'dist/cli/cli.js'), 0o755);
-  run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);
+  emitDeclarations();
   stamp.set();
 }
 

@@ -1,30 +1,110 @@
 // SPDX-License-Identifier: MIT
-// The package in browsers.
+// The package in browsers; and what is said of its functions, for every platform.
 
 import { createApi } from './api/api.js';
 import * as platform from './platform_browser.js';
 
 /**
- * The types of all that goes in and comes out.
- * @typedef {import('./api/inputs.js').Bytes} Bytes
+ * All that goes in and comes out.
+ * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
+ * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
+ * @typedef {import('./api/api.js').RemeshResult} RemeshResult
+ * @typedef {import('./api/client.js').RunOptions} RunOptions
+ * @typedef {import('./api/inputs.js').Bytes} Bytes
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
- * @typedef {import('./api/api.js').RemeshResult} RemeshResult
- * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
- * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
- * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
+ * @typedef {import('./base/messages.js').Distances} Distances
+ * @typedef {import('./base/messages.js').Floats} Floats
+ * @typedef {import('./base/messages.js').Indices} Indices
  * @typedef {import('./base/messages.js').Inspection} Inspection
+ * @typedef {import('./base/messages.js').Memory} Memory
  * @typedef {import('./base/messages.js').Mesh} Mesh
  * @typedef {import('./base/messages.js').MeshAttribute} MeshAttribute
  * @typedef {import('./base/messages.js').MeshReport} MeshReport
+ * @typedef {import('./base/messages.js').MinAngle} MinAngle
  * @typedef {import('./base/messages.js').NamedBytes} NamedBytes
+ * @typedef {import('./base/messages.js').NumberArray} NumberArray
+ * @typedef {import('./base/messages.js').Phase} Phase
  * @typedef {import('./base/messages.js').ProgressEvent} ProgressEvent
  * @typedef {import('./base/messages.js').RemeshReport} RemeshReport
+ * @typedef {import('./base/messages.js').RunReport} RunReport
+ * @typedef {import('./base/messages.js').Timings} Timings
  * @typedef {import('./base/messages.js').Warning} Warning
- * @typedef {import('./base/options.js').RemeshOptions} RemeshOptions
+ * @typedef {import('./base/remesh_options.js').RemeshOptions} RemeshOptions
  */
 
 export { RemeshError } from './base/errors.js';
-export const { init, remesh, remeshFile, convertFile, inspect } = createApi(platform);
+
+const api = createApi(platform);
+
+/**
+ * Loads the WebAssembly and starts the worker ahead of time. Optional, and cheap to repeat: the
+ * first call decides where the WebAssembly comes from.
+ *
+ * @param {InitOptions} [options] Where the WebAssembly is; where bundlers put it, if not given.
+ * @returns {Promise<void>} Once the next run can begin at once.
+ */
+export function init(options) {
+  return api.init(options);
+}
+
+/**
+ * Remeshes a mesh. Its arrays are copied, and stay the caller's.
+ *
+ * @example
+ * const { mesh, report } = await remesh({ positions, indices }, { vertices: 10000 });
+ *
+ * @param {Mesh} mesh The surface: positions, triangles, and what else the vertices have.
+ * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @returns {Promise<RemeshResult>} The new mesh and a report. Rejects with a {@link RemeshError}.
+ */
+export function remesh(mesh, options) {
+  return api.remesh(mesh, options);
+}
+
+/**
+ * Remeshes a file, given and returned as bytes.
+ *
+ * @example
+ * const { bytes } = await remeshFile(file, { output: 'glb', vertices: 10000 });
+ *
+ * @param {Bytes} bytes The file.
+ * @param {RemeshOptions & FileOptions & OutputOptions & RunOptions} [options] What to make of it,
+ *   its name, the result's name, and how to run.
+ * @returns {Promise<RemeshFileResult>} The new file and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function remeshFile(bytes, options) {
+  return api.remeshFile(bytes, options);
+}
+
+/**
+ * Writes a file in another format; its triangles stay as they are.
+ *
+ * @example
+ * const { bytes } = await convertFile(file, { output: 'glb' });
+ *
+ * @param {Bytes} bytes The file.
+ * @param {FileOptions & OutputOptions & RunOptions} [options] Its name, the result's name, and how
+ *   to run.
+ * @returns {Promise<ConvertFileResult>} The new file. Rejects with a {@link RemeshError}.
+ */
+export function convertFile(bytes, options) {
+  return api.convertFile(bytes, options);
+}
+
+/**
+ * Reports on a file or a mesh; changes nothing.
+ *
+ * @example
+ * const { input, warnings } = await inspect(file);
+ *
+ * @param {Bytes | Mesh} bytesOrMesh The file, or the mesh.
+ * @param {FileOptions & RunOptions} [options] The file's name, and how to run.
+ * @returns {Promise<Inspection>} What there is. Rejects with a {@link RemeshError}.
+ */
+export function inspect(bytesOrMesh, options) {
+  return api.inspect(bytesOrMesh, options);
+}

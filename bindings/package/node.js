@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The package in Node.
+// The package in Node: the functions of index.js, whose words and types are theirs too.
 
 import { createApi } from './api/api.js';
 import * as platform from './platform_node.js';
 
 export { RemeshError } from './base/errors.js';
-export const { init, remesh, remeshFile, convertFile, inspect } = createApi(platform);
+
+/** @type {Omit<typeof import('./index.js'), 'RemeshError'>} */
+const api = createApi(platform);
+export const { init, remesh, remeshFile, convertFile, inspect } = api;

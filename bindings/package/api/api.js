@@ -8,44 +8,43 @@ import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs
 import { checkOptions, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
-/** @typedef {import('../base/messages.js').Mesh} Mesh */
-/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
-/** @typedef {import('../base/messages.js').Inspection} Inspection */
-/** @typedef {import('../base/messages.js').RemeshReport} RemeshReport */
-/** @typedef {import('../base/options.js').RemeshOptions} RemeshOptions */
-/** @typedef {import('./client.js').RunOptions} RunOptions */
-/** @typedef {import('./inputs.js').Bytes} Bytes */
-/** @typedef {import('./inputs.js').FileOptions} FileOptions */
-/** @typedef {import('./inputs.js').OutputOptions} OutputOptions */
+/** @import { Inspection, Mesh, NamedBytes, RemeshReport } from '../base/messages.js' */
+/** @import { RemeshOptions } from '../base/options.js' */
+/** @import { Platform, RunOptions } from './client.js' */
+/** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
 
 /**
  * @typedef {object} InitOptions
- * @property {string | URL} [wasmUrl] where remesher.wasm is, if not beside the script
- * @property {BufferSource} [wasmBinary] its bytes, if they are there already
+ * @property {string | URL} [wasmUrl] Where remesher.wasm is, if not beside the script.
+ * @property {BufferSource} [wasmBinary] Its bytes, if they are there already.
  */
-
-/** @typedef {{ mesh: Mesh, report: RemeshReport }} RemeshResult */
 
 /**
- * @typedef {object} RemeshFileResult
- * @property {string} name
- * @property {Uint8Array} bytes
- * @property {NamedBytes[]} files this file first, then those it refers to (a .bin, a .mtl)
- * @property {RemeshReport} report
+ * @typedef {object} RemeshResult
+ * @property {Mesh} mesh Arrays of the types that were given.
+ * @property {RemeshReport} report What went in, what came out, and how far the two are apart.
  */
 
-/** @typedef {Omit<RemeshFileResult, 'report'>} ConvertFileResult */
+/**
+ * @typedef {object} ConvertFileResult
+ * @property {string} name The file's name.
+ * @property {Uint8Array} bytes The file.
+ * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl).
+ */
+
+/** @typedef {ConvertFileResult & Pick<RemeshResult, 'report'>} RemeshFileResult */
 
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
 const fileNames = /** @type {const} */ (['name', 'resources']);
 
-/** @param {import('./client.js').Platform} platform */
+/**
+ * What each function does is said where it is exported, in index.js.
+ * @param {Platform} platform
+ */
 export function createApi(platform) {
   const client = new Client(platform);
 
   /**
-   * Loads the WebAssembly and starts the worker ahead of time. Optional, and cheap to repeat: the
-   * first call decides where the WebAssembly comes from.
    * @param {InitOptions} [options]
    * @returns {Promise<void>}
    */
@@ -59,7 +58,6 @@ export function createApi(platform) {
   }
 
   /**
-   * Remeshes a mesh. Its arrays are copied, and stay the caller's.
    * @param {Mesh} mesh
    * @param {RemeshOptions & RunOptions} [options]
    * @returns {Promise<RemeshResult>}
@@ -71,9 +69,8 @@ export function createApi(platform) {
   }
 
   /**
-   * Remeshes a file, given and returned as bytes.
    * @param {Bytes} bytes
-   * @param {RemeshOptions & FileOptions & OutputOptions & RunOptions} options
+   * @param {RemeshOptions & FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<RemeshFileResult>}
    */
   async function remeshFile(bytes, options = {}) {
@@ -85,9 +82,8 @@ export function createApi(platform) {
   }
 
   /**
-   * Writes a file in another format; its triangles stay as they are.
    * @param {Bytes} bytes
-   * @param {FileOptions & OutputOptions & RunOptions} options
+   * @param {FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<ConvertFileResult>}
    */
   async function convertFile(bytes, options = {}) {
@@ -98,7 +94,6 @@ export function createApi(platform) {
   }
 
   /**
-   * Reports on a file or a mesh; changes nothing.
    * @param {Bytes | Mesh} bytesOrMesh
    * @param {FileOptions & RunOptions} [options]
    * @returns {Promise<Inspection>}

@@ -6,10 +6,7 @@
 
 import { RemeshError, abortError } from '../base/errors.js';
 
-/** @typedef {import('../base/messages.js').Job} Job */
-/** @typedef {import('../base/messages.js').ToWorker} ToWorker */
-/** @typedef {import('../base/messages.js').FromWorker} FromWorker */
-/** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
+/** @import { FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
 
 /**
  * A worker, the same in browsers and Node.
@@ -30,9 +27,9 @@ import { RemeshError, abortError } from '../base/errors.js';
 
 /**
  * @typedef {object} RunOptions
- * @property {AbortSignal} [signal]
- * @property {(event: ProgressEvent) => void} [onProgress]
- * @property {boolean} [worker] false: run in the calling thread
+ * @property {AbortSignal} [signal] Ends the run at once, with an `AbortError`.
+ * @property {(event: ProgressEvent) => void} [onProgress] Told how far the run is.
+ * @property {boolean} [worker] `false`: run in the calling thread, not in a worker.
  */
 
 /**

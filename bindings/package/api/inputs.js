@@ -4,21 +4,22 @@
 
 import { RemeshError } from '../base/errors.js';
 
-/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
-/** @typedef {import('../base/messages.js').Mesh} Mesh */
-/** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
+/** @import { FileRequest, Mesh, MeshAttribute } from '../base/messages.js' */
 
-/** @typedef {Uint8Array | ArrayBuffer | Blob} Bytes */
+/**
+ * A file's contents. Of a `File`, the name is known too.
+ * @typedef {Uint8Array | ArrayBuffer | Blob} Bytes
+ */
 
 /**
  * @typedef {object} FileOptions
- * @property {string} [name] the file's name; its extension tells the format
- * @property {Record<string, Bytes>} [resources] files it refers to, by the names it uses for them
+ * @property {string} [name] The file's name; its extension tells the format.
+ * @property {Record<string, Bytes>} [resources] Files it refers to, by the names it uses for them.
  */
 
 /**
  * @typedef {object} OutputOptions
- * @property {string} [output] a name, or a bare format; the input's if not given
+ * @property {string} [output] A name, or a bare format like `glb`; the input's if not given.
  */
 
 /** @param {string} message @param {string} [hint] @returns {never} */

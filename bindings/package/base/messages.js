@@ -2,6 +2,8 @@
 // The shapes that travel: a job goes to an engine, here or in a worker; an outcome comes back.
 // Everything here survives structured cloning.
 
+/** @import { ErrorCode } from './errors.js' */
+
 /** @typedef {Float32Array | Float64Array} Floats */
 /** @typedef {Uint32Array | Uint16Array} Indices */
 /**
@@ -10,18 +12,24 @@
  */
 
 /**
- * Per-vertex values by glTF semantic: NORMAL, TEXCOORD_0, COLOR_0, JOINTS_0, …
- * @typedef {{ array: NumberArray, itemSize: number }} MeshAttribute
+ * Per-vertex values of one glTF semantic: NORMAL, TEXCOORD_0, COLOR_0, JOINTS_0, …
+ * @typedef {object} MeshAttribute
+ * @property {NumberArray} array `itemSize` values for each vertex.
+ * @property {number} itemSize How many values a vertex has.
  */
 
 /**
  * @typedef {object} Mesh
- * @property {Floats} positions three coordinates per vertex
- * @property {Indices} indices three vertices per triangle, counterclockwise from outside
- * @property {Record<string, MeshAttribute>} [attributes]
+ * @property {Floats} positions Three coordinates for each vertex.
+ * @property {Indices} indices Three vertices for each triangle, counterclockwise from outside.
+ * @property {Record<string, MeshAttribute>} [attributes] Per-vertex values, by glTF semantic.
  */
 
-/** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
+/**
+ * @typedef {object} NamedBytes
+ * @property {string} name The file's name.
+ * @property {Uint8Array} bytes Its contents.
+ */
 
 /**
  * What an engine is asked to do.
@@ -34,8 +42,13 @@
 
 /** @typedef {NamedBytes & { resources: NamedBytes[], output: string }} FileRequest */
 
-/** @typedef {{ phase: string, fraction: number }} ProgressEvent */
-/** @typedef {{ code: import('./errors.js').ErrorCode, message: string, hint: string }} Failure */
+/**
+ * @typedef {object} ProgressEvent
+ * @property {string} phase What the run is doing.
+ * @property {number} fraction How far the whole run is, from 0 to 1.
+ */
+
+/** @typedef {{ code: ErrorCode, message: string, hint: string }} Failure */
 
 /**
  * To the worker: first the compiled module, then jobs, one at a time.
@@ -51,40 +64,78 @@
  */
 
 /**
- * @typedef {object} MeshReport
- * @property {number} vertices distinct positions
- * @property {number} triangles
- * @property {number} components
- * @property {number} boundaryEdges
- * @property {number} nonManifoldEdges
- * @property {number} eulerCharacteristic
- * @property {number} degenerateTriangles
- * @property {{ worst: number, mean: number, histogram: number[] }} minAngle degrees; the histogram
- *   in percent of the triangles, 0–10 … 50–60
- * @property {number} maxAngle degrees
- * @property {number} valence6 percent of the interior vertices
+ * The smallest angle of each triangle.
+ * @typedef {object} MinAngle
+ * @property {number} worst Degrees.
+ * @property {number} mean Degrees.
+ * @property {number[]} histogram Percent of the triangles in 0–10, 10–20 … 50–60 degrees.
  */
 
-/** @typedef {{ code: string, message: string, count: number }} Warning */
+/**
+ * @typedef {object} MeshReport
+ * @property {number} vertices Distinct positions.
+ * @property {number} triangles How many there are.
+ * @property {number} components Connected pieces.
+ * @property {number} boundaryEdges Edges of one triangle only.
+ * @property {number} nonManifoldEdges Edges of more than two triangles.
+ * @property {number} eulerCharacteristic Vertices − edges + triangles.
+ * @property {number} degenerateTriangles Triangles without an area.
+ * @property {MinAngle} minAngle The smallest angle of each triangle.
+ * @property {number} maxAngle The largest angle of all, degrees.
+ * @property {number} valence6 Percent of the interior vertices with six neighbours.
+ */
+
+/**
+ * What a caller should know although the run went on.
+ * @typedef {object} Warning
+ * @property {string} code For programs.
+ * @property {string} message For people.
+ * @property {number} count How many there are.
+ */
+
+/**
+ * @typedef {object} Timings
+ * @property {number} read Milliseconds.
+ * @property {number} build Milliseconds.
+ * @property {number} remesh Milliseconds.
+ * @property {number} write Milliseconds.
+ */
+
+/**
+ * @typedef {object} Phase
+ * @property {string} name What was done, as progress told it.
+ * @property {number} milliseconds How long it took.
+ */
+
+/**
+ * @typedef {object} Memory
+ * @property {number} peakBytes The most that WebAssembly held.
+ */
 
 /**
  * @typedef {object} Inspection
- * @property {string} version
- * @property {MeshReport} input
- * @property {{ read: number, build: number, remesh: number, write: number }} timings milliseconds
- * @property {{ peakBytes: number }} memory
- * @property {{ name: string, milliseconds: number }[]} phases in order; together they are the run
- * @property {Warning[]} warnings
+ * @property {string} version Of remesher.
+ * @property {MeshReport} input The mesh as it came.
+ * @property {Timings} timings What took how long.
+ * @property {Memory} memory What it took.
+ * @property {Phase[]} phases In order; together they are the run.
+ * @property {Warning[]} warnings What was mended or left out.
  */
 
 /**
- * @typedef {object} RunPart
- * @property {MeshReport} output
- * @property {{ hausdorff: number, rms: number }} fidelity two-sided, percent of the diagonal of the
- *   original's bounding box; the largest distance is the largest that samples find
- * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped what ended the run
+ * Distances between result and original, in percent of the diagonal of the original's bounding box.
+ * @typedef {object} Distances
+ * @property {number} hausdorff The largest distance that samples of both surfaces find.
+ * @property {number} rms Root mean square.
  */
 
-/** @typedef {Inspection & RunPart} RemeshReport */
+/**
+ * @typedef {object} RunReport
+ * @property {MeshReport} output The mesh as it is now.
+ * @property {Distances} fidelity How far the two are apart.
+ * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
+ */
+
+/** @typedef {Inspection & RunReport} RemeshReport */
 
 export {};

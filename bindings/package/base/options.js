@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: MIT
-// THE table of options: the command line's flags and help, the checks, the page's form and the
-// TypeScript types are all made from these rows. Angles in degrees, lengths in model units, errors
-// in percent of the bounding-box diagonal. A default that depends on the scheme is written
-// { best, rounds }; no default means "not set". Rows without a flag exist in JavaScript only.
+// THE table of options: the command line's flags and help, the checks, the page's form, the type
+// RemeshOptions and the reference are all made from these rows. Angles in degrees, lengths in model
+// units, errors in percent of the bounding-box diagonal. A default that depends on the scheme is
+// written { best, rounds }; no default means "not set". Rows without a flag exist in JavaScript
+// only.
 
 import { RemeshError } from './errors.js';
 
-export const options = /** @type {const} */ ([
+/** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
+
+/** @typedef {string | number | boolean} DefaultValue */
+
+/**
+ * A row of the table.
+ * @typedef {object} Option
+ * @property {string} name In JavaScript.
+ * @property {string} [flag] On the command line, with a letter for its value.
+ * @property {'integer' | 'number' | 'choice' | 'boolean' | 'floats' | 'pairs'} type
+ *   What its value is.
+ * @property {string} help What it is for.
+ * @property {string} [unit] What its value is measured in.
+ * @property {number} [min] The smallest value allowed.
+ * @property {number} [max] The largest value allowed.
+ * @property {number} [above] Allowed values are larger than this.
+ * @property {readonly string[]} [choices] The values allowed.
+ * @property {boolean} [off] 'off' is a value too.
+ * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] What holds when
+ *   it is not given.
+ */
+
+/** The table of options. @type {readonly Option[]} */
+export const optionTable = [
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
     help: 'exact number of vertices of the result (distinct positions); the input’s if not given' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
@@ -46,41 +70,7 @@ export const options = /** @type {const} */ ([
     help: 'relative vertex density, one value per input vertex' },
   { name: 'featureEdges', type: 'pairs',
     help: 'feature edges of the caller’s own, as pairs of input vertices' },
-]);
-
-/**
- * A row as the code that walks the table sees it.
- * @typedef {object} Option
- * @property {string} name
- * @property {string} [flag]
- * @property {'integer' | 'number' | 'choice' | 'boolean' | 'floats' | 'pairs'} type
- * @property {string} help
- * @property {string} [unit]
- * @property {number} [min] smallest value allowed
- * @property {number} [max] largest value allowed
- * @property {number} [above] allowed values are larger than this
- * @property {readonly string[]} [choices]
- * @property {boolean} [off] 'off' is a value too
- * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default]
- */
-
-/** @typedef {string | number | boolean} DefaultValue */
-
-/**
- * The JavaScript type of a row's value.
- * @template Row
- * @typedef {Row extends { choices: readonly (infer Choice)[] } ? Choice
- *   : Row extends { type: 'boolean' } ? boolean
- *   : Row extends { type: 'floats' } ? Float32Array
- *   : Row extends { type: 'pairs' } ? Uint32Array | ReadonlyArray<readonly [number, number]>
- *   : Row extends { off: true } ? number | 'off'
- *   : number} ValueOf
- */
-
-/** @typedef {{ [Row in typeof options[number] as Row['name']]?: ValueOf<Row> }} RemeshOptions */
-
-/** The table again, typed for walking. @type {readonly Option[]} */
-export const optionTable = options;
+];
 
 /** @type {Map<string, Option>} */
 const byName = new Map(optionTable.map((option) => [option.name, option]));
@@ -93,6 +83,17 @@ const byName = new Map(optionTable.map((option) => [option.name, option]));
  */
 export function defaultOf(option, scheme) {
   return typeof option.default === 'object' ? option.default[scheme] : option.default;
+}
+
+/**
+ * The value that holds when the option is not given, in words; empty: none does.
+ * @param {Option} option
+ * @param {(value: DefaultValue | undefined) => string} spell
+ */
+export function defaultInWords(option, spell = String) {
+  const [best, rounds] = [defaultOf(option, 'best'), defaultOf(option, 'rounds')];
+  if (best === undefined) return '';
+  return best === rounds ? spell(best) : `${spell(best)}; ${spell(rounds)} with rounds`;
 }
 
 /**
@@ -124,7 +125,7 @@ function editDistance(a, b) {
   return row[b.length];
 }
 
-/** What an option's value must be, in words. @param {Option} option */
+/** What an option's value must be, in words, without its unit. @param {Option} option */
 export function rangeInWords(option) {
   if (option.choices) return `one of ${option.choices.join(', ')}`;
   if (option.type === 'boolean') return 'true or false';
@@ -216,7 +217,7 @@ export function requireObject(given) {
 
 /**
  * The options given, checked and ready to travel; unset ones are left out.
- * @param {Record<string, unknown>} given
+ * @param {object} given
  * @param {object} [context]
  * @param {readonly string[]} [context.others] names that belong to the call, not to the table
  * @param {(option: Option) => string} [context.label] how the caller knows an option

@@ -2,7 +2,9 @@
 // The command line's words: parsing by the option table, and the help made from it.
 
 import { RemeshError } from '../base/errors.js';
-import { checkOptions, checkValue, defaultOf, nearest, optionTable } from '../base/options.js';
+import {
+  checkOptions, checkValue, defaultInWords, nearest, optionTable,
+} from '../base/options.js';
 
 /** @typedef {import('../base/options.js').Option} Option */
 
@@ -155,9 +157,8 @@ function optionHelp(option) {
   const flag = option.choices
     ? `${flagOf(option)} ${option.choices.join('|')}`
     : `${option.flag}${option.off ? '|off' : ''}`;
-  const [best, rounds] = [defaultOf(option, 'best'), defaultOf(option, 'rounds')];
-  const value = best === rounds ? String(best) : `${best}; ${rounds} with rounds`;
-  const shown = best === undefined || best === false ? '' : ` (default: ${value})`;
+  const value = option.type === 'boolean' ? '' : defaultInWords(option);
+  const shown = value && ` (default: ${value})`;
   const unit = option.unit ? `; ${option.unit}` : '';
   const text = `${option.help}${unit}${shown}`;
   return flag.length > 22 ? `  ${flag}\n${helpRow('', text)}` : helpRow(flag, text);

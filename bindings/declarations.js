@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What the package's TypeScript declarations have beside what tsc reads from the sources: the type
+// of the options, out of their table, so that an editor says of each what its row says.
+
+import { defaultInWords, optionTable, rangeInWords } from './package/base/options.js';
+
+/** @typedef {import('./package/base/options.js').Option} Option */
+
+/** @type {Record<Option['type'], string>} */
+const plainTypes = {
+  integer: 'number',
+  number: 'number',
+  boolean: 'boolean',
+  choice: 'string',
+  floats: 'Float32Array',
+  pairs: 'Uint32Array | ReadonlyArray<readonly [number, number]>',
+};
+
+/** @param {Option} option */
+function typeOf(option) {
+  if (option.choices) return option.choices.map((choice) => `'${choice}'`).join(' | ');
+  return plainTypes[option.type] + (option.off ? " | 'off'" : '');
+}
+
+/** With a full stop, and with a capital unless a name or a sign begins it. @param {string} text */
+const sentence = (text) => `${text.replace(/^[a-z]+(?!:)\b/, capitalized)}.`;
+
+/** @param {string} word */
+const capitalized = (word) => word[0].toUpperCase() + word.slice(1);
+
+/** A value as it is written in a program. @param {unknown} value */
+const spelled = (value) => (typeof value === 'string' ? `'${value}'` : String(value));
+
+/** The lines an editor shows: text, range and unit, default. @param {Option} option */
+export function documentationOf(option) {
+  const unit = option.unit ? `, in ${option.unit}` : '';
+  const value = defaultInWords(option, spelled);
+  return [sentence(option.help), '', sentence(rangeInWords(option) + unit),
+    ...(value ? ['', `@default \`${value}\``] : [])];
+}
+
+/** The file base/remesh_options.d.ts. */
+export function optionDeclarations() {
+  const members = optionTable.map((option) => [
+    '  /**',
+    ...documentationOf(option).map((line) => `   * ${line}`.trimEnd()),
+    '   */',
+    `  ${option.name}?: ${typeOf(option)};`,
+  ].join('\n'));
+  return [
+    '// SPDX-License-Identifier: MIT',
+    '// Made of the table in options.js.',
+    '',
+    '/** What to make of a mesh. Every option may be left out. */',
+    'export interface RemeshOptions {',
+    members.join('\n\n'),
+    '}',
+    '',
+  ].join('\n');
+}
+
+/**
+ * Declarations in which what comes from another module is imported by its name: an alias of an
+ * `import()` would hide what it stands for from editors and from the reference.
+ * @param {string} text as tsc writes it
+ */
+export function withPlainImports(text) {
+  return text.replace(/^export type (\w+) = import\((['"].+['"])\)\.\1;$/gm,
+    'import type { $1 } from $2;\nexport type { $1 };');
+}
