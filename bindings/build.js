@@ -158,7 +158,7 @@ function filesIn(folder) {
 
 function emitDeclarations() {
   writeFileSync(join(root, 'dist/base/remesh_options.d.ts'), optionDeclarations());
-  run('node_modules/.bin/tsc', ['-p', 'bindings/tsconfig.json']);
+  run('node_modules/typescript-7/bin/tsc', ['-p', 'bindings/tsconfig.json']);
   for (const file of filesIn('dist').filter((name) => name.endsWith('.d.ts'))) {
     const path = join(root, file);
     writeFileSync(path, withPlainImports(readFileSync(path, 'utf8')));

@@ -68,3 +68,29 @@ export function withPlainImports(text) {
   return text.replace(/^export type (\w+) = import\((['"].+['"])\)\.\1;$/gm,
     'import type { $1 } from $2;\nexport type { $1 };');
 }
+
+/** A text in a cell of a Markdown table. @param {string} text */
+const cell = (text) => text.replaceAll('|', '\\|');
+
+/** @param {Option} option */
+function optionRow(option) {
+  const { name, flag, help, unit } = option;
+  const value = defaultInWords(option, spelled);
+  const range = rangeInWords(option) + (unit ? `, in ${unit}` : '');
+  return [`\`${name}\``, flag ? `\`${flag}\`` : '', help, range, value && `\`${value}\``].map(cell);
+}
+
+/** The table of options as a page of the reference. */
+export function optionsPage() {
+  const rows = [
+    ['option', 'command line', 'meaning', 'values', 'default'],
+    Array.from({ length: 5 }, () => '---'),
+    ...optionTable.map(optionRow),
+  ];
+  return [
+    '---', 'title: Options', '---', '', '# Options', '',
+    'In JavaScript they are properties of {@link RemeshOptions}. Where two values are given, the',
+    'second holds with the scheme `rounds`.', '',
+    ...rows.map((row) => `| ${row.join(' | ')} |`), '',
+  ].join('\n');
+}

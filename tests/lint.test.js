@@ -35,7 +35,7 @@ test('JavaScript passes eslint', async () => {
 });
 
 test('JavaScript passes tsc --strict', () => {
-  const tsc = join(root, 'node_modules/.bin/tsc');
+  const tsc = join(root, 'node_modules/typescript-7/bin/tsc');
   const { status, stdout } = spawnSync(tsc, ['-p', 'tests/lint/tsconfig.json'],
     { cwd: root, encoding: 'utf8' });
   assert.equal(status, 0, stdout);

@@ -121,6 +121,6 @@ for (const resolution of ['nodenext', 'bundler']) {
       },
       files: ['typed.ts'],
     }));
-    call(join(root, 'node_modules/.bin/tsc'), ['-p', 'tsconfig.json']);
+    call(join(root, 'node_modules/typescript-7/bin/tsc'), ['-p', 'tsconfig.json']);
   });
 }

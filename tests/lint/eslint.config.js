@@ -29,7 +29,7 @@ export default [
     },
   },
   {
-    files: ['bindings/build.js', 'bindings/package/*node.js', 'bindings/package/cli/*.js',
+    files: ['bindings/*.js', 'bindings/package/*node.js', 'bindings/package/cli/*.js',
       'tests/**', 'web/serve.js'],
     languageOptions: { globals: globals.node },
   },

@@ -24,7 +24,7 @@ async function* messagesIn(stream) {
 }
 
 export class Editor {
-  #server = spawn(join(root, 'node_modules/.bin/tsc'), ['--lsp', '--stdio'],
+  #server = spawn(join(root, 'node_modules/typescript-7/bin/tsc'), ['--lsp', '--stdio'],
     { stdio: ['pipe', 'pipe', 'ignore'] });
   #waiting = new Map();
   #asked = 0;
