@@ -39,11 +39,15 @@ val guarded(Body body) {
   }
 }
 
-val remeshArrays(const val& mesh, const val& options, const val& onProgress) {
+// parts: a list of { mesh, places }
+val remeshParts(const val& parts, const val& options, const val& onProgress) {
   return guarded([&] {
-    const RemeshResult run = remesh(meshFrom(mesh), optionsFrom(options), progressFrom(onProgress));
+    const RemeshSceneResult run =
+        remeshScene(sceneFrom(parts), optionsFrom(options), progressFrom(onProgress));
+    val meshes = val::array();
+    for (const TriangleMesh& mesh : run.meshes) meshes.call<void>("push", objectFrom(mesh));
     val result = val::object();
-    result.set("mesh", objectFrom(run.mesh));
+    result.set("meshes", meshes);
     result.set("report", objectFrom(run.report));
     return result;
   });
@@ -91,7 +95,7 @@ val errorCodes() {
 val defaultOptions() { return objectFrom(RemeshOptions()); }
 
 EMSCRIPTEN_BINDINGS(remesher) {
-  emscripten::function("remesh", &remeshArrays);
+  emscripten::function("remesh", &remeshParts);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspect", &inspectArrays);

@@ -60,11 +60,26 @@ TriangleMesh meshFrom(const val& object) {
     val(typed_memory_view(3 * mesh.positions.size(), mesh.positions.front().data()))
         .call<void>("set", positions);
   mesh.indices = copied<Index>(object["indices"]);
+  if (const val groups = object["groups"]; !groups.isUndefined())
+    mesh.groups = copied<Index>(groups);
   forEach(object["attributes"], [&](const val& attribute) {
     mesh.attributes.push_back({attribute["semantic"].as<std::string>(),
                                attribute["itemSize"].as<int>(), copied<float>(attribute["array"])});
   });
   return mesh;
+}
+
+std::vector<PlacedMesh> sceneFrom(const val& list) {
+  std::vector<PlacedMesh> scene;
+  forEach(list, [&](const val& object) {
+    PlacedMesh placed{meshFrom(object["mesh"]), {}};
+    forEach(object["places"], [&](const val& matrix) {
+      const std::vector<double> columns = copied<double>(matrix);
+      placed.places.emplace_back(Eigen::Map<const Eigen::Matrix4d>(columns.data()));
+    });
+    scene.push_back(std::move(placed));
+  });
+  return scene;
 }
 
 FileBundle bundleFrom(const val& object) {

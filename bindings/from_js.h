@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plain JavaScript objects read into plain C++ values. Typed arrays are copied. The package has
-// checked names and types (package/api.js, package/options.js).
+// checked names and types (package/api/inputs.js, package/base/options.js).
 #pragma once
 
 #include <emscripten/val.h>
@@ -12,6 +12,8 @@
 namespace remesher {
 
 TriangleMesh meshFrom(const emscripten::val& object);
+// list: of { mesh, places }, each place a matrix of 16 numbers, column after column.
+std::vector<PlacedMesh> sceneFrom(const emscripten::val& list);
 FileBundle bundleFrom(const emscripten::val& object);
 RemeshOptions optionsFrom(const emscripten::val& object);
 

@@ -100,6 +100,7 @@ val objectFrom(const TriangleMesh& mesh) {
              val(typed_memory_view(3 * mesh.positions.size(), positions)).call<val>("slice"));
   result.set("indices", arrayFrom(mesh.indices));
   result.set("attributes", attributes);
+  if (!mesh.groups.empty()) result.set("groups", arrayFrom(mesh.groups));
   return result;
 }
 

@@ -93,9 +93,20 @@ auto inFile(const std::string& name, Body body) {
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
+  RemeshSceneResult run = remeshScene({{mesh, {}}}, options, progress);
+  return {std::move(run.meshes.front()), std::move(run.report)};
+}
+
+RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const RemeshOptions& options,
+                              const Progress& progress) {
   PhaseClock clock;
-  Run run = remeshScaled({io::Part{"", mesh, {}}}, options, progress.timedBy(clock));
-  return {std::move(run.parts.front().mesh), timed(std::move(run.report), clock)};
+  std::vector<io::Part> parts;
+  for (const auto& [mesh, places] : scene) parts.push_back({"", mesh, places});
+  Run run = remeshScaled(parts, options, progress.timedBy(clock));
+  RemeshSceneResult result;
+  for (io::Part& part : run.parts) result.meshes.push_back(std::move(part.mesh));
+  result.report = timed(std::move(run.report), clock);
+  return result;
 }
 
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,

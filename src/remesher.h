@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
+#include "base/types.h"
 
 namespace remesher {
 
@@ -23,6 +24,21 @@ struct RemeshResult {
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
+
+// A mesh of a scene, and where it is shown: from its own space to the world, once for each place.
+struct PlacedMesh {
+  TriangleMesh mesh;
+  std::vector<Transform> places;
+};
+
+struct RemeshSceneResult {
+  std::vector<TriangleMesh> meshes;  // in the order given
+  Report report;
+};
+
+// Meshes that share what is asked for, as those of one file do: vertices by area in the world.
+RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const RemeshOptions& options,
+                              const Progress& progress = {});
 
 // A file with those it refers to (a .bin, images, a .mtl), by the names it uses for them.
 struct FileBundle {

@@ -54,7 +54,7 @@ test('an abort terminates the worker that ran, and with it frees its memory', as
   };
   const client = new Client({ ...platform, spawn });
   const controller = new AbortController();
-  const job = { kind: 'remesh', mesh: large, options: longRun };
+  const job = { kind: 'remesh', parts: [{ mesh: large }], options: longRun };
   await assert.rejects(client.run(job, [],
     { signal: controller.signal, onProgress: () => controller.abort() }), aborted);
   assert.equal(workers.length, 1);
@@ -114,7 +114,7 @@ test('in the calling thread a listener can abort', async () => {
 
 test('where there are no workers the calling thread does the work', async () => {
   const client = new Client({ ...platform, spawn: () => undefined });
-  const job = { kind: 'remesh', mesh: torus(), options: { vertices: 300 } };
+  const job = { kind: 'remesh', parts: [{ mesh: torus() }], options: { vertices: 300 } };
   const { report } = await client.run(job, [], {});
   assert.equal(report.output.vertices, 300);
 });

@@ -10,6 +10,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
  * @typedef {import('./api/api.js').RemeshResult} RemeshResult
+ * @typedef {import('./api/api.js').RemeshSceneResult} RemeshSceneResult
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./api/inputs.js').Bytes} Bytes
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
@@ -27,6 +28,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').NamedBytes} NamedBytes
  * @typedef {import('./base/messages.js').NumberArray} NumberArray
  * @typedef {import('./base/messages.js').Phase} Phase
+ * @typedef {import('./base/messages.js').PlacedMesh} PlacedMesh
  * @typedef {import('./base/messages.js').ProgressEvent} ProgressEvent
  * @typedef {import('./base/messages.js').RemeshReport} RemeshReport
  * @typedef {import('./base/messages.js').RunReport} RunReport
@@ -62,6 +64,23 @@ export function init(options) {
  */
 export function remesh(mesh, options) {
   return api.remesh(mesh, options);
+}
+
+/**
+ * Remeshes the meshes of a scene, which share what is asked for as those of one file do: vertices
+ * by area in the world.
+ *
+ * @example
+ * const { meshes } = await remeshScene([{ mesh: body }, { mesh: lid, places: [matrix] }],
+ *   { vertices: 10000 });
+ *
+ * @param {PlacedMesh[]} parts The meshes, and where they are shown.
+ * @param {RemeshOptions & RunOptions} [options] What to make of them, and how to run.
+ * @returns {Promise<RemeshSceneResult>} The new meshes and one report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function remeshScene(parts, options) {
+  return api.remeshScene(parts, options);
 }
 
 /**

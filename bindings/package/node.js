@@ -8,4 +8,4 @@ export { RemeshError } from './base/errors.js';
 
 /** @type {Omit<typeof import('./index.js'), 'RemeshError'>} */
 const api = createApi(platform);
-export const { init, remesh, remeshFile, convertFile, inspect } = api;
+export const { init, remesh, remeshScene, remeshFile, convertFile, inspect } = api;

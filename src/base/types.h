@@ -12,6 +12,7 @@ namespace remesher {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Index = std::uint32_t;
+using Transform = Eigen::Affine3d;
 
 inline constexpr Index kNone = ~Index{0};
 

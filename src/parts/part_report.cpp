@@ -58,8 +58,7 @@ TriangleMesh gathered(const std::vector<io::Part>& parts) {
   TriangleMesh all;
   for (const io::Part& part : parts) {
     const auto first = static_cast<Index>(all.positions.size());
-    const io::Transform place =
-        part.instances.empty() ? io::Transform::Identity() : part.instances.front();
+    const Transform place = part.instances.empty() ? Transform::Identity() : part.instances.front();
     for (const Vec3& position : part.mesh.positions) all.positions.push_back(place * position);
     for (Index i : part.mesh.indices) all.indices.push_back(first + i);
   }

@@ -19,7 +19,7 @@ void scale(std::vector<Vec3>& positions, double factor) {
 // The points' box at half its size: that of the largest doubles would be infinite.
 using HalfBox = Eigen::AlignedBox3d;
 
-HalfBox halfBox(const io::Part& part, const io::Transform& place) {
+HalfBox halfBox(const io::Part& part, const Transform& place) {
   HalfBox box;
   for (const Vec3& p : part.mesh.positions) box.extend(0.5 * (place * p));
   return box;
@@ -29,7 +29,7 @@ HalfBox halfBoxOfWorld(const std::vector<io::Part>& parts) {
   HalfBox box;
   for (const io::Part& part : parts)
     box.extend(
-        halfBox(part, part.instances.empty() ? io::Transform::Identity() : part.instances.front()));
+        halfBox(part, part.instances.empty() ? Transform::Identity() : part.instances.front()));
   return box;
 }
 
@@ -47,7 +47,7 @@ double unitScale(const HalfBox& box) {
 PartScale::PartScale(const std::vector<io::Part>& parts)
     : world_(unitScale(halfBoxOfWorld(parts))) {
   for (const io::Part& part : parts)
-    local_.push_back(unitScale(halfBox(part, io::Transform::Identity())));
+    local_.push_back(unitScale(halfBox(part, Transform::Identity())));
 }
 
 bool PartScale::isNeeded() const {
@@ -57,8 +57,8 @@ bool PartScale::isNeeded() const {
 std::vector<io::Part> PartScale::applied(std::vector<io::Part> parts) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     scale(parts[i].mesh.positions, local_[i]);
-    if (parts[i].instances.empty()) parts[i].instances.push_back(io::Transform::Identity());
-    for (io::Transform& place : parts[i].instances) place.prescale(world_).scale(1 / local_[i]);
+    if (parts[i].instances.empty()) parts[i].instances.push_back(Transform::Identity());
+    for (Transform& place : parts[i].instances) place.prescale(world_).scale(1 / local_[i]);
   }
   return parts;
 }

@@ -15,7 +15,7 @@ namespace {
 double scaleOf(const io::Part& part) {
   if (part.instances.empty()) return 1;
   double sum = 0;
-  for (const io::Transform& place : part.instances)
+  for (const Transform& place : part.instances)
     sum += std::cbrt(std::abs(place.linear().determinant()));
   return sum / double(part.instances.size());
 }

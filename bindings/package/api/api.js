@@ -4,11 +4,13 @@
 
 import { Client } from './client.js';
 import { RemeshError } from '../base/errors.js';
-import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
+import {
+  buffersOf, copyMesh, copyScene, fileBuffers, fileRequest, isBytes,
+} from './inputs.js';
 import { checkOptions, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
-/** @import { Inspection, Mesh, NamedBytes, RemeshReport } from '../base/messages.js' */
+/** @import { Inspection, Mesh, NamedBytes, PlacedMesh, RemeshReport } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
@@ -23,6 +25,12 @@ import { compileBinary } from './wasm_source.js';
  * @typedef {object} RemeshResult
  * @property {Mesh} mesh Arrays of the types that were given.
  * @property {RemeshReport} report What went in, what came out, and how far the two are apart.
+ */
+
+/**
+ * @typedef {object} RemeshSceneResult
+ * @property {Mesh[]} meshes In the order given, arrays of the types that were given.
+ * @property {RemeshReport} report On all of them together.
  */
 
 /**
@@ -58,14 +66,34 @@ export function createApi(platform) {
   }
 
   /**
+   * @param {PlacedMesh[]} parts our own
+   * @param {Record<string, unknown>} checked
+   * @param {RunOptions} options
+   * @returns {Promise<RemeshSceneResult>}
+   */
+  const runScene = (parts, checked, options) => client.run(
+    { kind: 'remesh', parts, options: checked },
+    parts.flatMap(({ mesh }) => buffersOf(mesh)), options);
+
+  /**
    * @param {Mesh} mesh
    * @param {RemeshOptions & RunOptions} [options]
    * @returns {Promise<RemeshResult>}
    */
   async function remesh(mesh, options = {}) {
     const checked = checkOptions(options, { others: runNames });
-    const copy = copyMesh(mesh);
-    return client.run({ kind: 'remesh', mesh: copy, options: checked }, buffersOf(copy), options);
+    const { meshes, report } = await runScene([{ mesh: copyMesh(mesh) }], checked, options);
+    return { mesh: meshes[0], report };
+  }
+
+  /**
+   * @param {PlacedMesh[]} parts
+   * @param {RemeshOptions & RunOptions} [options]
+   * @returns {Promise<RemeshSceneResult>}
+   */
+  async function remeshScene(parts, options = {}) {
+    const checked = checkOptions(options, { others: runNames });
+    return runScene(copyScene(parts), checked, options);
   }
 
   /**
@@ -108,7 +136,7 @@ export function createApi(platform) {
     return client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
   }
 
-  return { init, remesh, remeshFile, convertFile, inspect };
+  return { init, remesh, remeshScene, remeshFile, convertFile, inspect };
 }
 
 /** @param {unknown} wasmUrl @param {unknown} wasmBinary */

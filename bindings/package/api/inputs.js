@@ -4,7 +4,9 @@
 
 import { RemeshError } from '../base/errors.js';
 
-/** @import { FileRequest, Mesh, MeshAttribute } from '../base/messages.js' */
+/** @import {
+ *   FileRequest, Indices, Mesh, MeshAttribute, PlacedMesh,
+ * } from '../base/messages.js' */
 
 /**
  * A file's contents. Of a `File`, the name is known too.
@@ -43,17 +45,20 @@ function copyArray(array, label) {
   }
 }
 
+/** @param {unknown} array @returns {array is Indices} */
+const isIndices = (array) => array instanceof Uint32Array || array instanceof Uint16Array;
+
 /** @param {unknown} mesh @returns {Mesh} the same in arrays of our own */
 export function copyMesh(mesh) {
   if (typeof mesh !== 'object' || mesh === null) {
     refuseMesh('The mesh must be an object { positions, indices, attributes }.',
       'Of a file, give the bytes.');
   }
-  const { positions, indices, attributes } = /** @type {any} */ (mesh);
+  const { positions, indices, attributes, groups } = /** @type {any} */ (mesh);
   if (!(positions instanceof Float32Array || positions instanceof Float64Array)) {
     refuseMesh('mesh.positions must be a Float32Array or a Float64Array.');
   }
-  if (!(indices instanceof Uint32Array || indices instanceof Uint16Array)) {
+  if (!isIndices(indices)) {
     refuseMesh('mesh.indices must be a Uint32Array or a Uint16Array.',
       'For a mesh without indices, give 0, 1, 2, …: equal positions are welded.');
   }
@@ -67,7 +72,46 @@ export function copyMesh(mesh) {
     positions: copyArray(positions, 'mesh.positions'),
     indices: copyArray(indices, 'mesh.indices'),
     attributes: copyAttributes(attributes ?? {}, positions.length / 3),
+    ...(groups === undefined ? {} : { groups: copyGroups(groups, indices.length / 3) }),
   };
+}
+
+/** @param {unknown} groups @param {number} triangleCount */
+function copyGroups(groups, triangleCount) {
+  if (!isIndices(groups)) refuseMesh('mesh.groups must be a Uint32Array or a Uint16Array.');
+  if (groups.length !== triangleCount) {
+    refuseMesh(`mesh.groups has ${groups.length} numbers for ${triangleCount} triangles.`,
+      'Give one number for each triangle.');
+  }
+  return copyArray(groups, 'mesh.groups');
+}
+
+/** @param {unknown} place @param {string} label */
+function copyPlace(place, label) {
+  const matrix = Float64Array.from(/** @type {ArrayLike<number>} */ (place ?? []));
+  const isAffine = matrix.length === 16 && matrix.every(Number.isFinite)
+    && [0, 0, 0, 1].every((value, row) => matrix[4 * row + 3] === value);
+  if (!isAffine) {
+    refuseMesh(`${label} must be an affine matrix of 16 finite numbers, column after column.`);
+  }
+  return matrix;
+}
+
+/** @param {unknown} parts @returns {PlacedMesh[]} the same in arrays of our own */
+export function copyScene(parts) {
+  if (!Array.isArray(parts) || parts.length === 0) {
+    refuseMesh('The scene must be a list of { mesh, places } with at least one mesh.');
+  }
+  return parts.map((part, i) => {
+    if (!Array.isArray(part?.places ?? [])) {
+      refuseMesh(`parts[${i}].places must be a list of matrices.`);
+    }
+    return {
+      mesh: copyMesh(part?.mesh),
+      places: (part.places ?? []).map((/** @type {unknown} */ place, /** @type {number} */ k) =>
+        copyPlace(place, `parts[${i}].places[${k}]`)),
+    };
+  });
 }
 
 /** @param {Record<string, MeshAttribute>} attributes @param {number} vertexCount */
@@ -91,7 +135,7 @@ function copyAttributes(attributes, vertexCount) {
 
 /** @param {Mesh} mesh @returns {ArrayBuffer[]} */
 export function buffersOf(mesh) {
-  const arrays = [mesh.positions, mesh.indices,
+  const arrays = [mesh.positions, mesh.indices, ...(mesh.groups ? [mesh.groups] : []),
     ...Object.values(mesh.attributes ?? {}).map(({ array }) => array)];
   return arrays.map((array) => /** @type {ArrayBuffer} */ (array.buffer));
 }

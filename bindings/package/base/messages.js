@@ -22,7 +22,18 @@
  * @typedef {object} Mesh
  * @property {Floats} positions Three coordinates for each vertex.
  * @property {Indices} indices Three vertices for each triangle, counterclockwise from outside.
- * @property {Record<string, MeshAttribute>} [attributes] Per-vertex values, by glTF semantic.
+ * @property {Record<string, MeshAttribute>} [attributes] Per-vertex values, by glTF semantic; a
+ *   morph target's have its number in front: `TARGET_0/POSITION`.
+ * @property {Indices} [groups] One number for each triangle: a material, for instance. Borders
+ *   between groups are kept as curves.
+ */
+
+/**
+ * A mesh of a scene.
+ * @typedef {object} PlacedMesh
+ * @property {Mesh} mesh In its own space.
+ * @property {ArrayLike<number>[]} [places] From its own space to the world, once for each place
+ *   where the scene shows it: matrices of 16 numbers, column after column.
  */
 
 /**
@@ -33,7 +44,7 @@
 
 /**
  * What an engine is asked to do.
- * @typedef {{ kind: 'remesh', mesh: Mesh, options: Record<string, unknown> }
+ * @typedef {{ kind: 'remesh', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh }

@@ -33,10 +33,10 @@ export function instantiate(module) {
   });
 }
 
-/** @param {Record<string, MeshAttribute> | undefined} attributes */
-function listed(attributes = {}) {
-  return Object.entries(attributes).map(([semantic, { array, itemSize }]) =>
-    ({ semantic, array, itemSize }));
+/** The attributes in a list, as the instance takes them. @param {Mesh} mesh */
+function withList({ attributes = {}, ...mesh }) {
+  return { ...mesh, attributes: Object.entries(attributes).map(
+    ([semantic, { array, itemSize }]) => ({ semantic, array, itemSize })) };
 }
 
 /**
@@ -51,10 +51,13 @@ function likeModel(values, model) {
   return new Kind(values.map(Math.round));
 }
 
+/** @param {Uint32Array} values @param {import('../base/messages.js').Indices | undefined} model */
+const likeIndices = (values, model) =>
+  (model instanceof Uint16Array ? Uint16Array.from(values) : values);
+
 /** @param {any} mesh as it comes back @param {Mesh} model as it went in @returns {Mesh} */
 function meshLike(mesh, model) {
   const { positions, indices } = mesh;
-  const isSmall = model.indices instanceof Uint16Array && positions.length / 3 <= 2 ** 16;
   /** @type {Record<string, MeshAttribute>} */
   const attributes = {};
   for (const { semantic, array, itemSize } of mesh.attributes) {
@@ -63,8 +66,9 @@ function meshLike(mesh, model) {
   }
   return {
     positions: model.positions instanceof Float32Array ? Float32Array.from(positions) : positions,
-    indices: isSmall ? Uint16Array.from(indices) : indices,
+    indices: positions.length / 3 <= 2 ** 16 ? likeIndices(indices, model.indices) : indices,
     attributes,
+    ...(mesh.groups ? { groups: likeIndices(mesh.groups, model.groups) } : {}),
   };
 }
 
@@ -77,13 +81,14 @@ function call(instance, job, ask) {
   switch (job.kind) {
     case 'remesh':
       return instance.remesh(
-        { ...job.mesh, attributes: listed(job.mesh.attributes) }, job.options, ask);
+        job.parts.map(({ mesh, places = [] }) => ({ mesh: withList(mesh), places })),
+        job.options, ask);
     case 'remeshFile':
       return instance.remeshFile(job.file, job.options, ask);
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
-      return instance.inspect({ ...job.mesh, attributes: listed(job.mesh.attributes) });
+      return instance.inspect(withList(job.mesh));
     default:
       return instance.inspectFile(job.file);
   }
@@ -115,7 +120,9 @@ export class Engine {
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
-    return job.kind === 'remesh' ? { ...outcome, mesh: meshLike(outcome.mesh, job.mesh) } : outcome;
+    if (job.kind !== 'remesh') return outcome;
+    const meshes = job.parts.map(({ mesh }, i) => meshLike(outcome.meshes[i], mesh));
+    return { ...outcome, meshes };
   }
 
   async #start() {

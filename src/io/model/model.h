@@ -15,8 +15,6 @@
 
 namespace remesher::io {
 
-using Transform = Eigen::Affine3d;
-
 // One glTF mesh with all its triangle primitives, one OBJ file, one OFF file.
 //
 // The groups of the mesh are the glTF primitives or the OBJ runs of equal object, group, material

@@ -18,7 +18,7 @@ TriangleMesh scaled(TriangleMesh mesh, double factor) {
 }
 
 io::Part partOf(const TriangleMesh& mesh, double instanceScale) {
-  return {"", mesh, {io::Transform(Eigen::Scaling(instanceScale))}};
+  return {"", mesh, {Transform(Eigen::Scaling(instanceScale))}};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using namespace remesher;
 namespace {
 
 io::Part partOf(const TriangleMesh& mesh, double scale) {
-  return {"", mesh, {io::Transform(Eigen::Scaling(scale))}};
+  return {"", mesh, {Transform(Eigen::Scaling(scale))}};
 }
 
 // Remeshes all in order, and returns how many vertices each part has in the end.
