@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { RemeshError } from 'remesher';
 
-import { createApi } from '../dist/api/api.js';
+import { Api } from '../dist/api/api.js';
 import { Engine, instantiate } from '../dist/worker/engine.js';
 import { errorCodes } from '../dist/base/errors.js';
 import * as platform from '../dist/platform_node.js';
@@ -40,7 +40,8 @@ test('a page sent instead of WebAssembly is named as such', async () => {
 test('WebAssembly that is broken, not there or not ours is said to be', async () => {
   const broken = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 9, 9, 9]);
   const other = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
-  const { init: initAnew, inspect } = createApi(platform);
+  const api = new Api(platform);
+  const initAnew = (options) => api.init(options);
   await rejectsWith(initAnew({ wasmBinary: broken }), 'INTERNAL', /wasmBinary is broken/);
   await rejectsWith(initAnew({ wasmUrl: 'file:///nowhere.wasm' }), 'INTERNAL', /nowhere\.wasm/);
   await rejectsWith(initAnew({ wasmUrl: 'http://[' }), 'INTERNAL', /http:\/\/\[ cannot be read/);
@@ -48,7 +49,7 @@ test('WebAssembly that is broken, not there or not ours is said to be', async ()
   await rejectsWith(initAnew({ wasmBinary: 'bytes' }), 'INVALID_OPTION', /wasmBinary/);
   await rejectsWith(initAnew({ wasmurl: 'x' }), 'UNKNOWN_OPTION', /wasmurl/);
   const mesh = torus({ columns: 8, rows: 6 });
-  assert.equal((await inspect(mesh, { worker: false })).input.vertices, 48);
+  assert.equal((await api.inspect(mesh, { worker: false })).input.vertices, 48);
   const engine = new Engine(await WebAssembly.compile(other));
   await rejectsWith(engine.run({ kind: 'inspect', mesh }), 'INTERNAL', /cannot be started/);
 });

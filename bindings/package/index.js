@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The package in browsers; and what is said of its functions, for every platform.
 
-import { createApi } from './api/api.js';
+import { Api } from './api/api.js';
 import * as platform from './platform_browser.js';
 
 /**
@@ -39,7 +39,7 @@ import * as platform from './platform_browser.js';
 
 export { RemeshError } from './base/errors.js';
 
-const api = createApi(platform);
+const api = new Api(platform);
 
 /**
  * Loads the WebAssembly and starts the worker ahead of time. Optional, and cheap to repeat: the

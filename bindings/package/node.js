@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The package in Node: the functions of index.js, whose words and types are theirs too.
+// The package in Node. What its functions do is said in index.js, whose types are theirs too.
 
-import { createApi } from './api/api.js';
+import { Api } from './api/api.js';
 import * as platform from './platform_node.js';
 
 export { RemeshError } from './base/errors.js';
 
-/** @type {Omit<typeof import('./index.js'), 'RemeshError'>} */
-const api = createApi(platform);
-export const { init, remesh, remeshScene, remeshFile, convertFile, inspect } = api;
+const api = new Api(platform);
+export const init = api.init.bind(api);
+export const remesh = api.remesh.bind(api);
+export const remeshScene = api.remeshScene.bind(api);
+export const remeshFile = api.remeshFile.bind(api);
+export const convertFile = api.convertFile.bind(api);
+export const inspect = api.inspect.bind(api);

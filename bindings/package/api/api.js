@@ -45,44 +45,38 @@ import { compileBinary } from './wasm_source.js';
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
 const fileNames = /** @type {const} */ (['name', 'resources']);
 
-/**
- * What each function does is said where it is exported, in index.js.
- * @param {Platform} platform
- */
-export function createApi(platform) {
-  const client = new Client(platform);
+/** What each function does is said where it is exported, in index.js. */
+export class Api {
+  #platform;
+  #client;
+
+  /** @param {Platform} platform */
+  constructor(platform) {
+    this.#platform = platform;
+    this.#client = new Client(platform);
+  }
 
   /**
    * @param {InitOptions} [options]
    * @returns {Promise<void>}
    */
-  async function init(options = {}) {
+  async init(options = {}) {
     refuseOthers(options, ['wasmUrl', 'wasmBinary']);
     const { wasmUrl, wasmBinary } = options;
     checkSource(wasmUrl, wasmBinary);
-    if (wasmBinary) await client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
-    else if (wasmUrl) await client.load(() => platform.compileUrl(wasmUrl));
-    await client.warmUp();
+    if (wasmBinary) await this.#client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
+    else if (wasmUrl) await this.#client.load(() => this.#platform.compileUrl(wasmUrl));
+    await this.#client.warmUp();
   }
-
-  /**
-   * @param {PlacedMesh[]} parts our own
-   * @param {Record<string, unknown>} checked
-   * @param {RunOptions} options
-   * @returns {Promise<RemeshSceneResult>}
-   */
-  const runScene = (parts, checked, options) => client.run(
-    { kind: 'remesh', parts, options: checked },
-    parts.flatMap(({ mesh }) => buffersOf(mesh)), options);
 
   /**
    * @param {Mesh} mesh
    * @param {RemeshOptions & RunOptions} [options]
    * @returns {Promise<RemeshResult>}
    */
-  async function remesh(mesh, options = {}) {
+  async remesh(mesh, options = {}) {
     const checked = checkOptions(options, { others: runNames });
-    const { meshes, report } = await runScene([{ mesh: copyMesh(mesh) }], checked, options);
+    const { meshes, report } = await this.#runScene([{ mesh: copyMesh(mesh) }], checked, options);
     return { mesh: meshes[0], report };
   }
 
@@ -91,9 +85,9 @@ export function createApi(platform) {
    * @param {RemeshOptions & RunOptions} [options]
    * @returns {Promise<RemeshSceneResult>}
    */
-  async function remeshScene(parts, options = {}) {
+  async remeshScene(parts, options = {}) {
     const checked = checkOptions(options, { others: runNames });
-    return runScene(copyScene(parts), checked, options);
+    return this.#runScene(copyScene(parts), checked, options);
   }
 
   /**
@@ -101,10 +95,10 @@ export function createApi(platform) {
    * @param {RemeshOptions & FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<RemeshFileResult>}
    */
-  async function remeshFile(bytes, options = {}) {
+  async remeshFile(bytes, options = {}) {
     const checked = checkOptions(options, { others: [...runNames, ...fileNames, 'output'] });
     const file = await fileRequest(bytes, options);
-    const { files, report } = await client.run(
+    const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
     return { ...files[0], files, report };
   }
@@ -114,10 +108,11 @@ export function createApi(platform) {
    * @param {FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<ConvertFileResult>}
    */
-  async function convertFile(bytes, options = {}) {
+  async convertFile(bytes, options = {}) {
     refuseOthers(options, [...runNames, ...fileNames, 'output']);
     const file = await fileRequest(bytes, options);
-    const { files } = await client.run({ kind: 'convertFile', file }, fileBuffers(file), options);
+    const { files } = await this.#client.run(
+      { kind: 'convertFile', file }, fileBuffers(file), options);
     return { ...files[0], files };
   }
 
@@ -126,17 +121,26 @@ export function createApi(platform) {
    * @param {FileOptions & RunOptions} [options]
    * @returns {Promise<Inspection>}
    */
-  async function inspect(bytesOrMesh, options = {}) {
+  async inspect(bytesOrMesh, options = {}) {
     refuseOthers(options, [...runNames, ...fileNames]);
     if (isBytes(bytesOrMesh)) {
       const file = await fileRequest(bytesOrMesh, options);
-      return client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
+      return this.#client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
     }
     const copy = copyMesh(bytesOrMesh);
-    return client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
+    return this.#client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
   }
 
-  return { init, remesh, remeshScene, remeshFile, convertFile, inspect };
+  /**
+   * @param {PlacedMesh[]} parts our own
+   * @param {Record<string, unknown>} checked
+   * @param {RunOptions} options
+   * @returns {Promise<RemeshSceneResult>}
+   */
+  #runScene(parts, checked, options) {
+    return this.#client.run({ kind: 'remesh', parts, options: checked },
+      parts.flatMap(({ mesh }) => buffersOf(mesh)), options);
+  }
 }
 
 /** @param {unknown} wasmUrl @param {unknown} wasmBinary */
