@@ -67,12 +67,14 @@ test('an exception from inside becomes a RemeshError, and the next run works', a
 test('no call leaves an Embind handle behind, whether it succeeds or fails', async () => {
   const instance = await instantiate(module);
   const mesh = { ...torus({ columns: 8, rows: 6 }), attributes: [] };
-  const bad = { ...mesh, indices: new Uint32Array([0, 1, 99]) };
+  const still = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  const scene = [{ mesh, places: [still] }];
+  const bad = [{ mesh: { ...mesh, indices: new Uint32Array([0, 1, 99]) }, places: [] }];
   const calls = () => {
-    assert.ok(instance.remesh(mesh, { vertices: 60, density: new Float32Array(48).fill(1) },
+    assert.ok(instance.remesh(scene, { vertices: 60, density: new Float32Array(48).fill(1) },
       () => true).report);
     assert.equal(instance.remesh(bad, {}, undefined).error.code, 'INDEX_OUT_OF_RANGE');
-    assert.equal(instance.remesh(mesh, {}, () => false).error.code, 'CANCELLED');
+    assert.equal(instance.remesh(scene, {}, () => false).error.code, 'CANCELLED');
     assert.ok(instance.inspect(mesh).input);
     const file = { name: 'x.off', bytes: new Uint8Array([79]), resources: [], output: 'x.off' };
     assert.equal(instance.remeshFile(file, {}, undefined).error.code, 'PARSE_ERROR');
