@@ -109,7 +109,7 @@ class Descent {
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
       if (isFixed(v) || distances_.onRim(v) > lowest) continue;
-      StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
       search.descend(kEnough * before);
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
@@ -140,7 +140,7 @@ class Descent {
     bool moved = false;
     for (const Vertex v : mesh_.vertices(f)) {
       if (isFixed(v) || distances_.onRim(v) < before) continue;
-      StarSearch search(run_, crossings_, distances_, v, keptAt(v, angle));
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
       const double own = search.distance();
       if (own < kEnough * before) continue;
       search.descend(kEnough * before);

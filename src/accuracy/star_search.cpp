@@ -62,16 +62,16 @@ bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 }  // namespace
 
 StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
-                       Vertex v, double keepAngle)
+                       const Movable& movable)
     : mesh_(run.mesh),
       rule_(lenient(run)),
       crossings_(crossings),
       distances_(distances),
-      v_(v),
-      spoke_(meanSpoke(mesh_, v)),
-      best_(mesh_.placement(v)),
-      distance_(distances.around(v, best_)),
-      lowest_(std::min(keepAngle, smallestAngleAround(mesh_, v, best_.position))) {}
+      v_(movable.vertex),
+      spoke_(meanSpoke(mesh_, v_)),
+      best_(mesh_.placement(v_)),
+      distance_(distances.around(v_, best_)),
+      lowest_(std::min(movable.keepAngle, smallestAngleAround(mesh_, v_, best_.position))) {}
 
 bool StarSearch::isAllowed(const Placement& place) {
   if (turnsOver(mesh_, v_, place.position)) return false;

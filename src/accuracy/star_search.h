@@ -10,11 +10,17 @@
 
 namespace remesher {
 
+// A vertex to move. Of the angles around it, what is below `keepAngle` may not shrink; what is
+// above may not fall below it.
+struct Movable {
+  Vertex vertex;
+  double keepAngle;
+};
+
 class StarSearch {
  public:
-  // What is below `keepAngle` may not shrink; what is above may not fall below it.
-  StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances, Vertex v,
-             double keepAngle);
+  StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
+             const Movable& movable);
 
   double distance() const { return distance_; }  // at the best place so far
   const Placement& best() const { return best_; }

@@ -108,7 +108,7 @@ TEST_CASE("star search: the best place is nowhere farther than the first, and ke
   int improved = 0;
   for (Index i = 0; i < test.mesh.mesh().vertexCapacity(); ++i) {
     const double before = distances.around(Vertex(i), test.mesh.placement(Vertex(i)));
-    StarSearch search(test.run, crossings, distances, Vertex(i), radians(20));
+    StarSearch search(test.run, crossings, distances, {Vertex(i), radians(20)});
     search.descend(0);
     CHECK(search.distance() <= before);
     improved += search.distance() < before;

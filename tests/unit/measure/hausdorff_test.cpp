@@ -69,10 +69,10 @@ TEST_CASE("hausdorff: a hole too small for any sample to fall into is found") {
   // that nothing halves into it.
   const double w = 0.004, low = 0.63 - w / 2, high = 0.63 + w / 2;
   TriangleMesh frame;
-  soups::addQuad(frame, {0, 0, 0}, {1, 0, 0}, {1, low, 0}, {0, low, 0});
-  soups::addQuad(frame, {0, high, 0}, {1, high, 0}, {1, 1, 0}, {0, 1, 0});
-  soups::addQuad(frame, {0, low, 0}, {low, low, 0}, {low, high, 0}, {0, high, 0});
-  soups::addQuad(frame, {high, low, 0}, {1, low, 0}, {1, high, 0}, {high, high, 0});
+  soups::addQuad(frame, {{0, 0, 0}, {1, 0, 0}, {1, low, 0}, {0, low, 0}});
+  soups::addQuad(frame, {{0, high, 0}, {1, high, 0}, {1, 1, 0}, {0, 1, 0}});
+  soups::addQuad(frame, {{0, low, 0}, {low, low, 0}, {low, high, 0}, {0, high, 0}});
+  soups::addQuad(frame, {{high, low, 0}, {1, low, 0}, {1, high, 0}, {high, high, 0}});
   const Deviation way = proven(soups::square(1), frame).toResult;
   CHECK(way.maximum <= w / 2 + 1e-15);
   CHECK(way.maximum >= w / 2 * 0.998 - 2e-5);

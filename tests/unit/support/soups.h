@@ -35,10 +35,13 @@ inline void addTriangle(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const 
   }
 }
 
-inline void addQuad(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c,
-                    const Vec3& d) {
-  addTriangle(mesh, a, b, c);
-  addTriangle(mesh, a, c, d);
+struct Quad {
+  Vec3 a, b, c, d;
+};
+
+inline void addQuad(TriangleMesh& mesh, const Quad& quad) {
+  addTriangle(mesh, quad.a, quad.b, quad.c);
+  addTriangle(mesh, quad.a, quad.c, quad.d);
 }
 
 inline TriangleMesh joined(std::initializer_list<TriangleMesh> meshes) {
@@ -79,7 +82,7 @@ inline TriangleMesh cube(double low, double high) {
         return p;
       };
       const double from = level == high ? low : high, to = level == high ? high : low;
-      addQuad(mesh, corner(from, low), corner(to, low), corner(to, high), corner(from, high));
+      addQuad(mesh, {corner(from, low), corner(to, low), corner(to, high), corner(from, high)});
     }
   return mesh;
 }
@@ -91,7 +94,7 @@ inline TriangleMesh square(int n) {
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
       const double x = i * step, y = k * step, x2 = (i + 1) * step, y2 = (k + 1) * step;
-      addQuad(mesh, {x, y, 0}, {x2, y, 0}, {x2, y2, 0}, {x, y2, 0});
+      addQuad(mesh, {{x, y, 0}, {x2, y, 0}, {x2, y2, 0}, {x, y2, 0}});
     }
   return mesh;
 }
