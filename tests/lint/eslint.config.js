@@ -29,8 +29,8 @@ export default [
     },
   },
   {
-    files: ['bindings/*.js', 'bindings/package/*node.js', 'bindings/package/cli/*.js',
-      'tests/**', 'web/serve.js'],
+    files: ['bindings/*.js', 'bindings/build/*.js', 'bindings/package/*node.js',
+      'bindings/package/cli/*.js', 'tests/**', 'web/serve.js'],
     languageOptions: { globals: globals.node },
   },
   {

@@ -2,6 +2,9 @@
 // Chromium as the tests start it: without a display, WebGL in software.
 import { chromium } from 'playwright-core';
 
+import { findChromium } from '../../bindings/build/needs.js';
+import { thisSystem } from '../../bindings/build/system.js';
+
 const options = [
   '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync',
@@ -9,5 +12,5 @@ const options = [
 ];
 
 export function startChromium() {
-  return chromium.launch({ executablePath: '/usr/bin/chromium', args: options });
+  return chromium.launch({ executablePath: findChromium(thisSystem()), args: options });
 }

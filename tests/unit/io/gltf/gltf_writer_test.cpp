@@ -109,8 +109,8 @@ TEST_CASE("gltf: a replaced mesh reads back as itself, in the encodings the file
   const File file = io::write(model, "out.glb").files[0];
   checkSameMesh(io::read(file).parts[0].mesh, model.parts[0].mesh);
   const Json before = maker.tree, after = treeOf(file);
-  for (const auto& [semantic, number] :
-       before["meshes"][0]["primitives"][0]["attributes"].items()) {
+  for (const auto& attribute : before["meshes"][0]["primitives"][0]["attributes"].items()) {
+    const std::string& semantic = attribute.key();
     CAPTURE(semantic);
     const Json old = accessorOf(before, semantic), now = accessorOf(after, semantic);
     for (const char* member : {"componentType", "normalized", "type", "name"})

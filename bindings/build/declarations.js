@@ -2,9 +2,9 @@
 // What the package's TypeScript declarations have beside what tsc reads from the sources: the type
 // of the options, out of their table, so that an editor says of each what its row says.
 
-import { defaultInWords, optionTable, rangeInWords } from './package/base/options.js';
+import { defaultInWords, optionTable, rangeInWords } from '../package/base/options.js';
 
-/** @typedef {import('./package/base/options.js').Option} Option */
+/** @typedef {import('../package/base/options.js').Option} Option */
 
 /** @type {Record<Option['type'], string>} */
 const plainTypes = {

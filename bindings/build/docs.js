@@ -10,7 +10,7 @@ import { Application, ReflectionKind } from 'typedoc';
 
 import { optionsPage } from './declarations.js';
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
 /** By the manifest: declarations by the name they are imported by. @type {Map<string, string>} */
 const entries = new Map();

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The npm package in dist/: our sources as they are, the WebAssembly, the decoders of compressed
+// glTF, and the types read from the comments.
+import {
+  chmodSync, copyFileSync, cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from 'node:fs';
+import { basename, join, relative } from 'node:path';
+
+import { optionDeclarations, withPlainImports } from './declarations.js';
+import { root, run, say } from './say.js';
+import { Stamp } from './stamp.js';
+
+/**
+ * Modules of our own around the decoders of compressed glTF, complete in themselves: they work
+ * under any bundler and without one, and a user of the package installs nothing else.
+ * @returns {Record<string, string>} contents by file name
+ */
+function decoderModules() {
+  const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
+  const draco = 'draco3dgltf/draco_decoder_gltf';
+  // Without `process` the script does not take Node for granted; without the names of CommonJS no
+  // bundler takes it for a mixture of the two kinds of module, nor looks for Node's files.
+  return {
+    'meshopt_decoder.mjs': String(read('meshoptimizer/meshopt_decoder.mjs')),
+    'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
+const process = undefined, module = undefined, exports = undefined, require = undefined;
+${read(`${draco}_nodejs.js`)}
+const binary = '${read(`${draco}.wasm`).toString('base64')}';
+export default () => DracoDecoderModule({
+  wasmBinary: Uint8Array.from(atob(binary), (letter) => letter.charCodeAt(0)),
+});
+`,
+  };
+}
+
+/** @param {string} folder @returns {string[]} the files below it, by their paths from the root */
+function filesIn(folder) {
+  return readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(root, join(entry.parentPath ?? entry.path, entry.name)))
+    .sort();
+}
+
+async function emitDeclarations() {
+  writeFileSync(join(root, 'dist/base/remesh_options.d.ts'), optionDeclarations());
+  await run(process.execPath,
+    ['node_modules/typescript-7/bin/tsc', '-p', 'bindings/tsconfig.json']);
+  for (const file of filesIn('dist').filter((name) => name.endsWith('.d.ts'))) {
+    const path = join(root, file);
+    writeFileSync(path, withPlainImports(readFileSync(path, 'utf8')));
+  }
+}
+
+export async function assemblePackage() {
+  const sources = filesIn('bindings/package');
+  const declarations = readdirSync(join(root, 'bindings'))
+    .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
+  const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
+    ...declarations, 'bindings/build/assemble.js', 'bindings/build/declarations.js',
+    'bindings/tsconfig.json', 'package.json', 'package-lock.json'];
+  const stamp = new Stamp('build/dist.stamp', inputs);
+  if (stamp.isCurrent() && existsSync(join(root, 'dist/index.d.ts'))) return;
+  say('Assembling the package in dist/');
+  rmSync(join(root, 'dist'), { recursive: true, force: true });
+  cpSync(join(root, 'bindings/package'), join(root, 'dist'), { recursive: true });
+  for (const file of ['build/wasm/remesher.mjs', 'build/wasm/remesher.wasm', ...declarations]) {
+    copyFileSync(join(root, file), join(root, 'dist', basename(file)));
+  }
+  for (const [name, text] of Object.entries(decoderModules())) {
+    writeFileSync(join(root, 'dist', name), text);
+  }
+  chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
+  chmodSync(join(root, 'dist/cli/cli.js'), 0o755);
+  await emitDeclarations();
+  stamp.set();
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What CMake and Ninja make of the core: the WebAssembly module, the unit tests, the judge.
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { findEmscripten, findSanitizingClang } from './needs.js';
+import { ask, root, run, say } from './say.js';
+import { includeFolders, packageManager } from './system.js';
+
+/** @typedef {import('./system.js').System} System */
+
+/**
+ * What of a build is the system's: where headers are; and the warnings of compilers that we do not
+ * know are no errors.
+ * @param {System} system
+ */
+export function commonDefinitions(system) {
+  return [
+    `-DREMESHER_INCLUDE=${includeFolders(system).join(';')}`,
+    ...(packageManager(system) === 'apt' ? [] : ['-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF']),
+  ];
+}
+
+/** @param {System} system */
+export function wasmDefinitions(system) {
+  return [`-DCMAKE_TOOLCHAIN_FILE=${findEmscripten(system)}`, '-DCMAKE_BUILD_TYPE=Release'];
+}
+
+/** @param {System} system */
+export function testDefinitions(system) {
+  const clang = findSanitizingClang(system);
+  return ['-DCMAKE_BUILD_TYPE=Debug', '-DREMESHER_SANITIZE=ON', '-DREMESHER_PRECOMPILE=ON',
+    '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -gline-tables-only',
+    ...(clang ? [`-DCMAKE_CXX_COMPILER=${clang}`] : [])];
+}
+
+/**
+ * @typedef {object} Target
+ * @property {string} what
+ * @property {string} folder
+ * @property {string} name
+ * @property {readonly string[]} definitions
+ */
+
+/**
+ * A folder configured otherwise begins anew: compilers cannot be changed in place.
+ * @param {Target} target
+ */
+async function configure({ folder, definitions }) {
+  const told = join(root, folder, 'configured');
+  const words = definitions.join('\n');
+  const isTold = existsSync(told) && readFileSync(told, 'utf8') === words;
+  if (isTold && existsSync(join(root, folder, 'build.ninja'))) return;
+  await run('cmake', ['--fresh', '-G', 'Ninja', '-S', '.', '-B', folder, ...definitions]);
+  writeFileSync(told, words);
+}
+
+/** @param {Target} target */
+async function buildTarget(target) {
+  await configure(target);
+  if (ask('ninja', ['-C', target.folder, '-n', target.name]).includes('no work to do')) return;
+  say(`Building ${target.what}`);
+  await run('ninja', ['-C', target.folder, target.name]);
+}
+
+/** @param {System} system */
+export const buildWebAssembly = (system) => buildTarget({
+  what: 'the WebAssembly module', folder: 'build/wasm', name: 'remesher',
+  definitions: [...commonDefinitions(system), ...wasmDefinitions(system)],
+});
+
+/** @param {System} system */
+export const buildUnitTests = (system) => buildTarget({
+  what: 'the unit tests, with sanitizers', folder: 'build/test', name: 'unit_tests',
+  definitions: [...commonDefinitions(system), ...testDefinitions(system)],
+});
+
+/** @param {System} system */
+export const buildMeasure = (system) => buildTarget({
+  what: 'the measuring tool', folder: 'build/native', name: 'measure',
+  definitions: [...commonDefinitions(system), '-DCMAKE_BUILD_TYPE=Release'],
+});

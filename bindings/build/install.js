@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Brings what is missing where that can be done without asking, which is with apt; elsewhere says
+// what is missing and how to get it.
+import { advice, missingNeeds } from './needs.js';
+import { BuildError, run, say } from './say.js';
+import { Stamp } from './stamp.js';
+import { packageManager } from './system.js';
+
+/** @typedef {import('./system.js').System} System */
+
+/** @param {System} system @param {readonly string[]} packages */
+async function installDebianPackages(system, packages) {
+  say(`Installing Debian packages: ${packages.join(' ')}`);
+  const [command, ...first] = [...(system.isRoot ? [] : ['sudo', '-n']), 'env',
+    'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
+  await run(command, [...first, 'update', '-qq']);
+  await run(command, [...first, 'install', '-y', '-qq', '--no-install-recommends', ...packages]);
+}
+
+/**
+ * @param {System} system
+ * @param {readonly import('./needs.js').Part[]} parts what is to be built
+ */
+export async function installTools(system, parts) {
+  let missing = missingNeeds(system, parts);
+  if (missing.length > 0 && packageManager(system) === 'apt') {
+    await installDebianPackages(system,
+      missing.flatMap(({ packages }) => (packages.apt ?? '').split(' ')));
+    missing = missingNeeds(system, parts);
+  }
+  if (missing.length === 0) return;
+  throw new BuildError(['Building needs more than there is; only to use remesher, a plain',
+    'npm install remesher will do.', ...advice(system, missing)].join('\n'));
+}
+
+export async function installNpmPackages() {
+  const stamp = new Stamp('node_modules/.remesher-lock', ['package-lock.json']);
+  if (stamp.isCurrent()) return;
+  say('Installing npm packages');
+  await run('npm', ['ci', '--no-audit', '--no-fund']);
+  stamp.set();
+}

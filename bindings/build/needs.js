@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What the build needs, how it is found, and how each package manager calls it.
+import { dirname, join } from 'node:path';
+
+import { findHeader, findProgram, packageManager } from './system.js';
+
+/** @typedef {import('./system.js').System} System */
+/** @typedef {import('./system.js').Manager} Manager */
+/** @typedef {'package' | 'tests' | 'measure'} Part */
+
+/**
+ * @typedef {object} Need
+ * @property {string} name
+ * @property {Part[]} parts what is built or run with it
+ * @property {(system: System) => string | undefined} find where it is
+ * @property {Partial<Record<Manager, string>>} packages
+ * @property {string} [variable] names the place where it is; PATH if it does not say
+ */
+
+const platformFile = 'cmake/Modules/Platform/Emscripten.cmake';
+
+/**
+ * Emscripten's own toolchain file. It lies where emcc really is, which is a link or a script of a
+ * few lines in many systems; em-config knows, and so does the variable that emsdk sets.
+ * @param {System} system
+ */
+export function findEmscripten(system) {
+  const { EMSDK } = system.environment;
+  const emcc = findProgram(system, 'emcc');
+  const home = emcc && dirname(system.realPath(emcc));
+  const folders = [
+    ...(EMSDK ? [join(EMSDK, 'upstream/emscripten')] : []),
+    ...(home ? [home, join(home, '../libexec'), join(home, '../share/emscripten'),
+      join(home, '../lib/emscripten')] : []),
+    ...(emcc ? [system.ask('em-config', ['EMSCRIPTEN_ROOT'])].filter(Boolean) : []),
+  ];
+  return folders.map((folder) => join(folder, platformFile)).find(system.exists);
+}
+
+/** A browser that tests can drive. @param {System} system */
+export function findChromium(system) {
+  if (system.environment.REMESHER_CHROMIUM) return system.environment.REMESHER_CHROMIUM;
+  const names = ['chromium', 'google-chrome', 'google-chrome-stable', 'chromium-browser', 'chrome'];
+  const onMac = ['Google Chrome', 'Chromium'].map((name) =>
+    `/Applications/${name}.app/Contents/MacOS/${name}`);
+  return names.map((name) => findProgram(system, name)).find(Boolean)
+    ?? onMac.find((path) => system.exists(path));
+}
+
+/**
+ * A clang++ that has the libraries of its sanitizers: it builds them in a third of g++'s time.
+ * @param {System} system
+ */
+export function findSanitizingClang(system) {
+  const clang = findProgram(system, 'clang++') ?? findProgram(system, 'clang++-14');
+  if (!clang || system.platform === 'darwin') return clang;
+  const folder = system.ask(clang, ['-print-runtime-dir']);
+  const names = ['libclang_rt.asan-x86_64.a', 'libclang_rt.asan-aarch64.a', 'libclang_rt.asan.a'];
+  return names.some((name) => system.exists(join(folder, name))) ? clang : undefined;
+}
+
+/** @param {string} name */
+const program = (name) => (/** @type {System} */ system) => findProgram(system, name);
+/** @param {string} name */
+const header = (name) => (/** @type {System} */ system) => findHeader(system, name);
+
+const variable = 'REMESHER_INCLUDE';
+
+/** @type {Part[]} */
+const all = ['package', 'tests', 'measure'];
+
+/** @type {readonly Need[]} */
+export const needs = [
+  { name: 'CMake', parts: all, find: program('cmake'),
+    packages: { apt: 'cmake', dnf: 'cmake', pacman: 'cmake', apk: 'cmake', brew: 'cmake',
+      nix: 'cmake' } },
+  { name: 'Ninja', parts: all, find: program('ninja'),
+    packages: { apt: 'ninja-build', dnf: 'ninja-build', pacman: 'ninja', apk: 'samurai',
+      brew: 'ninja', nix: 'ninja' } },
+  { name: 'Emscripten (emcc)', parts: ['package'], find: findEmscripten,
+    packages: { apt: 'emscripten', dnf: 'emscripten', pacman: 'emscripten', apk: 'emscripten',
+      brew: 'emscripten', nix: 'emscripten' } },
+  { name: 'Eigen', parts: all, find: header('Eigen/Core'), variable,
+    packages: { apt: 'libeigen3-dev', dnf: 'eigen3-devel', pacman: 'eigen', apk: 'eigen-dev',
+      brew: 'eigen', nix: 'eigen' } },
+  { name: 'fast_float', parts: all, find: header('fast_float/fast_float.h'), variable,
+    packages: { apt: 'libfast-float-dev', dnf: 'fast_float-devel', pacman: 'fast_float',
+      apk: 'fast_float', brew: 'fast_float', nix: 'fast-float' } },
+  { name: 'nlohmann JSON', parts: all, find: header('nlohmann/json.hpp'), variable,
+    packages: { apt: 'nlohmann-json3-dev', dnf: 'json-devel', pacman: 'nlohmann-json',
+      apk: 'nlohmann-json', brew: 'nlohmann-json', nix: 'nlohmann_json' } },
+  { name: 'tinygltf 2', parts: all, find: header('tiny_gltf.h'), variable,
+    packages: { apt: 'libtinygltf-dev', dnf: 'tinygltf-devel', apk: 'tinygltf-dev',
+      nix: 'tinygltf' } },
+  { name: 'g++', parts: ['tests', 'measure'],
+    find: (system) => findProgram(system, system.platform === 'darwin' ? 'c++' : 'g++'),
+    packages: { apt: 'g++', dnf: 'gcc-c++', pacman: 'gcc', apk: 'g++', brew: 'gcc', nix: 'gcc' } },
+  { name: 'clang++ with sanitizers', parts: ['tests'], find: findSanitizingClang,
+    packages: { apt: 'clang libclang-rt-dev', dnf: 'clang compiler-rt', pacman: 'clang compiler-rt',
+      apk: 'clang compiler-rt', brew: 'llvm', nix: 'clang' } },
+  { name: 'clang-format', parts: ['tests'], find: program('clang-format'),
+    packages: { apt: 'clang-format', dnf: 'clang-tools-extra', pacman: 'clang',
+      apk: 'clang-extra-tools', brew: 'clang-format', nix: 'clang-tools' } },
+  { name: 'clang-tidy', parts: ['tests'], find: program('clang-tidy'),
+    packages: { apt: 'clang-tidy', dnf: 'clang-tools-extra', pacman: 'clang',
+      apk: 'clang-extra-tools', brew: 'llvm', nix: 'clang-tools' } },
+  { name: 'doctest', parts: ['tests'], find: header('doctest/doctest.h'), variable,
+    packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
+      brew: 'doctest', nix: 'doctest' } },
+  { name: 'Chromium', parts: ['tests'], find: findChromium, variable: 'REMESHER_CHROMIUM',
+    packages: { apt: 'chromium', dnf: 'chromium', pacman: 'chromium', apk: 'chromium',
+      brew: '--cask chromium', nix: 'chromium' } },
+];
+
+/**
+ * What is asked for and not there.
+ * @param {System} system
+ * @param {readonly Part[]} parts
+ */
+export function missingNeeds(system, parts) {
+  return needs.filter((need) => need.parts.some((part) => parts.includes(part))
+    && !need.find(system));
+}
+
+/** How to install a package, by manager. @type {Record<string, string>} */
+const installing = {
+  apt: 'sudo apt-get install', dnf: 'sudo dnf install', pacman: 'sudo pacman -S',
+  apk: 'sudo apk add', brew: 'brew install', nix: 'nix-shell -p',
+};
+
+/**
+ * A line per missing thing, with the command that brings it.
+ * @param {System} system
+ * @param {readonly Need[]} missing
+ */
+export function advice(system, missing) {
+  const manager = packageManager(system);
+  return missing.map(({ name, packages, variable: place = 'PATH' }) => {
+    const words = packages[manager];
+    if (words) return `${name} is missing: ${installing[manager]} ${words}`;
+    if (name.startsWith('Emscripten')) {
+      return `${name} is missing: https://emscripten.org/docs/getting_started/downloads.html`;
+    }
+    return `${name} is missing: install it, or name its place in ${place}`;
+  });
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// How the build speaks and starts other programs: a line per step on standard error, and what a
+// program printed only if it failed.
+import { spawn, spawnSync } from 'node:child_process';
+import { dirname } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+
+/** What the user can do something about: the message says what. */
+export class BuildError extends Error {}
+
+/** @param {string} text */
+export function say(text) {
+  process.stderr.write(`${text}\n`);
+}
+
+/**
+ * @param {string} command
+ * @param {readonly string[]} words
+ * @returns {Promise<string>} what it printed
+ */
+export function run(command, words) {
+  return new Promise((resolve, reject) => {
+    // On Windows npm and the like are scripts, which only a shell starts.
+    const child = spawn(command, words, { cwd: root, shell: process.platform === 'win32' });
+    let printed = '';
+    for (const stream of [child.stdout, child.stderr]) {
+      stream.setEncoding('utf8').on('data', (text) => { printed += text; });
+    }
+    child.on('error', ({ message }) =>
+      reject(new BuildError(`${command} cannot be started: ${message}`)));
+    child.on('close', (status) => {
+      if (status === 0) resolve(printed);
+      else reject(new BuildError(`${command} ${words.join(' ')}\n${printed}`));
+    });
+  });
+}
+
+/**
+ * What a program answers at once; nothing if it is not there or fails.
+ * @param {string} command
+ * @param {readonly string[]} words
+ */
+export function ask(command, words) {
+  const { status, stdout } = spawnSync(command, words, { cwd: root, encoding: 'utf8' });
+  return status === 0 ? stdout.trim() : '';
+}
