@@ -14,20 +14,12 @@
 #include "io/gltf/gltf_geometry.h"
 #include "io/gltf/gltf_packing.h"
 #include "io/model/resources.h"
+#include "io/model/same_mesh.h"
 
 namespace remesher::io {
 namespace {
 
 enum class Container { Text, Binary };
-
-bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
-  const auto sameAttribute = [](const Attribute& x, const Attribute& y) {
-    return x.semantic == y.semantic && x.itemSize == y.itemSize && x.values == y.values;
-  };
-  return a.indices == b.indices && a.groups == b.groups && a.positions == b.positions &&
-         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
-                    b.attributes.end(), sameAttribute);
-}
 
 // Whether the mesh is the one that was read: the file itself is the only record of it.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
@@ -150,16 +142,6 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   return written;
 }
 
-// OBJ counts texture rows from the bottom, glTF from the top.
-TriangleMesh withTopLeftOrigin(TriangleMesh mesh, TextureOrigin origin) {
-  if (origin == TextureOrigin::BottomLeft)
-    for (Attribute& attribute : mesh.attributes)
-      if (attribute.semantic.starts_with("TEXCOORD_"))
-        for (std::size_t i = 1; i < attribute.values.size(); i += 2)
-          attribute.values[i] = 1 - attribute.values[i];
-  return mesh;
-}
-
 // One primitive per group; those that lack the same attributes share a pool, its accessors yet to
 // come.
 std::vector<VertexPool> poolsOfGroups(const Part& part) {
@@ -229,7 +211,7 @@ WrittenFiles writePlain(const Model& model, const std::string& outputName, Conta
   if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
   GltfEditor editor(plainDocument(model), nullptr);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const TriangleMesh mesh = withTopLeftOrigin(model.parts[i].mesh, model.textureOrigin);
+    const TriangleMesh mesh = converted(model.parts[i].mesh, model.conventions, Conventions::Gltf);
     const std::vector<VertexPool> pools = poolsOfGroups(model.parts[i]);
     editor.tree()["meshes"].push_back(plainMesh(editor.tree(), model.parts[i], pools));
     editor.replaceGeometry(i, mesh, pools);

@@ -46,7 +46,10 @@ std::vector<Part> bakeInstances(const Model& model) {
   std::vector<Part> baked;
   for (const Part& part : model.parts) {
     for (const Transform& instance : part.instances) {
-      baked.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
+      baked.push_back({part.name,
+                       converted(part.mesh, model.conventions, Conventions::Classic),
+                       {Transform::Identity()},
+                       part.groups});
       if (!instance.isApprox(Transform::Identity(), 0.0))
         transformMesh(baked.back().mesh, instance);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene flattened for formats that know no scene: every instance of every part as a mesh of its
-// own, in world space.
+// own, in world space and under the classic conventions.
 #pragma once
 
 #include <vector>

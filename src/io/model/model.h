@@ -12,6 +12,7 @@
 #include "base/report.h"
 #include "base/triangle_mesh.h"
 #include "base/types.h"
+#include "io/model/conventions.h"
 
 namespace remesher::io {
 
@@ -36,9 +37,6 @@ struct Part {
   std::vector<GroupInfo> groups = {};
 };
 
-// The origin of TEXCOORD_n: glTF's is the image's top left corner, OBJ's the bottom left.
-enum class TextureOrigin { TopLeft, BottomLeft };
-
 // Everything a format's writer needs to put back what the parts do not hold. Each format derives
 // its own; the model owns it, nobody changes it.
 class Source {
@@ -51,7 +49,7 @@ class Source {
 
 struct Model {
   std::vector<Part> parts;
-  TextureOrigin textureOrigin = TextureOrigin::TopLeft;
+  Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;
 };

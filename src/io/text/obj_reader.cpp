@@ -317,7 +317,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
   source->original = file;
 
   Model model;
-  model.textureOrigin = TextureOrigin::BottomLeft;
+  model.conventions = Conventions::Classic;
   findLibraries(*source, resources, model.warnings);
   if (content.skippedElements > 0)
     model.warnings.push_back({"NOT_TRIANGLES",

@@ -56,8 +56,6 @@ DistinctValues findDistinct(const std::vector<Value>& values, std::size_t firstN
 
 class ObjWriter {
  public:
-  explicit ObjWriter(TextureOrigin origin) : origin_(origin) {}
-
   void writeLibraries(const std::vector<std::string>& libraries);
   void writePart(const ObjPart& part);
   std::vector<std::uint8_t> bytes() const { return out_.bytes(); }
@@ -69,7 +67,6 @@ class ObjWriter {
   void writeState(const ObjGroup& group);
   void writeFaces(const ObjPart& part);
 
-  TextureOrigin origin_;
   TextWriter out_;
   std::size_t positionCount_ = 0;
   std::size_t texcoordCount_ = 0;
@@ -110,10 +107,8 @@ Numbers ObjWriter::writeTexcoords(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = {texcoord->values[2 * i], texcoord->values[2 * i + 1]};
   const auto [written, numbers] = findDistinct(values, texcoordCount_ + 1);
-  for (const Index i : written) {
-    const float v = origin_ == TextureOrigin::BottomLeft ? values[i][1] : 1 - values[i][1];
-    out_.text("vt ").number(values[i][0]).text(" ").number(v).text("\n");
-  }
+  for (const Index i : written)
+    out_.text("vt ").number(values[i][0]).text(" ").number(values[i][1]).text("\n");
   texcoordCount_ += written.size();
   return numbers;
 }
@@ -203,7 +198,7 @@ std::vector<ObjGroup> groupsFor(const Part& part, const ObjSource* source) {
 
 WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
-  ObjWriter writer(model.textureOrigin);
+  ObjWriter writer;
   if (source != nullptr) writer.writeLibraries(source->libraries);
   for (const Part& part : bakeInstances(model))
     writer.writePart({&part.mesh, groupsFor(part, source)});

@@ -195,7 +195,7 @@ Model readOff(const File& file, const std::vector<File>&) {
                    file.name);
   const auto source = std::make_shared<OffSource>();
   Model model;
-  model.textureOrigin = TextureOrigin::BottomLeft;
+  model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();
   if (mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "io/model/conventions.h"
+
+#include <cmath>
+
+namespace remesher::io {
+namespace {
+
+// The transfer function of sRGB, IEC 61966-2-1, and its inverse.
+double linearFromSrgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double srgbFromLinear(double value) {
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+}
+
+void turnOver(Attribute& texcoords) {
+  const std::size_t stride = texcoords.itemSize;
+  for (std::size_t i = 1; i < texcoords.values.size(); i += stride)
+    texcoords.values[i] = 1 - texcoords.values[i];
+}
+
+// Alpha, the fourth, is linear everywhere.
+void recode(Attribute& colors, double (*transfer)(double)) {
+  for (std::size_t i = 0; i < colors.values.size(); ++i)
+    if (i % colors.itemSize < 3)
+      colors.values[i] = static_cast<float>(transfer(double{colors.values[i]}));
+}
+
+}  // namespace
+
+TriangleMesh converted(TriangleMesh mesh, Conventions from, Conventions to) {
+  if (from == to) return mesh;
+  for (Attribute& attribute : mesh.attributes) {
+    if (attribute.semantic.starts_with("TEXCOORD_")) turnOver(attribute);
+    if (attribute.semantic.starts_with("COLOR_"))
+      recode(attribute, to == Conventions::Gltf ? linearFromSrgb : srgbFromLinear);
+  }
+  return mesh;
+}
+
+}  // namespace remesher::io

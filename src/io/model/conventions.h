@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What the formats do not agree on: where texture coordinates begin, and what colours mean.
+#pragma once
+
+#include "base/triangle_mesh.h"
+
+namespace remesher::io {
+
+// Gltf: TEXCOORD_n counts from the image's top left corner, COLOR_n is linear. Classic, as in OBJ,
+// OFF and PLY: from the bottom left corner, and colours are sRGB, as bytes of pictures are.
+enum class Conventions { Gltf, Classic };
+
+// The same mesh under other conventions. A byte of an sRGB colour survives the way there and back.
+TriangleMesh converted(TriangleMesh mesh, Conventions from, Conventions to);
+
+}  // namespace remesher::io

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "io/model/same_mesh.h"
+
+#include <algorithm>
+
+namespace remesher::io {
+
+bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
+  const auto sameAttribute = [](const Attribute& x, const Attribute& y) {
+    return x.semantic == y.semantic && x.itemSize == y.itemSize && x.values == y.values;
+  };
+  return a.indices == b.indices && a.groups == b.groups && a.positions == b.positions &&
+         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), sameAttribute);
+}
+
+}  // namespace remesher::io
