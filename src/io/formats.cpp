@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "io/gltf/gltf.h"
+#include "io/ply/ply.h"
 #include "io/text/obj.h"
 #include "io/text/off.h"
 
@@ -21,11 +22,12 @@ struct Format {
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
 };
 
-constexpr std::array<Format, 4> kFormats = {{
+constexpr std::array<Format, 5> kFormats = {{
     {".glb", "glTF", readGltf, writeGlb},
     {".gltf", "{", readGltf, writeGltf},
     {".obj", "", readObj, writeObj},
     {".off", "OFF", readOff, writeOff},
+    {".ply", "ply", readPly, writePly},
 }};
 
 std::string lowerCase(std::string_view text) {

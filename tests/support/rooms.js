@@ -20,8 +20,9 @@ export const coreRooms = {
   measure: ['base', 'geometry'],
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],
+  'io/ply': ['base', 'io/model', 'io/text'],
   'io/gltf': ['base', 'io/model'],
-  io: ['base', 'io/model', 'io/text', 'io/gltf'],
+  io: ['base', 'io/model', 'io/text', 'io/ply', 'io/gltf'],
   parts: ['base', 'measure', 'io/model'],
   '': ['base', 'schemes', 'measure', 'io', 'parts'],
 };

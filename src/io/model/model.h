@@ -16,12 +16,13 @@
 
 namespace remesher::io {
 
-// One glTF mesh with all its triangle primitives, one OBJ file, one OFF file.
+// One glTF mesh with all its triangle primitives, or all of a file of another format.
 //
-// The groups of the mesh are the glTF primitives or the OBJ runs of equal object, group, material
-// and smoothing. An attribute that only some groups have is zero (COLOR_n: one) at the vertices of
-// the others, and the writer leaves it out there. This is sound because no triangle mixes vertices
-// of two groups' attributes: a group border is a feature curve.
+// The groups of the mesh are the glTF primitives, the OBJ runs of equal object, group, material
+// and smoothing, the textures of a PLY, the solids of an STL. An attribute that only some groups
+// have is zero (COLOR_n: one) at the vertices of the others, and the writer leaves it out there.
+// This is sound because no triangle mixes vertices of two groups' attributes: a group border is a
+// feature curve.
 //
 // `groups` is for writing another format than the one read: by group number, and empty where the
 // format has nothing to say.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/model/bake.h"
+#include "io/model/dropped.h"
 #include "io/model/polygon.h"
 #include "io/text/text_scanner.h"
 #include "io/text/text_writer.h"
@@ -207,7 +208,8 @@ Model readOff(const File& file, const std::vector<File>&) {
 }
 
 WrittenFiles writeOff(const Model& model, const std::string& outputName) {
-  return {{{outputName, offBytes(mergeParts(bakeInstances(model)))}}, {}};
+  return {{{outputName, offBytes(mergeParts(bakeInstances(model)))}},
+          droppedAttributes(model, {"NORMAL", "COLOR_0", "TEXCOORD_0"}, "OFF")};
 }
 
 }  // namespace remesher::io

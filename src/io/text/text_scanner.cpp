@@ -82,7 +82,7 @@ bool TextScanner::skipEmptyLines() {
   return true;
 }
 
-double TextScanner::number(std::string_view what) {
+double TextScanner::anyNumber(std::string_view what) {
   const std::string_view text = word();
   const char* const begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
   const char* const end = text.data() + text.size();
@@ -92,6 +92,11 @@ double TextScanner::number(std::string_view what) {
     fail(ErrorCode::ParseError,
          text.empty() ? std::string(what) + " is missing."
                       : std::string(what) + " is not a number: \"" + std::string(text) + "\".");
+  return value;
+}
+
+double TextScanner::number(std::string_view what) {
+  const double value = anyNumber(what);
   if (!std::isfinite(value))
     fail(ErrorCode::NonFinite, std::string(what) + " is not finite.",
          "Repair the file: every coordinate must be a finite number.");

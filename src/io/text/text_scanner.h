@@ -28,9 +28,14 @@ class TextScanner {
   // The next number of the current line. Throws PARSE_ERROR when there is none, NON_FINITE when it
   // is not finite. `what` names it for the message.
   double number(std::string_view what);
+  // The same where NaN and infinity are numbers too.
+  double anyNumber(std::string_view what);
 
   // Goes on to the next line that has a word left; false at the end of the text.
   bool skipEmptyLines();
+
+  // How many bytes follow.
+  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
   // The number at the start of `text`, and what follows it; nothing read when rest == text.
   struct IntegerAndRest {

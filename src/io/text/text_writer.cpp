@@ -33,6 +33,12 @@ TextWriter& TextWriter::number(double value) {
   return *this;
 }
 
+TextWriter& TextWriter::doubleNumber(double value) {
+  std::array<char, 64> buffer{};
+  text_ += shortest(buffer, value);
+  return *this;
+}
+
 TextWriter& TextWriter::integer(std::size_t value) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;

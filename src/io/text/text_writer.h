@@ -16,6 +16,7 @@ class TextWriter {
  public:
   TextWriter& text(std::string_view text);
   TextWriter& number(double value);
+  TextWriter& doubleNumber(double value);  // always with the digits of a double
   TextWriter& integer(std::size_t value);
   TextWriter& numbers(const Vec3& values);  // each behind a blank
 

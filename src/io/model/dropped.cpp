@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "io/model/dropped.h"
+
+#include <algorithm>
+#include <set>
+
+namespace remesher::io {
+
+std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
+                                       const std::string& format) {
+  std::set<std::string> dropped;
+  for (const Part& part : model.parts)
+    for (const Attribute& attribute : part.mesh.attributes)
+      if (std::find(kept.begin(), kept.end(), attribute.semantic) == kept.end())
+        dropped.insert(attribute.semantic);
+  if (dropped.empty()) return {};
+  std::string list;
+  for (const std::string& semantic : dropped) list += (list.empty() ? "" : ", ") + semantic;
+  return {{"ATTRIBUTE_NOT_CARRIED", "The " + format + " has no place for " + list + ".",
+           dropped.size()}};
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// PLY, the Stanford Polygon format: text and both orders of bytes. Read: vertices with all their
+// properties (see ply_layout.h), faces of any size, triangle strips, MeshLab's texture coordinates
+// per corner of a face. What was not changed is written as it came; a new mesh in the same
+// encoding, with the same properties in the same types.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/file.h"
+#include "io/model/model.h"
+#include "io/model/written_files.h"
+#include "io/ply/ply_layout.h"
+
+namespace remesher::io {
+
+Model readPly(const File& file, const std::vector<File>& resources);
+WrittenFiles writePly(const Model& model, const std::string& outputName);
+
+struct PlySource : Source {
+  File original;
+  PlyHeader header;
+  std::vector<PlyField> fields;  // of the vertices
+  bool hasCornerTexcoords = false;
+  std::vector<double> textureNumbers;  // the texnumber of each group of triangles; may be empty
+  std::size_t vertexCount = 0;         // of the mesh that was read
+  std::size_t triangleCount = 0;
+};
+
+}  // namespace remesher::io

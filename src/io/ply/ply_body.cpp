@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "io/ply/ply_body.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace remesher::io {
+namespace {
+
+constexpr char kHint[] = "Its header promises more than follows: was it copied completely?";
+
+std::string_view textOf(const File& file) {
+  return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+}
+
+}  // namespace
+
+PlyBody::PlyBody(const File& file, const ParsedPlyHeader& parsed)
+    : file_(file),
+      encoding_(parsed.header.encoding),
+      scanner_(textOf(file), file.name),
+      at_(parsed.size) {
+  if (encoding_ != PlyEncoding::Ascii) return;
+  for (std::size_t i = 0; i <= parsed.lines; ++i) scanner_.nextLine();
+}
+
+void PlyBody::fail(ErrorCode code, const std::string& what, std::string hint) const {
+  if (encoding_ == PlyEncoding::Ascii) scanner_.fail(code, what, std::move(hint));
+  throw Error(code, file_.name + ", byte " + std::to_string(at_) + ": " + what, std::move(hint));
+}
+
+std::uint64_t PlyBody::left() const {
+  return encoding_ == PlyEncoding::Ascii ? scanner_.left() : file_.bytes.size() - at_;
+}
+
+// A number of a text takes a digit and what parts it from the next.
+std::uint64_t PlyBody::smallestRow(const PlyElement& element) const {
+  std::uint64_t bytes = 0;
+  for (const PlyProperty& property : element.properties)
+    bytes +=
+        encoding_ == PlyEncoding::Ascii ? 2 : sizeOf(property.countType.value_or(property.type));
+  return bytes;
+}
+
+void PlyBody::requireRows(const PlyElement& element) const {
+  const std::uint64_t needed = element.count * smallestRow(element);
+  const std::uint64_t unparted = encoding_ == PlyEncoding::Ascii ? 1 : 0;
+  if (needed <= left() + unparted) return;
+  fail(ErrorCode::ParseError,
+       "the header promises " + std::to_string(element.count) + " of the element \"" +
+           element.name + "\", at least " + std::to_string(needed) + " bytes, but " +
+           std::to_string(left()) + " follow.",
+       "Was it copied completely?");
+}
+
+template <class Number>
+double PlyBody::load() {
+  std::array<std::uint8_t, sizeof(Number)> bytes;
+  std::memcpy(bytes.data(), &file_.bytes[at_], sizeof(Number));
+  static_assert(std::endian::native == std::endian::little);
+  if (encoding_ == PlyEncoding::BigEndian) std::reverse(bytes.begin(), bytes.end());
+  Number number;
+  std::memcpy(&number, bytes.data(), sizeof(Number));
+  at_ += sizeof(Number);
+  return static_cast<double>(number);
+}
+
+double PlyBody::nextBinary(PlyType type, std::string_view what) {
+  if (left() < sizeOf(type))
+    fail(ErrorCode::ParseError, "the file ends where " + std::string(what) + " should be.", kHint);
+  switch (type) {
+    case PlyType::Int8:
+      return load<std::int8_t>();
+    case PlyType::UInt8:
+      return load<std::uint8_t>();
+    case PlyType::Int16:
+      return load<std::int16_t>();
+    case PlyType::UInt16:
+      return load<std::uint16_t>();
+    case PlyType::Int32:
+      return load<std::int32_t>();
+    case PlyType::UInt32:
+      return load<std::uint32_t>();
+    case PlyType::Float32:
+      return load<float>();
+    default:
+      return load<double>();
+  }
+}
+
+double PlyBody::next(PlyType type, std::string_view what) {
+  if (encoding_ != PlyEncoding::Ascii) return nextBinary(type, what);
+  if (!scanner_.skipEmptyLines())
+    fail(ErrorCode::ParseError, "the file ends where " + std::string(what) + " should be.", kHint);
+  return scanner_.anyNumber(what);
+}
+
+Index PlyBody::nextCount(const PlyProperty& list, std::string_view what) {
+  const double value = next(*list.countType, what);
+  if (!(value >= 0 && value < kNone) || value != static_cast<double>(static_cast<Index>(value)))
+    fail(ErrorCode::ParseError, std::string(what) + " is not a whole number from 0 on.");
+  const auto count = static_cast<Index>(value);
+  const std::uint64_t size = encoding_ == PlyEncoding::Ascii ? 1 : sizeOf(list.type);
+  if (count * size > left())
+    fail(ErrorCode::ParseError,
+         std::string(what) + " is " + std::to_string(count) + ", which is beyond the file's end.",
+         kHint);
+  return count;
+}
+
+void PlyBody::skip(const PlyProperty& property) {
+  constexpr std::string_view kWhat = "a value of no interest";
+  const Index count = property.countType ? nextCount(property, "the length of a list") : 1;
+  for (Index i = 0; i < count; ++i) next(property.type, kWhat);
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "io/model/polygon.h"
+#include "io/ply/corner_texcoords.h"
+#include "io/ply/ply.h"
+#include "io/ply/ply_body.h"
+#include "io/ply/ply_faces.h"
+#include "io/ply/ply_vertices.h"
+
+namespace remesher::io {
+namespace {
+
+// What the file holds, element by element.
+struct PlyContent {
+  PlyVertices vertices;
+  std::vector<PlyFaces> faces;
+  std::vector<std::string> otherElements;
+};
+
+void skipElement(PlyBody& body, const PlyElement& element) {
+  if (element.properties.empty()) return;
+  body.requireRows(element);
+  for (Index row = 0; row < element.count; ++row)
+    for (const PlyProperty& property : element.properties) body.skip(property);
+}
+
+// The elements may stand in any order.
+PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
+  const std::vector<PlyElement>& elements = parsed.header.elements;
+  const auto vertices = std::find_if(elements.begin(), elements.end(),
+                                     [](const PlyElement& e) { return e.name == "vertex"; });
+  const Index vertexCount = vertices == elements.end() ? 0 : vertices->count;
+  PlyBody body(file, parsed);
+  PlyContent content;
+  for (const PlyElement& element : elements) {
+    if (element.count == 0) continue;
+    if (element.name == "vertex") {
+      content.vertices = readVertices(body, element);
+    } else if (element.name == "face") {
+      content.faces.push_back(readFaces(body, element, vertexCount));
+    } else if (element.name == "tristrips") {
+      content.faces.push_back(readStrips(body, element, vertexCount));
+    } else {
+      skipElement(body, element);
+      content.otherElements.push_back(element.name);
+    }
+  }
+  return content;
+}
+
+// The triangles of faces, and per corner of a triangle: which corner of a face it is.
+struct Triangulation {
+  std::vector<std::size_t> corners;
+  std::vector<std::size_t> faces;  // per triangle
+};
+
+Triangulation triangulated(const PlyFaces& faces, const std::vector<Vec3>& positions) {
+  Triangulation result;
+  result.corners.reserve(faces.corners.size());
+  std::vector<Vec3> points;
+  std::size_t first = 0;
+  for (std::size_t face = 0; face < faces.sizes.size(); ++face) {
+    const Index size = faces.sizes[face];
+    points.clear();
+    for (Index i = 0; size > 3 && i < size; ++i)
+      points.push_back(positions[faces.corners[first + i]]);
+    if (size == 3) {
+      for (std::size_t i = 0; i < 3; ++i) result.corners.push_back(first + i);
+      result.faces.push_back(face);
+    } else {
+      for (const auto& triangle : triangulate(points)) {
+        for (const Index i : triangle) result.corners.push_back(first + i);
+        result.faces.push_back(face);
+      }
+    }
+    first += size;
+  }
+  return result;
+}
+
+// Triangles of one texture are a group; PlySource::textureNumbers says which group is which.
+std::vector<Index> groupsByTexture(const PlyFaces& faces, const Triangulation& triangulation,
+                                   std::vector<double>& textureNumbers) {
+  std::map<double, Index> groupOf;
+  for (const double number : faces.textureNumbers) groupOf.emplace(number, 0);
+  Index next = 0;
+  for (auto& [number, group] : groupOf) {
+    group = next++;
+    textureNumbers.push_back(number);
+  }
+  std::vector<Index> groups;
+  for (const std::size_t face : triangulation.faces)
+    groups.push_back(groupOf.at(faces.textureNumbers[face]));
+  return groups;
+}
+
+TriangleMesh meshOf(PlyContent& content, PlySource& source) {
+  TriangleMesh mesh = std::move(content.vertices.mesh);
+  const bool isOfOneKind = content.faces.size() == 1;
+  for (const PlyFaces& faces : content.faces) {
+    const Triangulation triangulation = triangulated(faces, mesh.positions);
+    mesh.indices.reserve(mesh.indices.size() + triangulation.corners.size());
+    for (const std::size_t corner : triangulation.corners)
+      mesh.indices.push_back(faces.corners[corner]);
+    if (isOfOneKind && !faces.textureNumbers.empty())
+      mesh.groups = groupsByTexture(faces, triangulation, source.textureNumbers);
+    if (!isOfOneKind || faces.cornerTexcoords.empty()) continue;
+    source.hasCornerTexcoords = true;
+    std::vector<float> perCorner;
+    perCorner.reserve(2 * triangulation.corners.size());
+    for (const std::size_t corner : triangulation.corners)
+      for (std::size_t k = 0; k < 2; ++k)
+        perCorner.push_back(faces.cornerTexcoords[2 * corner + k]);
+    std::erase_if(mesh.attributes,
+                  [](const Attribute& attribute) { return attribute.semantic == "TEXCOORD_0"; });
+    mesh = splitByTexcoord(mesh, perCorner);
+  }
+  return mesh;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::vector<Warning> warningsOn(const PlyContent& content) {
+  std::vector<Warning> warnings;
+  const auto warn = [&](const char* code, const std::string& message, std::size_t count) {
+    if (count > 0) warnings.push_back({code, message, count});
+  };
+  std::vector<std::string> lost;
+  for (const PlyField& field : content.vertices.fields)
+    if (field.semantic.empty()) lost.push_back(field.property.name);
+  warn("ATTRIBUTE_NOT_CARRIED", "Lists of vertices are not carried: " + listed(lost) + ".",
+       lost.size());
+  for (const PlyFaces& faces : content.faces) {
+    warn("ATTRIBUTE_NOT_CARRIED", "Values of faces are not carried: " + listed(faces.ignored) + ".",
+         faces.ignored.size());
+    warn("NOT_TRIANGLES", "Faces of fewer than three corners are left out.", faces.degenerate);
+  }
+  warn("NOT_TRIANGLES",
+       "Only faces are remeshed; the result lacks: " + listed(content.otherElements) + ".",
+       content.otherElements.size());
+  warn("NON_FINITE_ATTRIBUTE", "Values of attributes that are not finite are read as 0.",
+       content.vertices.notFinite);
+  return warnings;
+}
+
+// MeshLab names the images in remarks, in the order of their numbers.
+std::vector<GroupInfo> groupInfos(const PlySource& source) {
+  constexpr std::string_view kImage = "comment TextureFile ";
+  std::vector<std::string> images;
+  for (const std::string& remark : source.header.remarks)
+    if (remark.starts_with(kImage)) images.push_back(remark.substr(kImage.size()));
+  std::vector<GroupInfo> infos;
+  for (const double number : source.textureNumbers) {
+    const bool isNamed = number >= 0 && number < static_cast<double>(images.size());
+    infos.push_back({isNamed ? images[static_cast<std::size_t>(number)] : "", {}});
+  }
+  return infos;
+}
+
+}  // namespace
+
+Model readPly(const File& file, const std::vector<File>&) {
+  const ParsedPlyHeader parsed = parsePlyHeader(
+      {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()}, file.name);
+  PlyContent content = readContent(file, parsed);
+  Model model;
+  model.conventions = Conventions::Classic;
+  model.warnings = warningsOn(content);
+  const auto source = std::make_shared<PlySource>();
+  source->fields = content.vertices.fields;
+  source->header = parsed.header;
+  TriangleMesh mesh = meshOf(content, *source);
+  if (mesh.triangleCount() == 0)
+    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+                "Only surfaces can be remeshed, not points.");
+  source->original = file;
+  source->vertexCount = mesh.positions.size();
+  source->triangleCount = mesh.triangleCount();
+  model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}, groupInfos(*source)});
+  model.source = source;
+  return model;
+}
+
+}  // namespace remesher::io

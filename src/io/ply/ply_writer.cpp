@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "io/model/bake.h"
+#include "io/model/dropped.h"
+#include "io/model/same_mesh.h"
+#include "io/ply/corner_texcoords.h"
+#include "io/ply/ply.h"
+#include "io/ply/ply_sink.h"
+
+namespace remesher::io {
+namespace {
+
+// Whether the mesh is the one that was read: the file itself is the only record of it.
+bool isUntouched(const PlySource& source, const Model& model) {
+  if (model.parts.size() != 1) return false;
+  const TriangleMesh& mesh = model.parts[0].mesh;
+  if (mesh.positions.size() != source.vertexCount || mesh.triangleCount() != source.triangleCount)
+    return false;
+  return isSame(mesh, readPly(source.original, {}).parts[0].mesh);
+}
+
+// All that a row of the file is made of.
+struct Layout {
+  PlyEncoding encoding = PlyEncoding::LittleEndian;
+  std::vector<std::string> remarks = {"comment written by remesher"};
+  std::vector<PlyField> fields;
+  PlyProperty corners = {"vertex_indices", PlyType::Int32, PlyType::UInt8};
+  bool hasCornerTexcoords = false;
+  std::vector<double> textureNumbers;
+};
+
+// A float in the file may not hold what another model's mesh was given since.
+void widenPositions(std::vector<PlyField>& fields, const TriangleMesh& mesh) {
+  constexpr auto kLargest = double{std::numeric_limits<float>::max()};
+  const bool isWide = std::any_of(
+      mesh.positions.begin(), mesh.positions.end(),
+      [](const Vec3& position) { return position.lpNorm<Eigen::Infinity>() > kLargest; });
+  for (PlyField& field : fields)
+    if (isWide && field.semantic == "POSITION") field.property.type = PlyType::Float64;
+}
+
+// As the file was that the mesh comes from.
+Layout layoutLike(const PlySource& source, const TriangleMesh& mesh) {
+  Layout layout;
+  layout.encoding = source.header.encoding;
+  layout.remarks = source.header.remarks;
+  layout.hasCornerTexcoords = source.hasCornerTexcoords;
+  layout.textureNumbers = source.textureNumbers;
+  const auto isWritten = [&](const PlyField& field) {
+    const bool isElsewhere = source.hasCornerTexcoords && field.semantic == "TEXCOORD_0";
+    return field.semantic == "POSITION" ||
+           (!isElsewhere && findAttribute(mesh, field.semantic) != nullptr);
+  };
+  std::copy_if(source.fields.begin(), source.fields.end(), std::back_inserter(layout.fields),
+               isWritten);
+  widenPositions(layout.fields, mesh);
+  for (const PlyElement& element : source.header.elements) {
+    if (element.name != "face") continue;
+    for (const PlyProperty& property : element.properties) {
+      const bool isList = property.name == "vertex_indices" || property.name == "vertex_index";
+      const bool holdsAll = !isFloating(property.type) &&
+                            static_cast<double>(mesh.positions.size()) <= largestOf(property.type);
+      if (isList && property.countType) layout.corners = property;
+      if (isList && !holdsAll) layout.corners.type = PlyType::Int32;
+    }
+  }
+  return layout;
+}
+
+Layout layoutFor(const TriangleMesh& mesh) {
+  Layout layout;
+  layout.fields = fieldsFor(mesh);
+  return layout;
+}
+
+PlyHeader headerOf(const Layout& layout, const TriangleMesh& mesh) {
+  PlyElement vertex{"vertex", static_cast<Index>(mesh.positions.size()), {}};
+  for (const PlyField& field : layout.fields) vertex.properties.push_back(field.property);
+  PlyElement face{"face", static_cast<Index>(mesh.triangleCount()), {layout.corners}};
+  if (layout.hasCornerTexcoords)
+    face.properties.push_back({"texcoord", PlyType::Float32, PlyType::UInt8});
+  if (!layout.textureNumbers.empty()) face.properties.push_back({"texnumber", PlyType::Int32});
+  return {layout.encoding, layout.remarks, {std::move(vertex), std::move(face)}};
+}
+
+void putVertices(PlySink& sink, const Layout& layout, const TriangleMesh& mesh) {
+  std::vector<const Attribute*> attributes;
+  for (const PlyField& field : layout.fields)
+    attributes.push_back(findAttribute(mesh, field.semantic));
+  for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+      const PlyField& field = layout.fields[i];
+      const Attribute* const attribute = attributes[i];
+      const double value = attribute == nullptr
+                               ? mesh.positions[vertex][field.component]
+                               : attribute->values[vertex * attribute->itemSize + field.component];
+      sink.put(field.property.type, value * field.one);
+    }
+    sink.endRow();
+  }
+}
+
+void putFaces(PlySink& sink, const Layout& layout, const WeldedMesh& welded) {
+  const TriangleMesh& mesh = welded.mesh;
+  for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+    sink.put(*layout.corners.countType, 3);
+    for (std::size_t i = 0; i < 3; ++i)
+      sink.put(layout.corners.type, mesh.indices[3 * triangle + i]);
+    if (layout.hasCornerTexcoords) {
+      sink.put(PlyType::UInt8, 6);
+      for (std::size_t i = 0; i < 6; ++i)
+        sink.put(PlyType::Float32, welded.perCorner[6 * triangle + i]);
+    }
+    if (!layout.textureNumbers.empty())
+      sink.put(PlyType::Int32, layout.textureNumbers[mesh.groups[triangle]]);
+    sink.endRow();
+  }
+}
+
+std::vector<std::string> semanticsOf(const Layout& layout) {
+  std::vector<std::string> semantics;
+  for (const PlyField& field : layout.fields) semantics.push_back(field.semantic);
+  if (layout.hasCornerTexcoords) semantics.emplace_back("TEXCOORD_0");
+  return semantics;
+}
+
+}  // namespace
+
+WrittenFiles writePly(const Model& model, const std::string& outputName) {
+  const auto* const source = dynamic_cast<const PlySource*>(model.source.get());
+  if (source != nullptr && isUntouched(*source, model))
+    return {{{outputName, source->original.bytes}}, {}};
+  std::vector<Part> parts = bakeInstances(model);
+  const TriangleMesh mesh = source == nullptr ? mergeParts(parts) : std::move(parts[0].mesh);
+  const Layout layout = source == nullptr ? layoutFor(mesh) : layoutLike(*source, mesh);
+  const WeldedMesh written =
+      layout.hasCornerTexcoords ? weldedAcrossTexcoords(mesh) : WeldedMesh{mesh, {}};
+  PlySink sink(headerOf(layout, written.mesh));
+  putVertices(sink, layout, written.mesh);
+  putFaces(sink, layout, written);
+  return {{{outputName, sink.bytes()}}, droppedAttributes(model, semanticsOf(layout), "PLY")};
+}
+
+}  // namespace remesher::io
