@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "io/gltf/gltf.h"
 #include "io/ply/ply.h"
+#include "io/stl/stl.h"
 #include "io/text/obj.h"
 #include "io/text/off.h"
 
@@ -22,12 +23,13 @@ struct Format {
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
 };
 
-constexpr std::array<Format, 5> kFormats = {{
+constexpr std::array<Format, 6> kFormats = {{
     {".glb", "glTF", readGltf, writeGlb},
     {".gltf", "{", readGltf, writeGltf},
     {".obj", "", readObj, writeObj},
     {".off", "OFF", readOff, writeOff},
     {".ply", "ply", readPly, writePly},
+    {".stl", "solid", readStl, writeStl},
 }};
 
 std::string lowerCase(std::string_view text) {

@@ -21,8 +21,9 @@ export const coreRooms = {
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],
   'io/ply': ['base', 'io/model', 'io/text'],
+  'io/stl': ['base', 'io/model', 'io/text'],
   'io/gltf': ['base', 'io/model'],
-  io: ['base', 'io/model', 'io/text', 'io/ply', 'io/gltf'],
+  io: ['base', 'io/model', 'io/text', 'io/ply', 'io/stl', 'io/gltf'],
   parts: ['base', 'measure', 'io/model'],
   '': ['base', 'schemes', 'measure', 'io', 'parts'],
 };

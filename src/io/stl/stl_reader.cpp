@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// Which of the two kinds a file is: binary if it is as long as the count of its facets says, even
+// if it begins with `solid`, as many do; text if it begins so and has no byte that text has not.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <utility>
+
+#include "io/stl/corner_weld.h"
+#include "io/stl/stl.h"
+#include "io/text/text_scanner.h"
+
+namespace remesher::io {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 80;
+constexpr std::size_t kFacetsAt = 84;
+constexpr std::size_t kFacetBytes = 50;
+
+std::string_view textOf(const File& file) {
+  return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+}
+
+// Numbers lie anywhere in the file, little-endian.
+template <class Number>
+Number load(const File& file, std::size_t at) {
+  static_assert(std::endian::native == std::endian::little);
+  Number number;
+  std::memcpy(&number, &file.bytes[at], sizeof(Number));
+  return number;
+}
+
+bool isText(const File& file) {
+  constexpr std::size_t kLooked = 512;
+  const std::string_view start = textOf(file).substr(0, kLooked);
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  std::string word(start.substr(first, 5));
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (word != "solid" || start.find('\0') != std::string_view::npos) return false;
+  return file.bytes.size() < kFacetsAt ||
+         file.bytes.size() !=
+             kFacetsAt + std::uint64_t{kFacetBytes} * load<std::uint32_t>(file, kHeaderBytes);
+}
+
+struct Facets {
+  TriangleMesh mesh;
+  std::vector<GroupInfo> solids;
+  std::size_t colored = 0;
+};
+
+class StlText {
+ public:
+  explicit StlText(const File& file) : scanner_(textOf(file), file.name) {}
+  Facets read();
+
+ private:
+  void beginSolid();
+  void readVertex();
+  void endLoop();
+
+  TextScanner scanner_;
+  CornerWeld weld_;
+  Facets facets_;
+  std::map<std::string, Index, std::less<>> solidNumbers_;
+  Index solid_ = 0;
+  std::array<Index, 3> loop_{};
+  std::size_t corners_ = 0;  // of the loop
+};
+
+void StlText::beginSolid() {
+  const std::string name(scanner_.rest());
+  const auto [entry, isNew] =
+      solidNumbers_.emplace(name, static_cast<Index>(facets_.solids.size()));
+  if (isNew) facets_.solids.push_back({name, {}});
+  solid_ = entry->second;
+}
+
+void StlText::readVertex() {
+  Vec3 position;
+  for (double& coordinate : position) {
+    if (!scanner_.skipEmptyLines())
+      scanner_.fail(ErrorCode::ParseError, "the file ends within a vertex.",
+                    "Was it copied completely?");
+    coordinate = scanner_.number("the coordinate of a vertex");
+  }
+  if (corners_ == loop_.size())
+    scanner_.fail(ErrorCode::ParseError, "a facet has more than three corners.");
+  loop_[corners_++] = weld_.vertexAt(position);
+}
+
+void StlText::endLoop() {
+  if (corners_ != loop_.size())
+    scanner_.fail(ErrorCode::ParseError, "a facet has fewer than three corners.");
+  facets_.mesh.indices.insert(facets_.mesh.indices.end(), loop_.begin(), loop_.end());
+  facets_.mesh.groups.push_back(solid_);
+  corners_ = 0;
+}
+
+Facets StlText::read() {
+  scanner_.nextLine();
+  while (scanner_.skipEmptyLines()) {
+    std::string keyword(scanner_.word());
+    for (char& c : keyword) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (keyword == "vertex") {
+      readVertex();
+    } else if (keyword == "endloop") {
+      endLoop();
+    } else if (keyword == "solid") {
+      beginSolid();
+    } else if (keyword == "normal") {  // whatever it says: it follows from the corners
+      for (int i = 0; i < 3; ++i) scanner_.word();
+    } else if (keyword == "endsolid") {
+      scanner_.rest();
+    } else if (keyword != "facet" && keyword != "outer" && keyword != "loop" &&
+               keyword != "endfacet") {
+      scanner_.fail(ErrorCode::ParseError, "an STL knows no \"" + keyword.substr(0, 40) + "\".");
+    }
+  }
+  if (corners_ > 0)
+    scanner_.fail(ErrorCode::ParseError, "the file ends within a facet.",
+                  "Was it copied completely?");
+  facets_.mesh.positions = std::move(weld_.positions());
+  return std::move(facets_);
+}
+
+[[noreturn]] void failShort(const File& file, std::uint64_t count) {
+  throw Error(ErrorCode::ParseError,
+              file.name + ": it promises " + std::to_string(count) + " facets in " +
+                  std::to_string(kFacetsAt + kFacetBytes * count) + " bytes, but has " +
+                  std::to_string(file.bytes.size()) + ".",
+              "Was it copied completely?");
+}
+
+Vec3 cornerAt(const File& file, std::size_t at, std::size_t facet) {
+  Vec3 position;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    position[static_cast<Eigen::Index>(axis)] = load<float>(file, at + 4 * axis);
+    if (!position.array().isFinite()[static_cast<Eigen::Index>(axis)])
+      throw Error(ErrorCode::NonFinite,
+                  file.name + ": a corner of facet " + std::to_string(facet) + " is not finite.",
+                  "Repair the file: every coordinate must be a finite number.");
+  }
+  return position;
+}
+
+Facets readBinary(const File& file) {
+  if (file.bytes.size() < kFacetsAt)
+    throw Error(ErrorCode::ParseError,
+                file.name + ": it is shorter than the header of an STL, and begins not with solid.",
+                "Was it copied completely?");
+  const std::uint64_t count = load<std::uint32_t>(file, kHeaderBytes);
+  if (file.bytes.size() < kFacetsAt + kFacetBytes * count) failShort(file, count);
+  // Two conventions for colours: VisCAM and SolidView set the highest bit where a facet has one,
+  // Magics announces them in the header and clears it there.
+  const bool isMagics =
+      textOf(file).substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos;
+  Facets facets;
+  CornerWeld weld;
+  facets.mesh.indices.reserve(3 * static_cast<std::size_t>(count));
+  for (std::size_t facet = 0; facet < count; ++facet) {
+    const std::size_t at = kFacetsAt + kFacetBytes * facet;
+    for (std::size_t corner = 1; corner <= 3; ++corner)
+      facets.mesh.indices.push_back(weld.vertexAt(cornerAt(file, at + 12 * corner, facet)));
+    const bool hasHighBit = (load<std::uint16_t>(file, at + kFacetBytes - 2) & 0x8000U) != 0;
+    if (hasHighBit != isMagics) ++facets.colored;
+  }
+  facets.mesh.positions = std::move(weld.positions());
+  return facets;
+}
+
+}  // namespace
+
+Model readStl(const File& file, const std::vector<File>&) {
+  Facets facets = isText(file) ? StlText(file).read() : readBinary(file);
+  if (facets.mesh.triangleCount() == 0)
+    throw Error(ErrorCode::NoTriangles, file.name + " has no facets.",
+                "Only surfaces can be remeshed.");
+  Model model;
+  model.conventions = Conventions::Classic;
+  if (facets.colored > 0)
+    model.warnings.push_back({"ATTRIBUTE_NOT_CARRIED",
+                              "The colours of facets are not carried: other formats have colours "
+                              "that tools agree on.",
+                              facets.colored});
+  if (facets.solids.size() < 2) {
+    facets.mesh.groups.clear();
+    facets.solids.clear();
+  }
+  model.parts.push_back(
+      {file.name, std::move(facets.mesh), {Transform::Identity()}, std::move(facets.solids)});
+  return model;
+}
+
+}  // namespace remesher::io
