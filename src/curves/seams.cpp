@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/legible.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -87,10 +88,10 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
     seams.chartless.push_back(attribute.semantic);
     // A flat-shaded file says nothing that the surface does not.
     if (shading) return;
-    seams.warnings.push_back(
-        {"ATTRIBUTE_HAS_NO_CHARTS",
-         attribute.semantic + " jumps across most edges: it is carried by the nearest corner.",
-         found.size()});
+    seams.warnings.push_back({"ATTRIBUTE_HAS_NO_CHARTS",
+                              legible(attribute.semantic) +
+                                  " jumps across most edges: it is carried by the nearest corner.",
+                              found.size()});
     return;
   }
   for (const Halfedge h : found)

@@ -3,6 +3,7 @@
 // caller's, and the copies can be handed over to a worker.
 
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
 
 /** @import {
  *   FileRequest, Indices, Mesh, MeshAttribute, PlacedMesh,
@@ -120,15 +121,16 @@ function copyAttributes(attributes, vertexCount) {
   const result = {};
   for (const [semantic, attribute] of Object.entries(attributes)) {
     const { array, itemSize } = attribute ?? {};
+    const label = `mesh.attributes.${legible(semantic)}`;
     if (!isArrayOfNumbers(array) || !Number.isInteger(itemSize) || itemSize < 1) {
-      refuseMesh(`mesh.attributes.${semantic} must be { array, itemSize }, a typed array and a `
+      refuseMesh(`${label} must be { array, itemSize }, a typed array and a `
         + 'whole number.');
     }
     if (array.length !== vertexCount * itemSize) {
-      refuseMesh(`mesh.attributes.${semantic} has ${array.length} numbers, but ${vertexCount} `
+      refuseMesh(`${label} has ${array.length} numbers, but ${vertexCount} `
         + `vertices × ${itemSize} are ${vertexCount * itemSize}.`);
     }
-    result[semantic] = { array: copyArray(array, `mesh.attributes.${semantic}`), itemSize };
+    result[semantic] = { array: copyArray(array, label), itemSize };
   }
   return result;
 }
@@ -177,7 +179,8 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
   }
   const files = [];
   for (const [resource, content] of Object.entries(resources)) {
-    files.push({ name: resource, bytes: await copyBytes(content, `resources['${resource}']`) });
+    const label = `resources['${legible(resource)}']`;
+    files.push({ name: resource, bytes: await copyBytes(content, label) });
   }
   return {
     name: givenName || 'The file',

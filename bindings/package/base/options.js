@@ -6,6 +6,7 @@
 // only.
 
 import { RemeshError } from './errors.js';
+import { legible } from './legible.js';
 
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
 
@@ -85,6 +86,9 @@ export function defaultOf(option, scheme) {
   return typeof option.default === 'object' ? option.default[scheme] : option.default;
 }
 
+// Comparing a longer one would take long.
+const longestName = 100;
+
 /**
  * The value that holds when the option is not given, in words; empty: none does.
  * @param {Option} option
@@ -104,6 +108,7 @@ export function defaultInWords(option, spell = String) {
 export function nearest(name, known) {
   let best;
   let least = Math.max(2, name.length / 2) + 1;
+  if (name.length > longestName) return undefined;
   for (const candidate of known) {
     const distance = editDistance(name.toLowerCase(), candidate.toLowerCase());
     if (distance < least) [best, least] = [candidate, distance];
@@ -163,10 +168,10 @@ function isInRange(option, value) {
 
 /** What was given: '10' is not 10. @param {unknown} value */
 function inWords(value) {
-  if (typeof value === 'string') return `'${value}'`;
+  if (typeof value === 'string') return `'${legible(value)}'`;
   if (typeof value === 'function') return 'a function';
   return typeof value === 'object' && value !== null
-    ? value.constructor?.name ?? 'an object' : String(value);
+    ? legible(value.constructor?.name ?? 'an object') : String(value);
 }
 
 /**
@@ -232,7 +237,7 @@ export function checkOptions(given, { others = [], label = ({ name }) => name } 
     const option = byName.get(name);
     if (!option) {
       const meant = nearest(name, [...byName.keys(), ...others]);
-      throw new RemeshError('UNKNOWN_OPTION', `There is no option ${name}.`,
+      throw new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(name)}.`,
         meant ? `Did you mean ${meant}?` : '');
     }
     checkValue(option, value, label(option));

@@ -5,6 +5,7 @@
 
 import { decodeDracoPrimitives, dracoExtension } from './draco.js';
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
 import { openContainer, packGlb } from './gltf_container.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
@@ -16,9 +17,18 @@ const compressions = [...meshoptExtensions, dracoExtension];
 /** @param {string} path */
 const baseName = (path) => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
 
+/** What is malformed stays as it is. @param {string} uri */
+function percentDecoded(uri) {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
 /** @param {NamedBytes[]} resources @param {string} uri */
 function findResource(resources, uri) {
-  const decoded = decodeURIComponent(uri);
+  const decoded = percentDecoded(uri);
   const exact = resources.find(({ name }) => name === uri || name === decoded);
   const alike = resources.filter(({ name }) => baseName(name) === baseName(decoded));
   return exact ?? (alike.length === 1 ? alike[0] : undefined);
@@ -45,8 +55,8 @@ function loadBuffers(tree, chunk, file) {
     const resource = findResource(file.resources, uri);
     if (!resource) {
       throw new RemeshError('MISSING_RESOURCE',
-        `${file.name}: it needs ${uri}, which was not given.`,
-        `Keep ${uri} beside the file, or give both together.`);
+        `${legible(file.name)}: it needs ${legible(uri)}, which was not given.`,
+        `Keep ${legible(uri)} beside the file, or give both together.`);
     }
     return resource.bytes;
   });
@@ -126,7 +136,8 @@ function joinBuffers(tree, contents) {
 function reason(error) {
   const isPlain = error instanceof Error
     && !(error instanceof TypeError || error instanceof RangeError);
-  return isPlain ? error.message.replace(/\.$/, '') : 'the JSON does not say rightly what it is';
+  return isPlain
+    ? legible(error.message.replace(/\.$/, '')) : 'the JSON does not say rightly what it is';
 }
 
 /**
@@ -144,7 +155,7 @@ async function decompressTree(tree, chunk, file) {
   } catch (error) {
     if (error instanceof RemeshError) throw error;
     throw new RemeshError('PARSE_ERROR',
-      `${file.name}: its compressed data cannot be decoded: ${reason(error)}.`,
+      `${legible(file.name)}: its compressed data cannot be decoded: ${reason(error)}.`,
       'Was it copied completely?', { cause: error });
   }
 }

@@ -17,6 +17,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/legible.h"
 #include "io/gltf/gltf_document.h"
 #include "io/model/resources.h"
 
@@ -144,7 +145,7 @@ tinygltf::Model typedView(const GltfDocument& document) {
                                  static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
   if (!isLoaded)
     document.fail(ErrorCode::ParseError,
-                  "the glTF document is invalid: " + error.substr(0, error.find('\n')));
+                  "the glTF document is invalid: " + legible(error.substr(0, error.find('\n'))));
   return model;
 }
 
@@ -165,8 +166,9 @@ Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& b
     } else {
       const File* const file = findResource(document.resources, uri);
       if (file == nullptr)
-        document.fail(ErrorCode::MissingResource, "it needs " + uri + ", which was not given.",
-                      "Keep " + uri + " beside the file, or give both together.");
+        document.fail(ErrorCode::MissingResource,
+                      "it needs " + legible(uri) + ", which was not given.",
+                      "Keep " + legible(uri) + " beside the file, or give both together.");
       bytes = file->bytes;
     }
   }
@@ -216,7 +218,7 @@ void loadBuffers(GltfDocument& document,
 }  // namespace
 
 void GltfDocument::fail(ErrorCode code, const std::string& what, std::string hint) const {
-  throw Error(code, original.name + ": " + what, std::move(hint));
+  throw Error(code, legible(original.name) + ": " + what, std::move(hint));
 }
 
 std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>& resources) {

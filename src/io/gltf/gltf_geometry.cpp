@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/gltf/gltf_accessor.h"
 
 namespace remesher::io {
@@ -130,7 +131,7 @@ void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
       if (semantic == "POSITION") continue;
       if (!isCarried(document_, accessor)) {
         warn("ATTRIBUTE_NOT_CARRIED",
-             "The attribute " + semantic + " is a matrix of small integers and is lost.");
+             "The attribute " + legible(semantic) + " is a matrix of small integers and is lost.");
         continue;
       }
       int& size = itemSizes[semantic];
@@ -158,7 +159,7 @@ void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVer
         place = std::isfinite(value) ? value : 0.0F;
         if (!std::isfinite(value))
           warn("NON_FINITE_ATTRIBUTE",
-               "Values of " + attribute.semantic + " that are not finite are read as 0.");
+               "Values of " + legible(attribute.semantic) + " that are not finite are read as 0.");
       }
     }
   }

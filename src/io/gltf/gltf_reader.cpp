@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/gltf/gltf.h"
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_geometry.h"
@@ -74,7 +75,7 @@ Model readGltf(const File& file, const std::vector<File>& resources) {
   try {
     return readDocument(openGltf(file, resources));
   } catch (const Json::exception&) {
-    throw Error(ErrorCode::ParseError, file.name + ": the glTF document is invalid.",
+    throw Error(ErrorCode::ParseError, legible(file.name) + ": the glTF document is invalid.",
                 "A glTF validator tells where.");
   }
 }

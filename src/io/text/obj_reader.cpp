@@ -6,8 +6,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/model/polygon.h"
 #include "io/text/obj.h"
 #include "io/text/text_scanner.h"
@@ -87,7 +89,7 @@ Index ObjReader::resolve(std::string_view& word, std::size_t listed, std::string
   const auto [number, rest] = TextScanner::leadingInteger(word);
   if (rest.size() == word.size())
     scanner_.fail(ErrorCode::ParseError, "a face has no number where its " + std::string(what) +
-                                             " should be: \"" + std::string(word) + "\".");
+                                             " should be: \"" + legible(word) + "\".");
   word = rest;
   const auto count = static_cast<long long>(listed);
   if (number == 0 || number > count || number < -count)
@@ -113,9 +115,9 @@ Corner ObjReader::readCorner(std::string_view word) {
     }
   }
   if (!word.empty())
-    scanner_.fail(ErrorCode::ParseError,
-                  "a face has a corner that is not v, v/vt, v//vn or v/vt/vn: \"" +
-                      std::string(whole) + "\".");
+    scanner_.fail(
+        ErrorCode::ParseError,
+        "a face has a corner that is not v, v/vt, v//vn or v/vt/vn: \"" + legible(whole) + "\".");
   return corner;
 }
 
@@ -294,14 +296,16 @@ std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const std::vector<Ob
 
 void findLibraries(ObjSource& source, const std::vector<File>& resources,
                    std::vector<Warning>& warnings) {
+  std::set<std::string> seen;
   for (const std::string& library : source.libraries) {
+    if (!seen.insert(library).second) continue;
     const auto found = std::find_if(resources.begin(), resources.end(),
                                     [&](const File& file) { return file.name == library; });
     if (found != resources.end())
       source.libraryFiles.push_back(*found);
     else
       warnings.push_back({"RESOURCE_NOT_GIVEN",
-                          "The material library " + library +
+                          "The material library " + legible(library) +
                               " was not given: the result refers to it, but it is not passed on.",
                           1});
   }
@@ -324,7 +328,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
                               "Points, lines and curves are not remeshed; the result lacks them.",
                               content.skippedElements});
   if (content.corners.empty())
-    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+    throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points or lines.");
   TriangleMesh mesh = meshOf(std::move(content), source->groups);
   std::vector<GroupInfo> groups = groupInfos(mesh, source->groups);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/model/bake.h"
 #include "io/model/dropped.h"
 #include "io/model/polygon.h"
@@ -199,7 +200,7 @@ Model readOff(const File& file, const std::vector<File>&) {
   model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();
   if (mesh.triangleCount() == 0)
-    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+    throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");
   model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}});
   source->original = file;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/legible.h"
+
 namespace remesher::io {
 namespace {
 
@@ -91,7 +93,7 @@ double TextScanner::anyNumber(std::string_view what) {
   if (problem != std::errc() || stop != end)
     fail(ErrorCode::ParseError,
          text.empty() ? std::string(what) + " is missing."
-                      : std::string(what) + " is not a number: \"" + std::string(text) + "\".");
+                      : std::string(what) + " is not a number: \"" + legible(text) + "\".");
   return value;
 }
 
@@ -113,7 +115,8 @@ TextScanner::IntegerAndRest TextScanner::leadingInteger(std::string_view text) {
 }
 
 void TextScanner::fail(ErrorCode code, const std::string& what, std::string hint) const {
-  throw Error(code, fileName_ + ", line " + std::to_string(line_) + ": " + what, std::move(hint));
+  throw Error(code, legible(fileName_) + ", line " + std::to_string(line_) + ": " + what,
+              std::move(hint));
 }
 
 }  // namespace remesher::io

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "base/legible.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace remesher {
+namespace {
+
+constexpr std::size_t kLongest = 120;  // characters
+constexpr std::size_t kHead = 80;      // of a longer text: these, a mark, and what fits of its end
+constexpr char32_t kReplacement = 0xFFFD;
+constexpr char32_t kEllipsis = 0x2026;
+
+struct Range {
+  char32_t first;
+  char32_t last;
+};
+
+// What shows nothing but does something: controls, marks of direction, ends of lines, tags.
+constexpr std::array<Range, 11> kInvisible = {{{0x00, 0x1F},
+                                               {0x7F, 0x9F},
+                                               {0xAD, 0xAD},
+                                               {0x61C, 0x61C},
+                                               {0x180E, 0x180E},
+                                               {0x200B, 0x200F},
+                                               {0x2028, 0x202E},
+                                               {0x2060, 0x206F},
+                                               {0xFEFF, 0xFEFF},
+                                               {0xFFF9, 0xFFFB},
+                                               {0xE0000, 0xE007F}}};
+
+bool isInvisible(char32_t c) {
+  return std::any_of(kInvisible.begin(), kInvisible.end(),
+                     [c](const Range& range) { return range.first <= c && c <= range.last; });
+}
+
+// The length of the character that begins with this byte; 0 where none does.
+std::size_t lengthFrom(std::uint8_t first) {
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first < 0xE0) return 2;
+  if (first >= 0xE0 && first < 0xF0) return 3;
+  if (first >= 0xF0 && first < 0xF5) return 4;
+  return 0;
+}
+
+// Takes the first character off the text.
+char32_t takeCharacter(std::string_view& text) {
+  const auto first = static_cast<std::uint8_t>(text[0]);
+  const std::size_t length = lengthFrom(first);
+  char32_t value = length == 1 ? first : first & (0x7FU >> length);
+  bool isValid = length > 0 && length <= text.size();
+  for (std::size_t i = 1; isValid && i < length; ++i) {
+    const auto byte = static_cast<std::uint8_t>(text[i]);
+    isValid = (byte & 0xC0U) == 0x80U;
+    value = value << 6U | (byte & 0x3FU);
+  }
+  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const bool isSurrogate = value >= 0xD800 && value <= 0xDFFF;
+  isValid = isValid && value >= kLeast[length] && value <= 0x10FFFF && !isSurrogate;
+  text.remove_prefix(isValid ? length : 1);
+  return isValid ? value : kReplacement;
+}
+
+// Of a text of megabytes only what can be shown is looked at: its two ends.
+std::vector<char32_t> charactersOf(std::string_view text) {
+  constexpr std::size_t kEnd = 8 * kLongest;
+  std::string ends;
+  if (text.size() > 2 * kEnd) {
+    ends = std::string(text.substr(0, kEnd)) + std::string(text.substr(text.size() - kEnd));
+    text = ends;
+  }
+  std::vector<char32_t> characters;
+  while (!text.empty()) characters.push_back(takeCharacter(text));
+  return characters;
+}
+
+void append(std::string& text, char32_t c) {
+  if (c < 0x80) {
+    text += static_cast<char>(c);
+    return;
+  }
+  const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+  text += static_cast<char>((0xFFU << (7 - more) & 0xFFU) | c >> 6 * more);
+  for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80U | (c >> 6 * i & 0x3FU));
+}
+
+std::string escaped(char32_t c) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string digits;
+  for (; c > 0 || digits.empty(); c >>= 4) digits += kHex[c & 15];
+  std::reverse(digits.begin(), digits.end());
+  return "\\u{" + digits + "}";
+}
+
+}  // namespace
+
+std::string legible(std::string_view text) {
+  std::vector<char32_t> characters = charactersOf(text);
+  if (characters.size() > kLongest) {
+    const auto cut = characters.begin() + kHead;
+    *cut = kEllipsis;
+    characters.erase(cut + 1, characters.end() - (kLongest - kHead - 1));
+  }
+  std::string result;
+  for (const char32_t c : characters) {
+    if (isInvisible(c))
+      result += escaped(c);
+    else
+      append(result, c);
+  }
+  return result;
+}
+
+}  // namespace remesher

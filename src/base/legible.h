@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Foreign text inside a message of ours: names and lines of files from anywhere may be of any
+// length, and may hold what a terminal obeys or what turns the rest of a line around. The package's
+// base/legible.js does the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace remesher {
+
+// The text in at most 120 characters, the middle left out of a longer one; control characters and
+// invisible ones as \u{1b}, bytes that are not UTF-8 as the replacement character.
+std::string legible(std::string_view text);
+
+}  // namespace remesher
