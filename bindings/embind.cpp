@@ -69,9 +69,11 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
 // request: { name, bytes, resources, output }
 val convertBytes(const val& request) {
   return guarded([&] {
+    const ConvertFileResult run =
+        convertFile(bundleFrom(request), request["output"].as<std::string>());
     val result = val::object();
-    result.set("files",
-               objectFrom(convertFile(bundleFrom(request), request["output"].as<std::string>())));
+    result.set("files", objectFrom(run.files));
+    result.set("warnings", objectFrom(run.warnings));
     return result;
   });
 }

@@ -71,18 +71,6 @@ val objectFrom(const std::vector<Phase>& phases) {
   return result;
 }
 
-val objectFrom(const std::vector<Warning>& warnings) {
-  val result = val::array();
-  for (const Warning& warning : warnings) {
-    val object = val::object();
-    object.set("code", warning.code);
-    object.set("message", warning.message);
-    object.set("count", double(warning.count));
-    result.call<void>("push", object);
-  }
-  return result;
-}
-
 }  // namespace
 
 val objectFrom(const TriangleMesh& mesh) {
@@ -110,6 +98,18 @@ val objectFrom(const std::vector<File>& files) {
     val object = val::object();
     object.set("name", file.name);
     object.set("bytes", arrayFrom(file.bytes));
+    result.call<void>("push", object);
+  }
+  return result;
+}
+
+val objectFrom(const std::vector<Warning>& warnings) {
+  val result = val::array();
+  for (const Warning& warning : warnings) {
+    val object = val::object();
+    object.set("code", warning.code);
+    object.set("message", warning.message);
+    object.set("count", double(warning.count));
     result.call<void>("push", object);
   }
   return result;

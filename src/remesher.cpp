@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/formats.h"
 #include "measure/hausdorff.h"
 #include "parts/part_report.h"
@@ -83,9 +84,9 @@ auto inFile(const std::string& name, Body body) {
     return body();
   } catch (const Error& error) {
     const std::string message = error.what();
-    const bool saysWhere = name.empty() || message.find(name) != std::string::npos;
+    const bool saysWhere = name.empty() || message.find(legible(name)) != std::string::npos;
     if (error.code == ErrorCode::Cancelled || saysWhere) throw;
-    throw Error(error.code, name + ": " + message, error.hint);
+    throw Error(error.code, legible(name) + ": " + message, error.hint);
   }
 }
 
@@ -125,10 +126,11 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   return {std::move(written.files), timed(std::move(run.report), clock)};
 }
 
-std::vector<File> convertFile(const FileBundle& input, const std::string& outputName) {
+ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName) {
   io::requireWritable(outputName);
   const io::Model model = io::read(input.file, input.resources);
-  return io::write(model, outputName).files;
+  io::WrittenFiles written = io::write(model, outputName);
+  return {std::move(written.files), joined(model.warnings, written.warnings)};
 }
 
 Report inspect(const TriangleMesh& mesh) {

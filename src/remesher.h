@@ -54,8 +54,13 @@ struct RemeshFileResult {
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
 
-// The same model in another format, its triangles as they are: the one asked for first.
-std::vector<File> convertFile(const FileBundle& input, const std::string& outputName);
+struct ConvertFileResult {
+  std::vector<File> files;  // as above
+  std::vector<Warning> warnings;
+};
+
+// The same model in another format, its triangles as they are.
+ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName);
 
 Report inspect(const TriangleMesh& mesh);
 Report inspectFile(const FileBundle& input);

@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/legible.h"
 #include "io/gltf/gltf.h"
+#include "io/model/companions.h"
 #include "io/ply/ply.h"
 #include "io/stl/stl.h"
 #include "io/text/obj.h"
@@ -65,25 +67,26 @@ const Format* findByMagic(const File& file) {
 
 Model read(const File& file, const std::vector<File>& resources) {
   if (file.bytes.empty())
-    throw Error(ErrorCode::EmptyFile, file.name + " is empty.", "Was it copied completely?");
+    throw Error(ErrorCode::EmptyFile, legible(file.name) + " is empty.",
+                "Was it copied completely?");
   const Format* const byName = findByExtension(file.name);
   const Format* const format = byName != nullptr ? byName : findByMagic(file);
   if (format == nullptr)
-    throw Error(ErrorCode::UnknownFormat, file.name + " is of no format that can be read.",
+    throw Error(ErrorCode::UnknownFormat, legible(file.name) + " is of no format that can be read.",
                 "Give a file that ends in one of " + listOfExtensions() + ".");
   return format->read(file, resources);
 }
 
 void requireWritable(const std::string& outputName) {
   if (findByExtension(outputName) != nullptr) return;
-  const std::string output = outputName.empty() ? "An output without a name" : outputName;
+  const std::string output = outputName.empty() ? "An output without a name" : legible(outputName);
   throw Error(ErrorCode::UnknownFormat, output + " is of no format that can be written.",
               "Let its name end in one of " + listOfExtensions() + ".");
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
-  return findByExtension(outputName)->write(model, outputName);
+  return findByExtension(outputName)->write(model, plainName(outputName));
 }
 
 }  // namespace remesher::io

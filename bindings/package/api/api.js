@@ -4,6 +4,7 @@
 
 import { Client } from './client.js';
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
 import {
   buffersOf, copyMesh, copyScene, fileBuffers, fileRequest, isBytes,
 } from './inputs.js';
@@ -37,10 +38,12 @@ import { compileBinary } from './wasm_source.js';
  * @typedef {object} ConvertFileResult
  * @property {string} name The file's name.
  * @property {Uint8Array} bytes The file.
- * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl).
+ * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl), by
+ *   names that lead nowhere but into one folder.
+ * @property {Warning[]} warnings What the result lacks.
  */
 
-/** @typedef {ConvertFileResult & Pick<RemeshResult, 'report'>} RemeshFileResult */
+/** @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>} RemeshFileResult */
 
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
 const fileNames = /** @type {const} */ (['name', 'resources']);
@@ -111,9 +114,9 @@ export class Api {
   async convertFile(bytes, options = {}) {
     refuseOthers(options, [...runNames, ...fileNames, 'output']);
     const file = await fileRequest(bytes, options);
-    const { files } = await this.#client.run(
+    const { files, warnings } = await this.#client.run(
       { kind: 'convertFile', file }, fileBuffers(file), options);
-    return { ...files[0], files };
+    return { ...files[0], files, warnings };
   }
 
   /**
@@ -159,7 +162,7 @@ function refuseOthers(options, known) {
   requireObject(options);
   const unknown = Object.keys(options).find((name) => !known.includes(name));
   if (unknown) {
-    throw new RemeshError('UNKNOWN_OPTION', `There is no option ${unknown} here.`,
+    throw new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(unknown)} here.`,
       `There are ${known.join(', ')}.`);
   }
 }

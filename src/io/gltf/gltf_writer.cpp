@@ -3,16 +3,18 @@
 // alone; any other model becomes a new, plain document.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/gltf/gltf.h"
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_editor.h"
 #include "io/gltf/gltf_geometry.h"
 #include "io/gltf/gltf_packing.h"
+#include "io/model/companions.h"
 #include "io/model/resources.h"
 #include "io/model/same_mesh.h"
 
@@ -55,16 +57,23 @@ std::optional<Bytes> imageBytes(const GltfDocument& document, const std::string&
   return file->bytes;
 }
 
-// A text file becoming a binary one takes its images along inside.
+// A text file becoming a binary one takes its images along inside; a file that several of them
+// name is taken once.
 void embedImages(GltfEditor& editor, const GltfDocument& document) {
   if (!editor.tree().contains("images")) return;
+  std::map<const File*, std::size_t> views;
   for (std::size_t i = 0; i < editor.tree()["images"].size(); ++i) {
     const Json image = editor.tree()["images"][i];
     if (!image.contains("uri")) continue;
-    const std::optional<Bytes> bytes = imageBytes(document, image["uri"].get<std::string>());
+    const std::string uri = image["uri"].get<std::string>();
+    const std::optional<Bytes> bytes = imageBytes(document, uri);
     const std::optional<std::string> type = bytes ? imageType(*bytes) : std::nullopt;
     if (!type) continue;
-    const std::size_t view = editor.addFile(*bytes);
+    const File* const file = findResource(document.resources, uri);
+    const auto known = views.find(file);
+    const std::size_t view =
+        file != nullptr && known != views.end() ? known->second : editor.addFile(*bytes);
+    if (file != nullptr) views[file] = view;
     Json& changed = editor.tree()["images"][i];
     changed.erase("uri");
     changed["mimeType"] = *type;
@@ -72,51 +81,93 @@ void embedImages(GltfEditor& editor, const GltfDocument& document) {
   }
 }
 
-// The images that the tree still refers to, as far as they were given.
-void addImageFiles(WrittenFiles& written, const Json& tree, const std::vector<File>& resources) {
-  if (!tree.contains("images")) return;
-  std::set<std::string> done;
-  for (const Json& image : tree["images"]) {
+// What the result refers to besides its own data.
+struct Companions {
+  std::vector<File> files;
+  std::vector<std::string> missing;  // as the tree names them
+  bool isRenamed = false;            // some are not called as the file that came called them
+};
+
+// The images that the tree refers to, as far as they were given, under plain names; the tree says
+// these instead.
+Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionNames& names) {
+  Companions companions;
+  if (!tree.contains("images")) return companions;
+  std::map<const File*, std::string> nameOf;
+  for (Json& image : tree["images"]) {
     if (!image.contains("uri")) continue;
     const std::string uri = image["uri"].get<std::string>();
-    if (isDataUri(uri) || !done.insert(uri).second) continue;
+    if (isDataUri(uri)) continue;
     const File* const file = findResource(resources, uri);
-    if (file != nullptr)
-      written.files.push_back({percentDecoded(uri), file->bytes});
-    else
-      written.warnings.push_back(
-          {"RESOURCE_NOT_GIVEN",
-           "The image " + uri + " was not given: the result refers to it, but it is not passed on.",
-           1});
+    if (file == nullptr) {
+      companions.missing.push_back(uri);
+      continue;
+    }
+    const auto [entry, isNew] = nameOf.emplace(file, "");
+    if (isNew) {
+      entry->second = names.nameFor(uri);
+      companions.files.push_back({entry->second, file->bytes});
+    }
+    if (entry->second == percentDecoded(uri)) continue;
+    image["uri"] = referenceTo(entry->second);
+    companions.isRenamed = true;
   }
+  return companions;
 }
 
+// A file may name thousands: the first few are said one by one.
+void passOn(Companions companions, WrittenFiles& written) {
+  for (File& file : companions.files) written.files.push_back(std::move(file));
+  constexpr std::size_t kNamed = 8;
+  const std::size_t named = std::min(kNamed, companions.missing.size());
+  const auto warn = [&](const std::string& images, std::size_t count) {
+    written.warnings.push_back(
+        {"RESOURCE_NOT_GIVEN",
+         images + " not given: the result refers to it, but it is not passed on.", count});
+  };
+  for (std::size_t i = 0; i < named; ++i)
+    warn("The image " + legible(companions.missing[i]) + " was", 1);
+  const std::size_t others = companions.missing.size() - named;
+  if (others > 0) warn("Each of " + std::to_string(others) + " more images was", others);
+}
+
+// The name of the file for the data of a .gltf.
+std::string dataName(const std::string& outputName, CompanionNames& names) {
+  return names.nameForFile(outputName.substr(0, outputName.rfind('.')) + ".bin");
+}
+
+// dataFile: the name of the file that holds the data; empty: they are within.
 WrittenFiles serialized(PackedGltf packed, const std::string& outputName, Container container,
-                        bool isEmbedded) {
+                        const std::string& dataFile) {
   WrittenFiles written;
   if (container == Container::Binary) {
     written.files.push_back({outputName, packGlb(packed.tree, packed.data)});
     return written;
   }
-  const std::string_view base = baseName(outputName);
-  const std::string dataName = std::string(base.substr(0, base.rfind('.'))) + ".bin";
   if (!packed.data.empty())
-    packed.tree["buffers"][0]["uri"] = isEmbedded
+    packed.tree["buffers"][0]["uri"] = dataFile.empty()
                                            ? encodeDataUri("application/octet-stream", packed.data)
-                                           : percentEncoded(dataName);
+                                           : referenceTo(dataFile);
   const std::string text = packed.tree.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   written.files.push_back({outputName, {text.begin(), text.end()}});
-  if (!packed.data.empty() && !isEmbedded)
-    written.files.push_back({dataName, std::move(packed.data)});
+  if (!packed.data.empty() && !dataFile.empty())
+    written.files.push_back({dataFile, std::move(packed.data)});
   return written;
 }
 
-// The file as it came, with what lay beside it.
-WrittenFiles asItCame(const GltfDocument& document, const std::string& outputName) {
+// The file as it came, with what lay beside it; none if something there cannot keep its name.
+std::optional<WrittenFiles> asItCame(const GltfDocument& document, const std::string& outputName) {
+  CompanionNames names(outputName);
   WrittenFiles written;
   written.files.push_back({outputName, document.original.bytes});
-  for (const File& file : document.bufferFiles) written.files.push_back(file);
-  addImageFiles(written, document.tree, document.resources);
+  for (const File& file : document.bufferFiles) {
+    if (names.nameForFile(file.name) != file.name) return std::nullopt;
+    written.files.push_back(file);
+  }
+  Json images = {{"images", document.tree.value("images", Json::array())}};
+  Companions companions = takeImages(images, document.resources, names);
+  if (companions.isRenamed) return std::nullopt;
+  passOn(std::move(companions), written);
   return written;
 }
 
@@ -124,7 +175,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
-  if (replaced.empty() && container == before) return asItCame(document, outputName);
+  if (replaced.empty() && container == before)
+    if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
   for (const std::size_t i : replaced) {
@@ -136,9 +188,11 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   std::vector<Bytes> buffers = document.buffers;
   buffers.push_back(editor.newData());
   PackedGltf packed = packGltf(std::move(editor.tree()), buffers, editor.abandoned());
-  const Json images = {{"images", packed.tree.value("images", Json::array())}};
-  WrittenFiles written = serialized(std::move(packed), outputName, container, document.isEmbedded);
-  addImageFiles(written, images, document.resources);
+  CompanionNames names(outputName);
+  const std::string dataFile = document.isEmbedded ? "" : dataName(outputName, names);
+  Companions images = takeImages(packed.tree, document.resources, names);
+  WrittenFiles written = serialized(std::move(packed), outputName, container, dataFile);
+  passOn(std::move(images), written);
   return written;
 }
 
@@ -216,8 +270,9 @@ WrittenFiles writePlain(const Model& model, const std::string& outputName, Conta
     editor.tree()["meshes"].push_back(plainMesh(editor.tree(), model.parts[i], pools));
     editor.replaceGeometry(i, mesh, pools);
   }
+  CompanionNames names(outputName);
   return serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}), outputName,
-                    container, false);
+                    container, dataName(outputName, names));
 }
 
 WrittenFiles writeIn(const Model& model, const std::string& outputName, Container container) {

@@ -10,7 +10,8 @@
 namespace remesher::io {
 
 struct WrittenFiles {
-  std::vector<File> files;  // the one asked for first; the names of the others are relative to it
+  // The one asked for first. The names are plain (companions.h), and relative to one folder.
+  std::vector<File> files;
   std::vector<Warning> warnings;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/model/bake.h"
+#include "io/model/companions.h"
 #include "io/text/obj.h"
 #include "io/text/text_writer.h"
 
@@ -56,7 +57,7 @@ DistinctValues findDistinct(const std::vector<Value>& values, std::size_t firstN
 
 class ObjWriter {
  public:
-  void writeLibraries(const std::vector<std::string>& libraries);
+  void writeLibrary(const std::string& library);
   void writePart(const ObjPart& part);
   std::vector<std::uint8_t> bytes() const { return out_.bytes(); }
 
@@ -77,8 +78,8 @@ class ObjWriter {
   std::optional<ObjGroup> state_;
 };
 
-void ObjWriter::writeLibraries(const std::vector<std::string>& libraries) {
-  for (const std::string& library : libraries) out_.text("mtllib ").text(library).text("\n");
+void ObjWriter::writeLibrary(const std::string& library) {
+  out_.text("mtllib ").text(library).text("\n");
 }
 
 // A position's colour is that of the first vertex there: OBJ has no colour seams.
@@ -194,19 +195,36 @@ std::vector<ObjGroup> groupsFor(const Part& part, const ObjSource* source) {
   return groups;
 }
 
+// Those of the libraries that were given, under the names that the result says instead of theirs.
+// The others are named as they were.
+std::vector<File> passLibrariesOn(const ObjSource& source, const std::string& outputName,
+                                  ObjWriter& writer) {
+  CompanionNames names(outputName);
+  std::vector<File> files;
+  std::map<std::string, std::string> written;
+  for (const File& file : source.libraryFiles) {
+    files.push_back({names.nameForFile(file.name), file.bytes});
+    written[file.name] = files.back().name;
+  }
+  for (const std::string& library : source.libraries) {
+    const auto given = written.find(library);
+    writer.writeLibrary(given == written.end() ? library : given->second);
+  }
+  return files;
+}
+
 }  // namespace
 
 WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
   ObjWriter writer;
-  if (source != nullptr) writer.writeLibraries(source->libraries);
+  std::vector<File> libraries;
+  if (source != nullptr) libraries = passLibrariesOn(*source, outputName, writer);
   for (const Part& part : bakeInstances(model))
     writer.writePart({&part.mesh, groupsFor(part, source)});
   WrittenFiles written;
   written.files.push_back({outputName, writer.bytes()});
-  if (source != nullptr)
-    written.files.insert(written.files.end(), source->libraryFiles.begin(),
-                         source->libraryFiles.end());
+  written.files.insert(written.files.end(), libraries.begin(), libraries.end());
   return written;
 }
 
