@@ -83,7 +83,7 @@ test('no include is circular', () => {
 });
 
 test('the package imports only itself, and Node only where it runs in Node', () => {
-  const inNode = /\/(cli\/\w+|node|platform_node|worker_node)\.js$/;
+  const inNode = /\/((cli|files)\/\w+|node|platform_node|worker_node)\.js$/;
   const wrong = packageFiles.flatMap((file) => importsOf(file)
     .filter((name) => !(/^\.\.?\/[a-z_/]+\.m?js$/.test(name)
       || (name.startsWith('node:') && inNode.test(file))))
@@ -102,7 +102,7 @@ test('what runs in browsers does not reach what runs in Node', () => {
   };
   ['index.js', 'worker.js'].forEach(visit);
   assert.ok(reached.size > 10, 'the walk goes through the package');
-  assert.deepEqual([...reached].filter((file) => /(^|_)node\.js$|^cli\//.test(file)), []);
+  assert.deepEqual([...reached].filter((file) => /(^|_)node\.js$|^(cli|files)\//.test(file)), []);
 });
 
 test('no import is circular', () => {

@@ -72,6 +72,17 @@ test('inspect reports, in words and as JSON, and writes nothing', () => {
   assert.deepEqual(readdirSync(folder).sort(), before);
 });
 
+test('convert changes the format and nothing else', () => {
+  const { status, stdout, stderr } = run('convert', 'torus.off', '-o', 'converted.obj');
+  assert.deepEqual([status, stdout, stderr], [0, '', '']);
+  assert.equal(read('converted.obj').match(/^v /gm).length, 1152);
+  assert.equal(read('converted.obj').match(/^f /gm).length, 2304);
+  const piped = run('convert', 'converted.obj', '-o', '-', '--format', 'off');
+  assert.match(piped.stdout, /^OFF\s+1152 2304/);
+  assert.deepEqual(JSON.parse(run('convert', 'torus.off', '-o', 'x.obj', '--json').stdout),
+    { warnings: [] });
+});
+
 test('- is standard output, in the format asked for', () => {
   const { status, stdout, stderr } =
     run('torus.off', '-o', '-', '--format', 'obj', '--vertices', '200');
@@ -110,6 +121,10 @@ test('wrong words are named, with what to do', () => {
   failsWith(2, /--json takes no value/, 'torus.off', '-o', 'x.off', '--json=1');
   failsWith(2, /contradict/, 'torus.off', '-o', 'x.off', '--vertices', '9', '--ratio', '1');
   failsWith(2, /needs a format/, 'torus.off', '-o', '-');
+  failsWith(2, /--vertices does not belong there/,
+    'convert', 'torus.off', '-o', 'x.obj', '--vertices', '9');
+  failsWith(2, /--ratio does not belong there/, 'inspect', 'torus.off', '--ratio', '1');
+  failsWith(2, /--root needs a value/, 'torus.off', '-o', 'x.off', '--root');
   failsWith(2, /both want standard output/, 'torus.off', '-o', '-', '--format', 'obj', '--json');
 });
 

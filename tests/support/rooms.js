@@ -32,10 +32,11 @@ export const coreRooms = {
 export const packageRooms = {
   base: [],
   codecs: ['base'],
+  files: ['base'],
   worker: ['base', 'codecs'],
   api: ['base', 'worker'],
   '': ['base', 'worker', 'api'],
-  cli: ['base', 'codecs', ''],
+  cli: ['base', 'codecs', 'files', ''],
 };
 
 /** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */

@@ -11,7 +11,8 @@ import {
 import { checkOptions, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
-/** @import { Inspection, Mesh, NamedBytes, PlacedMesh, RemeshReport } from '../base/messages.js' */
+/** @import { Inspection, Mesh, NamedBytes, PlacedMesh } from '../base/messages.js' */
+/** @import { RemeshReport, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */

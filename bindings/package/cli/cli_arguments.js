@@ -2,6 +2,7 @@
 // The command line's words: parsing by the option table, and the help made from it.
 
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable,
 } from '../base/options.js';
@@ -10,10 +11,12 @@ import {
 
 /**
  * @typedef {object} CommandLine
- * @property {'remesh' | 'inspect' | 'help' | 'version'} command
+ * @property {'remesh' | 'convert' | 'inspect' | 'help' | 'version'} command
  * @property {string} input
  * @property {string} output
  * @property {string} format for output to '-'
+ * @property {string | undefined} root the folder below which a model may name other files
+ * @property {boolean} force
  * @property {boolean} json
  * @property {boolean} quiet
  * @property {Record<string, unknown>} options
@@ -23,6 +26,9 @@ import {
 const ownFlags = [
   { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
   { flag: '--format F', help: 'glb, gltf, obj or off: the format written to -' },
+  { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
+    + 'the model’s own)' },
+  { flag: '--force', help: 'replace files beside the output that are there already' },
   { flag: '--json', help: 'the report, and nothing else, on standard output' },
   { flag: '--quiet', help: 'no progress bar' },
   { flag: '-h, --help', help: 'this text' },
@@ -38,8 +44,8 @@ const tableFlags = new Map(optionTable.flatMap((option) => {
   const flag = flagOf(option);
   return flag ? [/** @type {const} */ ([flag, option])] : [];
 }));
-const valueFlags = ['-o', '--output', '--format'];
-const plainFlags = ['--json', '--quiet', '-h', '--help', '--version'];
+const valueFlags = ['-o', '--output', '--format', '--root'];
+const plainFlags = ['--force', '--json', '--quiet', '-h', '--help', '--version'];
 
 /** @param {string} message @param {string} [hint] */
 function wrongUse(message, hint = 'remesher --help lists the options.') {
@@ -57,7 +63,7 @@ function valueFrom(option, text) {
 /** @param {string} flag */
 function unknownFlag(flag) {
   const meant = nearest(flag, [...tableFlags.keys(), ...valueFlags, ...plainFlags]);
-  return new RemeshError('UNKNOWN_OPTION', `There is no option ${flag}.`,
+  return new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(flag)}.`,
     meant ? `Did you mean ${meant}?` : 'remesher --help lists the options.');
 }
 
@@ -87,31 +93,40 @@ function* tokens(words) {
 function setOwn(line, flag, value) {
   if (flag === '-o' || flag === '--output') line.output = value;
   if (flag === '--format') line.format = value.replace(/^\./, '').toLowerCase();
+  if (flag === '--root') line.root = value;
+  if (flag === '--force') line.force = true;
   if (flag === '--json') line.json = true;
   if (flag === '--quiet') line.quiet = true;
   if (flag === '-h' || flag === '--help') line.command = 'help';
   if (flag === '--version') line.command = 'version';
 }
 
+const commands = /** @type {const} */ (['convert', 'inspect']);
+
 /** @param {CommandLine} line @param {readonly string[]} names */
 function setNames(line, names) {
-  const isInspection = names[0] === 'inspect';
-  const [input, extra] = isInspection ? names.slice(1) : names;
+  const command = commands.find((name) => name === names[0]);
+  const [input, extra] = command ? names.slice(1) : names;
   if (line.command === 'help' || line.command === 'version') return;
   if (input === undefined) {
     throw wrongUse('No input file is given.', 'Use: remesher <input> -o <output> [options]');
   }
   if (extra !== undefined) {
-    throw wrongUse(`There are two input files, ${input} and ${extra}.`,
+    throw wrongUse(`There are two input files, ${legible(input)} and ${legible(extra)}.`,
       'Name the output with -o <output>.');
   }
   line.input = input;
-  if (isInspection) line.command = 'inspect';
+  if (command) line.command = command;
 }
 
 /** @param {CommandLine} line */
 function checkOutput(line) {
-  if (line.command !== 'remesh') return;
+  const foreign = optionTable.find(({ name }) => line.options[name] !== undefined);
+  if (foreign && (line.command === 'convert' || line.command === 'inspect')) {
+    throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(foreign)} does not `
+      + 'belong there.');
+  }
+  if (line.command !== 'remesh' && line.command !== 'convert') return;
   if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
   if (line.output === '-' && line.format === '') {
     throw wrongUse('Output to - needs a format.', 'Add --format glb, obj or off.');
@@ -125,7 +140,8 @@ function checkOutput(line) {
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
   const line = {
-    command: 'remesh', input: '', output: '', format: '', json: false, quiet: false, options: {},
+    command: 'remesh', input: '', output: '', format: '', root: undefined, force: false,
+    json: false, quiet: false, options: {},
   };
   const names = [];
   for (const { flag, value } of tokens(words)) {
@@ -168,6 +184,7 @@ export function helpText() {
   const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
   return [
     'remesher <input> -o <output> [options]     remesh a file',
+    'remesher convert <input> -o <output>       only change the format',
     'remesher inspect <input> [--json]          report on a file, change nothing',
     '',
     'The formats follow the extensions: .glb .gltf .obj .off.',

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The report for people.
+
+/** @typedef {import('../base/messages.js').MeshReport} MeshReport */
+
+/** @param {string} title @param {MeshReport} mesh */
+function meshInWords(title, mesh) {
+  const { minAngle, maxAngle } = mesh;
+  const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
+  return [
+    `${title}: ${mesh.vertices} vertices, ${mesh.triangles} triangles, `
+      + `${mesh.components} components`,
+    `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
+      + `degenerate triangles ${mesh.degenerateTriangles}, `
+      + `Euler characteristic ${mesh.eulerCharacteristic}`,
+    `  minimum angle: mean ${minAngle.mean.toFixed(1)}°, worst ${minAngle.worst.toFixed(1)}°; `
+      + `maximum ${maxAngle.toFixed(1)}°; valence 6: ${mesh.valence6.toFixed(1)} %`,
+    `  triangles by minimum angle, %, 0–10 … 50–60°: ${shares}`,
+  ].join('\n');
+}
+
+/** @param {any} report of a run, of an inspection, or warnings alone */
+export function reportInWords(report) {
+  const parts = [];
+  if (report.input) parts.push(meshInWords('input', report.input));
+  if (report.output) parts.push(meshInWords('output', report.output));
+  if (report.fidelity) {
+    parts.push(`distance to the input: ${report.fidelity.hausdorff.toFixed(4)} % at the farthest `
+      + `point found, ${report.fidelity.rms.toFixed(4)} % RMS, of the diagonal`);
+  }
+  for (const { message } of report.warnings) parts.push(`warning: ${message}`);
+  if (report.stopped && report.stopped !== 'target') {
+    parts.push(`stopped before the target by: ${report.stopped}`);
+  }
+  return parts.map((part) => `${part}\n`).join('');
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// One file: read, with what it refers to; worked on; written, with what belongs beside it. Nothing
+// is written before all has succeeded.
+
+import { basename } from 'node:path';
+
+import { RemeshError } from '../base/errors.js';
+import { referencesOf } from '../codecs/resources.js';
+import { Gate } from '../files/gate.js';
+import { readInput } from '../files/input.js';
+import { requireOutput, writeOutput } from '../files/output.js';
+
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+/** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
+/** @typedef {import('../base/messages.js').Warning} Warning */
+/** @typedef {typeof import('../node.js')} Api */
+
+/**
+ * @typedef {object} FileTask
+ * @property {'remesh' | 'convert' | 'inspect'} command
+ * @property {string} input
+ * @property {string} output empty: the caller takes the files
+ * @property {string} outputName
+ * @property {string | undefined} root
+ * @property {boolean} force
+ * @property {Record<string, unknown>} options
+ */
+
+/**
+ * @typedef {object} FileResult
+ * @property {NamedBytes[]} files
+ * @property {{ warnings: Warning[] } & Record<string, any>} report
+ */
+
+/** @param {string} name @param {Uint8Array} bytes @param {Gate} gate */
+async function readResources(name, bytes, gate) {
+  /** @type {Record<string, Uint8Array>} */
+  const resources = Object.create(null);
+  for (const reference of new Set(referencesOf(name, bytes))) {
+    const content = await gate.read(reference);
+    if (content) resources[reference] = content;
+  }
+  return resources;
+}
+
+/** What was refused, with what would help. @param {Gate} gate @param {FileTask} task */
+function refusals(gate, { root }) {
+  const help = root === undefined
+    ? 'A model may name files in its own folder; with --root DIR, those below DIR.'
+    : 'A model may name files below --root.';
+  return gate.refusals().map((sentence) => `${sentence} ${help}`);
+}
+
+/** @param {unknown} error @param {string[]} refused */
+function withRefusals(error, refused) {
+  const isMissing = error instanceof RemeshError && error.code === 'MISSING_RESOURCE';
+  return isMissing && refused.length > 0
+    ? new RemeshError(error.code, error.message, refused[0], { cause: error }) : error;
+}
+
+/**
+ * @param {FileTask} task
+ * @param {Uint8Array} bytes
+ * @param {Api & { run: object }} api
+ * @param {Record<string, Uint8Array>} resources
+ * @returns {Promise<FileResult>}
+ */
+async function work(task, bytes, api, resources) {
+  const about = { ...api.run, name: basename(task.input), resources };
+  if (task.command === 'inspect') {
+    return { files: [], report: { ...await api.inspect(bytes, about) } };
+  }
+  const output = task.outputName;
+  if (task.command === 'convert') {
+    const { files, warnings } = await api.convertFile(bytes, { ...about, output });
+    return { files, report: { warnings } };
+  }
+  const { files, report } = await api.remeshFile(bytes, { ...task.options, ...about, output });
+  return { files, report: { ...report } };
+}
+
+/**
+ * @param {FileTask} task
+ * @param {Api & { run: object }} api whose `run` says how: where it runs, who hears of its progress
+ * @returns {Promise<FileResult>}
+ */
+export async function runFile(task, api) {
+  const { input, output, force } = task;
+  const bytes = await readInput(input);
+  if (output) requireOutput({ path: output, inputs: [input], force });
+  const gate = await Gate.of(input, task.root);
+  const resources = await readResources(basename(input), bytes, gate);
+  const refused = refusals(gate, task);
+  const result = await work(task, bytes, api, resources).catch((error) => {
+    throw withRefusals(error, refused);
+  });
+  result.report.warnings = [...result.report.warnings,
+    ...refused.map((message) => ({ code: 'RESOURCE_REFUSED', message, count: 1 }))];
+  if (output) {
+    await writeOutput(result.files, { path: output, inputs: [input, ...gate.files], force });
+  }
+  return result;
+}

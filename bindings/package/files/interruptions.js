@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What has to be undone when the process is asked to end in the middle of it: Ctrl+C, a polite
+// kill, a closed terminal, an error that nobody caught. The signal then does what it always does.
+
+const signals = /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP']);
+
+/** @type {Set<() => void>} */
+const undoings = new Set();
+
+function undoAll() {
+  for (const undo of undoings) undo();
+  undoings.clear();
+}
+
+/** @param {NodeJS.Signals} signal */
+function end(signal) {
+  undoAll();
+  watch('off');
+  process.kill(process.pid, signal);
+}
+
+/** @param {'on' | 'off'} way */
+function watch(way) {
+  for (const signal of signals) process[way](signal, end);
+  process[way]('exit', undoAll);
+}
+
+/**
+ * @template Result
+ * @param {() => void} undo done at once, if the process ends before the body does
+ * @param {() => Promise<Result>} body
+ * @returns {Promise<Result>}
+ */
+export async function undoneIfInterrupted(undo, body) {
+  if (undoings.size === 0) watch('on');
+  undoings.add(undo);
+  try {
+    return await body();
+  } finally {
+    undoings.delete(undo);
+    if (undoings.size === 0) watch('off');
+  }
+}
