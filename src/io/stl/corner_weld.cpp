@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/stl/corner_weld.h"
 
-#include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace remesher::io {
 namespace {
@@ -12,7 +12,9 @@ namespace {
 std::uint64_t hashOf(const Vec3& position) {
   std::uint64_t hash = 0;
   for (const double coordinate : position) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) + 0x9E3779B97F4A7C15U;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof bits);  // std::bit_cast is not everywhere
+    hash = (hash ^ bits) + 0x9E3779B97F4A7C15U;
     hash = (hash ^ (hash >> 30)) * 0xBF58476D1CE4E5B9U;
     hash = (hash ^ (hash >> 27)) * 0x94D049BB133111EBU;
     hash ^= hash >> 31;
