@@ -205,7 +205,7 @@ test('an output of no known format is refused before the work', async () => {
   const phases = [];
   const call = (output) => remeshFile(bytes,
     { name: 'a.off', output, vertices: 900, onProgress: ({ phase }) => phases.push(phase) });
-  await rejectsWith(call('a.stl'), 'UNKNOWN_FORMAT', /^a\.stl is of no format/);
+  await rejectsWith(call('a.step'), 'UNKNOWN_FORMAT', /^a\.step is of no format/);
   await rejectsWith(call('doc'), 'UNKNOWN_FORMAT', /^a\.doc is of no format/);
   await rejectsWith(convertFile(bytes, { name: 'a.off', output: 'a.' }), 'UNKNOWN_FORMAT', /^a\./);
   assert.deepEqual(phases, []);

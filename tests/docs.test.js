@@ -15,7 +15,8 @@ import { filesUnder, readText, root } from './support/tree.js';
 const reference = 'build/docs';
 const papers = ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'src/README.md'];
 
-before(() => execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' }));
+before(() =>
+  execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' }));
 
 /** The places a page has names for. */
 const idsOf = (file) => [...readText(file).matchAll(/\sid="([^"]+)"/g)].map(([, id]) => id);

@@ -44,7 +44,10 @@ import { compileBinary } from './wasm_source.js';
  * @property {Warning[]} warnings What the result lacks.
  */
 
-/** @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>} RemeshFileResult */
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>}
+ *   RemeshFileResult
+ */
 
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
 const fileNames = /** @type {const} */ (['name', 'resources']);
