@@ -13,7 +13,8 @@ import * as options from 'remesher/options';
 import { filesUnder, readText, root } from './support/tree.js';
 
 const reference = 'build/docs';
-const papers = ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'src/README.md'];
+const papers =
+  ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'src/README.md'];
 
 before(() =>
   execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' }));
