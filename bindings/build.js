@@ -3,6 +3,7 @@
 //   node bindings/build.js package          the npm package in dist/
 //   node bindings/build.js package tests    and the native unit tests with the tools that check
 //   node bindings/build.js package measure  and the native judge of the benchmark
+//   node bindings/build.js package bits     and the browsers that must give the same bytes
 // Repeating it costs seconds. It needs nothing but Node; on Debian and Ubuntu, root or sudo where
 // packages are missing. All output goes to standard error.
 
@@ -20,7 +21,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
   await installTools(system, parts);
   await installNpmPackages();
   const steps = { package: () => buildWebAssembly(system).then(assemblePackage),
-    tests: () => buildUnitTests(system), measure: () => buildMeasure(system) };
+    tests: () => buildUnitTests(system), measure: () => buildMeasure(system), bits: async () => {} };
   const ends = await Promise.allSettled(parts.map((part) => steps[part]()));
   const failed = ends.find((end) => end.status === 'rejected');
   if (failed) throw failed.reason;

@@ -6,7 +6,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
-/** @typedef {'package' | 'tests' | 'measure'} Part */
+/** @typedef {'package' | 'tests' | 'measure' | 'bits'} Part */
 
 /**
  * @typedef {object} Need
@@ -45,6 +45,14 @@ export function findChromium(system) {
     `/Applications/${name}.app/Contents/MacOS/${name}`);
   return names.map((name) => findProgram(system, name)).find(Boolean)
     ?? onMac.find((path) => system.exists(path));
+}
+
+/** The other engine that must give the same bytes. @param {System} system */
+export function findFirefox(system) {
+  if (system.environment.REMESHER_FIREFOX) return system.environment.REMESHER_FIREFOX;
+  const onMac = '/Applications/Firefox.app/Contents/MacOS/firefox';
+  return findProgram(system, 'firefox-esr') ?? findProgram(system, 'firefox')
+    ?? (system.exists(onMac) ? onMac : undefined);
 }
 
 /**
@@ -107,9 +115,12 @@ export const needs = [
   { name: 'doctest', parts: ['tests'], find: header('doctest/doctest.h'), variable,
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
-  { name: 'Chromium', parts: ['tests'], find: findChromium, variable: 'REMESHER_CHROMIUM',
+  { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',
     packages: { apt: 'chromium', dnf: 'chromium', pacman: 'chromium', apk: 'chromium',
       brew: '--cask chromium', nix: 'chromium' } },
+  { name: 'Firefox', parts: ['bits'], find: findFirefox, variable: 'REMESHER_FIREFOX',
+    packages: { apt: 'firefox-esr', dnf: 'firefox', pacman: 'firefox', apk: 'firefox-esr',
+      brew: '--cask firefox', nix: 'firefox-esr' } },
 ];
 
 /**
