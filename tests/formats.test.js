@@ -4,10 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { inspect, remeshFile } from 'remesher';
+import { formats } from 'remesher/formats';
 
 import { rejectsWith } from './support/errors.js';
 import { GltfMaker, openGltf, validate } from './support/gltf.js';
-import { offText, sheet, torus } from './support/shapes.js';
+import { offText, plyText, sheet, stl, torus } from './support/shapes.js';
 
 const encode = (text) => new TextEncoder().encode(text);
 const decode = (bytes) => new TextDecoder().decode(bytes);
@@ -44,10 +45,12 @@ const inputs = {
       ? `f ${line.split(' ').slice(1).map((v) => Number(v) + 1).join(' ')}` : `v ${line}`))
     .slice(0, -1).join('\n')),
   glb: glb(torus()),
+  ply: encode(plyText(torus())),
+  stl: stl(torus()),
 };
 
 for (const [from, bytes] of Object.entries(inputs)) {
-  for (const to of ['glb', 'gltf', 'obj', 'off']) {
+  for (const to of formats) {
     test(`${from} becomes ${to}, with the vertices asked for and the same topology`, async () => {
       const result = await remeshFile(bytes, { name: `torus.${from}`, output: to, vertices: 500 });
       assert.equal(result.name, `torus.${to}`);
@@ -93,6 +96,11 @@ const refused = {
   'an empty file': ['a.glb', new Uint8Array(), 'EMPTY_FILE'],
   'a text file named .glb': ['a.glb', encode('Dear diary, today was long.'), 'PARSE_ERROR'],
   'a truncated GLB': ['a.glb', inputs.glb.subarray(0, 1000), 'PARSE_ERROR'],
+  'a cloud of points': ['a.ply', encode(plyText({ ...torus(), indices: [] })), 'NO_TRIANGLES'],
+  'a PLY of four billion vertices': ['a.ply',
+    encode(plyText(torus()).replace(/vertex \d+/, 'vertex 4294967294')), 'PARSE_ERROR'],
+  'a truncated STL': ['a.stl', stl(torus()).subarray(0, 1000), 'PARSE_ERROR'],
+  'an STL of four billion facets': ['a.stl', stl(torus()).fill(255, 80, 84), 'PARSE_ERROR'],
   'an OBJ without faces': ['a.obj', encode('v 0 0 0\nv 1 0 0\n'), 'NO_TRIANGLES'],
   'a NaN': ['a.obj', encode('v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n'), 'NON_FINITE'],
   'an infinity': ['a.off', encode('OFF\n3 1 0\n0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n'), 'NON_FINITE'],
@@ -105,6 +113,13 @@ for (const [what, [name, bytes, code]] of Object.entries(refused)) {
     await rejectsWith(remeshFile(bytes, { name, output: 'glb', vertices: 100 }), code, /^a\.\w+/);
   });
 }
+
+test('the list of formats is that of the core', async () => {
+  await assert.rejects(inspect(encode('Hello'), { name: 'a.doc' }), ({ hint }) => {
+    assert.deepEqual(hint.match(/\.\w+/g).sort(), formats.map((format) => `.${format}`).sort());
+    return true;
+  });
+});
 
 test('coordinates beyond single precision are refused by glTF, and kept by OBJ', async () => {
   const bytes = encode('v 1e39 0 0\nv 0 1e39 0\nv 0 0 1e39\nf 1 2 3\n');

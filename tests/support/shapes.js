@@ -48,6 +48,26 @@ export function sheet(n = 24) {
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
+/** The mesh as the text of a PLY file. */
+export function plyText({ positions, indices }) {
+  const [, , ...rows] = offText({ positions, indices }).split('\n');
+  return ['ply', 'format ascii 1.0', `element vertex ${positions.length / 3}`, 'property float x',
+    'property float y', 'property float z', `element face ${indices.length / 3}`,
+    'property list uchar int vertex_indices', 'end_header', ...rows].join('\n');
+}
+
+/** The mesh as a binary STL. */
+export function stl({ positions, indices }) {
+  const bytes = new Uint8Array(84 + (50 * indices.length) / 3);
+  const view = new DataView(bytes.buffer);
+  view.setUint32(80, indices.length / 3, true);
+  indices.forEach((vertex, i) => {
+    const at = 84 + 50 * Math.floor(i / 3) + 12 + 12 * (i % 3);
+    for (let k = 0; k < 3; k += 1) view.setFloat32(at + 4 * k, positions[3 * vertex + k], true);
+  });
+  return bytes;
+}
+
 /** The mesh as the text of an OFF file. */
 export function offText({ positions, indices }) {
   const lines = ['OFF', `${positions.length / 3} ${indices.length / 3} 0`];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // From whatever was dropped or picked (files, folders) to one model with the files it refers to.
 
+import { formats, inWords, withoutGz } from 'remesher/formats';
+import { gunzip } from 'remesher/gunzip';
+
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 /** others: the names of models that came along and were left aside.
  * @typedef {NamedBytes & { resources: NamedBytes[], others: string[] }} Model */
 /** @typedef {{ path: string, file: File }} PathedFile */
-
-/** The formats that can be opened; when several models come at once, the earlier one wins. */
-export const inputFormats = ['gltf', 'glb', 'obj', 'off', 'ply', 'stl'];
 
 /** A fault that the visitor can mend: what is wrong, and what to do. */
 export class PageError extends Error {
@@ -25,9 +25,10 @@ export const extensionOf = (name) => name.slice(name.lastIndexOf('.') + 1).toLow
 /** @param {string} path */
 const baseName = (path) => path.slice(path.lastIndexOf('/') + 1);
 
-/** @param {PathedFile} item @returns {Promise<NamedBytes>} */
+/** Out of its .gz, if it is in one.
+ * @param {PathedFile} item @returns {Promise<NamedBytes>} */
 async function read({ path, file }) {
-  return { name: path, bytes: new Uint8Array(await file.arrayBuffer()) };
+  return gunzip({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) });
 }
 
 /** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ.
@@ -75,14 +76,18 @@ function resourcesOf(model, others) {
   return [...found.values()];
 }
 
-/** @param {PathedFile[]} items @returns {Promise<Model>} */
+/** When several models come at once, that of the earlier format wins.
+ * @param {PathedFile[]} items @returns {Promise<Model>} */
 export async function modelFrom(items) {
-  const rank = (/** @type {PathedFile} */ item) => inputFormats.indexOf(extensionOf(item.path));
+  /** @type {readonly string[]} */
+  const known = formats;
+  const rank = (/** @type {PathedFile} */ item) =>
+    known.indexOf(extensionOf(withoutGz(item.path)));
   const models = items.filter((item) => rank(item) >= 0).sort((a, b) => rank(a) - rank(b));
   if (!models.length) {
     const names = items.map((item) => baseName(item.path)).slice(0, 3).join(', ');
     throw new PageError(`${names || 'That'} is not a model this page can read`,
-      'Drop a .glb, .gltf, .obj or .off file.');
+      `Drop a ${inWords(known.map((format) => `.${format}`))} file.`);
   }
   const [chosen, ...rest] = models;
   const model = await read(chosen);

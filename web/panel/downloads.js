@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hands files to the visitor: one as it is, several (an OBJ with its materials) as one ZIP.
+import { formats } from 'remesher/formats';
 import { zipSync } from 'three/addons/libs/fflate.module.js';
 import { element } from '../base/dom.js';
 import { withExtension } from '../base/format.js';
@@ -21,10 +22,10 @@ export function download(files) {
   setTimeout(() => URL.revokeObjectURL(url), 60_000);  // a slow disk may still be reading it
 }
 
-/** A button a format; the first is the one most people want.
+/** A button a format that is one file; the first is the one most people want.
  * @param {(format: string) => void} onFormat */
 export function downloadButtons(onFormat) {
-  const buttons = ['glb', 'obj', 'off'].map((format, i) => {
+  const buttons = formats.filter((format) => format !== 'gltf').map((format, i) => {
     const label = `${i ? '' : 'Download '}${format.toUpperCase()}`;
     const button = element('button', { type: 'button', className: i ? '' : 'primary' }, label);
     button.addEventListener('click', () => onFormat(format));

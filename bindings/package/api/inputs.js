@@ -3,6 +3,7 @@
 // caller's, and the copies can be handed over to a worker.
 
 import { RemeshError } from '../base/errors.js';
+import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 
 /** @import {
@@ -16,7 +17,7 @@ import { legible } from '../base/legible.js';
 
 /**
  * @typedef {object} FileOptions
- * @property {string} [name] The file's name; its extension tells the format.
+ * @property {string} [name] The file's name; its extension, before a .gz, tells the format.
  * @property {Record<string, Bytes>} [resources] Files it refers to, by the names it uses for them.
  */
 
@@ -196,9 +197,10 @@ export async function fileRequest(bytes, { name, output, resources = {} }) {
  * @param {string} [output]
  */
 function outputName(name, output) {
-  if (output === undefined) return name;
+  const inside = withoutGz(name);
+  if (output === undefined) return inside;
   if (output.includes('.')) return output;
-  return `${name.replace(/\.[^./\\]*$/, '') || 'remeshed'}.${output}`;
+  return `${inside.replace(/\.[^./\\]*$/, '') || 'remeshed'}.${output}`;
 }
 
 /** @param {FileRequest} file @returns {ArrayBuffer[]} */

@@ -7,6 +7,7 @@ import { basename, extname } from 'node:path';
 
 import { helpText, parseCommandLine } from './cli_arguments.js';
 import { RemeshError } from '../base/errors.js';
+import { withoutGz } from '../base/formats.js';
 import * as api from '../node.js';
 import { reportInWords } from './report_in_words.js';
 import { runFile } from './run_file.js';
@@ -28,7 +29,8 @@ async function runOne(line) {
   const { command, input, output, format, quiet, root, force, options } = line;
   if (command === 'help' || command === 'version') return;
   const isPiped = output === '-';
-  const outputName = isPiped ? `${basename(input, extname(input))}.${format}` : basename(output);
+  const plain = withoutGz(basename(input));
+  const outputName = isPiped ? `${basename(plain, extname(plain))}.${format}` : basename(output);
   const { onProgress, clear } = progressBar(quiet || command !== 'remesh');
   const result = await runFile(
     { command, input, output: isPiped ? '' : output, outputName, root, force, options },

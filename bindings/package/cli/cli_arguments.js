@@ -2,6 +2,7 @@
 // The command line's words: parsing by the option table, and the help made from it.
 
 import { RemeshError } from '../base/errors.js';
+import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable,
@@ -25,7 +26,7 @@ import {
 /** The flags that are the command line's own. */
 const ownFlags = [
   { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
-  { flag: '--format F', help: 'glb, gltf, obj or off: the format written to -' },
+  { flag: '--format F', help: `${inWords(formats)}: the format written to -` },
   { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
     + 'the model’s own)' },
   { flag: '--force', help: 'replace files beside the output that are there already' },
@@ -129,7 +130,7 @@ function checkOutput(line) {
   if (line.command !== 'remesh' && line.command !== 'convert') return;
   if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
   if (line.output === '-' && line.format === '') {
-    throw wrongUse('Output to - needs a format.', 'Add --format glb, obj or off.');
+    throw wrongUse('Output to - needs a format.', `Add --format ${inWords(formats)}.`);
   }
   if (line.output === '-' && line.json) {
     throw wrongUse('--json and -o - both want standard output.', 'Write to a file instead.');
@@ -187,7 +188,8 @@ export function helpText() {
     'remesher convert <input> -o <output>       only change the format',
     'remesher inspect <input> [--json]          report on a file, change nothing',
     '',
-    'The formats follow the extensions: .glb .gltf .obj .off.',
+    `The formats follow the extensions: ${formats.map((name) => `.${name}`).join(' ')};`,
+    'each is read from a .gz too.',
     '',
     ...rows,
     '',

@@ -5,6 +5,7 @@
 import { basename } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
+import { gunzip } from '../codecs/gunzip.js';
 import { referencesOf } from '../codecs/resources.js';
 import { Gate } from '../files/gate.js';
 import { readInput } from '../files/input.js';
@@ -60,13 +61,13 @@ function withRefusals(error, refused) {
 
 /**
  * @param {FileTask} task
- * @param {Uint8Array} bytes
+ * @param {NamedBytes} file
  * @param {Api & { run: object }} api
  * @param {Record<string, Uint8Array>} resources
  * @returns {Promise<FileResult>}
  */
-async function work(task, bytes, api, resources) {
-  const about = { ...api.run, name: basename(task.input), resources };
+async function work(task, { name, bytes }, api, resources) {
+  const about = { ...api.run, name, resources };
   if (task.command === 'inspect') {
     return { files: [], report: { ...await api.inspect(bytes, about) } };
   }
@@ -86,12 +87,12 @@ async function work(task, bytes, api, resources) {
  */
 export async function runFile(task, api) {
   const { input, output, force } = task;
-  const bytes = await readInput(input);
+  const file = await gunzip({ name: basename(input), bytes: await readInput(input) });
   if (output) requireOutput({ path: output, inputs: [input], force });
   const gate = await Gate.of(input, task.root);
-  const resources = await readResources(basename(input), bytes, gate);
+  const resources = await readResources(file.name, file.bytes, gate);
   const refused = refusals(gate, task);
-  const result = await work(task, bytes, api, resources).catch((error) => {
+  const result = await work(task, file, api, resources).catch((error) => {
     throw withRefusals(error, refused);
   });
   result.report.warnings = [...result.report.warnings,

@@ -5,6 +5,7 @@
 
 import createInstance from '../remesher.mjs';
 import { decompress } from '../codecs/decompress.js';
+import { gunzipAll } from '../codecs/gunzip.js';
 import { RemeshError } from '../base/errors.js';
 
 /** @typedef {import('../base/messages.js').Job} Job */
@@ -111,7 +112,8 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    const plainJob = 'file' in job ? { ...job, file: await decompress(job.file) } : job;
+    const plainJob = 'file' in job
+      ? { ...job, file: await decompress(await gunzipAll(job.file)) } : job;
     const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The formats by their extensions, in and out: the same as in src/io/formats.cpp (a test compares
+// them). In a `.gz` each can be read too.
+
+export const formats = /** @type {const} */ ([
+  'glb', 'gltf', 'obj', 'off', 'ply', 'stl',
+]);
+
+/** `a, b or c`. @param {readonly string[]} words */
+export function inWords(words) {
+  return `${words.slice(0, -1).join(', ')} or ${words[words.length - 1]}`;
+}
+
+/** The name of what is inside: `scan.ply` of `scan.ply.gz`. @param {string} name */
+export function withoutGz(name) {
+  return name.replace(/\.gz$/i, '');
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Files in a .gz become what is inside, by the platform's own decompression. It comes in pieces
+// and stops at a limit, so that a file that unpacks to a thousand times its size fills no memory.
+
+import { RemeshError } from '../base/errors.js';
+import { withoutGz } from '../base/formats.js';
+
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+
+/** Beyond any mesh that WebAssembly's four gigabytes have room for. */
+export const largestInflated = 2 ** 30;
+
+/** RFC 1952: two magic bytes, the only method, no reserved flags. @param {Uint8Array} bytes */
+function isGzip(bytes) {
+  return bytes.length >= 4 && bytes[0] === 0x1f && bytes[1] === 0x8b && bytes[2] === 8
+    && (bytes[3] & 0xe0) === 0;
+}
+
+/** @param {Uint8Array[]} pieces @param {number} length */
+function joined(pieces, length) {
+  const whole = new Uint8Array(length);
+  let at = 0;
+  for (const piece of pieces) {
+    whole.set(piece, at);
+    at += piece.length;
+  }
+  return whole;
+}
+
+/** @param {NamedBytes} file @param {number} limit */
+async function inflate({ name, bytes }, limit) {
+  const source = new Blob([/** @type {BlobPart} */ (bytes)]).stream();
+  const reader = source.pipeThrough(new DecompressionStream('gzip')).getReader();
+  const pieces = [];
+  let length = 0;
+  for (let step = await reader.read(); !step.done; step = await reader.read()) {
+    pieces.push(step.value);
+    length += step.value.length;
+    if (length <= limit) continue;
+    await reader.cancel().catch(() => {});
+    throw new RemeshError('UNSUPPORTED',
+      `${name}: it unpacks to more than ${limit} bytes, which is the limit.`,
+      'Unpack it first, and give a smaller model.');
+  }
+  return joined(pieces, length);
+}
+
+/**
+ * What is inside, under the name without .gz; the very same file if it is no gzip.
+ * @param {NamedBytes} file
+ * @param {number} [limit] bytes
+ * @returns {Promise<NamedBytes>}
+ */
+export async function gunzip(file, limit = largestInflated) {
+  if (!isGzip(file.bytes)) return file;
+  if (typeof DecompressionStream === 'undefined') {
+    throw new RemeshError('UNSUPPORTED', `${file.name}: this browser cannot unpack gzip.`,
+      'Unpack the file first.');
+  }
+  try {
+    return { name: withoutGz(file.name), bytes: await inflate(file, limit) };
+  } catch (cause) {
+    if (cause instanceof RemeshError) throw cause;
+    throw new RemeshError('PARSE_ERROR', `${file.name}: its gzip is damaged or cut short.`,
+      'Was it copied completely?', { cause });
+  }
+}
+
+/**
+ * A file and what it refers to, all unpacked.
+ * @param {FileRequest} file
+ * @returns {Promise<FileRequest>}
+ */
+export async function gunzipAll(file) {
+  const resources = [];
+  for (const resource of file.resources) resources.push(await gunzip(resource));
+  return { ...file, ...await gunzip(file), resources };
+}
