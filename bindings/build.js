@@ -20,8 +20,12 @@ async function build(/** @type {readonly Part[]} */ parts) {
   const system = thisSystem();
   await installTools(system, parts);
   await installNpmPackages();
-  const steps = { package: () => buildWebAssembly(system).then(assemblePackage),
-    tests: () => buildUnitTests(system), measure: () => buildMeasure(system), bits: async () => {} };
+  const steps = {
+    package: () => buildWebAssembly(system).then(assemblePackage),
+    tests: () => buildUnitTests(system),
+    measure: () => buildMeasure(system),
+    bits: async () => {},
+  };
   const ends = await Promise.allSettled(parts.map((part) => steps[part]()));
   const failed = ends.find((end) => end.status === 'rejected');
   if (failed) throw failed.reason;

@@ -40,7 +40,8 @@ const star = grid(40, 10, (u, v) => around(u, 1 + 0.3 * Math.cos(5 * turn * u), 
 const knot = grid(60, 10, (u, v) => {
   const [p, t] = [turn * u, turn * v];
   const reach = 2 + 0.7 * Math.cos(3 * p) + 0.3 * Math.cos(t);
-  return [reach * Math.cos(2 * p), reach * Math.sin(2 * p), 0.7 * Math.sin(3 * p) + 0.3 * Math.sin(t)];
+  const height = 0.7 * Math.sin(3 * p) + 0.3 * Math.sin(t);
+  return [reach * Math.cos(2 * p), reach * Math.sin(2 * p), height];
 }, { closed: [true, true] });
 
 /** Twice the same, apart from each other. */
