@@ -25,6 +25,11 @@ inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"max-error", Stopped::MaxError},
                                                 {"cancelled", Stopped::Cancelled}}};
 
+constexpr const auto& namesOf(Scheme) { return kSchemes; }
+constexpr const auto& namesOf(Projection) { return kProjections; }
+constexpr const auto& namesOf(Fidelity) { return kFidelities; }
+constexpr const auto& namesOf(Boundary) { return kBoundaries; }
+
 template <class E, std::size_t n>
 constexpr std::string_view nameOf(const Names<E, n>& names, E value) {
   for (const auto& [name, known] : names)

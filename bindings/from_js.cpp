@@ -3,9 +3,12 @@
 
 #include <emscripten/emscripten.h>
 
+#include <optional>
 #include <string>
+#include <type_traits>
 
 #include "choice_names.h"
+#include "option_fields.h"
 
 namespace remesher {
 
@@ -32,20 +35,37 @@ File fileFrom(const val& object) {
   return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
 }
 
-// The options that are set, read into what has the same name.
+// The options that are set, read into what has the same name. What is of another type ('off' where
+// a number could be) leaves its field as it is.
 struct OptionReader {
   val options;
 
   template <class T>
-  void number(const char* name, T& target) const {
-    if (const val value = options[name]; value.isNumber()) target = value.as<double>();
+  void operator()(const char* name, T& field) const {
+    if (const val value = options[name]; !value.isUndefined()) read(value, field);
   }
-  template <class E, std::size_t n, class T>
-  void choice(const char* name, const Names<E, n>& names, T& target) const {
-    const val value = options[name];
-    if (!value.isString()) return;
-    for (const auto& [known, choice] : names)
-      if (value.as<std::string>() == known) target = choice;
+
+ private:
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  static void read(const val& value, T& field) {
+    if (value.isNumber()) field = value.as<T>();
+  }
+  static void read(const val& value, bool& field) { field = value.isTrue(); }
+  template <class E>
+  requires std::is_enum_v<E>
+  static void read(const val& value, E& field) {
+    for (const auto& [name, choice] : namesOf(E()))
+      if (value.as<std::string>() == name) field = choice;
+  }
+  template <class T>
+  static void read(const val& value, std::optional<T>& field) {
+    if (std::is_enum_v<T> || value.isNumber()) read(value, field.emplace());
+  }
+  static void read(const val& value, std::vector<float>& field) { field = copied<float>(value); }
+  static void read(const val& value, std::vector<std::pair<Index, Index>>& field) {
+    const std::vector<Index> flat = copied<Index>(value);
+    for (std::size_t i = 0; i + 1 < flat.size(); i += 2) field.emplace_back(flat[i], flat[i + 1]);
   }
 };
 
@@ -90,30 +110,9 @@ FileBundle bundleFrom(const val& object) {
 }
 
 RemeshOptions optionsFrom(const val& object) {
-  const OptionReader read{object};
   RemeshOptions options;
-  if (const val count = object["vertices"]; count.isNumber()) options.vertices = count.as<Index>();
-  read.number("ratio", options.ratio);
-  read.number("edgeLength", options.edgeLength);
-  read.choice("scheme", kSchemes, options.scheme);
-  read.choice("projection", kProjections, options.projection);
-  read.choice("fidelity", kFidelities, options.fidelity);
-  read.number("vertexAngle", options.vertexAngle);
-  read.number("triangleAngle", options.triangleAngle);
-  options.splitObtuse = object["splitObtuse"].isTrue();
-  read.number("adaptivity", options.adaptivity);
-  read.number("gradation", options.gradation);
-  read.number("featureAngle", options.featureAngle);
+  forEachOption(options, OptionReader{object});
   options.detectFeatures = !object["featureAngle"].isString();
-  read.choice("boundary", kBoundaries, options.boundary);
-  read.number("maxError", options.maxError);
-  if (const val density = object["density"]; !density.isUndefined())
-    options.density = copied<float>(density);
-  if (const val edges = object["featureEdges"]; !edges.isUndefined()) {
-    const std::vector<Index> flat = copied<Index>(edges);
-    for (std::size_t i = 0; i + 1 < flat.size(); i += 2)
-      options.featureEdges.emplace_back(flat[i], flat[i + 1]);
-  }
   return options;
 }
 

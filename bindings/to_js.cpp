@@ -4,8 +4,10 @@
 #include <emscripten/heap.h>
 
 #include <string>
+#include <type_traits>
 
 #include "choice_names.h"
+#include "option_fields.h"
 
 namespace remesher {
 
@@ -134,13 +136,14 @@ val objectFrom(const Report& report) {
 
 val objectFrom(const RemeshOptions& options) {
   val result = val::object();
-  result.set("scheme", std::string(nameOf(kSchemes, options.scheme)));
-  result.set("projection", std::string(nameOf(kProjections, options.projection)));
-  result.set("vertexAngle", options.vertexAngle);
-  result.set("triangleAngle", options.triangleAngle);
-  result.set("splitObtuse", options.splitObtuse);
-  result.set("gradation", options.gradation);
-  result.set("boundary", std::string(nameOf(kBoundaries, options.boundary)));
+  forEachOption(options, [&]<class T>(const char* name, const T& field) {
+    if constexpr (std::is_enum_v<T>)
+      result.set(name, std::string(nameOf(namesOf(field), field)));
+    else if constexpr (std::is_arithmetic_v<T>)
+      result.set(name, field);
+    else
+      result.set(name, val::null());
+  });
   return result;
 }
 

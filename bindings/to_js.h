@@ -15,6 +15,6 @@ emscripten::val objectFrom(const TriangleMesh& mesh);
 emscripten::val objectFrom(const std::vector<File>& files);
 emscripten::val objectFrom(const std::vector<Warning>& warnings);
 emscripten::val objectFrom(const Report& report);
-emscripten::val objectFrom(const RemeshOptions& options);  // those with a default in every scheme
+emscripten::val objectFrom(const RemeshOptions& options);  // null: left to the scheme, or none
 
 }  // namespace remesher

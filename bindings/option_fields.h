@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The options by their names in JavaScript: reading them and telling their defaults follow from
+// this list. A test compares it with the table in package/base/options.js.
+#pragma once
+
+#include "remesher.h"
+
+namespace remesher {
+
+// options: RemeshOptions, const or not; visit: (name, field).
+template <class Options, class Visit>
+void forEachOption(Options& options, const Visit& visit) {
+  visit("vertices", options.vertices);
+  visit("ratio", options.ratio);
+  visit("edgeLength", options.edgeLength);
+  visit("scheme", options.scheme);
+  visit("projection", options.projection);
+  visit("fidelity", options.fidelity);
+  visit("vertexAngle", options.vertexAngle);
+  visit("triangleAngle", options.triangleAngle);
+  visit("splitObtuse", options.splitObtuse);
+  visit("adaptivity", options.adaptivity);
+  visit("gradation", options.gradation);
+  visit("featureAngle", options.featureAngle);
+  visit("boundary", options.boundary);
+  visit("maxError", options.maxError);
+  visit("density", options.density);
+  visit("featureEdges", options.featureEdges);
+}
+
+}  // namespace remesher
