@@ -15,6 +15,8 @@ import { readText, root } from './support/tree.js';
 const functions = {
   init: 'init(options?: InitOptions): Promise<void>',
   remesh: 'remesh(mesh: Mesh, options?: RemeshOptions & RunOptions): Promise<RemeshResult>',
+  remeshScene: 'remeshScene(parts: PlacedMesh[], options?: RemeshOptions & RunOptions): '
+    + 'Promise<RemeshSceneResult>',
   remeshFile: 'remeshFile(bytes: Bytes, options?: RemeshOptions & FileOptions & OutputOptions '
     + '& RunOptions): Promise<RemeshFileResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
@@ -50,6 +52,13 @@ const settings = {
   'bundler, in Node': { module: 'esnext', moduleResolution: 'bundler', customConditions: ['node'] },
   'bundler, in browsers': { module: 'esnext', moduleResolution: 'bundler' },
 };
+
+test('Node and browsers are given the same functions', async () => {
+  const [inNode, inBrowsers] = await Promise.all(
+    [import('remesher'), import('../dist/index.js')]);
+  assert.deepEqual(Object.keys(inNode), Object.keys(inBrowsers));
+  assert.deepEqual(Object.keys(inNode).sort(), [...Object.keys(functions), 'RemeshError'].sort());
+});
 
 for (const [name, options] of Object.entries(settings)) {
   describe(name, async () => {
