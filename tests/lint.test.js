@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { ESLint } from 'eslint';
 
-import { tidyAll } from './support/tidy.js';
+import { clangTidy, complaintsOf, gcc } from './support/cpp_checks.js';
 import { filesUnder, root } from './support/tree.js';
 
 test('C++ is laid out as .clang-format says', () => {
@@ -20,7 +20,12 @@ test('C++ is laid out as .clang-format says', () => {
 });
 
 test('C++ passes clang-tidy', async () => {
-  assert.equal(await tidyAll(), '');
+  assert.equal(await complaintsOf(clangTidy, filesUnder('src', /\.cpp$/)), '');
+});
+
+test('C++ compiles with g++ without a warning', async () => {
+  const files = ['src', 'tests/unit'].flatMap((folder) => filesUnder(folder, /\.cpp$/));
+  assert.equal(await complaintsOf(gcc, files), '');
 });
 
 test('JavaScript passes eslint', async () => {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Files are compiled as one only where they can be.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { definedNames, inCompany } from './support/company.js';
+
+const text = `#include "a.h"
+namespace remesher {
+namespace {
+constexpr double kGood = 25.0;
+struct Soup {
+  int notMine = 0;
+};
+using Row = std::vector<int>;
+template <class T>
+std::vector<Soup> boil(const Soup& soup, int times) {
+  return helper(soup);
+}
+}  // namespace
+void Pot::stir(int times) {}
+}  // namespace remesher
+`;
+
+test('the names are those outside of functions and classes', () => {
+  assert.deepEqual(definedNames(text), ['kGood', 'Soup', 'Row', 'boil', 'stir']);
+});
+
+test('files that define one name are apart, those with macros alone', () => {
+  const files = { a: 'int one() {}\n', b: 'int two() {}\n', c: 'int one() {}\nint two() {}\n',
+    d: '#define MACRO\nint three() {}\n' };
+  assert.deepEqual(inCompany(Object.keys(files), (file) => files[file]),
+    [['d'], ['a', 'b'], ['c']]);
+});
+
+test('no company is too large, and each file is in one', () => {
+  const files = Array.from({ length: 40 }, (_, i) => `f${i}`);
+  const groups = inCompany(files, (file) => `int ${file}();\n`);
+  assert.deepEqual(groups.flat(), files);
+  assert.ok(groups.every((group) => group.length <= 14));
+});

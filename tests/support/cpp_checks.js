@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// What compilers say of C++ files without building them, one process per core. A file found clean is
+// looked at again only when something that the tool reads has changed: the file, our headers in it,
+// the rules, the flags, the tool, the libraries.
+import { execFile, spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+
+import { inCompany } from './company.js';
+import { readText, root } from './tree.js';
+
+const folder = join(root, 'build/checks');
+const libraries = 'build/test/deps-include';
+/** Of each library the header that holds its version. */
+const versions = ['Eigen/src/Core/util/Macros.h', 'fast_float/fast_float.h', 'nlohmann/json.hpp',
+  'tiny_gltf.h', 'doctest/doctest.h'].map((header) => `${libraries}/${header}`);
+const includes = ['-Isrc', '-Itests/unit', '-isystem', libraries];
+/** The warnings are those of the build. */
+const warnings = () => readText('CMakeLists.txt').match(/-Wall[^)]*/)[0].trim().split(/\s+/);
+
+/**
+ * @typedef {object} Tool
+ * @property {string} command
+ * @property {string[]} rules files that say what it looks for
+ * @property {(file: string) => string[]} words how it is called
+ */
+
+/** @type {Tool} */
+export const clangTidy = {
+  command: 'clang-tidy', rules: ['.clang-tidy'],
+  words: (file) => ['--quiet', file, '--', '-std=c++20', ...includes],
+};
+
+/** g++ warns of what clang++ does not; its code is built for the benchmark only. @type {Tool} */
+export const gcc = {
+  command: 'g++', rules: [],
+  words: (file) => ['-std=c++20', '-fsyntax-only', '-Werror', ...warnings(), ...includes, file],
+};
+
+/** The file and all of ours that it includes. */
+function withIncludes(file, found = new Set()) {
+  if (found.has(file) || !existsSync(join(root, file))) return found;
+  found.add(file);
+  for (const [, included] of readText(file).matchAll(/^#include "(.+)"/gm)) {
+    withIncludes(`src/${included}`, found);
+    withIncludes(`tests/unit/${included}`, found);
+  }
+  return found;
+}
+
+/** What all files have in common that a tool reads. @param {Tool} tool */
+function surroundings(tool) {
+  const hash = createHash('sha256').update(tool.words('').join(' '));
+  for (const command of new Set([tool.command, 'g++'])) {
+    hash.update(spawnSync(command, ['--version']).stdout);
+  }
+  for (const file of [...tool.rules, ...versions]) hash.update(readText(file));
+  return hash.digest();
+}
+
+function keyOf(file, common) {
+  const hash = createHash('sha256').update(common);
+  for (const part of withIncludes(file)) hash.update(part).update(readText(part));
+  return join(folder, hash.digest('hex'));
+}
+
+/** @param {Tool} tool @param {string} file @returns {Promise<string>} its complaints */
+async function ask(tool, file) {
+  try {
+    await promisify(execFile)(tool.command, tool.words(file), { cwd: root, maxBuffer: 2 ** 28 });
+    return '';
+  } catch (error) {
+    return error.stdout || error.stderr || String(error);
+  }
+}
+
+/**
+ * Of files as one. If there are complaints each file is asked for by itself, so that none comes of
+ * the company. The clean ones are returned, and what is said of the others.
+ * @param {Tool} tool @param {string[]} files
+ */
+async function askTogether(tool, files) {
+  const name = createHash('sha256').update(files.join()).digest('hex').slice(0, 16);
+  const whole = join(folder, `${name}.cpp`);
+  const lines = files.map((file) => `#include "${join(root, file)}"  // NOLINT\n`);
+  writeFileSync(whole, lines.join(''));
+  if (files.length > 1 && await ask(tool, whole) === '') return { clean: files, said: [] };
+  const said = [];
+  for (const file of files) said.push(await ask(tool, file));
+  return { clean: files.filter((_, i) => said[i] === ''), said: said.filter(Boolean) };
+}
+
+/**
+ * @param {Tool} tool
+ * @param {readonly string[]} files
+ * @returns {Promise<string>} complaints, as the tool words them; empty if there are none
+ */
+export async function complaintsOf(tool, files) {
+  mkdirSync(folder, { recursive: true });
+  const common = surroundings(tool);
+  const keys = new Map(files.map((file) => [file, keyOf(file, common)]));
+  const groups = inCompany(files.filter((file) => !existsSync(keys.get(file))));
+  const complaints = [];
+  const worker = async () => {
+    for (let group = groups.shift(); group; group = groups.shift()) {
+      const { clean, said } = await askTogether(tool, group);
+      clean.forEach((file) => writeFileSync(keys.get(file), ''));
+      complaints.push(...said);
+    }
+  };
+  await Promise.all(Array.from({ length: availableParallelism() }, worker));
+  return complaints.join('\n');
+}
