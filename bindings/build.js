@@ -2,13 +2,16 @@
 // Installs what is missing, then builds what is asked for, one line per step:
 //   node bindings/build.js package          the npm package in dist/
 //   node bindings/build.js package tests    and the native unit tests with the tools that check
+//   node bindings/build.js package lint     and what checks the sources without building them
 //   node bindings/build.js package measure  and the native judge of the benchmark
 //   node bindings/build.js package bits     and the browsers that must give the same bytes
 // Repeating it costs seconds. It needs nothing but Node; on Debian and Ubuntu, root or sudo where
 // packages are missing. All output goes to standard error.
 
 import { assemblePackage } from './build/assemble.js';
-import { buildMeasure, buildUnitTests, buildWebAssembly } from './build/compile.js';
+import {
+  buildMeasure, buildUnitTests, buildWebAssembly, configureUnitTests,
+} from './build/compile.js';
 import { installNpmPackages, installTools } from './build/install.js';
 import { BuildError, say } from './build/say.js';
 import { thisSystem } from './build/system.js';
@@ -23,6 +26,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
   const steps = {
     package: () => buildWebAssembly(system).then(assemblePackage),
     tests: () => buildUnitTests(system),
+    lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
     bits: async () => {},
   };

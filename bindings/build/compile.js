@@ -70,10 +70,16 @@ export const buildWebAssembly = (system) => buildTarget({
 });
 
 /** @param {System} system */
-export const buildUnitTests = (system) => buildTarget({
+const unitTests = (system) => ({
   what: 'the unit tests, with sanitizers', folder: 'build/test', name: 'unit_tests',
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
+
+/** @param {System} system */
+export const buildUnitTests = (system) => buildTarget(unitTests(system));
+
+/** Finds the headers for those who only read them. @param {System} system */
+export const configureUnitTests = (system) => configure(unitTests(system));
 
 /** @param {System} system */
 export const buildMeasure = (system) => buildTarget({

@@ -6,7 +6,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
-/** @typedef {'package' | 'tests' | 'measure' | 'bits'} Part */
+/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'bits'} Part */
 
 /**
  * @typedef {object} Need
@@ -75,7 +75,9 @@ const header = (name) => (/** @type {System} */ system) => findHeader(system, na
 const variable = 'REMESHER_INCLUDE';
 
 /** @type {Part[]} */
-const all = ['package', 'tests', 'measure'];
+const all = ['package', 'tests', 'lint', 'measure'];
+/** @type {Part[]} */
+const checks = ['tests', 'lint'];
 
 /** @type {readonly Need[]} */
 export const needs = [
@@ -100,19 +102,19 @@ export const needs = [
   { name: 'tinygltf 2', parts: all, find: header('tiny_gltf.h'), variable,
     packages: { apt: 'libtinygltf-dev', dnf: 'tinygltf-devel', apk: 'tinygltf-dev',
       nix: 'tinygltf' } },
-  { name: 'g++', parts: ['tests', 'measure'],
+  { name: 'g++', parts: ['tests', 'lint', 'measure'],
     find: (system) => findProgram(system, system.platform === 'darwin' ? 'c++' : 'g++'),
     packages: { apt: 'g++', dnf: 'gcc-c++', pacman: 'gcc', apk: 'g++', brew: 'gcc', nix: 'gcc' } },
-  { name: 'clang++ with sanitizers', parts: ['tests'], find: findSanitizingClang,
+  { name: 'clang++ with sanitizers', parts: checks, find: findSanitizingClang,
     packages: { apt: 'clang libclang-rt-dev', dnf: 'clang compiler-rt', pacman: 'clang compiler-rt',
       apk: 'clang compiler-rt', brew: 'llvm', nix: 'clang' } },
-  { name: 'clang-format', parts: ['tests'], find: program('clang-format'),
+  { name: 'clang-format', parts: checks, find: program('clang-format'),
     packages: { apt: 'clang-format', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'clang-format', nix: 'clang-tools' } },
-  { name: 'clang-tidy', parts: ['tests'], find: program('clang-tidy'),
+  { name: 'clang-tidy', parts: checks, find: program('clang-tidy'),
     packages: { apt: 'clang-tidy', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'llvm', nix: 'clang-tools' } },
-  { name: 'doctest', parts: ['tests'], find: header('doctest/doctest.h'), variable,
+  { name: 'doctest', parts: checks, find: header('doctest/doctest.h'), variable,
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
   { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',
