@@ -8,7 +8,8 @@ import { definedNames, inCompany } from './support/company.js';
 const text = `#include "a.h"
 namespace remesher {
 namespace {
-constexpr double kGood = 25.0;
+constexpr double kGood = angle(25), kBad = angle(3),
+                 kWorst = 1;
 struct Soup {
   int notMine = 0;
 };
@@ -23,7 +24,7 @@ void Pot::stir(int times) {}
 `;
 
 test('the names are those outside of functions and classes', () => {
-  assert.deepEqual(definedNames(text), ['kGood', 'Soup', 'Row', 'boil', 'stir']);
+  assert.deepEqual(definedNames(text), ['kGood', 'Soup', 'Row', 'boil', 'stir', 'kBad', 'kWorst']);
 });
 
 test('files that define one name are apart, those with macros alone', () => {

@@ -7,8 +7,11 @@ const mostFiles = 14;
 
 /** The names that a file gives to things outside of functions and classes. */
 export function definedNames(text) {
-  return [...text.matchAll(/^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm)]
+  const first = [...text.matchAll(/^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm)]
     .map(([, head]) => head.match(/(\w+)\s*$/)?.[1]).filter(Boolean);
+  const constants = [...text.matchAll(/^(?:constexpr|const|static|inline)\b[^;]*;/gm)]
+    .flatMap(([all]) => [...all.matchAll(/(\w+) = /g)].map(([, name]) => name));
+  return [...new Set([...first, ...constants])];
 }
 
 /**

@@ -78,19 +78,25 @@ async function ask(tool, file) {
 }
 
 /**
- * Of files as one. If there are complaints each file is asked for by itself, so that none comes of
- * the company. The clean ones are returned, and what is said of the others.
+ * Of files as one. If there are complaints each half is asked for by itself, down to single files,
+ * so that none comes of the company.
  * @param {Tool} tool @param {string[]} files
+ * @returns {Promise<{ clean: string[], said: string[] }>} clean files, what is said of the others
  */
 async function askTogether(tool, files) {
+  if (files.length === 1) {
+    const said = await ask(tool, files[0]);
+    return said ? { clean: [], said: [said] } : { clean: files, said: [] };
+  }
   const name = createHash('sha256').update(files.join()).digest('hex').slice(0, 16);
   const whole = join(folder, `${name}.cpp`);
   const lines = files.map((file) => `#include "${join(root, file)}"  // NOLINT\n`);
   writeFileSync(whole, lines.join(''));
-  if (files.length > 1 && await ask(tool, whole) === '') return { clean: files, said: [] };
-  const said = [];
-  for (const file of files) said.push(await ask(tool, file));
-  return { clean: files.filter((_, i) => said[i] === ''), said: said.filter(Boolean) };
+  if (await ask(tool, whole) === '') return { clean: files, said: [] };
+  const half = files.length / 2;
+  const parts = [await askTogether(tool, files.slice(0, half)),
+    await askTogether(tool, files.slice(half))];
+  return { clean: parts.flatMap(({ clean }) => clean), said: parts.flatMap(({ said }) => said) };
 }
 
 /**
