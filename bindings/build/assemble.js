@@ -5,6 +5,7 @@ import {
   chmodSync, copyFileSync, cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync,
 } from 'node:fs';
 import { basename, join, relative } from 'node:path';
+import { gzipSync } from 'node:zlib';
 
 import { optionDeclarations, withPlainImports } from './declarations.js';
 import { root, run, say } from './say.js';
@@ -25,10 +26,12 @@ function decoderModules() {
     'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
 const process = undefined, module = undefined, exports = undefined, require = undefined;
 ${read(`${draco}_nodejs.js`)}
-const binary = '${read(`${draco}.wasm`).toString('base64')}';
-export default () => DracoDecoderModule({
-  wasmBinary: Uint8Array.from(atob(binary), (letter) => letter.charCodeAt(0)),
-});
+const packed = '${gzipSync(read(`${draco}.wasm`), { level: 9 }).toString('base64')}';
+export default async () => {
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return DracoDecoderModule({ wasmBinary: await new Response(unpacked).arrayBuffer() });
+};
 `,
   };
 }

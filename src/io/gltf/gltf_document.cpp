@@ -17,6 +17,12 @@
 #include <span>
 #include <string_view>
 
+// With the type of JSON that keeps the order of names, which is ours: a second one is large.
+#define json ordered_json
+#include <tiny_gltf.h>
+#undef json
+#undef TINYGLTF_IMPLEMENTATION
+
 #include "base/legible.h"
 #include "io/gltf/gltf_document.h"
 #include "io/model/resources.h"
