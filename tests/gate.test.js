@@ -22,12 +22,10 @@ after(() => {
   rmSync(top, { recursive: true });
 });
 const at = (...parts) => join(top, ...parts);
-const here = { ...api, run: { worker: false } };
-
 /** Runs in this process, as the command line does. */
 function run(command, input, output, more = {}) {
   return runFile({ command, input, output, outputName: output.split('/').at(-1), root: undefined,
-    force: false, options: {}, ...more }, here);
+    force: false, options: {}, ...more }, api, { worker: false });
 }
 
 function clearOutput() {

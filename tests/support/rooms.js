@@ -36,7 +36,7 @@ export const packageRooms = {
   worker: ['base', 'codecs'],
   api: ['base', 'worker'],
   '': ['base', 'worker', 'api'],
-  cli: ['base', 'codecs', 'files', ''],
+  cli: ['base', 'codecs', 'files', 'api', ''],
 };
 
 /** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */

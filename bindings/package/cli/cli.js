@@ -9,8 +9,10 @@ import { helpText, parseCommandLine } from './cli_arguments.js';
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
 import * as api from '../node.js';
+import { isFolder } from './plan.js';
 import { reportInWords } from './report_in_words.js';
 import { runFile } from './run_file.js';
+import { runMany } from './run_many.js';
 import {
   errorInWords, exitStatusOf, outliveClosedPipes, print, progressBar, say,
 } from './terminal.js';
@@ -26,7 +28,7 @@ async function report({ command, json, quiet }, result) {
 
 /** @param {CommandLine} line */
 async function runOne(line) {
-  const { command, input, output, format, quiet, root, force, options } = line;
+  const { command, inputs: [input], output, format, quiet, root, force, options } = line;
   if (command === 'help' || command === 'version') return;
   const isPiped = output === '-';
   const plain = withoutGz(basename(input));
@@ -34,7 +36,7 @@ async function runOne(line) {
   const { onProgress, clear } = progressBar(quiet || command !== 'remesh');
   const result = await runFile(
     { command, input, output: isPiped ? '' : output, outputName, root, force, options },
-    { ...api, run: { worker: false, onProgress } }).finally(clear);
+    api, { worker: false, onProgress }).finally(clear);
   if (isPiped && result.files.length > 1) {
     throw new RemeshError('INVALID_OPTION',
       `${format} is ${result.files.length} files here, and - is one.`,
@@ -54,6 +56,7 @@ async function main(words) {
   const line = parseCommandLine(words);
   if (line.command === 'help') await print(helpText());
   else if (line.command === 'version') await showVersion();
+  else if (isFolder(line.output)) process.exitCode = await runMany(line);
   else await runOne(line);
 }
 

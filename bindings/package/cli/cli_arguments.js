@@ -4,6 +4,7 @@
 import { RemeshError } from '../base/errors.js';
 import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
+import { isFolder } from './plan.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable,
 } from '../base/options.js';
@@ -13,11 +14,13 @@ import {
 /**
  * @typedef {object} CommandLine
  * @property {'remesh' | 'convert' | 'inspect' | 'help' | 'version'} command
- * @property {string} input
+ * @property {string[]} inputs one, unless the output is a folder
  * @property {string} output
- * @property {string} format for output to '-'
+ * @property {string} format for output to '-' and to a folder
  * @property {string | undefined} root the folder below which a model may name other files
  * @property {boolean} force
+ * @property {boolean} skipExisting
+ * @property {number} jobs how many at once; 0: as many as there are cores
  * @property {boolean} json
  * @property {boolean} quiet
  * @property {Record<string, unknown>} options
@@ -26,10 +29,13 @@ import {
 /** The flags that are the command line's own. */
 const ownFlags = [
   { flag: '-o, --output FILE', help: 'where to write; - is standard output' },
-  { flag: '--format F', help: `${inWords(formats)}: the format written to -` },
+  { flag: '--format F', help: `${inWords(formats)}: the format written to - or to a folder` },
   { flag: '--root DIR', help: 'the folder below which a model may name other files (default: '
     + 'the model’s own)' },
-  { flag: '--force', help: 'replace files beside the output that are there already' },
+  { flag: '--jobs N', help: 'many files: so many at once (default: the cores)' },
+  { flag: '--force', help: 'replace files beside the output, and of many files the results, that '
+    + 'are there already' },
+  { flag: '--skip-existing', help: 'many files: leave out those whose results are there' },
   { flag: '--json', help: 'the report, and nothing else, on standard output' },
   { flag: '--quiet', help: 'no progress bar' },
   { flag: '-h, --help', help: 'this text' },
@@ -45,8 +51,8 @@ const tableFlags = new Map(optionTable.flatMap((option) => {
   const flag = flagOf(option);
   return flag ? [/** @type {const} */ ([flag, option])] : [];
 }));
-const valueFlags = ['-o', '--output', '--format', '--root'];
-const plainFlags = ['--force', '--json', '--quiet', '-h', '--help', '--version'];
+const valueFlags = ['-o', '--output', '--format', '--root', '--jobs'];
+const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
 
 /** @param {string} message @param {string} [hint] */
 function wrongUse(message, hint = 'remesher --help lists the options.') {
@@ -90,12 +96,21 @@ function* tokens(words) {
   }
 }
 
+/** @param {string} text */
+function jobsFrom(text) {
+  const jobs = Number(text);
+  if (Number.isInteger(jobs) && jobs >= 1 && jobs <= 1024) return jobs;
+  throw wrongUse(`--jobs must be a whole number from 1 to 1024, not '${legible(text)}'.`);
+}
+
 /** @param {CommandLine} line @param {string} flag @param {string} value */
 function setOwn(line, flag, value) {
   if (flag === '-o' || flag === '--output') line.output = value;
   if (flag === '--format') line.format = value.replace(/^\./, '').toLowerCase();
   if (flag === '--root') line.root = value;
+  if (flag === '--jobs') line.jobs = jobsFrom(value);
   if (flag === '--force') line.force = true;
+  if (flag === '--skip-existing') line.skipExisting = true;
   if (flag === '--json') line.json = true;
   if (flag === '--quiet') line.quiet = true;
   if (flag === '-h' || flag === '--help') line.command = 'help';
@@ -107,17 +122,26 @@ const commands = /** @type {const} */ (['convert', 'inspect']);
 /** @param {CommandLine} line @param {readonly string[]} names */
 function setNames(line, names) {
   const command = commands.find((name) => name === names[0]);
-  const [input, extra] = command ? names.slice(1) : names;
+  const inputs = command ? names.slice(1) : names;
   if (line.command === 'help' || line.command === 'version') return;
-  if (input === undefined) {
+  if (inputs.length === 0) {
     throw wrongUse('No input file is given.', 'Use: remesher <input> -o <output> [options]');
   }
-  if (extra !== undefined) {
-    throw wrongUse(`There are two input files, ${legible(input)} and ${legible(extra)}.`,
-      'Name the output with -o <output>.');
-  }
-  line.input = input;
+  line.inputs = [...inputs];
   if (command) line.command = command;
+}
+
+/** @param {CommandLine} line */
+function checkInputs({ command, inputs: [first, second], output, skipExisting, jobs }) {
+  if (command !== 'inspect' && isFolder(output)) return;
+  if (second !== undefined) {
+    throw wrongUse(`There are two input files, ${legible(first)} and ${legible(second)}.`,
+      'Name the output with -o <output>; for many files let it end in /.');
+  }
+  if (skipExisting || jobs > 0) {
+    throw wrongUse(`${jobs > 0 ? '--jobs' : '--skip-existing'} is for many files.`,
+      'Let the output end in /.');
+  }
 }
 
 /** @param {CommandLine} line */
@@ -141,8 +165,8 @@ function checkOutput(line) {
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
   const line = {
-    command: 'remesh', input: '', output: '', format: '', root: undefined, force: false,
-    json: false, quiet: false, options: {},
+    command: 'remesh', inputs: [], output: '', format: '', root: undefined, force: false,
+    skipExisting: false, jobs: 0, json: false, quiet: false, options: {},
   };
   const names = [];
   for (const { flag, value } of tokens(words)) {
@@ -153,6 +177,7 @@ export function parseCommandLine(words) {
   }
   setNames(line, names);
   checkOutput(line);
+  if (line.inputs.length > 0) checkInputs(line);
   line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
   return line;
 }
@@ -186,6 +211,7 @@ export function helpText() {
   return [
     'remesher <input> -o <output> [options]     remesh a file',
     'remesher convert <input> -o <output>       only change the format',
+    'remesher <inputs> -o <folder>/ [options]   many files, folders, patterns like scans/*.obj',
     'remesher inspect <input> [--json]          report on a file, change nothing',
     '',
     `The formats follow the extensions: ${formats.map((name) => `.${name}`).join(' ')};`,

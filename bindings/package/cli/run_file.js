@@ -14,7 +14,8 @@ import { requireOutput, writeOutput } from '../files/output.js';
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 /** @typedef {import('../base/messages.js').Warning} Warning */
-/** @typedef {typeof import('../node.js')} Api */
+/** @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'remeshFile'>} Api */
+/** @typedef {import('../api/client.js').RunOptions} RunOptions */
 
 /**
  * @typedef {object} FileTask
@@ -61,13 +62,12 @@ function withRefusals(error, refused) {
 
 /**
  * @param {FileTask} task
- * @param {NamedBytes} file
- * @param {Api & { run: object }} api
- * @param {Record<string, Uint8Array>} resources
+ * @param {Api} api
+ * @param {Uint8Array} bytes
+ * @param {RunOptions & { name: string, resources: Record<string, Uint8Array> }} about
  * @returns {Promise<FileResult>}
  */
-async function work(task, { name, bytes }, api, resources) {
-  const about = { ...api.run, name, resources };
+async function work(task, api, bytes, about) {
   if (task.command === 'inspect') {
     return { files: [], report: { ...await api.inspect(bytes, about) } };
   }
@@ -82,17 +82,19 @@ async function work(task, { name, bytes }, api, resources) {
 
 /**
  * @param {FileTask} task
- * @param {Api & { run: object }} api whose `run` says how: where it runs, who hears of its progress
+ * @param {Api} api
+ * @param {RunOptions} run where it runs, who hears of its progress
  * @returns {Promise<FileResult>}
  */
-export async function runFile(task, api) {
+export async function runFile(task, api, run) {
   const { input, output, force } = task;
-  const file = await gunzip({ name: basename(input), bytes: await readInput(input) });
+  const { name, bytes } =
+    await gunzip({ name: basename(input), bytes: await readInput(input) });
   if (output) requireOutput({ path: output, inputs: [input], force });
   const gate = await Gate.of(input, task.root);
-  const resources = await readResources(file.name, file.bytes, gate);
+  const resources = await readResources(name, bytes, gate);
   const refused = refusals(gate, task);
-  const result = await work(task, file, api, resources).catch((error) => {
+  const result = await work(task, api, bytes, { ...run, name, resources }).catch((error) => {
     throw withRefusals(error, refused);
   });
   result.report.warnings = [...result.report.warnings,

@@ -64,3 +64,50 @@ export function exitStatusOf(error) {
 export function outliveClosedPipes() {
   for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 }
+
+/** The same for programs. @param {unknown} error */
+export function failureFrom(error) {
+  const { code, message, hint } = knownError(error);
+  return { code, message, hint };
+}
+
+/** @param {number} seconds */
+function timeInWords(seconds) {
+  if (seconds < 60) return `${Math.ceil(seconds)} s`;
+  return seconds < 3600 ? `${Math.ceil(seconds / 60)} min` : `${(seconds / 3600).toFixed(1)} h`;
+}
+
+/**
+ * One bar for many files, with the time that is left if they are all alike.
+ * @param {boolean} quiet @param {number} count
+ */
+export function progressOfMany(quiet, count) {
+  if (quiet || !process.stderr.isTTY) {
+    return { listener: () => undefined, done() {}, clear() {} };
+  }
+  const begin = performance.now();
+  /** @type {Map<number, number>} of those that run */
+  const fractions = new Map();
+  let finished = 0;
+  const bar = progressBar(quiet);
+  const show = () => {
+    const running = [...fractions.values()].reduce((sum, fraction) => sum + fraction, 0);
+    const fraction = (finished + running) / count;
+    const left = ((performance.now() - begin) / 1000) * ((1 - fraction) / fraction);
+    const time = fraction > 0.02 ? `, ${timeInWords(left)} left` : '';
+    bar.onProgress?.({ phase: `${finished} of ${count} files${time}`, fraction });
+  };
+  return {
+    listener: (/** @type {number} */ number) =>
+      (/** @type {import('../base/messages.js').ProgressEvent} */ { fraction }) => {
+        fractions.set(number, fraction);
+        show();
+      },
+    done(/** @type {number} */ number) {
+      fractions.delete(number);
+      finished += 1;
+      show();
+    },
+    clear: bar.clear,
+  };
+}
