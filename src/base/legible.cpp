@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace remesher {
 namespace {
@@ -112,6 +111,15 @@ std::string legible(std::string_view text) {
       append(result, c);
   }
   return result;
+}
+
+std::string legibleList(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
+    list += (i == 0 ? "" : ", ") + legible(names[i]);
+  if (names.size() > kMost) list += " and " + std::to_string(names.size() - kMost) + " more";
+  return list;
 }
 
 }  // namespace remesher

@@ -64,7 +64,7 @@ export async function inChromium(jobs) {
   const served = await servePage(jobs);
   const browser = await startChromium();
   try {
-    await (await browser.newPage()).goto(served.url);
+    await (await browser.newPage()).goto(served.url, { waitUntil: 'commit' });
     return await served.digests;
   } finally {
     await browser.close();

@@ -4,6 +4,7 @@
 
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
+import { legible } from '../base/legible.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -40,7 +41,7 @@ async function inflate({ name, bytes }, limit) {
     if (length <= limit) continue;
     await reader.cancel().catch(() => {});
     throw new RemeshError('UNSUPPORTED',
-      `${name}: it unpacks to more than ${limit} bytes, which is the limit.`,
+      `${legible(name)}: it unpacks to more than ${limit} bytes, which is the limit.`,
       'Unpack it first, and give a smaller model.');
   }
   return joined(pieces, length);
@@ -55,14 +56,14 @@ async function inflate({ name, bytes }, limit) {
 export async function gunzip(file, limit = largestInflated) {
   if (!isGzip(file.bytes)) return file;
   if (typeof DecompressionStream === 'undefined') {
-    throw new RemeshError('UNSUPPORTED', `${file.name}: this browser cannot unpack gzip.`,
+    throw new RemeshError('UNSUPPORTED', `${legible(file.name)}: this browser cannot unpack gzip.`,
       'Unpack the file first.');
   }
   try {
     return { name: withoutGz(file.name), bytes: await inflate(file, limit) };
   } catch (cause) {
     if (cause instanceof RemeshError) throw cause;
-    throw new RemeshError('PARSE_ERROR', `${file.name}: its gzip is damaged or cut short.`,
+    throw new RemeshError('PARSE_ERROR', `${legible(file.name)}: its gzip is damaged or cut short.`,
       'Was it copied completely?', { cause });
   }
 }

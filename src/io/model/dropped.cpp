@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/legible.h"
+
 namespace remesher::io {
 
 std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
@@ -14,10 +16,10 @@ std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std
       if (std::find(kept.begin(), kept.end(), attribute.semantic) == kept.end())
         dropped.insert(attribute.semantic);
   if (dropped.empty()) return {};
-  std::string list;
-  for (const std::string& semantic : dropped) list += (list.empty() ? "" : ", ") + semantic;
-  return {{"ATTRIBUTE_NOT_CARRIED", "The " + format + " has no place for " + list + ".",
-           dropped.size()}};
+  return {
+      {"ATTRIBUTE_NOT_CARRIED",
+       "The " + format + " has no place for " + legibleList({dropped.begin(), dropped.end()}) + ".",
+       dropped.size()}};
 }
 
 }  // namespace remesher::io

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/legible.h"
+
 namespace remesher::io {
 namespace {
 
@@ -29,7 +31,8 @@ PlyBody::PlyBody(const File& file, const ParsedPlyHeader& parsed)
 
 void PlyBody::fail(ErrorCode code, const std::string& what, std::string hint) const {
   if (encoding_ == PlyEncoding::Ascii) scanner_.fail(code, what, std::move(hint));
-  throw Error(code, file_.name + ", byte " + std::to_string(at_) + ": " + what, std::move(hint));
+  throw Error(code, legible(file_.name) + ", byte " + std::to_string(at_) + ": " + what,
+              std::move(hint));
 }
 
 std::uint64_t PlyBody::left() const {
@@ -51,7 +54,7 @@ void PlyBody::requireRows(const PlyElement& element) const {
   if (needed <= left() + unparted) return;
   fail(ErrorCode::ParseError,
        "the header promises " + std::to_string(element.count) + " of the element \"" +
-           element.name + "\", at least " + std::to_string(needed) + " bytes, but " +
+           legible(element.name) + "\", at least " + std::to_string(needed) + " bytes, but " +
            std::to_string(left()) + " follow.",
        "Was it copied completely?");
 }
@@ -70,7 +73,7 @@ double PlyBody::load() {
 
 double PlyBody::nextBinary(PlyType type, std::string_view what) {
   if (left() < sizeOf(type))
-    fail(ErrorCode::ParseError, "the file ends where " + std::string(what) + " should be.", kHint);
+    fail(ErrorCode::ParseError, "the file ends where " + legible(what) + " should be.", kHint);
   switch (type) {
     case PlyType::Int8:
       return load<std::int8_t>();
@@ -94,19 +97,19 @@ double PlyBody::nextBinary(PlyType type, std::string_view what) {
 double PlyBody::next(PlyType type, std::string_view what) {
   if (encoding_ != PlyEncoding::Ascii) return nextBinary(type, what);
   if (!scanner_.skipEmptyLines())
-    fail(ErrorCode::ParseError, "the file ends where " + std::string(what) + " should be.", kHint);
+    fail(ErrorCode::ParseError, "the file ends where " + legible(what) + " should be.", kHint);
   return scanner_.anyNumber(what);
 }
 
 Index PlyBody::nextCount(const PlyProperty& list, std::string_view what) {
   const double value = next(*list.countType, what);
   if (!(value >= 0 && value < kNone) || value != static_cast<double>(static_cast<Index>(value)))
-    fail(ErrorCode::ParseError, std::string(what) + " is not a whole number from 0 on.");
+    fail(ErrorCode::ParseError, legible(what) + " is not a whole number from 0 on.");
   const auto count = static_cast<Index>(value);
   const std::uint64_t size = encoding_ == PlyEncoding::Ascii ? 1 : sizeOf(list.type);
   if (count * size > left())
     fail(ErrorCode::ParseError,
-         std::string(what) + " is " + std::to_string(count) + ", which is beyond the file's end.",
+         legible(what) + " is " + std::to_string(count) + ", which is beyond the file's end.",
          kHint);
   return count;
 }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/legible.h"
+
 namespace remesher::io {
 namespace {
 
@@ -25,7 +27,7 @@ std::vector<Role> rolesOf(PlyBody& body, const PlyElement& element) {
   for (const PlyProperty& property : element.properties) roles.push_back(roleOf(property));
   if (element.count > 0 && std::count(roles.begin(), roles.end(), Role::Corners) != 1)
     body.fail(ErrorCode::ParseError,
-              "the element \"" + element.name + "\" has not one list vertex_indices.",
+              "the element \"" + legible(element.name) + "\" has not one list vertex_indices.",
               "Its faces must say which vertices they join.");
   return roles;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/text/text_scanner.h"
 
 namespace remesher::io {
@@ -77,7 +78,7 @@ void HeaderParser::parseEncoding() {
   if (found == kEncodings.end())
     scanner_.fail(ErrorCode::ParseError,
                   "a PLY's format is ascii, binary_little_endian or binary_big_endian, not \"" +
-                      std::string(name) + "\".");
+                      legible(name) + "\".");
   header_.encoding = static_cast<PlyEncoding>(found - kEncodings.begin());
   hasEncoding_ = true;
 }
@@ -87,14 +88,14 @@ void HeaderParser::parseElement() {
   const std::string_view word = scanner_.word();
   const auto [count, rest] = TextScanner::leadingInteger(word);
   if (rest.size() == word.size() || !rest.empty() || count < 0 || count >= kNone)
-    scanner_.fail(ErrorCode::ParseError, "the number of the element \"" + element.name +
+    scanner_.fail(ErrorCode::ParseError, "the number of the element \"" + legible(element.name) +
                                              "\" is not a whole number from 0 to 4294967294: \"" +
-                                             std::string(word) + "\".");
+                                             legible(word) + "\".");
   element.count = static_cast<Index>(count);
   for (const PlyElement& other : header_.elements)
     if (other.name == element.name)
       scanner_.fail(ErrorCode::ParseError,
-                    "there is a second element \"" + element.name + "\" in the header.");
+                    "there is a second element \"" + legible(element.name) + "\" in the header.");
   header_.elements.push_back(std::move(element));
 }
 
@@ -102,7 +103,7 @@ PlyType HeaderParser::parseType() {
   const std::string_view word = scanner_.word();
   for (std::size_t i = 0; i < kTypes.size(); ++i)
     if (word == kTypes[i].name || word == kTypes[i].alias) return static_cast<PlyType>(i);
-  scanner_.fail(ErrorCode::ParseError, "\"" + std::string(word) +
+  scanner_.fail(ErrorCode::ParseError, "\"" + legible(word) +
                                            "\" is no type of a PLY: char, uchar, short, ushort, " +
                                            "int, uint, float or double.");
 }
@@ -124,9 +125,9 @@ void HeaderParser::parseProperty() {
   std::vector<PlyProperty>& properties = header_.elements.back().properties;
   for (const PlyProperty& other : properties)
     if (other.name == property.name)
-      scanner_.fail(ErrorCode::ParseError, "there is a second property \"" + property.name +
-                                               "\" of the element \"" +
-                                               header_.elements.back().name + "\".");
+      scanner_.fail(ErrorCode::ParseError, "there is a second property \"" +
+                                               legible(property.name) + "\" of the element \"" +
+                                               legible(header_.elements.back().name) + "\".");
   properties.push_back(std::move(property));
 }
 
@@ -141,8 +142,7 @@ void HeaderParser::parseLine(std::string_view keyword) {
     const std::string_view text = scanner_.rest();
     header_.remarks.push_back(std::string(keyword) + (text.empty() ? "" : " ") + std::string(text));
   } else if (keyword != "end_header" && !keyword.empty()) {
-    scanner_.fail(ErrorCode::ParseError,
-                  "a PLY's header knows no \"" + std::string(keyword) + "\".");
+    scanner_.fail(ErrorCode::ParseError, "a PLY's header knows no \"" + legible(keyword) + "\".");
   }
 }
 

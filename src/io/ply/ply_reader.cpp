@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/model/polygon.h"
 #include "io/ply/corner_texcoords.h"
 #include "io/ply/ply.h"
@@ -122,12 +123,6 @@ TriangleMesh meshOf(PlyContent& content, PlySource& source) {
   return mesh;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::vector<Warning> warningsOn(const PlyContent& content) {
   std::vector<Warning> warnings;
   const auto warn = [&](const char* code, const std::string& message, std::size_t count) {
@@ -136,15 +131,16 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
   std::vector<std::string> lost;
   for (const PlyField& field : content.vertices.fields)
     if (field.semantic.empty()) lost.push_back(field.property.name);
-  warn("ATTRIBUTE_NOT_CARRIED", "Lists of vertices are not carried: " + listed(lost) + ".",
+  warn("ATTRIBUTE_NOT_CARRIED", "Lists of vertices are not carried: " + legibleList(lost) + ".",
        lost.size());
   for (const PlyFaces& faces : content.faces) {
-    warn("ATTRIBUTE_NOT_CARRIED", "Values of faces are not carried: " + listed(faces.ignored) + ".",
+    warn("ATTRIBUTE_NOT_CARRIED",
+         "Values of faces are not carried: " + legibleList(faces.ignored) + ".",
          faces.ignored.size());
     warn("NOT_TRIANGLES", "Faces of fewer than three corners are left out.", faces.degenerate);
   }
   warn("NOT_TRIANGLES",
-       "Only faces are remeshed; the result lacks: " + listed(content.otherElements) + ".",
+       "Only faces are remeshed; the result lacks: " + legibleList(content.otherElements) + ".",
        content.otherElements.size());
   warn("NON_FINITE_ATTRIBUTE", "Values of attributes that are not finite are read as 0.",
        content.vertices.notFinite);
@@ -179,7 +175,7 @@ Model readPly(const File& file, const std::vector<File>&) {
   source->header = parsed.header;
   TriangleMesh mesh = meshOf(content, *source);
   if (mesh.triangleCount() == 0)
-    throw Error(ErrorCode::NoTriangles, file.name + " has no faces.",
+    throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");
   source->original = file;
   source->vertexCount = mesh.positions.size();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/legible.h"
+
 namespace remesher::io {
 namespace {
 
@@ -37,10 +39,10 @@ std::vector<Column> layOut(PlyVertices& vertices, Index count) {
 double nextCoordinate(PlyBody& body, const PlyField& field, Index vertex) {
   const double value = body.next(field.property.type, field.property.name);
   if (std::isfinite(value)) return value;
-  body.fail(
-      ErrorCode::NonFinite,
-      "the " + field.property.name + " of vertex " + std::to_string(vertex) + " is not finite.",
-      "Repair the file: every coordinate must be a finite number.");
+  body.fail(ErrorCode::NonFinite,
+            "the " + legible(field.property.name) + " of vertex " + std::to_string(vertex) +
+                " is not finite.",
+            "Repair the file: every coordinate must be a finite number.");
 }
 
 // Colours in floats may count to 1 or to 255: nothing but the numbers tells.

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "base/legible.h"
 #include "io/stl/corner_weld.h"
 #include "io/stl/stl.h"
 #include "io/text/text_scanner.h"
@@ -129,7 +130,7 @@ Facets StlText::read() {
 
 [[noreturn]] void failShort(const File& file, std::uint64_t count) {
   throw Error(ErrorCode::ParseError,
-              file.name + ": it promises " + std::to_string(count) + " facets in " +
+              legible(file.name) + ": it promises " + std::to_string(count) + " facets in " +
                   std::to_string(kFacetsAt + kFacetBytes * count) + " bytes, but has " +
                   std::to_string(file.bytes.size()) + ".",
               "Was it copied completely?");
@@ -140,9 +141,10 @@ Vec3 cornerAt(const File& file, std::size_t at, std::size_t facet) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     position[static_cast<Eigen::Index>(axis)] = load<float>(file, at + 4 * axis);
     if (!position.array().isFinite()[static_cast<Eigen::Index>(axis)])
-      throw Error(ErrorCode::NonFinite,
-                  file.name + ": a corner of facet " + std::to_string(facet) + " is not finite.",
-                  "Repair the file: every coordinate must be a finite number.");
+      throw Error(
+          ErrorCode::NonFinite,
+          legible(file.name) + ": a corner of facet " + std::to_string(facet) + " is not finite.",
+          "Repair the file: every coordinate must be a finite number.");
   }
   return position;
 }
@@ -150,7 +152,8 @@ Vec3 cornerAt(const File& file, std::size_t at, std::size_t facet) {
 Facets readBinary(const File& file) {
   if (file.bytes.size() < kFacetsAt)
     throw Error(ErrorCode::ParseError,
-                file.name + ": it is shorter than the header of an STL, and begins not with solid.",
+                legible(file.name) +
+                    ": it is shorter than the header of an STL, and begins not with solid.",
                 "Was it copied completely?");
   const std::uint64_t count = load<std::uint32_t>(file, kHeaderBytes);
   if (file.bytes.size() < kFacetsAt + kFacetBytes * count) failShort(file, count);
@@ -177,7 +180,7 @@ Facets readBinary(const File& file) {
 Model readStl(const File& file, const std::vector<File>&) {
   Facets facets = isText(file) ? StlText(file).read() : readBinary(file);
   if (facets.mesh.triangleCount() == 0)
-    throw Error(ErrorCode::NoTriangles, file.name + " has no facets.",
+    throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no facets.",
                 "Only surfaces can be remeshed.");
   Model model;
   model.conventions = Conventions::Classic;

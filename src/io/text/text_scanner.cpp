@@ -100,7 +100,7 @@ double TextScanner::anyNumber(std::string_view what) {
 double TextScanner::number(std::string_view what) {
   const double value = anyNumber(what);
   if (!std::isfinite(value))
-    fail(ErrorCode::NonFinite, std::string(what) + " is not finite.",
+    fail(ErrorCode::NonFinite, legible(what) + " is not finite.",
          "Repair the file: every coordinate must be a finite number.");
   return value;
 }

@@ -40,6 +40,15 @@ TEST_CASE("legible: bytes that are not UTF-8 are replaced, one by one") {
   CHECK(legible("\xf4\x90\x80\x80") == mark + mark + mark + mark);
 }
 
+TEST_CASE("legible: of many names the first few are shown") {
+  CHECK(legibleList({}).empty());
+  CHECK(legibleList({"a"}) == "a");
+  CHECK(legibleList({"a", "\n"}) == R"(a, \u{a})");
+  const std::string shown = legibleList(std::vector<std::string>(1000, std::string(1000, 'x')));
+  CHECK(shown.size() < 8 * 130);
+  CHECK(shown.ends_with("x and 992 more"));
+}
+
 TEST_CASE("legible: of a long text the two ends are shown") {
   for (const std::size_t length : {121UL, 500UL, 5000UL, 1000000UL}) {
     const std::string shown = legible("begin" + std::string(length - 9, 'x') + ".png");
