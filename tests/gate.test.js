@@ -13,7 +13,9 @@ import * as api from 'remesher';
 
 import { legible } from '../dist/base/legible.js';
 import { runFile } from '../dist/cli/run_file.js';
-import { carriers, contentsOf, makeTree, secret, tricksFor } from './support/attacks.js';
+import {
+  carriers, contentsOf, makeTree, modelWithLibrary, secret, tricksFor,
+} from './support/attacks.js';
 import { root as checkout } from './support/tree.js';
 
 const { top, close } = await makeTree();
@@ -64,6 +66,18 @@ for (const [model, bytesFor] of Object.entries(carriers)) {
     }
   });
 }
+
+test('the images of a material library are not read, and each is said', async () => {
+  writeFileSync(at('models/library.obj'), modelWithLibrary['library.obj']);
+  for (const trick of tricksFor(top)) {
+    clearOutput();
+    writeFileSync(at('models/beside.mtl'), modelWithLibrary['beside.mtl'](trick));
+    const said = await wordsOf(run('convert', at('models/library.obj'), at('out/library.obj')));
+    assert.ok(said.includes(legible(trick)), `${trick}: ${said}`);
+    assert.deepEqual(readdirSync(at('out')), ['beside.mtl', 'library.obj']);
+  }
+  rmSync(at('models/beside.mtl'));
+});
 
 test('what lies below the model’s folder is read and passed on', async () => {
   for (const name of ['inner/own.png', './inner/own.png', 'inner%2fown.png', 'inner\\own.png',

@@ -97,6 +97,12 @@ function gltfTree(more) {
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
+/** An OBJ with a library beside it, whose texture has this name. */
+export const modelWithLibrary = {
+  'library.obj': bytesOf(`mtllib beside.mtl\n${objText(shape)}`),
+  'beside.mtl': (name) => bytesOf(`newmtl red\nmap_Kd ${name}\n`),
+};
+
 /** By the way in which they name a file: the bytes of models. */
 export const carriers = {
   'library.obj': (name) => bytesOf(`mtllib ${name}\n${objText(shape)}`),

@@ -38,8 +38,11 @@ function unwritable(output, why, hint) {
 
 /** @param {any} report */
 function reportInBrief({ output, fidelity, warnings, stopped }) {
-  const parts = output
-    ? [`${output.vertices} vertices`, `mean minimum angle ${output.minAngle.mean.toFixed(1)}°`] : [];
+  const parts = [];
+  if (output) {
+    parts.push(`${output.vertices} vertices`,
+      `mean minimum angle ${output.minAngle.mean.toFixed(1)}°`);
+  }
   if (fidelity) parts.push(`distance ${fidelity.hausdorff.toFixed(4)} %`);
   if (stopped && stopped !== 'target') parts.push(`stopped by ${stopped}`);
   if (warnings.length > 0) parts.push(`warnings: ${warnings.length}`);

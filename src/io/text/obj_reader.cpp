@@ -11,6 +11,7 @@
 
 #include "base/legible.h"
 #include "io/model/polygon.h"
+#include "io/text/mtl.h"
 #include "io/text/obj.h"
 #include "io/text/text_scanner.h"
 
@@ -294,6 +295,17 @@ std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const std::vector<Ob
   return infos;
 }
 
+// They stay where they are: whoever moves the result moves them too.
+void warnOfImages(const File& library, std::vector<Warning>& warnings) {
+  const std::vector<std::string> images = imagesOf(library);
+  if (images.empty()) return;
+  warnings.push_back(
+      {"MATERIAL_IMAGES_NOT_READ",
+       "The material library " + legible(library.name) +
+           " names images, which are not read and not passed on: " + legibleList(images) + ".",
+       images.size()});
+}
+
 void findLibraries(ObjSource& source, const std::vector<File>& resources,
                    std::vector<Warning>& warnings) {
   std::set<std::string> seen;
@@ -301,13 +313,15 @@ void findLibraries(ObjSource& source, const std::vector<File>& resources,
     if (!seen.insert(library).second) continue;
     const auto found = std::find_if(resources.begin(), resources.end(),
                                     [&](const File& file) { return file.name == library; });
-    if (found != resources.end())
+    if (found != resources.end()) {
       source.libraryFiles.push_back(*found);
-    else
+      warnOfImages(*found, warnings);
+    } else {
       warnings.push_back({"RESOURCE_NOT_GIVEN",
                           "The material library " + legible(library) +
                               " was not given: the result refers to it, but it is not passed on.",
                           1});
+    }
   }
 }
 
