@@ -196,6 +196,10 @@ test('references are found in every format that has them', () => {
   glb.set(bytes(json), 20);
   assert.deepEqual(referencesOf('x.GLB', glb), ['a.bin', 'b c.png']);
   assert.deepEqual(referencesOf('x.obj', bytes('mtllib a b.mtl \r\nv 0 0 0\n')), ['a b.mtl']);
+  const blanks = ' '.repeat(1_000_000); // would take an hour if it took time squared
+  assert.deepEqual(referencesOf('x.obj', bytes(`mtllib a${blanks}b${blanks}\n${blanks}`)),
+    [`a${blanks}b`]);
+  assert.deepEqual(referencesOf('x.obj', bytes('mtllib \nmtllib\n mtllib\ta.mtl\r')), ['a.mtl']);
   assert.deepEqual(referencesOf('x.gltf', bytes('{')), []);
   assert.deepEqual(referencesOf('x.off', bytes(json)), []);
 });

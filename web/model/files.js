@@ -36,8 +36,9 @@ async function read({ path, file }) {
 function referencesOf(extension, bytes) {
   if (extension === 'obj' || extension === 'mtl') {
     const text = new TextDecoder().decode(bytes);
-    const lines = text.matchAll(/^\s*(?:mtllib|map_\w+|bump)\s+(.+?)\s*$/gim);
-    return Array.from(lines, ([, words]) => words.split(/\s+/).pop() ?? '');
+    // What follows is trimmed apart: blanks on both sides would cost their number squared.
+    const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
+    return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
   }
   if (extension !== 'gltf') return [];
   try {

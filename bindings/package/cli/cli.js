@@ -51,12 +51,17 @@ async function showVersion() {
   await print(`${JSON.parse(manifest).version}\n`);
 }
 
+/** @param {CommandLine} line */
+function isMany({ command, output }) {
+  return command !== 'inspect' && isFolder(output);
+}
+
 /** @param {string[]} words */
 async function main(words) {
   const line = parseCommandLine(words);
   if (line.command === 'help') await print(helpText());
   else if (line.command === 'version') await showVersion();
-  else if (isFolder(line.output)) process.exitCode = await runMany(line);
+  else if (isMany(line)) process.exitCode = await runMany(line);
   else await runOne(line);
 }
 

@@ -12,11 +12,22 @@ function gltfReferences(bytes) {
     .filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
 }
 
+/**
+ * Without the blanks around it: a regular expression would take time squared.
+ * @param {string} line
+ */
+function trimmed(line) {
+  const isBlank = (/** @type {number} */ at) => ' \t\v\f'.includes(line.charAt(at));
+  let [begin, end] = [0, line.length];
+  while (begin < end && isBlank(begin)) begin += 1;
+  while (end > begin && isBlank(end - 1)) end -= 1;
+  return line.slice(begin, end);
+}
+
 /** @param {Uint8Array} bytes @returns {string[]} */
 function objReferences(bytes) {
-  const text = new TextDecoder().decode(bytes);
-  const references = text.matchAll(/^[ \t]*mtllib[ \t]+(.+?)[ \t]*\r?$/gm);
-  return [...references].map(([, name]) => name);
+  const references = new TextDecoder().decode(bytes).matchAll(/^[ \t]*mtllib[ \t](.*)$/gm);
+  return Array.from(references, ([, rest]) => trimmed(rest)).filter(Boolean);
 }
 
 /**
