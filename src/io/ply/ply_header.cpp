@@ -51,9 +51,14 @@ std::size_t headerSize(std::string_view file, const std::string& fileName) {
       return end == std::string_view::npos ? file.size() : end + lineEnd.size();
     }
   }
-  throw Error(ErrorCode::ParseError, fileName + ": the header of the PLY has no end_header.",
+  throw Error(ErrorCode::ParseError,
+              legible(fileName) + ": the header of the PLY has no end_header.",
               "Was it copied completely?");
 }
+
+// Elements of a file, and properties of an element. Names are compared with all before them, and
+// sought again by every step of reading.
+constexpr std::size_t kMostNames = 1000;
 
 class HeaderParser {
  public:
@@ -92,6 +97,8 @@ void HeaderParser::parseElement() {
                                              "\" is not a whole number from 0 to 4294967294: \"" +
                                              legible(word) + "\".");
   element.count = static_cast<Index>(count);
+  if (header_.elements.size() == kMostNames)
+    scanner_.fail(ErrorCode::Unsupported, "the header has more than 1000 elements.");
   for (const PlyElement& other : header_.elements)
     if (other.name == element.name)
       scanner_.fail(ErrorCode::ParseError,
@@ -123,6 +130,8 @@ void HeaderParser::parseProperty() {
   property.name = scanner_.word();
   if (property.name.empty()) scanner_.fail(ErrorCode::ParseError, "a property has no name.");
   std::vector<PlyProperty>& properties = header_.elements.back().properties;
+  if (properties.size() == kMostNames)
+    scanner_.fail(ErrorCode::Unsupported, "an element has more than 1000 properties.");
   for (const PlyProperty& other : properties)
     if (other.name == property.name)
       scanner_.fail(ErrorCode::ParseError, "there is a second property \"" +

@@ -267,6 +267,19 @@ TEST_CASE("ply: numbers that are not finite are refused of places, and 0 of the 
   CHECK(model.warnings.at(0).code == "NON_FINITE_ATTRIBUTE");
 }
 
+TEST_CASE("ply: a header of thousands of names is refused, not compared with itself") {
+  std::string elements;
+  std::string properties;
+  for (int i = 0; i < 1001; ++i) {
+    elements += "element e" + std::to_string(i) + " 0\n";
+    properties += "property float p" + std::to_string(i) + "\n";
+  }
+  for (const std::string& many : {elements, properties})
+    CHECK(
+        readingFails(textFile("a.ply", replaced(kTriangle, "element face", many + "element face")))
+            .find("UNSUPPORTED a.ply, line 1") == 0);
+}
+
 TEST_CASE("ply: bad files are refused with the place and what is wrong") {
   const auto check = [](const std::string& text, std::string_view part) {
     const std::string failure = readingFails(textFile("bad.ply", text));
