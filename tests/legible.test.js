@@ -56,7 +56,8 @@ const ways = {
     { name: 'a.obj' }),
   'the corner of a face': () => inspect(bytesOf(`v 0 0 0\nf 1x${nasty.replace('\r\n', '')}`),
     { name: 'a.obj' }),
-  'the keyword of a PLY': () => inspect(bytesOf(`ply\nformat ascii 1.0\n${nasty}\n`),
+  'the keyword of a PLY': () => inspect(
+    bytesOf(`ply\nformat ascii 1.0\n${nasty.replace('\r\n', '')}\nend_header\n`),
     { name: 'a.ply' }),
   'a URI': () => inspect(carriers['buffer.gltf'](nasty), { name: 'a.gltf' }),
   'the URI of something compressed': () => inspect(bytesOf(JSON.stringify({ asset: {},
