@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "base/legible.h"
 
 #include "base/legible.h"
 
@@ -47,6 +50,11 @@ Index vertexAt(PlyBody& body, double number, Index vertexCount) {
             "Repair the file: every face may name only vertices that are there.");
 }
 
+// What no float can hold is no number to compare with either.
+double finite(double value) {
+  return std::abs(value) <= double{std::numeric_limits<float>::max()} ? value : 0;
+}
+
 // One row of the element.
 struct Face {
   std::vector<Index> corners;
@@ -58,13 +66,13 @@ void readProperty(PlyBody& body, const PlyProperty& property, Role role, Face& f
   if (role == Role::Ignored) {
     body.skip(property);
   } else if (role == Role::TextureNumber) {
-    face.textureNumber = body.next(property.type, "a texture's number");
+    face.textureNumber = finite(body.next(property.type, "a texture's number"));
   } else {
     const Index count = body.nextCount(property, "the number of texture coordinates of a face");
     face.texcoords.clear();
     for (Index i = 0; i < count; ++i)
       face.texcoords.push_back(
-          static_cast<float>(body.next(property.type, "a texture coordinate")));
+          static_cast<float>(finite(body.next(property.type, "a texture coordinate"))));
   }
 }
 

@@ -173,8 +173,8 @@ double smallestOf(PlyType type) { return traits(type).smallest; }
 
 ParsedPlyHeader parsePlyHeader(std::string_view file, const std::string& fileName) {
   if (!file.starts_with("ply"))
-    throw Error(ErrorCode::ParseError, fileName + ", line 1: the file does not begin with ply.",
-                "Is it a PLY?");
+    throw Error(ErrorCode::ParseError,
+                legible(fileName) + ", line 1: the file does not begin with ply.", "Is it a PLY?");
   const std::size_t size = headerSize(file, fileName);
   ParsedPlyHeader parsed = HeaderParser(file.substr(0, size), fileName).parse();
   parsed.size = size;

@@ -118,7 +118,7 @@ Facets StlText::read() {
       scanner_.rest();
     } else if (keyword != "facet" && keyword != "outer" && keyword != "loop" &&
                keyword != "endfacet") {
-      scanner_.fail(ErrorCode::ParseError, "an STL knows no \"" + keyword.substr(0, 40) + "\".");
+      scanner_.fail(ErrorCode::ParseError, "an STL knows no \"" + legible(keyword) + "\".");
     }
   }
   if (corners_ > 0)

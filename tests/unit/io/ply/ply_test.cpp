@@ -250,6 +250,14 @@ TEST_CASE("ply: texture coordinates of corners part vertices, and come back to c
   CHECK(textOf(io::write(model, "b.ply").files[0]) == turned);
 }
 
+TEST_CASE("ply: texture coordinates of corners that are no numbers are 0") {
+  const std::string text = replaced(replaced(kTriangle, "vertex_index\n",
+                                             "vertex_index\nproperty list uchar double texcoord\n"
+                                             "property float texnumber\n"),
+                                    "3 0 1 2\n", "3 0 1 2 6 nan 1 1e300 1 0.5 -inf nan\n");
+  CHECK(valuesOf(meshOf(text), "TEXCOORD_0") == std::vector<float>{0, 1, 0, 1, 0.5F, 0});
+}
+
 TEST_CASE("ply: colours in floats may count to one or to 255") {
   const std::string colored = replaced(
       replaced(kTriangle, "property float z\n",
