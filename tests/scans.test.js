@@ -10,11 +10,12 @@ import {
 } from 'three';
 import { PLYExporter } from 'three/addons/exporters/PLYExporter.js';
 import { STLExporter } from 'three/addons/exporters/STLExporter.js';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 
-import { openGltf, validate } from './support/gltf.js';
-import { offText, torus } from './support/shapes.js';
+import { validate } from './support/gltf.js';
+import { offText, plyText, torus } from './support/shapes.js';
 
 const encode = (text) => new TextEncoder().encode(text);
 const decode = (bytes) => new TextDecoder('latin1').decode(bytes);
@@ -40,7 +41,7 @@ function colored() {
 }
 
 const threePly = (options) => {
-  const written = new PLYExporter().parse(colored(), () => {}, options);
+  const written = new PLYExporter().parse(colored(), null, options);
   return typeof written === 'string' ? encode(written) : new Uint8Array(written);
 };
 const threeStl = (options) => {
@@ -105,22 +106,37 @@ test('a PLY keeps its encoding, the order and the types of its properties', asyn
   }
 });
 
-test('a glTF of a PLY has its colours linear, and gives the same bytes back', async () => {
-  const bytes = threePly({ binary: true, littleEndian: true });
-  const gltf = await convertFile(bytes, { name: 't.ply', output: 't.glb' });
+/** The vertices of a binary PLY of places and colours in bytes alone. */
+function rowsOf(bytes) {
+  const start = decode(bytes).indexOf('end_header\n') + 'end_header\n'.length;
+  assert.match(decode(bytes.subarray(0, start)),
+    /float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n/);
+  const view = new DataView(bufferOf(bytes));
+  return Array.from({ length: torus().positions.length / 3 }, (_, i) => ({
+    place: [0, 4, 8].map((k) => view.getFloat32(start + 15 * i + k, true)),
+    color: Array.from(bytes.subarray(start + 15 * i + 12, start + 15 * i + 15)),
+  }));
+}
+
+test('a glTF of a PLY has its colours linear, and gives the same numbers back', async () => {
+  const { positions, indices } = torus();
+  const colors = Array.from({ length: positions.length / 3 }, (_, i) => [i % 256, 188, 255]);
+  const [head, body] = plyText({ positions, indices }).split('end_header\n');
+  const names = ['red', 'green', 'blue'].map((name) => `property uchar ${name}\n`).join('');
+  const rows = body.split('\n')
+    .map((row, i) => (i in colors ? `${row} ${colors[i].join(' ')}` : row));
+  const text = `${head.replace('float z\n', `float z\n${names}`)}end_header\n${rows.join('\n')}`;
+  const gltf = await convertFile(encode(text), { name: 't.ply', output: 't.glb' });
   assert.deepEqual(await validate(gltf), []);
-  const { tree } = openGltf(gltf);
-  const { COLOR_0, TEXCOORD_0, NORMAL } = tree.meshes[0].primitives[0].attributes;
-  assert.ok([COLOR_0, TEXCOORD_0, NORMAL].every(Number.isInteger));
-  const load = async (name, output) => {
-    const { bytes: ply } = await convertFile(output, { name, output: 'back.ply' });
-    return new PLYLoader().parse(bufferOf(ply)).attributes;
-  };
-  const [there, back] = [await load('t.ply', bytes), await load('t.glb', gltf.bytes)];
-  assert.deepEqual(back.color.array, there.color.array);
-  assert.deepEqual(back.position.array, there.position.array);
-  // Turned over twice, in single precision.
-  there.uv.array.forEach((value, i) => assert.ok(Math.abs(value - back.uv.array[i]) < 1e-7));
+  const { mesh } = await new GLTFLoader().parseAsync(bufferOf(gltf.bytes), '')
+    .then(({ scene }) => ({ mesh: scene.getObjectByProperty('isMesh', true) }));
+  // 188 of 255 in sRGB is half of the light.
+  assert.ok(Math.abs(mesh.geometry.attributes.color.getY(0) - 0.5) < 0.005);
+  const { bytes } = await convertFile(gltf.bytes, { name: 't.glb', output: 'back.ply' });
+  rowsOf(bytes).forEach(({ place, color }, i) => {
+    assert.deepEqual(color, colors[i]);
+    assert.deepEqual(place, Array.from(positions.subarray(3 * i, 3 * i + 3)));
+  });
 });
 
 const corners = (bytes) => {
@@ -184,8 +200,9 @@ test('a scan of MeshLab comes back textured per corner, closed, its quality in p
   }
   const rows = body.trim().split('\n').map((line) => line.split(' ').map(Number));
   const [vertices, faces] = [rows.slice(0, 800), rows.slice(800)];
+  // Vertices leave the triangle they take their values from, by less than a hundredth of the size.
   for (const [x, , , flags, quality] of vertices) {
-    assert.ok(flags === 0 && Math.abs(quality - x) < 0.02);
+    assert.ok(flags === 0 && Math.abs(quality - x) < 0.06, `${quality} at ${x}`);
   }
   for (const [, a, b, c, six, ...rest] of faces) {
     assert.equal(six, 6);
