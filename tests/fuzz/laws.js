@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Runs cases by number, and prints those that break a law:
+//   npm run fuzz -- laws [--seed first] [--cases number] [--every nth]
+// The same seed is the same case: one that was printed is seen again with --cases 1. The clock,
+// here that of the processor, only ends what does not end, and tells which case took longest for
+// its size.
+import { parseArgs } from 'node:util';
+
+import { makeCase } from './cases.js';
+import { runCase } from './run_case.js';
+
+const longestRun = 60; // seconds of the processor
+const everyRepeated = 8;
+
+/** A signal that aborts when the process has worked for so long; `stop` ends the watch. */
+function watch() {
+  const controller = new AbortController();
+  const begin = process.cpuUsage();
+  const seconds = () => {
+    const { user, system } = process.cpuUsage(begin);
+    return (user + system) / 1e6;
+  };
+  const timer = setInterval(() => {
+    if (seconds() > longestRun) controller.abort();
+  }, 1000);
+  return { signal: controller.signal, seconds, stop: () => clearInterval(timer) };
+}
+
+/** @typedef {{ seed: number, size: number, seconds: number }} Timing */
+
+/** The case that took longest beside others of its size. @param {Timing[]} timings */
+function slowest(timings) {
+  const classOf = (/** @type {number} */ size) => Math.floor(Math.log2(size));
+  /** @type {Map<number, number[]>} */
+  const bySize = new Map();
+  for (const timing of timings) {
+    const key = classOf(timing.size);
+    bySize.set(key, [...bySize.get(key) ?? [], timing.seconds]);
+  }
+  const median = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1];
+  const medians = new Map([...bySize].map(([key, list]) => [key, median(list)]));
+  return timings.map((timing) =>
+    ({ ...timing, ratio: timing.seconds / medians.get(classOf(timing.size)) }))
+    .sort((a, b) => b.ratio - a.ratio)[0];
+}
+
+/** @param {number} seed */
+async function runSeed(seed) {
+  const input = makeCase(seed);
+  const { signal, seconds, stop } = watch();
+  const { broken, size, code = 'done' } =
+    await runCase(input, { how: { signal }, repeats: seed % everyRepeated === 0 });
+  stop();
+  if (broken.length > 0) {
+    console.log(`${seed} (${input.description}; ${JSON.stringify(input.options)}`
+      + `${input.output ? ` to ${input.output}` : ''})\n  ${broken.join('\n  ')}`);
+  }
+  return { seed, broken, size, code, seconds: seconds() };
+}
+
+/** @param {readonly string[]} words @returns {Promise<number>} the exit status */
+export async function runLaws(words) {
+  const { values } = parseArgs({ args: [...words], options: {
+    seed: { type: 'string', default: '1' },
+    cases: { type: 'string', default: '1000' },
+    every: { type: 'string', default: '1' },
+  } });
+  const [first, count, step] = [values.seed, values.cases, values.every].map(Number);
+  const outcomes = [];
+  for (let i = 0; i < count; i += 1) outcomes.push(await runSeed(first + i * step));
+  /** @type {Record<string, number>} */
+  const codes = {};
+  for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
+  const failures = outcomes.filter(({ broken }) => broken.length > 0).length;
+  console.log(`${count} cases, ${failures} break a law; ${JSON.stringify(codes)}`);
+  const worst = slowest(outcomes.filter(({ size }) => size > 0));
+  if (worst) {
+    console.log(`slowest for its size: ${worst.seed}, ${worst.size} vertices, `
+      + `${worst.seconds.toFixed(2)} s, ${worst.ratio.toFixed(1)} × the median`);
+  }
+  return failures > 0 ? 1 : 0;
+}

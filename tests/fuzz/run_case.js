@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One case run through the package's public functions, and judged.
+import { inspect, remesh, remeshFile } from 'remesher';
+
+import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReading, lawsOfReports }
+  from '../support/laws.js';
+
+/** @typedef {import('./cases.js').Case} Case */
+
+const filesOf = (resources = {}) =>
+  Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
+
+const isSame = (a, b) => a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
+
+/** @param {Case} input @param {object} [how] of the call: signal, worker */
+async function runOnce({ mesh, file, options, output }, how) {
+  if (mesh) return remesh(mesh, { ...options, ...how });
+  const { name, resources } = file;
+  return remeshFile(file.bytes, { ...options, name, resources, output, ...how });
+}
+
+/** Laws of what came out of a file. Other formats do not keep apart what lies in one place. */
+async function judgeFile({ file, output }, result, how) {
+  const { name, bytes, files, report } = result;
+  const before = { ...file, files: filesOf(file.resources) };
+  const broken = await lawsOfFiles(before, { name, bytes, files: files.slice(1) });
+  if (report.output.triangles === 0 || output !== undefined) return broken;
+  const resources = Object.fromEntries(files.slice(1).map((other) => [other.name, other.bytes]));
+  const found = await inspect(bytes, { name, resources, ...how });
+  return [...broken, ...lawsOfReading(found, report)];
+}
+
+/**
+ * The broken laws; `repeats`: whether it is run again, to the same bytes.
+ * @param {Case} input
+ * @param {{ how?: object, repeats?: boolean }} [context]
+ * @returns {Promise<{ broken: string[], size: number, code?: string }>}
+ */
+export async function runCase(input, { how = {}, repeats = false } = {}) {
+  let result;
+  try {
+    result = await runOnce(input, how);
+  } catch (error) {
+    if (error?.name === 'AbortError') return { broken: ['it does not end'], size: 0 };
+    return { broken: lawsOfErrors(error), size: 0, code: error.code };
+  }
+  const { report } = result;
+  const broken = lawsOfReports(report, input.options);
+  if (input.mesh) broken.push(...lawsOfMeshes(result.mesh));
+  else broken.push(...await judgeFile(input, result, how));
+  if (repeats) {
+    const again = await runOnce(input, how);
+    const same = input.mesh ? isSame(again.mesh.positions, result.mesh.positions)
+      && isSame(again.mesh.indices, result.mesh.indices) : isSame(again.bytes, result.bytes);
+    if (!same) broken.push('another result the second time');
+  }
+  return { broken, size: Math.max(report.input.vertices, report.output.vertices) };
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What must hold of every run, tried on random cases: surfaces good and bad, as arrays and as files
+// good and bad, with random options. npm run fuzz -- laws tries others.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { makeCase } from './fuzz/cases.js';
+import { runCase } from './fuzz/run_case.js';
+import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReports } from './support/laws.js';
+import { files } from './fuzz/made_files.js';
+import { shapes } from './fuzz/made_shapes.js';
+
+test('a broken law is noticed', async () => {
+  const side = { vertices: 8, components: 1, boundaryEdges: 0, nonManifoldEdges: 0,
+    eulerCharacteristic: 2, degenerateTriangles: 0 };
+  const report = { input: side, output: side, fidelity: { hausdorff: 1 }, warnings: [],
+    stopped: 'target' };
+  assert.deepEqual(lawsOfReports(report, { vertices: 8, maxError: 2 }), []);
+  assert.match(lawsOfReports(report, { vertices: 9 })[0], /8 vertices instead of 9/);
+  assert.match(lawsOfReports(report, { maxError: 0.5 })[0], /1 % away/);
+  const worse = { boundaryEdges: 3, nonManifoldEdges: 1, components: 2, eulerCharacteristic: 3,
+    degenerateTriangles: 1 };
+  assert.equal(lawsOfReports({ ...report, output: { ...side, ...worse } }, {}).length, 5);
+  assert.match(lawsOfErrors({ code: 'INTERNAL', message: 'Oh.' })[0], /INTERNAL/);
+  assert.match(lawsOfErrors({ code: 'PARSE_ERROR', message: 'Oh' })[0], /not a sentence/);
+  assert.match(lawsOfErrors(new TypeError('Oh'))[0], /not a RemeshError/);
+  const mesh = { positions: Float32Array.of(0, 0, NaN), indices: Uint32Array.of(0, 0, 1),
+    attributes: { NORMAL: { array: Float32Array.of(0, 0, 2), itemSize: 3 } } };
+  assert.equal(lawsOfMeshes(mesh).length, 3);
+  const good = files.skinned(shapes.ball(1));
+  const bad = files.skinned(shapes.ball(1));
+  bad.bytes = Uint8Array.from(Buffer.from(Buffer.from(bad.bytes).toString('latin1')
+    .replace('"joints":[1,2,3]', '"joints":[1]    '), 'latin1'));
+  assert.deepEqual(await lawsOfFiles(good, good), []);
+  assert.match((await lawsOfFiles(good, bad))[0], /ACCESSOR_JOINTS_INDEX_OOB/);
+});
+
+const [first, last] = [179, 239];
+
+for (let seed = first; seed <= last; seed += 1) {
+  const input = makeCase(seed);
+  test(`case ${seed}: ${input.description}`, async () => {
+    const { broken } = await runCase(input, { repeats: seed % 8 === 0 });
+    assert.deepEqual(broken, []);
+  });
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// What must hold of every run, whatever came in: of its error, of its report, of its mesh, of its
+// files. Each function returns the broken laws in words.
+import validator from 'gltf-validator';
+
+import { errorCodes } from '../../dist/base/errors.js';
+import { openGltf, valuesOf } from './gltf.js';
+
+/** Repairs after which other parts, holes and handles than before are to be expected. */
+const repairs = new Set(['BACK_TO_BACK_TRIANGLES_REMOVED', 'DEGENERATE_TRIANGLES_REMOVED',
+  'DUPLICATE_TRIANGLES_REMOVED', 'INCONSISTENT_ORIENTATION_FIXED', 'NON_MANIFOLD_EDGES_SPLIT',
+  'NON_MANIFOLD_VERTICES_SPLIT', 'NON_ORIENTABLE_CUT']);
+
+/** The caller's fault, said in a sentence. @param {any} error */
+export function lawsOfErrors(error) {
+  const { code, message } = error;
+  if (!errorCodes.includes(code)) return [`not a RemeshError: ${error.stack}`];
+  if (code === 'INTERNAL' || code === 'CANCELLED') return [`${code}: ${message}`];
+  return /\.$/.test(message) ? [] : [`not a sentence: ${message}`];
+}
+
+/** @param {any} report @param {Record<string, any>} options those asked for */
+export function lawsOfReports(report, options) {
+  const { input, output, fidelity, stopped, warnings } = report;
+  const broken = [];
+  const require = (/** @type {boolean} */ holds, /** @type {string} */ law) => {
+    if (!holds) broken.push(law);
+  };
+  require(stopped !== 'target' || options.splitObtuse || options.vertices === undefined
+    || output.vertices === options.vertices || warnings.length > 0,
+  `${output.vertices} vertices instead of ${options.vertices}, and no reason`);
+  require(output.degenerateTriangles <= input.degenerateTriangles,
+    `${output.degenerateTriangles} degenerate triangles, of ${input.degenerateTriangles}`);
+  require(output.nonManifoldEdges <= input.nonManifoldEdges,
+    `${output.nonManifoldEdges} non-manifold edges, of ${input.nonManifoldEdges}`);
+  if (input.nonManifoldEdges === 0 && input.boundaryEdges === 0) {
+    require(output.boundaryEdges === 0, `closed before, ${output.boundaryEdges} edges open now`);
+  }
+  if (!warnings.some((/** @type {any} */ { code }) => repairs.has(code))) {
+    for (const name of ['components', 'eulerCharacteristic']) {
+      require(output[name] === input[name], `${name} ${output[name]}, was ${input[name]}`);
+    }
+  }
+  if (options.maxError !== undefined) {
+    require(fidelity.hausdorff <= options.maxError * (1 + 1e-6),
+      `${fidelity.hausdorff} % away, not ${options.maxError} % at most`);
+  }
+  return broken;
+}
+
+const areFinite = (/** @type {any} */ values) => values.every(Number.isFinite);
+
+/** How far a vector may be from unit length: a step of the smallest integers. */
+const unitTolerance = 0.02;
+
+/** Values of one attribute, an array per vertex. */
+function lawsOfAttribute(semantic, rows) {
+  if (!rows.every(areFinite)) return [`${semantic} is not finite`];
+  const isUnit = (/** @type {number[]} */ row) =>
+    Math.abs(Math.hypot(...row.slice(0, 3)) - 1) < unitTolerance;
+  if (/^(NORMAL|TANGENT)$/.test(semantic) && !rows.every(isUnit)) {
+    return [`${semantic} is not of unit length`];
+  }
+  return [];
+}
+
+/** Rows of `width`. */
+function rowsOf(values, width) {
+  return Array.from({ length: values.length / width },
+    (_, i) => Array.from(values.subarray(width * i, width * (i + 1))));
+}
+
+/** Of a mesh as arrays. */
+export function lawsOfMeshes({ positions, indices, attributes = {} }) {
+  const broken = [];
+  const count = positions.length / 3;
+  if (!areFinite(positions)) broken.push('a coordinate is not finite');
+  if (!indices.every((/** @type {number} */ v) => v < count)) broken.push('an index is too large');
+  for (const [semantic, { array, itemSize }] of Object.entries(attributes)) {
+    broken.push(...lawsOfAttribute(semantic, rowsOf(array, itemSize)));
+  }
+  return broken;
+}
+
+const isGltf = ({ name }) => /\.gl(b|tf)$/.test(name);
+
+/** What the validator complains about, by code; errors and warnings. */
+export async function complaints({ bytes, files = [] }) {
+  const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
+    maxIssues: 0,
+    externalResourceFunction: async (uri) => {
+      const file = files.find(({ name }) => name === decodeURIComponent(uri));
+      if (!file) throw new Error(`${uri} is missing`);
+      return file.bytes;
+    },
+  });
+  return new Map(issues.messages.filter(({ severity }) => severity < 2)
+    .map(({ code, message, pointer }) => [code, `${code} at ${pointer}: ${message}`]));
+}
+
+/** Colours of a glTF file from 0 to 1; the validator looks at the rest. */
+function lawsOfColors({ bytes, files = [] }) {
+  const opened = openGltf({ bytes, files: [null, ...files] });
+  const broken = [];
+  if (!opened.data) return broken;
+  for (const { primitives = [] } of opened.tree.meshes ?? []) {
+    for (const { attributes } of primitives) {
+      const accessor = opened.tree.accessors[attributes.COLOR_0];
+      if (accessor?.bufferView === undefined || accessor.sparse) continue;
+      const colors = valuesOf(opened, attributes.COLOR_0).flat();
+      if (!colors.every((x) => x >= 0 && x <= 1)) broken.push('COLOR_0 is not within 0 to 1');
+    }
+  }
+  return broken;
+}
+
+/**
+ * @param {any} before the file that went in: { name, bytes, files }
+ * @param {any} after the file that came out
+ */
+export async function lawsOfFiles(before, after) {
+  if (!isGltf(after)) {
+    const text = new TextDecoder().decode(after.bytes);
+    return /\b(nan|inf)/i.test(text.replace(/^\S*[a-z].*$/gm, (line) =>
+      (/^(v|vt|vn) /.test(line) ? line : ''))) ? ['a number is not finite'] : [];
+  }
+  const known = isGltf(before) ? await complaints(before) : new Map();
+  const now = await complaints(after);
+  const worse = [...now].filter(([code]) => !known.has(code)).map(([, words]) => words);
+  return known.size === 0 ? [...worse, ...lawsOfColors(after)] : worse;
+}
+
+/** The file says what the report does. @param {any} found its inspection @param {any} report */
+export function lawsOfReading(found, report) {
+  return ['vertices', 'triangles', 'components', 'boundaryEdges', 'nonManifoldEdges',
+    'eulerCharacteristic']
+    .filter((name) => found.input[name] !== report.output[name])
+    .map((name) => `the file has ${found.input[name]} ${name}, the report ${report.output[name]}`);
+}
