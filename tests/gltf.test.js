@@ -4,11 +4,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { MeshoptEncoder } from 'meshoptimizer/encoder';
-import draco3d from 'draco3dgltf';
 import { inspect, remeshFile } from 'remesher';
 
-import { packGlb } from '../bindings/package/codecs/gltf_container.js';
+import { dracoCompressed, meshoptCompressed } from './support/compressed.js';
 import { rejectsWith } from './support/errors.js';
 import { GltfMaker, openGltf, validate, valuesOf } from './support/gltf.js';
 import { sheet } from './support/shapes.js';
@@ -138,69 +136,6 @@ function shared() {
   });
 }
 
-async function meshoptCompressed() {
-  await MeshoptEncoder.ready;
-  const maker = texturedSheet();
-  const glb = maker.glb();
-  const { tree, data } = openGltf(glb);
-  const result = new GltfMaker();
-  result.tree = { ...tree, extensionsUsed: ['EXT_meshopt_compression'],
-    extensionsRequired: ['EXT_meshopt_compression'] };
-  const plain = tree.bufferViews.map(({ byteOffset, byteLength }) =>
-    data.slice(byteOffset, byteOffset + byteLength));
-  const strides = [12, 8, 2];
-  const modes = ['ATTRIBUTES', 'ATTRIBUTES', 'TRIANGLES'];
-  const extents = [];
-  plain.forEach((bytes, i) => {
-    const elements = bytes.length / strides[i];
-    result.views.push(MeshoptEncoder.encodeGltfBuffer(bytes, elements, strides[i], modes[i]));
-    extents.push({ count: elements, byteStride: strides[i], mode: modes[i] });
-  });
-  const compressed = result.data();
-  tree.bufferViews.forEach((view, i) => {
-    const { byteOffset, byteLength } = view;
-    view.extensions = { EXT_meshopt_compression:
-      { buffer: 0, byteOffset, byteLength, ...extents[i] } };
-    Object.assign(view, { buffer: 1, byteOffset: 0, byteLength: plain[i].length });
-  });
-  result.tree.buffers.push({ byteLength: Math.max(...plain.map(({ length }) => length)),
-    extensions: { EXT_meshopt_compression: { fallback: true } } });
-  return { name: 'made.glb', bytes: packGlb(result.tree, compressed) };
-}
-
-async function dracoCompressed() {
-  const draco = await draco3d.createEncoderModule({});
-  const encoder = new draco.Encoder();
-  const builder = new draco.MeshBuilder();
-  const mesh = new draco.Mesh();
-  encoder.SetAttributeQuantization(draco.POSITION, 16);
-  encoder.SetAttributeQuantization(draco.TEX_COORD, 16);
-  builder.AddFacesToMesh(mesh, indices.length / 3, indices);
-  const ids = {
-    POSITION: builder.AddFloatAttributeToMesh(mesh, draco.POSITION, count, 3, positions),
-    TEXCOORD_0: builder.AddFloatAttributeToMesh(mesh, draco.TEX_COORD, count, 2, texcoords),
-  };
-  const target = new draco.DracoInt8Array();
-  const length = encoder.EncodeMeshToDracoBuffer(mesh, target);
-  const bytes = Int8Array.from({ length }, (_, i) => target.GetValue(i));
-  [target, mesh, builder, encoder].forEach((object) => draco.destroy(object));
-
-  const maker = new GltfMaker();
-  const bufferView = maker.addView(bytes);
-  const accessor = { componentType: 5126, count };
-  maker.show([{
-    attributes: {
-      POSITION: maker.describe({ ...accessor, type: 'VEC3' }, positions),
-      TEXCOORD_0: maker.describe({ ...accessor, type: 'VEC2' }),
-    },
-    indices: maker.describe({ componentType: 5123, count: small.length, type: 'SCALAR' }),
-    extensions: { KHR_draco_mesh_compression: { bufferView, attributes: ids } },
-  }]);
-  Object.assign(maker.tree, { extensionsUsed: ['KHR_draco_mesh_compression'],
-    extensionsRequired: ['KHR_draco_mesh_compression'] });
-  return maker.glb();
-}
-
 const withIndices = (Kind) => () => {
   if (Kind !== Uint8Array) {
     return texturedSheet((maker, primitive) =>
@@ -246,8 +181,8 @@ const kinds = {
   'indices of shorts': withIndices(Uint16Array),
   'indices of ints': withIndices(Uint32Array),
   'shared accessors': () => shared().glb(),
-  'EXT_meshopt_compression': meshoptCompressed,
-  'KHR_draco_mesh_compression': dracoCompressed,
+  'EXT_meshopt_compression': () => meshoptCompressed(texturedSheet().glb()),
+  'KHR_draco_mesh_compression': () => dracoCompressed({ positions, indices, texcoords }),
 };
 
 /** Per primitive its positions in the world (the node may scale) and texture coordinates. */

@@ -40,6 +40,8 @@ export function spawn() {
     listen(onMessage, onFailure) {
       worker.on('message', onMessage);
       worker.on('error', (error) => onFailure(error.message));
+      // Without an error before it, or a job would never settle.
+      worker.on('exit', (status) => onFailure(`it ended with status ${status}`));
     },
     terminate: () => void worker.terminate(),
     keepAlive: (busy) => (busy ? worker.ref() : worker.unref()),

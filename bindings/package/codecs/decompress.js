@@ -67,8 +67,32 @@ function loadBuffers(tree, chunk, file) {
  * @param {{ byteOffset?: number, byteLength: number }} view
  */
 function slice(bytes, { byteOffset = 0, byteLength }) {
-  if (byteOffset + byteLength > bytes.length) throw new Error('a range reaches beyond its buffer');
+  const isInside = byteOffset >= 0 && byteLength >= 0 && byteOffset + byteLength <= bytes.length;
+  if (!isInside) throw new Error('a range reaches beyond its buffer');
   return bytes.subarray(byteOffset, byteOffset + byteLength);
+}
+
+/** The sizes of elements that each mode and filter knows: the decoder itself trusts them. */
+const isStride = /** @type {Record<string, (stride: number) => boolean>} */ ({
+  ATTRIBUTES: (stride) => stride % 4 === 0 && stride <= 256,
+  TRIANGLES: (stride) => stride === 2 || stride === 4,
+  INDICES: (stride) => stride === 2 || stride === 4,
+  NONE: () => true,
+  OCTAHEDRAL: (stride) => stride === 4 || stride === 8,
+  QUATERNION: (stride) => stride === 8,
+  EXPONENTIAL: (stride) => stride % 4 === 0,
+  COLOR: (stride) => stride === 4 || stride === 8,
+});
+
+/** @param {{ count: any, byteStride: any, mode: any, filter: any }} layout */
+function checkLayout({ count, byteStride, mode, filter }) {
+  const isKnown = [mode, filter].every((name) => Object.hasOwn(isStride, name));
+  const areWhole = Number.isInteger(count) && count >= 0
+    && Number.isInteger(byteStride) && byteStride > 0;
+  const fits = isKnown && areWhole && isStride[mode](byteStride) && isStride[filter](byteStride);
+  if (!fits || (mode === 'TRIANGLES' && count % 3 !== 0)) {
+    throw new Error('a compressed range is laid out as none can be');
+  }
 }
 
 /**
@@ -85,7 +109,8 @@ async function loadBufferViews(tree, buffers) {
       decoded.push(slice(buffers[view.buffer], view));
       continue;
     }
-    const { buffer, count, byteStride, mode, filter, ...range } = view.extensions[name];
+    const { buffer, count, byteStride, mode, filter = 'NONE', ...range } = view.extensions[name];
+    checkLayout({ count, byteStride, mode, filter });
     const { MeshoptDecoder } = await import('../meshopt_decoder.mjs');
     await MeshoptDecoder.ready;
     const target = new Uint8Array(count * byteStride);
@@ -132,10 +157,16 @@ function joinBuffers(tree, contents) {
   return joined;
 }
 
-/** Why it failed, for people: a TypeError speaks to programmers. @param {unknown} error */
+/**
+ * Why it failed, for people: a TypeError speaks to programmers, and what a decoder throws from its
+ * own inside, a number or a trap, to nobody.
+ * @param {unknown} error
+ */
 function reason(error) {
-  const isPlain = error instanceof Error
-    && !(error instanceof TypeError || error instanceof RangeError);
+  if (!(error instanceof Error) || error instanceof WebAssembly.RuntimeError) {
+    return 'the decoder cannot make sense of it';
+  }
+  const isPlain = !(error instanceof TypeError || error instanceof RangeError);
   return isPlain
     ? legible(error.message.replace(/\.$/, '')) : 'the JSON does not say rightly what it is';
 }

@@ -19,15 +19,17 @@ const unsignedInt = 5125;
 const float = 5126;
 
 /**
- * What the decoder writes into its own memory, copied out.
+ * What the decoder writes into its own memory, copied out. Where it finds that the sizes do not
+ * agree it writes nothing, and what was there before is not ours.
  * @param {any} draco
  * @param {number} byteLength
- * @param {(pointer: number) => void} fill
+ * @param {(pointer: number) => boolean} fill
  */
 function copyOut(draco, byteLength, fill) {
   const pointer = draco._malloc(byteLength);
+  if (pointer === 0) throw new Error('it needs more memory than the decoder has');
   try {
-    fill(pointer);
+    if (!fill(pointer)) throw new Error('an accessor is of another type than what is compressed');
     return draco.HEAPU8.slice(pointer, pointer + byteLength);
   } finally {
     draco._free(pointer);
@@ -112,6 +114,9 @@ class PrimitiveDecoder {
     const count = mesh.num_points();
     const byteLength = count * rowBytes;
     const attribute = decoder.GetAttributeByUniqueId(mesh, id);
+    if (this.draco.getPointer(attribute) === 0) {
+      throw new Error(`attribute ${String(id)} is not among what is compressed`);
+    }
     const bytes = copyOut(this.draco, byteLength, (pointer) =>
       decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, this.draco[name], byteLength,
         pointer));
