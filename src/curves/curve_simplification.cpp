@@ -34,6 +34,7 @@ class Simplification {
         absorbed_(mesh.faceCapacity(), 0) {}
 
   SimplifiedCurves run(const CurveEdges& curves) {
+    if (curves.free.empty()) return {{}, absorbed_};
     for (const Halfedge h : curves.free) mark(h, Role::Free);
     for (const Halfedge h : curves.fixed) mark(h, Role::Fixed);
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)

@@ -36,10 +36,11 @@ HalfedgeData<double> dihedralAngles(const HalfedgeMesh& mesh, const VertexData<V
   HalfedgeData<double> angles(mesh.halfedgeCapacity(), 0.0);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    if (mesh.isBoundary(h)) continue;
+    if (!mesh.isEdge(h) || mesh.isBoundary(h)) continue;
     const Vec3 &n = normals[mesh.face(h)], &m = normals[mesh.face(mesh.twin(h))];
     // A face without area has no normal, and its edges no angle.
-    if (!n.isZero() && !m.isZero()) angles[h] = angleOf(n.cross(m).norm(), n.dot(m));
+    if (n.isZero() || m.isZero()) continue;
+    angles[h] = angles[mesh.twin(h)] = angleOf(n.cross(m).norm(), n.dot(m));
   }
   return angles;
 }
