@@ -7,14 +7,26 @@ namespace remesher {
 
 HalfedgeMesh::HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles)
     : origin_(triangles.size()), twin_(triangles.size()), outgoing_(vertexCount) {
-  for (Index h = 0; h < triangles.size(); ++h) {
-    origin_[h] = Vertex(triangles[h]);
-    outgoing_[triangles[h]] = Halfedge(h);
-  }
+  for (Index h = 0; h < triangles.size(); ++h) origin_[h] = Vertex(triangles[h]);
   const EdgeGroups edges(vertexCount, triangles);
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (edges[e].size() == 2) link(Halfedge(edges[e][0]), Halfedge(edges[e][1]));
-  for (Index v = 0; v < vertexCount; ++v) {
+  findOutgoing();
+}
+
+HalfedgeMesh::HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles,
+                           std::span<const Index> twins)
+    : origin_(triangles.size()), twin_(triangles.size()), outgoing_(vertexCount) {
+  for (Index h = 0; h < triangles.size(); ++h) {
+    origin_[h] = Vertex(triangles[h]);
+    twin_[h] = Halfedge(twins[h]);
+  }
+  findOutgoing();
+}
+
+void HalfedgeMesh::findOutgoing() {
+  for (Index h = 0; h < origin_.size(); ++h) outgoing_[origin_[h].index] = Halfedge(h);
+  for (Index v = 0; v < outgoing_.size(); ++v) {
     if (isAlive(Vertex(v))) {
       setOutgoingToBoundary(Vertex(v));
     } else {

@@ -26,6 +26,10 @@ class HalfedgeMesh {
   // are dead.
   HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles);
 
+  // The same where it is known which halfedges lie across from which: kNone on a boundary.
+  HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles,
+               std::span<const Index> twins);
+
   // Array sizes, holes included: the bound for loops over indices and the size for per-handle data.
   std::size_t vertexCapacity() const { return outgoing_.size(); }
   std::size_t halfedgeCapacity() const { return origin_.size(); }
@@ -106,6 +110,7 @@ class HalfedgeMesh {
   friend class EulerOperators;
   friend class MeshBreaker;  // tests only: breaks one law on purpose
 
+  void findOutgoing();
   void link(Halfedge h, Halfedge t);  // makes h and t twins; t may be none
   void setOutgoingToBoundary(Vertex v);
 

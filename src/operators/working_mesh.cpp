@@ -176,6 +176,31 @@ Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
 
 void WorkingMesh::move(Vertex v, const Placement& to) { place(v, to); }
 
+namespace {
+
+// The triangles that come of the one of corners 0, 1, 2 with the middles m0, m1, m2 of its sides:
+// (0 m0 m2) (1 m1 m0) (2 m2 m1) (m0 m1 m2). Its side from i to i + 1 becomes the first halfedge of
+// the i-th and the last of the next.
+std::vector<Index> subdividedTwins(const HalfedgeMesh& mesh) {
+  std::vector<Index> twins(4 * mesh.halfedgeCapacity(), kNone);
+  const auto firstHalf = [](Halfedge h) { return 12 * (h.index / 3) + 3 * (h.index % 3); };
+  const auto secondHalf = [](Halfedge h) {
+    return 12 * (h.index / 3) + 3 * ((h.index + 1) % 3) + 2;
+  };
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const Index inner = firstHalf(h) + 1, middle = 12 * (i / 3) + 9 + (i + 2) % 3;
+    twins[inner] = middle;
+    twins[middle] = inner;
+    if (mesh.isBoundary(h)) continue;
+    twins[firstHalf(h)] = secondHalf(mesh.twin(h));
+    twins[secondHalf(h)] = firstHalf(mesh.twin(h));
+  }
+  return twins;
+}
+
+}  // namespace
+
 void WorkingMesh::subdivide(std::span<const Placement> midpoints) {
   const Index faces = Index(mesh_.faceCapacity());
   const std::size_t oldVertices = mesh_.vertexCapacity();
@@ -202,7 +227,7 @@ void WorkingMesh::subdivide(std::span<const Placement> midpoints) {
     curve.values().insert(curve.values().end(), {e[0], kNone, e[2], e[1], kNone, e[0], e[2], kNone,
                                                  e[1], kNone, kNone, kNone});
   }
-  mesh_ = HalfedgeMesh(next, triangles);
+  mesh_ = HalfedgeMesh(next, triangles, subdividedTwins(mesh_));
   curve_ = std::move(curve);
   grow();
   unsettleAll();

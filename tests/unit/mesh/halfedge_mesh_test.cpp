@@ -22,6 +22,22 @@ TEST_CASE("halfedge_mesh: two triangles share one edge and keep four on the boun
   CHECK(mesh.triangles() == square);
 }
 
+TEST_CASE("halfedge_mesh: known twins make the mesh that found ones make") {
+  for (const shapes::Shape& shape : shapes::all()) {
+    CAPTURE(shape.name);
+    const HalfedgeMesh found = buildMesh(shape.mesh).mesh;
+    std::vector<Index> twins;
+    for (Index i = 0; i < found.halfedgeCapacity(); ++i)
+      twins.push_back(found.twin(Halfedge(i)).index);
+    const HalfedgeMesh known(found.vertexCapacity(), found.triangles(), twins);
+    CHECK(check(known) == "");
+    for (Index i = 0; i < found.halfedgeCapacity(); ++i)
+      CHECK(known.twin(Halfedge(i)) == found.twin(Halfedge(i)));
+    for (Index v = 0; v < found.vertexCapacity(); ++v)
+      CHECK(known.outgoing(Vertex(v)) == found.outgoing(Vertex(v)));
+  }
+}
+
 TEST_CASE("halfedge_mesh: next and prev turn around a face, twins are an involution") {
   for (const shapes::Shape& shape : shapes::all()) {
     CAPTURE(shape.name);
