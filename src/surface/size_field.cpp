@@ -98,34 +98,26 @@ double steepestSlope(double gradation) {
 }
 
 // No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
-// slope·d. Vertices are settled from the smallest up, as in Dijkstra's shortest paths, beginning
-// with those that limit a neighbour.
+// slope·d. In rounds, each over those that the last one has lowered: limits reach a few edges only,
+// and a queue by size would cost more than the few vertices that are lowered twice.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto forEachLimited = [&](Vertex v, auto visit) {
-    surface.mesh().forEachNeighbor(v, [&](Vertex w) {
-      if (sizes[w] <= sizes[v]) return;
-      const double limit =
-          sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
-      if (sizes[w] > limit) visit(w, limit);
-    });
-  };
-  for (Index i = 0; i < sizes.size(); ++i) {
-    if (!surface.mesh().isAlive(Vertex(i))) continue;
-    bool limits = false;
-    forEachLimited(Vertex(i), [&](Vertex, double) { limits = true; });
-    if (limits) queue.emplace(sizes[Vertex(i)], i);
-  }
-  while (!queue.empty()) {
-    const auto [size, i] = queue.top();
-    queue.pop();
-    if (size > sizes[Vertex(i)]) continue;  // reached by a shorter way meanwhile
-    forEachLimited(Vertex(i), [&](Vertex w, double limit) {
-      sizes[w] = limit;
-      queue.emplace(limit, w.index);
-    });
-  }
+  std::vector<Vertex> lowered, next;
+  VertexData<char> waits(sizes.size(), 1);
+  for (Index i = 0; i < sizes.size(); ++i)
+    if (surface.mesh().isAlive(Vertex(i))) lowered.emplace_back(i);
+  for (; !lowered.empty(); lowered.swap(next), next.clear())
+    for (const Vertex v : lowered) {
+      waits[v] = 0;
+      surface.mesh().forEachNeighbor(v, [&](Vertex w) {
+        if (sizes[w] <= sizes[v]) return;
+        const double limit =
+            sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
+        if (sizes[w] <= limit) return;
+        sizes[w] = limit;
+        if (!waits[w]) next.push_back(w);
+        waits[w] = 1;
+      });
+    }
 }
 
 // Along boundaries that are kept the edges are as long as they are: per vertex the mean of its two,
