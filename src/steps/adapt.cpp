@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "steps/coarsen.h"
+#include "steps/decimate.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
 #include "steps/sweeps.h"
@@ -18,6 +19,10 @@ namespace {
 constexpr double kMustGo = 0.4;
 constexpr int kRounds = 5;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
+// Of so many times the vertices that are wanted most are thinned out rather than adapted, until
+// edges have this share of the sizes.
+constexpr std::size_t kFarTooMany = 7;
+constexpr double kThinned = 0.5;
 
 // Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
 // Returns the number of splits.
@@ -80,6 +85,15 @@ void collapseShort(Run& run) {
   }
 }
 
+void thinOut(Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexData<double> spacing(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)))
+      spacing[Vertex(i)] = kThinned * run.scale * run.sizes.at(run.mesh.at(Vertex(i)));
+  decimate(run.mesh, run.rule, spacing);
+}
+
 struct Ranked {
   double length;
   Vertex from, to;
@@ -112,6 +126,7 @@ std::size_t splitLongest(Run& run, std::size_t vertices) {
 }  // namespace
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
+  if (run.mesh.mesh().vertexCount() > kFarTooMany * vertices) thinOut(run);
   for (int i = 0; i < kRounds; ++i) {
     progress.at(double(i) / kRounds);
     refine(run, vertices);
