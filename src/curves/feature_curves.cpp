@@ -194,6 +194,28 @@ FeatureCurves::FeatureCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& p
   chains_ = tracer.trace();
   corner_ = tracer.corners();
   for (const Vertex v : rules.tips) corner_[v] = 1;
+  nameChains(mesh);
+}
+
+FeatureCurves::FeatureCurves(const HalfedgeMesh& mesh, const FeatureCurves& other,
+                             const VertexData<Vertex>& heirs)
+    : chains_(other.chains_),
+      chainOf_(mesh.halfedgeCapacity(), kNone),
+      corner_(mesh.vertexCapacity(), 0) {
+  for (Chain& chain : chains_) {
+    for (Vertex& v : chain.vertices) v = heirs[v];
+    for (std::size_t i = 0; i < chain.halfedges.size(); ++i) {
+      const Vertex from = chain.vertices[i], to = chain.vertices[i + 1];
+      const Halfedge h = mesh.find(from, to);
+      chain.halfedges[i] = h ? h : mesh.find(to, from);
+    }
+  }
+  for (Index i = 0; i < heirs.size(); ++i)
+    if (other.corner_[Vertex(i)]) corner_[heirs[Vertex(i)]] = 1;
+  nameChains(mesh);
+}
+
+void FeatureCurves::nameChains(const HalfedgeMesh& mesh) {
   for (Index c = 0; c < chains_.size(); ++c)
     for (const Halfedge h : chains_[c].halfedges) {
       chainOf_[h] = c;

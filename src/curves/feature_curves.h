@@ -40,6 +40,11 @@ class FeatureCurves {
   FeatureCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                 const CurveRules& rules);
 
+  // The same curves on a mesh that has taken the place of another: it keeps all their vertices and
+  // edges, and `heirs` says which those are. Places on them stay the same.
+  FeatureCurves(const HalfedgeMesh& mesh, const FeatureCurves& other,
+                const VertexData<Vertex>& heirs);
+
   const std::vector<Chain>& chains() const { return chains_; }
   bool isCurve(Halfedge h) const { return chainOf_[h] != kNone; }
   Index chain(Halfedge h) const { return chainOf_[h]; }
@@ -61,6 +66,7 @@ class FeatureCurves {
   CurvePoint atCorner(Index chain, Vertex v) const;
 
  private:
+  void nameChains(const HalfedgeMesh& mesh);
   struct Step {
     Halfedge edge;
     double fraction;  // of the way from the chain's vertex i to i + 1

@@ -14,23 +14,29 @@ constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see Pa
 }  // namespace
 
 Projector::Projector(const OriginalSurface& surface, Projection mode, double reach)
-    : surface_(surface),
+    : surface_(&surface),
       mode_(mode),
-      atlas_(surface.mesh(), surface.positions(), kMargin * reach, surface.barriers()) {}
+      atlas_(std::in_place, surface.mesh(), surface.positions(), kMargin * reach,
+             surface.barriers()) {}
+
+void Projector::moveOnto(const OriginalSurface& surface) {
+  surface_ = &surface;
+  atlas_.reset();
+}
 
 // Through a patch; where none serves, the closest point found by walking from the nearest corner,
 // and of the walks from the three corners the one that ends nearest.
 SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
                                    const Triangle& places, const Vec3& weights) {
-  if (mode_ == Projection::Patches)
-    if (const auto point = atlas_.interpolate(corners, places, weights)) return *point;
+  if (mode_ == Projection::Patches && atlas_)
+    if (const auto point = atlas_->interpolate(corners, places, weights)) return *point;
   const Vec3 flat = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   SurfacePoint best;
   double bestDistance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     if (weights[i] <= 0) continue;
-    const SurfacePoint point = closestPointFrom(surface_, corners[i], flat);
-    const double distance = (surface_.position(point) - flat).squaredNorm();
+    const SurfacePoint point = closestPointFrom(*surface_, corners[i], flat);
+    const double distance = (surface_->position(point) - flat).squaredNorm();
     if (distance < bestDistance) {
       bestDistance = distance;
       best = point;

@@ -3,6 +3,8 @@
 // onto the original through the overlapping disk patches, or, for comparison, on the current mesh.
 #pragma once
 
+#include <optional>
+
 #include "base/options.h"
 #include "operators/working_mesh.h"
 #include "patches/patch_atlas.h"
@@ -14,6 +16,9 @@ class Projector {
   // reach: the longest edge that will be projected, model units; patches overlap accordingly.
   Projector(const OriginalSurface& surface, Projection mode, double reach);
 
+  // Onto another surface from now on, by the shortest way: for what is near it already.
+  void moveOnto(const OriginalSurface& surface);
+
   // The point with the given weights between the corners of the face of h, first that at origin(h).
   Placement project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights);
 
@@ -21,9 +26,9 @@ class Projector {
   SurfacePoint onOriginal(const std::array<SurfacePoint, 3>& corners, const Triangle& places,
                           const Vec3& weights);
 
-  const OriginalSurface& surface_;
+  const OriginalSurface* surface_;
   Projection mode_;
-  PatchAtlas atlas_;
+  std::optional<PatchAtlas> atlas_;
 };
 
 }  // namespace remesher

@@ -235,6 +235,20 @@ void WorkingMesh::subdivide(std::span<const Placement> midpoints) {
     place(Vertex(Index(oldVertices + i)), midpoints[i]);
 }
 
+void WorkingMesh::moveOnto(const OriginalSurface& surface, const VertexData<SurfacePoint>& points) {
+  surface_ = &surface;
+  for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!mesh_.isAlive(v)) continue;
+    if (kind_[v] == VertexKind::Interior)
+      place(v, onSurface(points[v]));
+    else if (kind_[v] == VertexKind::Curve)
+      place(v, onCurve(on_[v]));
+    else
+      at_[v] = points[v];
+  }
+}
+
 void WorkingMesh::compact() {
   const HalfedgeMesh::Renumbering map = mesh_.compact();
   for (Index v = 0; v < map.vertex.size(); ++v)

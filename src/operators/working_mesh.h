@@ -58,6 +58,9 @@ class WorkingMesh {
     return isCurve(h) && surface_->curves().chains()[curve_[h]].kept;
   }
 
+  // The vertex of the original at or next to which a point lies: for a corner, which it is.
+  Vertex originalCorner(const SurfacePoint& at) const;
+
   // The place of v on `chain`, on which it lies or of which it is an end.
   CurvePoint onChain(Vertex v, Index chain) const;
 
@@ -87,13 +90,16 @@ class WorkingMesh {
   // order of the edges' halfedges. The mesh must be compact.
   void subdivide(std::span<const Placement> midpoints);
 
+  // The same mesh on another surface that has the same curves. `points`, one for each vertex, say
+  // where; what is on curves stays where it is on them.
+  void moveOnto(const OriginalSurface& surface, const VertexData<SurfacePoint>& points);
+
   // Closes the holes that deletions left.
   void compact();
 
  private:
   void place(Vertex v, const Placement& place);
   void grow();
-  Vertex originalCorner(const SurfacePoint& at) const;
 
   const OriginalSurface* surface_;
   HalfedgeMesh mesh_;

@@ -13,6 +13,7 @@
 #include "steps/delaunay.h"
 #include "steps/polish.h"
 #include "steps/relax.h"
+#include "steps/stand_in.h"
 #include "steps/subdivide.h"
 #include "steps/sweeps.h"
 #include "steps/valence.h"
@@ -130,6 +131,8 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
   polish(run, {kPolishBelow});
+  progress.phase("land", 0, 0);
+  land(run);
   fit(run, progress.phase("fit", 0, 1));
   progress.phase("lower Hausdorff", 1, 1);
   lowerHausdorff(run);

@@ -12,6 +12,9 @@ namespace remesher {
 
 namespace {
 
+// A stand-in has so many vertices to one of the result, and the original so many to one of those.
+constexpr double kFiner = 4, kWorthThinning = 2;
+
 // Graded sizes have a shorter mean than even ones of the same number: the number is corrected for
 // that.
 std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
@@ -44,6 +47,17 @@ std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const Remes
   return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
 }
 
+// What keeps a bound, or to normals, is judged on the original; the rounds are the report's.
+std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t vertices,
+                                  const RemeshOptions& options) {
+  const bool fits = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
+                    options.fidelity.value_or(Fidelity::Fold) == Fidelity::Fold;
+  const double thinned = kFiner * double(vertices);
+  if (!fits || options.maxError) return {};
+  if (double(surface.mesh().vertexCount()) < kWorthThinning * thinned) return {};
+  return StandIn(surface, evenEdgeLength(surface.area(), thinned));
+}
+
 }  // namespace
 
 Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Progress& progress) {
@@ -66,14 +80,24 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
       warnings_(std::move(plan.warnings)),
       density_(std::move(plan.density)),
       surface_(std::move(plan.built), std::move(plan.curves)),
-      vertices_(
-          finalTarget(surface_, options, sizeRules(options, double(plan.vertices), density_))),
-      sizes_(surface_,
-             finalRules(surface_, options, sizeRules(options, double(vertices_), density_))),
+      standIn_(standInFor(surface_, plan.vertices, options)),
+      vertices_(finalTarget(ground(), options,
+                            sizeRules(options, double(plan.vertices), densityOnGround()))),
+      sizes_(ground(), finalRules(surface_, options,
+                                  sizeRules(options, double(vertices_), densityOnGround()))),
       bound_(errorBound(surface_, options)) {}
 
+std::span<const float> Prepared::densityOnGround() {
+  if (!standIn_ || density_.size() != surface_.mesh().vertexCapacity()) return density_;
+  std::vector<float> onGround;
+  for (Index i = 0; i < standIn_->surface().mesh().vertexCapacity(); ++i)
+    onGround.push_back(density_[standIn_->onOriginal(Vertex(i)).index]);
+  density_ = std::move(onGround);
+  return density_;
+}
+
 double Prepared::longestEdges() const {
-  const double own = evenEdgeLength(surface_.area(), double(surface_.mesh().vertexCount()));
+  const double own = evenEdgeLength(ground().area(), double(ground().mesh().vertexCount()));
   return std::max(own, 2 * sizes_.mean());
 }
 

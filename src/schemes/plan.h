@@ -5,12 +5,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "attributes/curve_choice.h"
 #include "base/options.h"
 #include "base/progress.h"
 #include "gate/error_bound.h"
+#include "steps/stand_in.h"
 #include "surface/size_field.h"
 
 namespace remesher {
@@ -37,7 +39,11 @@ class Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   const OriginalSurface& surface() const { return surface_; }
-  const SizeField& sizes() const { return sizes_; }
+  // A thinned copy of it, if it has far more vertices than were asked for.
+  const StandIn* standIn() const { return standIn_ ? &*standIn_ : nullptr; }
+  // The one that remeshing begins with.
+  const OriginalSurface& ground() const { return standIn_ ? standIn_->surface() : surface_; }
+  const SizeField& sizes() const { return sizes_; }  // on the ground
   const std::optional<ErrorBound>& bound() const { return bound_; }
   const TransferRules& transfer() const { return transfer_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -46,10 +52,13 @@ class Prepared {
   double longestEdges() const;
 
  private:
+  std::span<const float> densityOnGround();
+
   TransferRules transfer_;
   std::vector<Warning> warnings_;
   std::vector<float> density_;
   OriginalSurface surface_;
+  std::optional<StandIn> standIn_;
   std::size_t vertices_;
   SizeField sizes_;
   std::optional<ErrorBound> bound_;

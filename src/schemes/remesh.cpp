@@ -84,9 +84,11 @@ bool matchPositions(Run& run, std::size_t vertices) {
 
 Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options, double stagger,
                         const Progress& progress) {
-  Projector projector(original.surface(), options.projection, original.longestEdges());
-  WorkingMesh mesh(original.surface());
-  Run run{mesh, projector, original.sizes(), fidelityRule(options)};
+  Projector projector(original.ground(), options.projection, original.longestEdges());
+  WorkingMesh mesh(original.ground());
+  SizeField sizes = original.sizes();
+  Run run{mesh, projector, sizes, fidelityRule(options)};
+  run.standIn = original.standIn();
   run.stagger = stagger;
   const std::size_t vertices = original.vertices();
   bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)

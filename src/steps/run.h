@@ -15,16 +15,19 @@ namespace remesher {
 // How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
 enum class Boundaries { Even, Staggered };
 
+class StandIn;
+
 struct Run {
   WorkingMesh& mesh;
   Projector& projector;
-  const SizeField& sizes;
+  SizeField& sizes;
   FidelityRule rule;
   double scale = 1;    // of the sizes at the present level
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
-  LocalChange change = {};  // the proposal at hand
-  Vertex result = {};       // what the last change made, moved or kept; none after a flip
+  const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
+  LocalChange change = {};           // the proposal at hand
+  Vertex result = {};                // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
 };
 

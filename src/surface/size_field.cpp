@@ -211,6 +211,13 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));
 }
 
+void SizeField::moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs) {
+  VertexData<double> sizes(heirs.size());
+  for (Index i = 0; i < heirs.size(); ++i) sizes[Vertex(i)] = sizes_[heirs[Vertex(i)]];
+  mesh_ = &finer.mesh();
+  sizes_ = std::move(sizes);
+}
+
 double SizeField::at(const SurfacePoint& p) const {
   const auto [a, b, c] = mesh_->vertices(p.face);
   return p.barycentric[0] * sizes_[a] + p.barycentric[1] * sizes_[b] + p.barycentric[2] * sizes_[c];

@@ -27,6 +27,9 @@ class SizeField {
   double at(const SurfacePoint& p) const;
   double at(Vertex original) const { return sizes_[original]; }
 
+  // The same sizes on a finer surface, each vertex of which takes that of its heir on this one.
+  void moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs);
+
   // Whether it is the same everywhere.
   bool isEven() const { return even_; }
   // Whether the caller's own density is in it.

@@ -17,7 +17,7 @@ TEST_CASE("refine excess: a fine mesh finds its way to the corners of a coarse o
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(2), shapes::Features::None);
   for (const std::size_t vertices : {600, 1200}) {
     CAPTURE(vertices);
-    const SizeField sizes(surface, {double(vertices)});
+    SizeField sizes(surface, {double(vertices)});
     Projector projector(surface, Projection::Patches, 2 * sizes.mean());
     WorkingMesh mesh(surface);
     Run run{mesh, projector, sizes, fidelityRule({})};

@@ -134,7 +134,7 @@ TEST_CASE("targets: target sizes at the ends of an edge differ by no more than t
   for (const Scheme scheme : kSchemes)
     for (const double gradation : {1.2, 1.5, 2.0}) {
       CAPTURE(int(scheme));
-      const SizeField sizes(
+      SizeField sizes(
           surface, {.vertices = 3000, .adaptivity = 1, .gradation = gradation, .density = density});
       Projector projector(surface, Projection::Patches, 2 * sizes.mean());
       WorkingMesh mesh(surface);

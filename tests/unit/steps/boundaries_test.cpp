@@ -82,7 +82,7 @@ TEST_CASE("boundaries: a resampled one stays within 0.1 % of the diagonal, in bo
         CAPTURE(winding);
         CAPTURE(vertices);
         CAPTURE(adaptivity);
-        const SizeField sizes(surface, {.vertices = vertices, .adaptivity = adaptivity});
+        SizeField sizes(surface, {.vertices = vertices, .adaptivity = adaptivity});
         Projector projector(surface, Projection::Patches, 2 * sizes.mean());
         WorkingMesh mesh(surface);
         Run run{mesh, projector, sizes, {}};

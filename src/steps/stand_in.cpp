@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "steps/stand_in.h"
+
+#include <limits>
+#include <utility>
+
+#include "steps/decimate.h"
+#include "surface/surface_walk.h"
+
+namespace remesher {
+
+struct StandIn::Thinned {
+  BuiltMesh built;
+  FeatureCurves curves;
+  VertexData<Vertex> heirs, onOriginal;
+};
+
+namespace {
+
+// The vertices of which the heirs are, each of which has kept its place.
+VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
+  VertexData<Vertex> result(thinned.mesh().vertexCapacity());
+  for (Index i = 0; i < result.size(); ++i) {
+    result[Vertex(i)] = thinned.originalCorner(thinned.at(Vertex(i)));
+  }
+  return result;
+}
+
+}  // namespace
+
+StandIn::StandIn(const OriginalSurface& original, double edge)
+    : StandIn(original, [&] {
+        WorkingMesh mesh(original);
+        const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
+        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing);
+        VertexData<Vertex> onOriginal = ancestors(mesh);
+        BuiltMesh built;
+        built.mesh = mesh.mesh();
+        built.positions = mesh.positions();
+        for (const Vertex v : onOriginal.values())
+          built.sources.values().push_back(original.built().sources[v]);
+        FeatureCurves curves(built.mesh, original.curves(), heirs);
+        return Thinned{std::move(built), std::move(curves), std::move(heirs),
+                       std::move(onOriginal)};
+      }()) {}
+
+StandIn::StandIn(const OriginalSurface& original, Thinned&& thinned)
+    : original_(&original),
+      heirs_(std::move(thinned.heirs)),
+      onOriginal_(std::move(thinned.onOriginal)),
+      surface_(std::move(thinned.built), std::move(thinned.curves)) {}
+
+// Of the walks from the three corners' places the one that ends nearest.
+SurfacePoint StandIn::onOriginal(const SurfacePoint& p) const {
+  const Vec3 target = surface_.position(p);
+  SurfacePoint best;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Vertex corner : surface_.mesh().vertices(p.face)) {
+    const SurfacePoint found =
+        closestPointFrom(*original_, original_->at(onOriginal_[corner]), target);
+    const double distance = (original_->position(found) - target).squaredNorm();
+    if (distance >= shortest) continue;
+    shortest = distance;
+    best = found;
+  }
+  return best;
+}
+
+void land(Run& run) {
+  if (!run.standIn) return;
+  const StandIn& standIn = *std::exchange(run.standIn, nullptr);
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexData<SurfacePoint> places(mesh.vertexCapacity(), SurfacePoint{});
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!mesh.isAlive(v)) continue;
+    if (run.mesh.kind(v) == VertexKind::Corner)
+      places[v] =
+          standIn.original().at(standIn.onOriginal(run.mesh.originalCorner(run.mesh.at(v))));
+    else if (run.mesh.kind(v) == VertexKind::Interior)
+      places[v] = standIn.onOriginal(run.mesh.at(v));
+  }
+  run.mesh.moveOnto(standIn.original(), places);
+  run.projector.moveOnto(standIn.original());
+  run.sizes.moveOnto(standIn.original(), standIn.heirs());
+}
+
+}  // namespace remesher

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A large original costs at every step, though coarse triangles do not care for detail a hundredth
+// of their edges. So a thinned copy of it, whose vertices know their places on the original, stands
+// in for it until the mesh lands on the original itself.
+#pragma once
+
+#include "steps/run.h"
+
+namespace remesher {
+
+class StandIn {
+ public:
+  // `original` must outlive the stand-in. edge: how long, about, its edges are; model units.
+  StandIn(const OriginalSurface& original, double edge);
+
+  const OriginalSurface& surface() const { return surface_; }
+  const OriginalSurface& original() const { return *original_; }
+
+  // Where a vertex of the stand-in lies on the original.
+  Vertex onOriginal(Vertex v) const { return onOriginal_[v]; }
+  // The point of the original that is nearest to one of the stand-in.
+  SurfacePoint onOriginal(const SurfacePoint& p) const;
+  // Per vertex of the original the one of the stand-in that it went into.
+  const VertexData<Vertex>& heirs() const { return heirs_; }
+
+ private:
+  struct Thinned;
+  StandIn(const OriginalSurface& original, Thinned&& thinned);
+
+  const OriginalSurface* original_;
+  VertexData<Vertex> heirs_;
+  VertexData<Vertex> onOriginal_;
+  OriginalSurface surface_;
+};
+
+// Moves the mesh from the stand-in, if any, onto the original, and all that belongs to it.
+void land(Run& run);
+
+}  // namespace remesher
