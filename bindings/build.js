@@ -5,12 +5,13 @@
 //   node bindings/build.js package lint     and what checks the sources without building them
 //   node bindings/build.js package measure  and the native judge of the benchmark
 //   node bindings/build.js package bits     and the browsers that must give the same bytes
+//   node bindings/build.js package profile  and the package once more, with names for the profiler
 // Repeating it costs seconds. It needs nothing but Node; on Debian and Ubuntu, root or sudo where
 // packages are missing. All output goes to standard error.
 
-import { assemblePackage } from './build/assemble.js';
+import { assemblePackage, assembleProfile } from './build/assemble.js';
 import {
-  buildMeasure, buildUnitTests, buildWebAssembly, configureUnitTests,
+  buildMeasure, buildProfile, buildUnitTests, buildWebAssembly, configureUnitTests,
 } from './build/compile.js';
 import { installNpmPackages, installTools } from './build/install.js';
 import { BuildError, say } from './build/say.js';
@@ -29,10 +30,12 @@ async function build(/** @type {readonly Part[]} */ parts) {
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
     bits: async () => {},
+    profile: () => buildProfile(system),
   };
   const ends = await Promise.allSettled(parts.map((part) => steps[part]()));
   const failed = ends.find((end) => end.status === 'rejected');
   if (failed) throw failed.reason;
+  if (parts.includes('profile')) assembleProfile();
 }
 
 const parts = /** @type {Part[]} */ (process.argv.slice(2));

@@ -77,3 +77,11 @@ export async function assemblePackage() {
   await emitDeclarations();
   stamp.set();
 }
+
+/** build/profile/package: dist/ with a module whose functions have names. */
+export function assembleProfile() {
+  cpSync(join(root, 'dist'), join(root, 'build/profile/package'), { recursive: true });
+  for (const file of ['remesher.mjs', 'remesher.wasm']) {
+    copyFileSync(join(root, 'build/profile', file), join(root, 'build/profile/package', file));
+  }
+}

@@ -76,6 +76,13 @@ const unitTests = (system) => ({
 });
 
 /** @param {System} system */
+export const buildProfile = (system) => buildTarget({
+  what: 'the WebAssembly module with names', folder: 'build/profile', name: 'remesher',
+  definitions: [...commonDefinitions(system), ...wasmDefinitions(system),
+    '-DCMAKE_EXE_LINKER_FLAGS=--profiling-funcs'],
+});
+
+/** @param {System} system */
 export const buildUnitTests = (system) => buildTarget(unitTests(system));
 
 /** Finds the headers for those who only read them. @param {System} system */

@@ -6,7 +6,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
-/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'bits'} Part */
+/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'bits' | 'profile'} Part */
 
 /**
  * @typedef {object} Need
