@@ -217,9 +217,18 @@ void TriangleTree::enter(Region& region, const Box& box, double reach) const {
 
 TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start,
                                             const Region& region) const {
+  return nearestBeyond(0, p, start, region);
+}
+
+TriangleTree::Nearest TriangleTree::nearestBeyond(double distance, const Vec3& p, Index start,
+                                                  const Region& region) const {
   Query query = ask(p);
+  query.squaredEnough = distance * distance;
   lookAt(start, query);
-  for (const Index group : region.groups_) lookInto(levels_[0][group], 4 * group, query);
+  for (const Index group : region.groups_) {
+    if (query.best.squaredDistance <= query.squaredEnough) return query.best;
+    lookInto(levels_[0][group], 4 * group, query);
+  }
   // What is not in the region is out of its reach.
   if (query.best.squaredDistance > region.reach_ * region.reach_) lookEverywhere(query);
   return query.best;

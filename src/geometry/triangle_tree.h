@@ -61,6 +61,7 @@ class TriangleTree {
 
   // Any triangle within the distance of p, as soon as one is found; the nearest when there is none.
   Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
+  Nearest nearestBeyond(double distance, const Vec3& p, Index start, const Region& region) const;
 
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>

@@ -16,9 +16,17 @@ namespace remesher {
 
 namespace {
 
-// Samples by area, per side: one per triangle, within these limits. The rms of N samples is
-// off by about 1/√N of itself.
-constexpr std::size_t kFewestSamples = 20'000, kMostSamples = 200'000;
+// Points by area, per side: one for so many triangles, within limits. The rms of N of them is off
+// by about 1/√N of itself.
+struct Spread {
+  std::size_t trianglesEach, fewest, most;
+
+  std::size_t points(std::size_t triangles) const {
+    return std::clamp(triangles / trianglesEach, fewest, most);
+  }
+};
+constexpr Spread kGlimpsed = {16, 2000, 10'000}, kSampled = {4, 5000, 50'000},
+                 kProven = {1, 20'000, 200'000};
 // So many triangles share one look around, as far as this share of their extent and distance.
 constexpr std::size_t kBatch = 16;
 constexpr double kReach = 0.1;
@@ -26,6 +34,9 @@ constexpr double kReach = 0.1;
 // grid of so many points along an edge.
 constexpr std::size_t kSearchedTriangles = 64;
 constexpr int kSearchGrid = 6;
+// What is below this share of the maximum found so far is not measured any further where only the
+// maximum counts.
+constexpr double kFarBelow = 0.5, kBelow = 0.9;
 // A maximum larger by this share of the diagonal need not be found.
 constexpr double kTolerance = 1e-5;
 
@@ -80,8 +91,8 @@ class Measurement {
         diagonal_(diagonal) {}
 
   Deviation run(Maximum maximum) {
-    sample();
-    search();
+    sample(maximum);
+    if (maximum != Maximum::Glimpsed) search();
     if (maximum == Maximum::Proven)
       squaredMaximum_ = provenSquaredMaximum(
           {from_.tree, to_.tree, starts_, kTolerance * diagonal_}, squaredMaximum_);
@@ -104,8 +115,20 @@ class Measurement {
 
   double lookAround(const Vec3& p) { return note(to_.tree.nearest(p, last_, region_)); }
 
-  void sample() {
-    const std::size_t wanted = std::clamp(from_.mesh.triangleCount(), kFewestSamples, kMostSamples);
+  // The same for what may decide the maximum: what cannot comes out too large, but below the share.
+  double lookBeyond(double share, const Vec3& p) {
+    return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_));
+  }
+  double lookAroundBeyond(double share, const Vec3& p) {
+    return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_, region_));
+  }
+
+  void sample(Maximum maximum) {
+    const Spread& spread = maximum == Maximum::Glimpsed  ? kGlimpsed
+                           : maximum == Maximum::Sampled ? kSampled
+                                                         : kProven;
+    if (maximum == Maximum::Glimpsed) isSampled_.assign(isSampled_.size(), 1);
+    const std::size_t wanted = spread.points(from_.mesh.triangleCount());
     const double total = from_.area();
     const double perArea = total > 0 ? static_cast<double>(wanted) / total : 0;
     const std::span<const Index> order = from_.tree.order();
@@ -128,7 +151,7 @@ class Measurement {
         const Index v = from_.mesh.indices[std::size_t{3} * t + k];
         if (isSampled_[v]) continue;
         isSampled_[v] = 1;
-        largest = std::max(largest, lookAround(corners[k]));
+        largest = std::max(largest, lookAroundBeyond(kFarBelow, corners[k]));
       }
       for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1) {
         const double squaredDistance = lookAround(at(points_.next(), corners));
@@ -145,7 +168,10 @@ class Measurement {
   // in a triangle where a large one was found: over a grid there, then over a grid as fine again
   // around the largest.
   void search() {
-    std::vector<Index> triangles(from_.tree.order().begin(), from_.tree.order().end());
+    const double worthIt = kFarBelow * kFarBelow * squaredMaximum_;
+    std::vector<Index> triangles;
+    for (const Index t : from_.tree.order())
+      if (largest_[t] >= worthIt) triangles.push_back(t);
     const std::size_t count = std::min(kSearchedTriangles, triangles.size());
     std::partial_sort(triangles.begin(), triangles.begin() + count, triangles.end(),
                       [this](Index s, Index t) {
@@ -166,7 +192,7 @@ class Measurement {
     for (int i = 0; i <= kSearchGrid; ++i)
       for (int k = 0; i + k <= kSearchGrid; ++k) {
         const Vec3 p = at(Vec3(kSearchGrid - i - k, i, k) / kSearchGrid, t);
-        const double squaredDistance = look(p);
+        const double squaredDistance = lookBeyond(kBelow, p);
         if (squaredDistance <= largest) continue;
         largest = squaredDistance;
         best = p;

@@ -2,6 +2,9 @@
 // How far two surfaces are apart, by looking from points of each to the other: from every vertex,
 // and from points spread evenly by area. Where the distance is largest the points are set denser;
 // where a bound is wanted and not an estimate, triangles are subdivided until it is proven.
+//
+// Most points are nearer than what is known to be the largest distance, and it costs little to see
+// that: only the points spread by area, which the rms is made of, are measured to the end.
 #pragma once
 
 #include "base/report.h"
@@ -9,9 +12,11 @@
 
 namespace remesher {
 
-// Sampled: the maximum is the largest distance found. Proven: none is more than 0.2 % larger, or
-// 0.001 % of the diagonal, at many times the cost.
-enum class Maximum { Sampled, Proven };
+// Glimpsed: the maximum is the largest distance from a few thousand points spread by area. Sampled:
+// from all the points above; it is seldom more than a percent too small, and the rms within about
+// two percent. Proven: none is more than 0.2 % larger, or 0.001 % of the diagonal, at many times
+// the cost, with an rms from four times the points.
+enum class Maximum { Glimpsed, Sampled, Proven };
 
 // Distances from the points of one surface to the other surface, in model units.
 struct Deviation {

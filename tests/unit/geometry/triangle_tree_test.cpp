@@ -107,6 +107,13 @@ TEST_CASE("triangle_tree: what is beyond a distance is the nearest, what is with
     const double found = tree.nearestBeyond(distance, p, 0).squaredDistance;
     if (found > distance * distance) CHECK(found == doctest::Approx(expected).epsilon(1e-12));
     CHECK((found <= distance * distance) == (expected <= distance * distance));
+    Box box;
+    box.extend(p);
+    TriangleTree::Region region;
+    tree.enter(region, box, 0.1 * random.number());
+    const double inRegion = tree.nearestBeyond(distance, p, 0, region).squaredDistance;
+    if (inRegion > distance * distance) CHECK(inRegion == doctest::Approx(expected).epsilon(1e-12));
+    CHECK((inRegion <= distance * distance) == (expected <= distance * distance));
   }
 }
 

@@ -20,7 +20,7 @@ DeviationBothWays proven(const TriangleMesh& original, const TriangleMesh& resul
 
 TEST_CASE("hausdorff: a surface is no distance from itself, however it is cut") {
   const auto check = [](const TriangleMesh& a, const TriangleMesh& b) {
-    for (const Maximum maximum : {Maximum::Sampled, Maximum::Proven}) {
+    for (const Maximum maximum : {Maximum::Glimpsed, Maximum::Sampled, Maximum::Proven}) {
       const FidelityReport report = measureFidelity(a, b, maximum);
       CHECK(report.hausdorff < 1e-10);
       CHECK(report.rms < 1e-10);
@@ -95,4 +95,16 @@ TEST_CASE("hausdorff: what is sampled is found, and little less than what is pro
   const double bound = measureFidelity(a, b, Maximum::Proven).hausdorff;
   CHECK(sampled <= bound);
   CHECK(sampled >= 0.98 * bound);
+  const FidelityReport glimpsed = measureFidelity(a, b, Maximum::Glimpsed);
+  CHECK(glimpsed.hausdorff <= sampled);
+  CHECK(glimpsed.hausdorff >= 0.9 * sampled);
+}
+
+TEST_CASE("hausdorff: fewer points change the root mean square by no more than a few percent") {
+  for (const int n : {6, 9, 30}) {
+    const TriangleMesh a = soups::sphere(n), b = soups::sphere(16);
+    const double exact = measureFidelity(a, b, Maximum::Proven).rms;
+    CHECK(measureFidelity(a, b, Maximum::Sampled).rms == Approx(exact).epsilon(0.02));
+    CHECK(measureFidelity(a, b, Maximum::Glimpsed).rms == Approx(exact).epsilon(0.04));
+  }
 }
