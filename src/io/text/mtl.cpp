@@ -18,8 +18,10 @@ bool namesImage(std::string_view keyword) {
          std::find(kOthers.begin(), kOthers.end(), keyword) != kOthers.end();
 }
 
+// -0.5 does, and -clamp does not.
 bool beginsNumber(std::string_view word) {
-  return !word.empty() && std::string_view("+-.0123456789").find(word[0]) != std::string_view::npos;
+  const std::size_t first = word.find_first_not_of("+-");
+  return first < word.size() && std::string_view(".0123456789").find(word[first]) != word.npos;
 }
 
 // Offset, scale and turbulence take one to three numbers, -mm two, the other options one word.
