@@ -116,6 +116,19 @@ TEST_CASE("obj: groups, materials and the library come back") {
     CHECK(after.attributes[i].values == before.attributes[i].values);
 }
 
+TEST_CASE(
+    "obj: what its library needs and nobody brings is said; a library from above is laid in") {
+  const io::Model model =
+      io::read(textFile("a.obj", "mtllib ../m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+               {textFile("../m.mtl", "newmtl red\nmap_Kd ../wood.png\n")});
+  REQUIRE(model.warnings.size() == 1);
+  CHECK(model.warnings[0].code == "MATERIAL_IMAGES_NOT_READ");
+  CHECK(model.warnings[0].message.find("../wood.png") != std::string::npos);
+  const io::WrittenFiles written = io::write(model, "out.obj");
+  CHECK(written.files.at(1).name == "m.mtl");
+  CHECK(textOf(written.files[0]).find("mtllib m.mtl\n") == 0);
+}
+
 TEST_CASE("obj: vertices that differ in attributes only share a v") {
   const std::string text =
       textOf(io::write(io::read(textFile("t.obj", kTwoMaterials)), "o.obj").files[0]);
