@@ -89,6 +89,16 @@ Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const Fi
   return Verdict::Accepted;
 }
 
+// Whether two corners of a coming triangle would be at one place: projections of different points may
+// end in one corner of the original. In a file both would be one vertex, and sheets grown together.
+bool merges(const WorkingMesh& mesh, const LocalChange& change) {
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
+  return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& t) {
+    const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
+    return a == b || b == c || c == a;
+  });
+}
+
 }  // namespace
 
 FidelityRule fidelityRule(const RemeshOptions& options) {
@@ -98,6 +108,7 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
 }
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
+  if (merges(mesh, change)) return Verdict::FoldsOver;
   const Verdict byNormals = rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
                                                         : judgeAngles(mesh, change, rule);
   if (byNormals != Verdict::Accepted || !rule.bound) return byNormals;

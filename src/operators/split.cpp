@@ -20,6 +20,9 @@ bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, Loc
   for (const Halfedge side : {h, m.twin(h)}) {
     if (!side) continue;
     const Vertex a = m.origin(side), b = m.tip(side), c = m.opposite(side);
+    // An edge as short as rounding has no middle.
+    for (const Vertex v : {a, b, c})
+      if (mesh.position(v) == change.place.position) return false;
     change.going.push_back(m.face(side));
     change.coming.push_back({a, kMoved, c});
     change.coming.push_back({kMoved, b, c});
