@@ -2,11 +2,13 @@
 #include "accuracy/places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "geometry/mesh_tree.h"
+#include "geometry/triangle.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -20,6 +22,11 @@ constexpr int kRetries = 4;
 // Inside a triangle with sides no longer than this, and corners that are near, all is near.
 constexpr double kBetween = 2;    // target edge lengths
 constexpr double kSameWay = 0.9;  // cosine
+// Where places must be spared, a triangle less high than this share of its longest side is looked
+// at in rows along that side.
+constexpr double kThin = 0.125;
+// So many places, per vertex of the mesh and triangle of the original, are as many as can matter.
+constexpr double kMostPlaces = 64;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 // Whether the place is nearer to where a walk from `start` ends.
@@ -96,7 +103,7 @@ class Survey {
       near_[v] = isSurelyNear(v);
       if (!near_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
     }
-    for (Index i = 0; i < original.faceCapacity(); ++i) addInside(Face(i));
+    addInside();
     return std::move(places_);
   }
 
@@ -149,24 +156,84 @@ class Survey {
     return place.nearest;
   }
 
-  void addInside(Face f) {
+  // Steps of half a target edge length over a triangle: along its longest side, and from there to the
+  // corner opposite.
+  struct Grid {
+    int longest = 0;  // the corner where that side begins
+    double along = 0, rows = 0;
+
+    double places() const { return 0.5 * (along + 1) * (rows + 1); }
+  };
+
+  enum class Rows { AsSteps, ByHeight };
+
+  Grid gridOf(Face f, Rows by) const {
     const auto corners = mesh_.surface().mesh().vertices(f);
     const VertexData<Vec3>& positions = mesh_.surface().positions();
     const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
-    const double longest =
-        std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}));
-    const double size = run_.scale * run_.sizes.at(corners[0]);
+    const std::array<double, 3> sides = {(q - p).squaredNorm(), (r - q).squaredNorm(),
+                                         (p - r).squaredNorm()};
+    const auto at = std::max_element(sides.begin(), sides.end());
+    const double longest = std::sqrt(*at), size = run_.scale * run_.sizes.at(corners[0]);
     if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
-      return;
-    const int n = int(std::ceil(longest / (kSpacing * size)));
-    if (n <= 1 || !nearby_[corners[0]]) return;
-    Face start = faceAt(nearby_[corners[0]]);
+      return {};
+    const double steps = std::ceil(longest / (kSpacing * size));
+    if (!(steps > 1) || !nearby_[corners[0]]) return {};
+    const double height = areaVector(p, q, r).norm() / longest;
+    const bool isThin = by == Rows::ByHeight && height < kThin * longest;
+    return {int(at - sides.begin()), steps,
+            isThin ? std::max(1.0, std::ceil(height / (kSpacing * size))) : steps};
+  }
+
+  // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area; those
+  // with sides much longer than their area tells could ask for any number. Then all steps are longer,
+  // and the work stays in proportion to both meshes.
+  void addInside() {
+    const Index faces = Index(mesh_.surface().mesh().faceCapacity());
+    const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + faces);
+    const bool isSound = wantedPlaces(Rows::AsSteps) <= most;
+    const double coarser = isSound ? 1 : std::max(1.0, wantedPlaces(Rows::ByHeight) / most);
+    for (Index i = 0; i < faces; ++i) {
+      Grid grid = gridOf(Face(i), isSound ? Rows::AsSteps : Rows::ByHeight);
+      grid.along = std::floor(grid.along / coarser);
+      if (grid.along < 2) continue;
+      if (isSound)
+        addEvenly(Face(i), int(grid.along));
+      else
+        addRows(Face(i), grid, std::min(grid.rows, most));
+    }
+  }
+
+  double wantedPlaces(Rows by) const {
+    double wanted = 0;
+    for (Index i = 0; i < mesh_.surface().mesh().faceCapacity(); ++i)
+      wanted += gridOf(Face(i), by).places();
+    return wanted;
+  }
+
+  void addEvenly(Face f, int n) {
+    Face start = faceAt(nearby_[mesh_.surface().mesh().vertices(f)[0]]);
     for (int j = 0; j <= n; ++j)
       for (int k = 0; k + j <= n; ++k) {
         if (j == n || k == n || j + k == 0) continue;  // a vertex
         const double u = double(j) / n, v = double(k) / n;
         start = add({f, Vec3(1 - u - v, u, v)}, start);
       }
+  }
+
+  void addRows(Face f, const Grid& grid, double rows) {
+    Face start = faceAt(nearby_[mesh_.surface().mesh().vertices(f)[0]]);
+    for (int row = 0; row < rows; ++row) {
+      const double up = row / rows, steps = std::ceil(grid.along * (1 - up));
+      for (int step = row == 0 ? 1 : 0; step < steps; ++step) {
+        const double on = (1 - up) * step / steps;
+        Vec3 weights;
+        weights[grid.longest] = 1 - up - on;
+        weights[(grid.longest + 1) % 3] = on;
+        weights[(grid.longest + 2) % 3] = up;
+        start = add({f, weights}, start);
+      }
+    }
   }
 
   const Run& run_;

@@ -20,6 +20,8 @@ constexpr double kSurelyNear = 0.4;
 // though that makes four triangles of two.
 constexpr double kInsertAbove = 0.6;
 constexpr double kInsertAngle = radians(8);
+// More new vertices than this share are a sign of sizes that the surface does not allow.
+constexpr std::size_t kMostInserted = 4;
 
 std::vector<Place> farthestFirst(const Run& run, double tolerance) {
   std::vector<Place> places = measurePlaces(run, kSurelyNear * tolerance);
@@ -76,7 +78,9 @@ void insert(Run& run, const Place& tip) {
 void reachTips(Run& run, double tolerance) {
   std::vector<Place> tips = farthestFirst(run, tolerance);
   for (const Place& tip : tips) reach(run, tip);
+  const std::size_t most = run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
   for (Place& tip : tips) {
+    if (run.mesh.mesh().vertexCount() > most) break;
     const double enough = kInsertAbove * run.scale * run.sizes.at(tip.original);
     if (tip.distance <= enough) continue;
     measureAgain(run.mesh, tip);

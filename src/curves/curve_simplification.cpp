@@ -22,6 +22,9 @@ constexpr double kWorthOfBends = 0.8;
 // Neighbours that share this much of the longest border are as near as any.
 constexpr double kAlike = 0.8;
 
+// A chain may become short when one beside it goes, and so on; each time all are looked at.
+constexpr int kMostReleases = 32;
+
 enum class Role : char { None, Free, Fixed };
 
 class Simplification {
@@ -40,7 +43,7 @@ class Simplification {
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isBoundary(Halfedge(i))) mark(Halfedge(i), Role::Fixed);
     mergeNarrowRegions();
-    while (releaseShortChains()) {
+    for (int i = 0; i < kMostReleases && releaseShortChains(); ++i) {
     }
     std::vector<Halfedge> kept;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)

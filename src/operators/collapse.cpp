@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "operators/local_operators.h"
 
 namespace remesher {
@@ -18,9 +20,18 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
   return false;
 }
 
+// A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed into
+// one hub, each next look would cost thousands.
+bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
+  constexpr int kMostNeighbors = 128;
+  const int from = m.valence(a), into = m.valence(b), after = from + into - 4;
+  return after > kMostNeighbors && after > std::max(from, into);
+}
+
 bool isLegal(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
-  if (!mayLeave(mesh, h) || !EulerOperators::canCollapse(m, h)) return false;
+  if (!mayLeave(mesh, h) || makesHub(m, m.origin(h), m.tip(h))) return false;
+  if (!EulerOperators::canCollapse(m, h)) return false;
   // Two curve edges of one triangle would become one: the chains would lose a piece.
   for (const Halfedge side : {h, m.twin(h)})
     if (side && mesh.isCurve(m.next(side)) && mesh.isCurve(m.prev(side))) return false;

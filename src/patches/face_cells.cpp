@@ -35,7 +35,8 @@ class NearestFirst {
     std::uint32_t bits = 0;
     std::memcpy(&bits, &squaredDistance, sizeof bits);
     // What is nearer than the bucket being emptied comes next as well.
-    buckets_[std::max<std::size_t>(bits >> 20, current_)].push_back(candidate);
+    const std::size_t bucket = std::min<std::size_t>(bits >> 20, buckets_.size() - 1);
+    buckets_[std::max(bucket, current_)].push_back(candidate);
     ++count_;
   }
 

@@ -10,6 +10,7 @@
 #include "steps/boundaries.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
+#include "steps/patience.h"
 #include "steps/split_obtuse.h"
 #include "steps/sweeps.h"
 
@@ -192,16 +193,19 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
   const Progress rest = progress.phase("rounds", grading, 1);
   const double start = double(mesh.vertexCount()), way = double(goal.vertices) - start;
   const double share = changingShare(mesh.vertexCount(), goal.vertices);
-  std::size_t changes = 1;
-  while (mesh.vertexCount() != goal.vertices && changes > 0) {
+  Patience patience;
+  std::size_t missing = 1, changes = 1;
+  while (mesh.vertexCount() != goal.vertices && patience.after(changes, missing)) {
     rest.at(share * (double(mesh.vertexCount()) - start) / way);
     changes = mesh.vertexCount() < goal.vertices
                   ? splitRound(run, splitOrder(run), goal.vertices)
                   : collapseRound(run, collapseOrder(run), goal.vertices);
+    missing = std::max(mesh.vertexCount(), goal.vertices) -
+              std::min(mesh.vertexCount(), goal.vertices);
     areaBasedRound(run);
   }
   bool reached = mesh.vertexCount() == goal.vertices;
-  if (reached) {
+  if (reached || changes > 0) {
     followBoundaries(run);
     reached = matchCount(run, goal.vertices);
   }

@@ -8,6 +8,7 @@
 #include "steps/decimate.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
+#include "steps/patience.h"
 #include "steps/sweeps.h"
 #include "steps/valence.h"
 
@@ -40,10 +41,8 @@ std::size_t splitLong(Run& run, std::size_t limit) {
 
 // Much too long edges need several halvings, with Delaunay flips between or slivers would be split
 // into ever thinner ones.
-void refine(Run& run, std::size_t vertices) {
+void refine(Run& run, std::size_t limit) {
   constexpr int kHalvings = 16;
-  // Slivers can ask for splits for ever.
-  const std::size_t limit = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
   for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
     if (splitLong(run, limit) * 10 < run.mesh.mesh().vertexCount()) return;
     delaunayFlips(run.mesh, run.rule);
@@ -127,9 +126,11 @@ std::size_t splitLongest(Run& run, std::size_t vertices) {
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
   if (run.mesh.mesh().vertexCount() > kFarTooMany * vertices) thinOut(run);
+  // Slivers can ask for splits for ever, and not give the vertices back.
+  const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
   for (int i = 0; i < kRounds; ++i) {
     progress.at(double(i) / kRounds);
-    refine(run, vertices);
+    refine(run, most);
     collapseShort(run);
     valenceFlips(run);
     if (i == 0 || i + 1 == kRounds) delaunayFlips(run.mesh, run.rule);
@@ -142,7 +143,10 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
 bool matchCount(Run& run, std::size_t vertices) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   coarsen(run, vertices, MeetingPlace::Middle);
-  while (mesh.vertexCount() < vertices && splitLongest(run, vertices) > 0) {
+  Patience patience;
+  while (mesh.vertexCount() < vertices) {
+    const std::size_t splits = splitLongest(run, vertices);
+    if (!patience.after(splits, vertices - mesh.vertexCount())) break;
   }
   return mesh.vertexCount() == vertices;
 }

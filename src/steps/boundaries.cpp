@@ -144,7 +144,9 @@ bool split(Run& run, const Edges& edges) {
   bool done = false;
   for (const auto& [a, b] : edges) {
     const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
-    if (proposeSplit(run.mesh, run.projector, h, run.change)) done = commitOutline(run) || done;
+    // Vertices at one place of the chain, as far as rounding tells, may be neighbours in name only.
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    done = commitOutline(run) || done;
   }
   if (!done) return false;
   delaunayFlips(run.mesh, run.rule);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "steps/lengths.h"
+#include "steps/patience.h"
 
 namespace remesher {
 
@@ -28,7 +29,11 @@ class Coarsening {
         changed_(run.mesh.mesh().vertexCapacity(), 1) {}
 
   void run() {
-    while (isTooMany() && pass() > 0) {
+    Patience patience;
+    while (isTooMany()) {
+      const std::size_t collapses = pass();
+      if (!isTooMany()) return;
+      if (!patience.after(collapses, run_.mesh.mesh().vertexCount() - goal_.vertices)) return;
     }
   }
 
