@@ -42,7 +42,8 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 }  // namespace
 
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                         const RemeshOptions& options, double size) {
+                         const RemeshOptions& options, const CurveScale& scale) {
+  const double size = scale.size;
   const double angle = options.featureAngle.value_or(kFeatureAngle);
   CurveEdges edges{{}, givenEdges(built, options)};
   const auto add = [](std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
@@ -59,6 +60,8 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   rules.edges = std::move(simplified.edges);
   add(rules.edges, edges.fixed);
   rules.size = size;
+  rules.kept = scale.joints;
+  rules.corners = scale.spikes.corners;
   rules.keepBoundary = options.boundary == Boundary::Keep;
   if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules),

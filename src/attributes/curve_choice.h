@@ -9,7 +9,8 @@
 #include "base/report.h"
 #include "base/triangle_mesh.h"
 #include "curves/feature_curves.h"
-#include "mesh/mesh_builder.h"
+#include "curves/spikes.h"
+#include "mesh/joints.h"
 
 namespace remesher {
 
@@ -19,8 +20,13 @@ struct CurveChoice {
   std::vector<Warning> warnings;
 };
 
-// size: the target edge length, model units.
+struct CurveScale {
+  double size;                          // the target edge length, model units
+  const Spikes& spikes;                 // whose corners stay
+  const std::vector<Halfedge>& joints;  // what stays so that cut parts remain together
+};
+
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                         const RemeshOptions& options, double size);
+                         const RemeshOptions& options, const CurveScale& scale);
 
 }  // namespace remesher

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace remesher {
 
@@ -29,6 +31,7 @@ class ChainTracer {
         positions_(positions),
         rules_(rules),
         curve_(mesh.halfedgeCapacity(), 0),
+        kept_(mesh.halfedgeCapacity(), 0),
         corner_(mesh.vertexCapacity(), 0) {}
 
   std::vector<Chain> trace() {
@@ -45,6 +48,11 @@ class ChainTracer {
  private:
   void markEdges() {
     for (const Halfedge h : rules_.edges) mark(h);
+    for (const Halfedge h : rules_.kept) {
+      mark(h);
+      kept_[h] = 1;
+      if (mesh_.twin(h)) kept_[mesh_.twin(h)] = 1;
+    }
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isBoundary(Halfedge(i))) mark(Halfedge(i));
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
@@ -69,9 +77,10 @@ class ChainTracer {
   }
 
   void markJunctions() {
+    for (const Vertex v : rules_.corners) corner_[v] = 1;
     for (const Halfedge h : edges_)
       for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)}) {
-        const bool kept = rules_.keepBoundary && mesh_.isBoundary(v);
+        const bool kept = kept_[h] || (rules_.keepBoundary && mesh_.isBoundary(v));
         if (kept || curveEdges(v).size() != 2) corner_[v] = 1;
       }
   }
@@ -92,7 +101,7 @@ class ChainTracer {
     chain.vertices = {start};
     chain.arcs = {0};
     chain.boundary = mesh_.isBoundary(first);
-    chain.kept = chain.boundary && rules_.keepBoundary;
+    chain.kept = kept_[first] || (chain.boundary && rules_.keepBoundary);
     CurveEdge edge{first, mesh_.origin(first) == start ? mesh_.tip(first) : mesh_.origin(first)};
     while (true) {
       walked_[edge.halfedge] = 1;
@@ -110,25 +119,34 @@ class ChainTracer {
     }
   }
 
-  // The vertex about `reach` along the path from i; around the start of a loop if need be.
+  // The first vertex at least `reach` along the path from i, in any case the next one whose place is
+  // another; around the start of a loop if need be. Found by bisection: a rim of a hundred thousand
+  // edges may be shorter than the reach.
   std::size_t reachFrom(const Chain& path, std::size_t i, int direction, double reach) const {
     const std::size_t last = path.vertices.size() - 1;
     const bool loop = path.vertices.front() == path.vertices.back() && !corner_[path.vertices[0]];
-    double gone = 0;
-    for (std::size_t steps = 0; steps < last && (gone == 0 || gone < reach); ++steps) {
-      if (direction < 0 && i == 0) {
-        if (!loop) break;
-        i = last;
-      }
-      if (direction > 0 && i == last) {
-        if (!loop) break;
-        i = 0;
-      }
-      const std::size_t to = direction > 0 ? i + 1 : i - 1;
-      gone += std::abs(path.arcs[to] - path.arcs[i]);
-      i = to;
-    }
-    return i;
+    const std::size_t straight = direction > 0 ? ahead(path, i, reach) : behind(path, i, reach);
+    const double gone = std::abs(path.arcs[straight] - path.arcs[i]);
+    if (!loop || (gone > 0 && gone >= reach)) return straight;
+    // Once around is as far as there is.
+    const double rest = std::min(reach, path.length()) - gone;
+    return direction > 0 ? std::min(ahead(path, 0, rest), i) : std::max(behind(path, last, rest), i);
+  }
+
+  static std::size_t ahead(const Chain& path, std::size_t i, double reach) {
+    const auto& arcs = path.arcs;
+    const auto first = arcs.begin() + std::ptrdiff_t(i);
+    const auto at = std::max(std::lower_bound(first, arcs.end(), arcs[i] + reach),
+                             std::upper_bound(first, arcs.end(), arcs[i]));
+    return std::min(std::size_t(at - arcs.begin()), arcs.size() - 1);
+  }
+
+  static std::size_t behind(const Chain& path, std::size_t i, double reach) {
+    const auto& arcs = path.arcs;
+    const auto end = arcs.begin() + std::ptrdiff_t(i);
+    const auto at = std::min(std::upper_bound(arcs.begin(), end, arcs[i] - reach),
+                             std::lower_bound(arcs.begin(), end, arcs[i]));
+    return at == arcs.begin() ? 0 : std::size_t(at - arcs.begin()) - 1;
   }
 
   double bend(const Chain& path, std::size_t i, double reach) const {
@@ -145,19 +163,20 @@ class ChainTracer {
     std::vector<std::pair<double, std::size_t>> bends;
     for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
       if (corner_[path.vertices[i]]) continue;
+      if (!(bend(path, i, 0) > kCornerTurn)) continue;
       const double wide = bend(path, i, reach);
-      if (bend(path, i, 0) > kCornerTurn && wide > kCornerTurn) bends.emplace_back(-wide, i);
+      if (wide > kCornerTurn) bends.emplace_back(-wide, i);
     }
     std::sort(bends.begin(), bends.end());
-    std::vector<double> taken;
-    if (corner_[path.vertices.front()]) taken.push_back(0);
-    if (corner_[path.vertices.back()]) taken.push_back(path.length());
+    std::set<double> taken;
+    if (corner_[path.vertices.front()]) taken.insert(0);
+    if (corner_[path.vertices.back()]) taken.insert(path.length());
     for (const auto& [sharpness, i] : bends) {
       const double arc = path.arcs[i];
-      if (std::any_of(taken.begin(), taken.end(),
-                      [&](double other) { return std::abs(other - arc) < reach; }))
-        continue;
-      taken.push_back(arc);
+      const auto next = taken.lower_bound(arc);
+      if (next != taken.end() && *next - arc < reach) continue;
+      if (next != taken.begin() && arc - *std::prev(next) < reach) continue;
+      taken.insert(arc);
       corner_[path.vertices[i]] = 1;
     }
   }
@@ -180,6 +199,7 @@ class ChainTracer {
   const VertexData<Vec3>& positions_;
   const CurveRules& rules_;
   HalfedgeData<char> curve_;
+  HalfedgeData<char> kept_;
   HalfedgeData<char> walked_;
   VertexData<char> corner_;
   std::vector<Halfedge> edges_;

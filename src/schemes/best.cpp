@@ -53,9 +53,10 @@ Levels planLevels(const Run& run, std::size_t vertices) {
   const FeatureCurves& curves = run.mesh.surface().curves();
   const std::size_t corners = countCorners(curves, original);
   const auto& chains = curves.chains();
-  // Subdividing would divide what is to be kept.
-  if (std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; }))
-    return {0, vertices, vertices};
+  // Subdividing would divide what is to be kept, and spikes.
+  const bool isKept =
+      std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
+  if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices};
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
   while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
   return {levels, vertices >> (2 * levels), vertices};
@@ -111,8 +112,7 @@ bool followToCount(Run& run, std::size_t vertices) {
 void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   run.scale = std::pow(2.0, levels.count);
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
-  std::size_t coarse = levels.coarse;
-  while (subdividedCount(run.mesh.mesh(), coarse, levels.count) < levels.vertices) ++coarse;
+  const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
   matchCount(run, coarse);
   annealValences(run, annealRounds(coarse), progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);

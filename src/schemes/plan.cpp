@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "schemes/targets.h"
@@ -34,6 +35,11 @@ std::size_t finalTarget(const OriginalSurface& surface, const RemeshOptions& opt
   return vertices;
 }
 
+SizeRules withSpikes(SizeRules rules, const Spikes& spikes) {
+  if (!spikes.empty()) rules.spikes = &spikes;
+  return rules;
+}
+
 SizeRules finalRules(const OriginalSurface& surface, const RemeshOptions& options,
                      SizeRules rules) {
   if (options.maxError) rules.error = *options.maxError / 100 * surface.diagonal();
@@ -58,33 +64,88 @@ std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t ve
   return StandIn(surface, evenEdgeLength(surface.area(), thinned));
 }
 
+Warning warningOf(const Spikes& spikes, const BuiltMesh& built) {
+  return {"SPIKES_LEFT_COARSE",
+          "Vertices that stick out far, the farthest of them vertex " +
+              std::to_string(built.sources[spikes.longest]) +
+              ", are joined to the rest by needles; these keep few vertices, so that the rest has "
+              "its share.",
+          spikes.count};
+}
+
+// Those that are copies of one vertex of the input are one in the result.
+std::size_t countCornerPlaces(const FeatureCurves& curves, const BuiltMesh& built) {
+  std::vector<char> seen;
+  std::size_t count = 0;
+  for (Index i = 0; i < built.sources.size(); ++i) {
+    const Index source = built.sources[Vertex(i)];
+    if (seen.size() <= source) seen.resize(std::size_t{source} + 1, 0);
+    if (!curves.isCorner(Vertex(i)) || seen[source]) continue;
+    seen[source] = 1;
+    ++count;
+  }
+  return count;
+}
+
+struct CurveNeeds {
+  std::size_t vertices;
+  CurveScale scale;
+};
+
+// What stays at joints must leave vertices for the rest.
+CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
+                             const RemeshOptions& options, const CurveNeeds& needs) {
+  constexpr std::size_t kMostShare = 2;
+  const auto& [vertices, scale] = needs;
+  CurveChoice choice = chooseCurves(built, input, options, scale);
+  if (scale.joints.empty() || kMostShare * countCornerPlaces(choice.curves, built) <= vertices)
+    return choice;
+  const std::vector<Halfedge> none;
+  choice = chooseCurves(built, input, options, {scale.size, scale.spikes, none});
+  choice.warnings.push_back(
+      {"JOINTS_RELEASED",
+       "Edges at which the surface was cut apart were remeshed on either side, and may no longer "
+       "meet: to keep them takes more vertices than were asked for.",
+       scale.joints.size()});
+  return choice;
+}
+
 }  // namespace
 
 Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Progress& progress) {
   progress.phase("build", 0, 0);
   BuiltMesh built = buildMesh(input);
-  const double area = surfaceArea(built);
   const std::size_t vertices = targetVertices(built, options);
+  Spikes spikes = findSpikes(built, double(vertices));
+  const double area = spikes.empty() ? surfaceArea(built) : spikes.restOfArea;
   progress.phase("curves", 0, 0);
-  CurveChoice choice = chooseCurves(built, input, options, evenEdgeLength(area, double(vertices)));
+  const std::vector<Halfedge> joints = findJoints(built);
+  CurveChoice choice = chooseWithJoints(
+      built, input, options,
+      {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
   std::vector<float> density = densityOf(built, options);
   std::vector<Warning> warnings = built.warnings;
   warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
+  if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
   return {
-      std::move(built), std::move(choice.curves), std::move(choice.transfer), std::move(density),
-      vertices,         std::move(warnings)};
+      std::move(built),  std::move(choice.curves), std::move(choice.transfer), std::move(density),
+      std::move(spikes), vertices,                 std::move(warnings)};
 }
 
 Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)
     : transfer_((progress.phase("surface", 0, 0), std::move(plan.transfer))),
       warnings_(std::move(plan.warnings)),
       density_(std::move(plan.density)),
+      spikes_(std::move(plan.spikes)),
       surface_(std::move(plan.built), std::move(plan.curves)),
-      standIn_(standInFor(surface_, plan.vertices, options)),
-      vertices_(finalTarget(ground(), options,
-                            sizeRules(options, double(plan.vertices), densityOnGround()))),
-      sizes_(ground(), finalRules(surface_, options,
-                                  sizeRules(options, double(vertices_), densityOnGround()))),
+      standIn_(spikes_.empty() ? standInFor(surface_, plan.vertices, options) : std::nullopt),
+      vertices_(finalTarget(
+          ground(), options,
+          withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_))),
+      sizes_(ground(),
+             withSpikes(finalRules(surface_, options,
+                                   sizeRules(options, double(vertices_), densityOnGround())),
+                        spikes_)),
       bound_(errorBound(surface_, options)) {}
 
 std::span<const float> Prepared::densityOnGround() {
@@ -97,7 +158,8 @@ std::span<const float> Prepared::densityOnGround() {
 }
 
 double Prepared::longestEdges() const {
-  const double own = evenEdgeLength(ground().area(), double(ground().mesh().vertexCount()));
+  const double area = spikes_.empty() ? ground().area() : spikes_.restOfArea;
+  const double own = evenEdgeLength(area, double(ground().mesh().vertexCount()));
   return std::max(own, 2 * sizes_.mean());
 }
 

@@ -22,6 +22,7 @@ struct Plan {
   FeatureCurves curves;
   TransferRules transfer;      // of the attributes to the result
   std::vector<float> density;  // the caller's, per vertex of the original, or empty
+  Spikes spikes;
   std::size_t vertices;
   std::vector<Warning> warnings;
 };
@@ -57,6 +58,7 @@ class Prepared {
   TransferRules transfer_;
   std::vector<Warning> warnings_;
   std::vector<float> density_;
+  Spikes spikes_;
   OriginalSurface surface_;
   std::optional<StandIn> standIn_;
   std::size_t vertices_;

@@ -50,10 +50,14 @@ bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,
 // keeps every bound, no scheme is a way there.
 bool runWithin(Run& run, const BoundGoal& goal, const RemeshOptions& options,
                const Progress& progress) {
-  const std::size_t aim = std::size_t(std::lround(run.sizes.vertices()));
+  constexpr double kBeyondAll = 1e15;  // a bound near nothing may ask for any number
+  const std::size_t aim = std::size_t(std::lround(std::min(run.sizes.vertices(), kBeyondAll)));
   const std::size_t original = run.mesh.mesh().vertexCount();
-  if (std::max(goal.vertices, original) < aim && !options.splitObtuse)
-    return boundError(run, goal, progress);
+  if (std::max(goal.vertices, original) < aim) {
+    const bool reached = boundError(run, goal, progress);
+    if (options.splitObtuse) splitObtuse(run);
+    return reached;
+  }
   runScheme(run, aim, options, progress.part(0, 1 - kBoundShare));
   const std::size_t most = options.splitObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/triangle.h"
+#include "mesh/joints.h"
 
 namespace remesher {
 
@@ -16,11 +17,16 @@ namespace {
 // A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
 constexpr std::size_t kFewestVertices = 4;
 
-// What there are numbers for, with six halfedges to a vertex, and addresses: its place, its normal
-// and its halfedges alone take so many bytes.
-constexpr double kBytesPerVertex = 150;
-constexpr double kMostVertices =
-    std::min(double(kNone) / 6, double(std::numeric_limits<std::size_t>::max()) / kBytesPerVertex);
+// Measured at their peak: what a run holds for each vertex of the result and of the input. Less would
+// do for some meshes, and more than there are addresses, or numbers for six halfedges to a vertex, for
+// none.
+constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
+
+double mostVertices(const BuiltMesh& built) {
+  constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
+  const double left = kAddresses - kBytesPerInputVertex * double(built.mesh.vertexCount());
+  return std::clamp(left / kBytesPerVertex, 0.0, double(kNone) / 6);
+}
 
 std::size_t fewestVertices(const HalfedgeMesh& mesh) {
   VertexData<char> seen(mesh.vertexCapacity(), 0);
@@ -93,18 +99,25 @@ double surfaceArea(const BuiltMesh& built) {
               "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
 }
 
+Spikes findSpikes(const BuiltMesh& built, double vertices) {
+  return findSpikes(built.mesh, built.positions,
+                    {evenEdgeLength(surfaceArea(built), vertices), vertices});
+}
+
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
-  const double own = double(built.mesh.vertexCount());
+  const double own = double(countPlaces(built));
   double target = own;
   if (options.vertices) target = double(*options.vertices);
   if (options.ratio) target = std::round(*options.ratio * own);
   if (options.edgeLength)
     target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
-  if (!(target <= kMostVertices))
+  const double most = mostVertices(built);
+  if (!(target <= most))
     throw Error(ErrorCode::OutOfMemory,
-                "The target is above " + std::to_string(std::size_t(kMostVertices)) +
+                "The target is above " + std::to_string(std::size_t(most)) +
                     " vertices, for which there is no memory.",
-                "Ask for fewer vertices, or give the model in parts.");
+                "Ask for " + std::to_string(std::size_t(most)) +
+                    " vertices or fewer, or give the model in parts.");
   const std::size_t fewest = fewestVertices(built.mesh);
   if (target < double(fewest) && options.tooFew == TooFew::Raise) return fewest;
   if (target < double(fewest))

@@ -22,6 +22,11 @@ constexpr int kRounds = 8, kRoundsInLarge = 6;
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kMany = 200;
 constexpr int kTries = 3;  // per triangle and round of topological changes
+// Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where few
+// triangles are bad a hundredth of it is needed; where all are, and valences high, more is in vain.
+constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 20;
+// Drastic means may make so much more of the vertices before the count is put right again.
+constexpr double kMostGrowth = 1.25;
 // A pattern search: eight directions, with steps that shrink as none of them helps.
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.3;  // of the mean spoke
@@ -116,6 +121,14 @@ void offerSplits(Run& run, Face f, Best& best) {
 
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
+// What an attempt to mend f costs, about.
+std::size_t workOf(const Run& run, Face f) {
+  std::size_t work = 0;
+  for (const Vertex v : run.mesh.mesh().vertices(f))
+    work += kPlacesTried * std::size_t(run.mesh.mesh().valence(v));
+  return work;
+}
+
 // Whether something was found that makes the worst angle around f larger.
 bool mend(Run& run, Face f, Means means, double shift) {
   const Vertex corner = run.mesh.mesh().vertices(f)[0];
@@ -133,11 +146,20 @@ bool mend(Run& run, Face f, Means means, double shift) {
   return true;
 }
 
+// The skin of a spike, where sizes jump: a needle, and meant to be.
+bool isSkin(const Run& run, Face f) {
+  constexpr double kJump = 4;
+  if (!run.sizes.isSpiked()) return false;
+  const auto [a, b, c] = run.mesh.mesh().vertices(f);
+  const auto size = [&](Vertex v) { return run.sizes.at(run.mesh.at(v)); };
+  return std::max({size(a), size(b), size(c)}) > kJump * std::min({size(a), size(b), size(c)});
+}
+
 std::vector<Face> badTriangles(const Run& run, double angle) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::vector<std::pair<double, Face>> bad;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    if (!mesh.isAlive(Face(i))) continue;
+    if (!mesh.isAlive(Face(i)) || isSkin(run, Face(i))) continue;
     const double own = smallestAngle(run.mesh, Face(i));
     if (own < angle) bad.emplace_back(own, Face(i));
   }
@@ -164,6 +186,14 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = isLarge(run) ? kRoundsInLarge : kRounds;
   double before = std::numeric_limits<double>::infinity();
+  std::size_t work = std::max(kLeastWork, kMostWork * run.mesh.mesh().faceCount());
+  const auto mayTry = [&](Face f) {
+    const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
+    const std::size_t own = isFull ? work + 1 : workOf(run, f);
+    if (own > work) return false;
+    work -= own;
+    return true;
+  };
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
     const std::vector<Face> bad = badTriangles(run, goal.angle);
@@ -171,7 +201,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     if (round % 2 == 1) before = double(bad.size());
     const Means means = meansOf(round, rounds);
     for (const Face f : bad)
-      for (int i = 0; i < kTries && isBad(run, f, goal.angle); ++i)
+      for (int i = 0; i < kTries && isBad(run, f, goal.angle) && mayTry(f); ++i)
         if (!mend(run, f, means, goal.shift)) break;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);

@@ -23,8 +23,10 @@ void splitObtuse(Run& run) {
     if (facesObtuse(run.mesh, h) || facesObtuse(run.mesh, m.twin(h)))
       edges.emplace_back(m.origin(h), m.tip(h));
   }
+  const ErrorBound* bound = run.rule.bound;
   for (const auto& [from, to] : edges)
-    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change))
+    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change) &&
+        (!bound || bound->allows(run.mesh, run.change)))
       apply(run.mesh, run.change);
 }
 

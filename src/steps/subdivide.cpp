@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "steps/subdivide.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace remesher {
 
 namespace {
@@ -26,16 +29,21 @@ void subdivide(Run& run) {
   run.scale /= 2;
 }
 
-std::size_t subdividedCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels) {
-  // One vertex more brings three edges and two faces, by Euler's formula.
-  const std::size_t more = vertices - mesh.vertexCount();
-  std::size_t v = vertices, e = countEdges(mesh) + 3 * more, f = mesh.faceCount() + 2 * more;
+std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels) {
+  const std::size_t fewest = vertices >> (2 * levels);
+  // One vertex more brings three edges and two faces, by Euler's formula; signed, for many small
+  // parts have fewer vertices to lose than that takes away.
+  const std::int64_t more = std::int64_t(fewest) - std::int64_t(mesh.vertexCount());
+  std::int64_t v = std::int64_t(fewest), e = std::int64_t(countEdges(mesh)) + 3 * more;
+  std::int64_t f = std::int64_t(mesh.faceCount()) + 2 * more;
   for (int i = 0; i < levels; ++i) {
     v += e;
     e = 2 * e + 3 * f;
     f *= 4;
   }
-  return v;
+  // And each becomes four to the power of the levels.
+  const std::int64_t missing = std::max(std::int64_t{0}, std::int64_t(vertices) - v), each = std::int64_t{1} << (2 * levels);
+  return fewest + std::size_t((missing + each - 1) / each);
 }
 
 }  // namespace remesher

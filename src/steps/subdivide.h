@@ -8,7 +8,7 @@ namespace remesher {
 
 void subdivide(Run& run);
 
-// How many vertices `mesh` would have after so many subdivisions if it had `vertices` now.
-std::size_t subdividedCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels);
+// How many vertices `mesh` must have for so many subdivisions to make at least `vertices` of them.
+std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels);
 
 }  // namespace remesher

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 
+#include "geometry/triangle.h"
 #include "surface/boundary_sizes.h"
 #include "surface/curvature.h"
 
@@ -166,6 +167,32 @@ void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept,
   }
 }
 
+// The skin of spikes counts for nothing: what is to be shared out among the vertices is the rest.
+double areaToShare(const OriginalSurface& surface, const Spikes* spikes) {
+  return spikes ? spikes->restOfArea : surface.area();
+}
+
+VertexData<double> areasToShare(const OriginalSurface& surface, const Spikes* spikes) {
+  if (!spikes) return vertexAreas(surface);
+  const HalfedgeMesh& mesh = surface.mesh();
+  const VertexData<Vec3>& p = surface.positions();
+  VertexData<double> areas(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    if (spikes->covers(mesh, Face(i))) continue;
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    for (const Vertex v : {a, b, c}) areas[v] += area(p[a], p[b], p[c]) / 3;
+  }
+  return areas;
+}
+
+// Of the size at a tip and that at its foot, which is small, the mean is so much shorter than the
+// edges between them that these are neither split nor collapsed.
+void stretchSpikes(const Spikes& spikes, VertexData<double>& sizes) {
+  constexpr double kTipSize = 2.2;
+  for (Index i = 0; i < sizes.size(); ++i)
+    if (spikes.lengths[Vertex(i)] > 0) sizes[Vertex(i)] = kTipSize * spikes.lengths[Vertex(i)];
+}
+
 }  // namespace
 
 double evenEdgeLength(double area, double vertices) {
@@ -179,17 +206,19 @@ double verticesForEdgeLength(double area, double length) {
 SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     : mesh_(&surface.mesh()),
       sizes_(surface.mesh().vertexCapacity(), 1),
-      mean_(evenEdgeLength(surface.area(), rules.vertices)),
+      mean_(evenEdgeLength(areaToShare(surface, rules.spikes), rules.vertices)),
       meanEdge_(mean_),
       vertices_(rules.vertices),
-      wished_(!rules.density.empty()) {
+      wished_(!rules.density.empty()),
+      spiked_(rules.spikes != nullptr) {
   const VertexData<double> kept = keptLengths(surface);
-  even_ = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0;
+  even_ = rules.adaptivity == 0 && rules.density.empty() && rules.error == 0 && kept.size() == 0 &&
+          !spiked_;
   if (even_) {
     sizes_.assign(sizes_.size(), mean_);
     return;
   }
-  const VertexData<double> areas = vertexAreas(surface);
+  const VertexData<double> areas = areasToShare(surface, rules.spikes);
   if (rules.adaptivity > 0) applyCurvature(surface, rules.adaptivity, areas, sizes_);
   for (Index i = 0; i < rules.density.size(); ++i)
     sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
@@ -207,6 +236,7 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     limitGradation(surface, slope, sizes_);
     raiseAround(surface, kept, keptSlope, sizes_);
   }
+  if (rules.spikes) stretchSpikes(*rules.spikes, sizes_);
   meanEdge_ = meanOverEdges(areas, sizes_);
   vertices_ = std::max(rules.vertices, verticesOf(areas, sizes_));
 }

@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "curves/spikes.h"
 #include "surface/original_surface.h"
 
 namespace remesher {
@@ -17,6 +18,7 @@ struct SizeRules {
   double gradation = 1.5;  // largest ratio between the sizes at the two ends of an edge
   std::span<const float> density = {};  // per original vertex (as BuiltMesh::sources), or empty
   double error = 0;  // if above 0: sizes are small enough for about this distance, model units
+  const Spikes* spikes = nullptr;  // whose skin is to take few vertices, or none
 };
 
 class SizeField {
@@ -34,6 +36,8 @@ class SizeField {
   bool isEven() const { return even_; }
   // Whether the caller's own density is in it.
   bool isWished() const { return wished_; }
+  // Whether spikes are left out of them: edges there are as long as the spikes.
+  bool isSpiked() const { return spiked_; }
   // The edge length of an even mesh with that many vertices.
   double mean() const { return mean_; }
   // The mean over the edges of a mesh of these sizes: shorter than mean() where they are graded.
@@ -48,6 +52,7 @@ class SizeField {
   double meanEdge_ = 0;
   double vertices_ = 0;
   bool wished_ = false;
+  bool spiked_ = false;
   bool even_ = false;
 };
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "curves/spikes.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// A spike is longer than its foot is wide, by the way around that, around which so few edges fit.
+constexpr double kSlender = 0.5;
+constexpr double kFewAround = 8;
+// Tips are a few vertices most of whose edges are so much longer than most of the surface's.
+constexpr double kFar = 4;
+constexpr std::size_t kMostTips = 16;
+// Where more than half of the vertices belong to spikes, before or after, they are what the surface
+// is.
+constexpr double kMostOfAll = 2;
+// Spikes with less than this share of the area harm nobody.
+constexpr double kWorthAWord = 0.05;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+class Search {
+ public:
+  Search(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, const SpikeRules& rules)
+      : mesh_(mesh), positions_(positions), rules_(rules), isFar_(mesh.vertexCapacity(), 0) {}
+
+  Spikes run() {
+    markFar();
+    Spikes spikes;
+    spikes.lengths.assign(mesh_.vertexCapacity(), 0);
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
+      if (!isFar_[Vertex(i)]) continue;
+      const std::vector<Vertex> tips = takeTips(Vertex(i));
+      const double length = lengthOf(tips);
+      if (length == 0) continue;
+      for (const Vertex v : tips) spikes.lengths[v] = length;
+      if (!spikes.longest || length > spikes.lengths[spikes.longest]) spikes.longest = tips[0];
+      ++spikes.count;
+    }
+    measureRest(spikes);
+    findCorners(spikes);
+    const double share = kMostOfAll * double(spikes.corners.size());
+    const bool isMost = share > double(mesh_.vertexCount()) || share > rules_.vertices;
+    const bool isWorthIt = whole_ - spikes.restOfArea >= kWorthAWord * whole_;
+    return isMost || !isWorthIt || !(spikes.restOfArea > 0) ? Spikes{} : spikes;
+  }
+
+ private:
+  double distance(Vertex a, Vertex b) const { return (positions_[b] - positions_[a]).norm(); }
+
+  void markFar() {
+    std::vector<double> lengths;
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
+      if (mesh_.isEdge(Halfedge(i)))
+        lengths.push_back(distance(mesh_.origin(Halfedge(i)), mesh_.tip(Halfedge(i))));
+    const double usual = median(lengths);
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (!mesh_.isAlive(v) || mesh_.isBoundary(v)) continue;
+      lengths.clear();
+      mesh_.forEachNeighbor(v, [&](Vertex w) { lengths.push_back(distance(v, w)); });
+      isFar_[v] = median(lengths) > kFar * usual;
+    }
+  }
+
+  // Those that hang together with v; each is taken once.
+  std::vector<Vertex> takeTips(Vertex v) {
+    std::vector<Vertex> tips = {v};
+    isFar_[v] = 0;
+    for (std::size_t k = 0; k < tips.size(); ++k)
+      mesh_.forEachNeighbor(tips[k], [&](Vertex w) {
+        if (!isFar_[w]) return;
+        isFar_[w] = 0;
+        tips.push_back(w);
+      });
+    return tips;
+  }
+
+  // From the foot to the tips, the shortest way; 0 if that is no spike.
+  double lengthOf(const std::vector<Vertex>& tips) const {
+    if (tips.size() > kMostTips) return 0;
+    const auto isTip = [&](Vertex v) {
+      return std::find(tips.begin(), tips.end(), v) != tips.end();
+    };
+    double shortest = std::numeric_limits<double>::infinity(), around = 0;
+    for (const Vertex v : tips)
+      mesh_.forEachOutgoing(v, [&](Halfedge h) {
+        const Vertex a = mesh_.tip(h), b = mesh_.opposite(h);
+        if (!isTip(a)) shortest = std::min(shortest, distance(v, a));
+        if (!isTip(a) && !isTip(b)) around += distance(a, b);
+      });
+    return shortest > kSlender * around && around < kFewAround * rules_.size ? shortest : 0;
+  }
+
+  void findCorners(Spikes& spikes) const {
+    if (spikes.empty()) return;
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (!mesh_.isAlive(v)) continue;
+      bool isCorner = spikes.lengths[v] > 0;
+      mesh_.forEachNeighbor(v, [&](Vertex w) { isCorner = isCorner || spikes.lengths[w] > 0; });
+      if (isCorner) spikes.corners.push_back(v);
+    }
+  }
+
+  void measureRest(Spikes& spikes) {
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      if (!mesh_.isAlive(Face(i))) continue;
+      const auto [a, b, c] = mesh_.vertices(Face(i));
+      const double own = area(positions_[a], positions_[b], positions_[c]);
+      whole_ += own;
+      if (!spikes.covers(mesh_, Face(i))) spikes.restOfArea += own;
+    }
+  }
+
+  const HalfedgeMesh& mesh_;
+  const VertexData<Vec3>& positions_;
+  const SpikeRules rules_;
+  VertexData<char> isFar_;
+  double whole_ = 0;
+};
+
+}  // namespace
+
+bool Spikes::covers(const HalfedgeMesh& mesh, Face f) const {
+  if (empty()) return false;
+  const auto [a, b, c] = mesh.vertices(f);
+  return lengths[a] > 0 || lengths[b] > 0 || lengths[c] > 0;
+}
+
+Spikes findSpikes(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                  const SpikeRules& rules) {
+  return Search(mesh, positions, rules).run();
+}
+
+}  // namespace remesher
