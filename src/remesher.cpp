@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "remesher.h"
 
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -10,6 +12,7 @@
 #include "parts/part_report.h"
 #include "parts/part_scale.h"
 #include "parts/part_targets.h"
+#include "parts/result_check.h"
 #include "schemes/remesh.h"
 
 namespace remesher {
@@ -56,13 +59,31 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   return run;
 }
 
+// What the machine cannot hold is said like everything else; all that was held is free again.
+template <class Body>
+auto withinMemory(Body body) {
+  try {
+    return body();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  throw Error(ErrorCode::OutOfMemory, "The run needs more memory than there is.",
+              "Ask for fewer vertices, or give the model in parts.");
+}
+
 // The same for parts of any size.
 Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& options,
                  const Progress& progress) {
   const PartScale scale(originals);
-  if (!scale.isNeeded()) return remeshParts(originals, options, progress);
-  Run run = remeshParts(scale.applied(originals), scale.applied(options), progress);
-  run.parts = scale.undone(std::move(run.parts), originals);
+  const bool isScaled = scale.isNeeded();
+  Run run = withinMemory([&] {
+    return isScaled ? remeshParts(scale.applied(originals), scale.applied(options), progress)
+                    : remeshParts(originals, options, progress);
+  });
+  if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
+  run.report.warnings =
+      joined(std::move(run.report.warnings),
+             worseThanGiven({run.report.input, *run.report.output}, run.parts));
   return run;
 }
 

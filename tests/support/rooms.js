@@ -24,7 +24,7 @@ export const coreRooms = {
   'io/stl': ['base', 'io/model', 'io/text'],
   'io/gltf': ['base', 'io/model'],
   io: ['base', 'io/model', 'io/text', 'io/ply', 'io/stl', 'io/gltf'],
-  parts: ['base', 'measure', 'io/model'],
+  parts: ['base', 'geometry', 'measure', 'io/model'],
   '': ['base', 'schemes', 'measure', 'io', 'parts'],
 };
 

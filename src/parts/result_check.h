@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Whether a result is worse than what was given, by the report's own figures: then the report says so,
+// and where.
+#pragma once
+
+#include <vector>
+
+#include "base/report.h"
+#include "io/model/model.h"
+
+namespace remesher {
+
+// What the report says of both sides of a run.
+struct BeforeAndAfter {
+  const MeshReport& before;
+  const MeshReport& after;
+};
+
+// A warning for each figure that is worse: ANGLES_WORSE, DEGENERATE_TRIANGLES_MADE,
+// NON_MANIFOLD_EDGES_MADE, SURFACE_OPENED. Angles that are good all the same are no matter.
+std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
+                                    const std::vector<io::Part>& result);
+
+}  // namespace remesher

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What is worse than given is said, and nothing else is.
+#include "parts/result_check.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+const std::vector<io::Part> kParts = {io::Part{"", shapes::sliverFan(3), {}}};
+
+std::string codes(const MeshReport& before, const MeshReport& after) {
+  std::string all;
+  for (const Warning& warning : worseThanGiven({before, after}, kParts))
+    all += warning.code + " " + std::to_string(warning.count) + ";";
+  return all;
+}
+
+MeshReport withAngles(double worst, double mean) {
+  MeshReport report;
+  report.minAngle.worst = worst;
+  report.minAngle.mean = mean;
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("result check: what is as good as before, or good, needs no word") {
+  CHECK(codes(withAngles(3, 34), withAngles(3, 34)) == "");
+  CHECK(codes(withAngles(58, 59), withAngles(30, 55)) == "");
+  MeshReport open, opener;
+  open.boundaryEdges = 3;
+  opener.boundaryEdges = 9;
+  CHECK(codes(open, opener) == "");
+}
+
+TEST_CASE("result check: worse angles are said, with the figures and the place") {
+  CHECK(codes(withAngles(3, 34), withAngles(3, 17)) == "ANGLES_WORSE 1;");
+  CHECK(codes(withAngles(20, 50), withAngles(0.1, 55)) == "ANGLES_WORSE 1;");
+  const std::string message =
+      worseThanGiven({withAngles(3, 34), withAngles(2, 17)}, kParts).front().message;
+  for (const char* part : {"17°", "34°", "(0.6667, "})
+    CHECK(message.find(part) != std::string::npos);
+}
+
+TEST_CASE("result check: new holes, joined sheets and lines are counted") {
+  MeshReport before, after;
+  before.nonManifoldEdges = 2;
+  after.nonManifoldEdges = 5;
+  after.boundaryEdges = 4;
+  after.degenerateTriangles = 1;
+  CHECK(codes(before, after) ==
+        "DEGENERATE_TRIANGLES_MADE 1;NON_MANIFOLD_EDGES_MADE 3;SURFACE_OPENED 4;");
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Whatever is given, there is a mesh or a sentence: see the table in tests/README.md.
+#include "remesher.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "support/hostile_shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+std::set<std::string> codesOf(const Report& report) {
+  std::set<std::string> codes;
+  for (const Warning& warning : report.warnings) codes.insert(warning.code);
+  return codes;
+}
+
+RemeshOptions toVertices(Index vertices, Scheme scheme = Scheme::Best) {
+  RemeshOptions options;
+  options.vertices = vertices;
+  options.scheme = scheme;
+  return options;
+}
+
+// What holds of every result: numbers, the count or a reason, and nothing worse unsaid.
+RemeshResult checked(const TriangleMesh& mesh, const RemeshOptions& options) {
+  RemeshResult result = remesh(mesh, options);
+  const Report& report = result.report;
+  CHECK(std::all_of(result.mesh.positions.begin(), result.mesh.positions.end(),
+                    [](const Vec3& p) { return p.allFinite(); }));
+  if (report.stopped == Stopped::Target && options.vertices && !options.splitObtuse)
+    CHECK(report.output->vertices == *options.vertices);
+  const std::set<std::string> codes = codesOf(report);
+  if (report.output->nonManifoldEdges > report.input.nonManifoldEdges)
+    CHECK(codes.count("NON_MANIFOLD_EDGES_MADE") == 1);
+  if (report.input.boundaryEdges == 0 && report.output->boundaryEdges > 0)
+    CHECK(codes.count("SURFACE_OPENED") == 1);
+  return result;
+}
+
+struct Hostile {
+  const char* name;
+  TriangleMesh mesh;
+};
+
+}  // namespace
+
+TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
+  for (const auto& [name, mesh] : {Hostile{"flat triangle", shapes::flatTriangle(1e-12)},
+                                   Hostile{"tube", shapes::tube(12, 2, 1e-3, 1e4)},
+                                   Hostile{"sheet", shapes::stretchedSheet(4, 1e9)},
+                                   Hostile{"on a line", shapes::nearlyOnALine(30, 1e-9)},
+                                   Hostile{"on a line", shapes::nearlyOnALine(30, 1e-15)},
+                                   Hostile{"needles", shapes::needles(40, 1e-9)},
+                                   Hostile{"mixed", shapes::mixedScales(3, 1e30)},
+                                   Hostile{"mixed", shapes::mixedScales(3, 1e-30)}})
+    for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
+      CAPTURE(name);
+      CAPTURE(int(scheme));
+      RemeshOptions options;
+      options.scheme = scheme;
+      checked(mesh, options);
+      checked(mesh, toVertices(200, scheme));
+    }
+}
+
+TEST_CASE("hostile: a triangle without area is refused in a sentence") {
+  CHECK_THROWS_WITH_AS(remesh(shapes::flatTriangle(0), {}),
+                       doctest::Contains("No triangle has an area"), Error);
+}
+
+TEST_CASE("hostile: size and place do not matter") {
+  const TriangleMesh sphere = shapes::icosphere(5);
+  for (const double by : {1e-30, 1e-300, 1e30, 1e300}) {
+    CAPTURE(by);
+    const Report report = checked(shapes::scaled(sphere, by), toVertices(300)).report;
+    CHECK(report.output->minAngle.worst > 30);
+    CHECK(report.output->eulerCharacteristic == 2);
+  }
+  const Report far = checked(soups::moved(sphere, Vec3(1e8, -1e8, 1e8)), toVertices(300)).report;
+  CHECK(far.output->minAngle.worst > 30);
+}
+
+TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
+  for (const double radii : {10.0, 100.0, 1e4, 1e6}) {
+    CAPTURE(radii);
+    const Report report = checked(shapes::spikedSphere(10, radii), toVertices(1002)).report;
+    CHECK(codesOf(report).count("SPIKES_LEFT_COARSE") == 1);
+    CHECK(report.output->vertices == 1002);
+    CHECK(report.output->minAngle.mean > 55);
+    CHECK(report.fidelity->hausdorff < 1);
+  }
+}
+
+TEST_CASE("hostile: parts that touch touch still, and nothing opens") {
+  struct Case {
+    const char* name;
+    TriangleMesh mesh;
+    Index vertices;
+  };
+  for (const auto& [name, mesh, vertices] :
+       {Case{"cubes at an edge", shapes::cubesSharingAnEdge(4), 500},
+        Case{"cubes at a corner", shapes::cubesSharingACorner(4), 500},
+        Case{"doubled sheet", shapes::doubledSheet(6), 200},
+        Case{"Möbius strip", shapes::moebiusStrip(40), 300},
+        Case{"Klein bottle", shapes::kleinBottle(24, 12), 700},
+        Case{"book", shapes::book(10, 4), 600}}) {
+    CAPTURE(name);
+    const Report report = checked(mesh, toVertices(vertices)).report;
+    CHECK(report.stopped == Stopped::Target);
+    CHECK(report.output->components == report.input.components);
+    CHECK((report.output->boundaryEdges == 0) == (report.input.boundaryEdges == 0));
+    if (name == std::string("doubled sheet")) continue;  // inside, both sides had the same edges
+    CHECK(report.output->eulerCharacteristic == report.input.eulerCharacteristic);
+    CHECK(report.output->nonManifoldEdges == report.input.nonManifoldEdges);
+  }
+}
+
+TEST_CASE("hostile: what is too much is refused, and the next run works") {
+  RemeshOptions options;
+  options.edgeLength = 1e-9;
+  CHECK_THROWS_WITH_AS(remesh(shapes::icosphere(3), options), doctest::Contains("no memory"),
+                       Error);
+  CHECK(remesh(shapes::icosphere(3), {}).report.stopped == Stopped::Target);
+}
+
+TEST_CASE("hostile: an error bound finer than any mesh keeps the original, splits and all") {
+  RemeshOptions options;
+  options.maxError = 1e-9;
+  options.splitObtuse = true;
+  const TriangleMesh sphere = shapes::icosphere(8);
+  const Report report = checked(sphere, options).report;
+  CHECK(report.output->vertices < 2 * report.input.vertices);
+  CHECK(report.fidelity->hausdorff <= 1e-9);
+}
