@@ -81,9 +81,8 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
                     : remeshParts(originals, options, progress);
   });
   if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
-  run.report.warnings =
-      joined(std::move(run.report.warnings),
-             worseThanGiven({run.report.input, *run.report.output}, run.parts));
+  run.report.warnings = joined(std::move(run.report.warnings),
+                               worseThanGiven({run.report.input, *run.report.output}, run.parts));
   return run;
 }
 

@@ -156,8 +156,8 @@ class Survey {
     return place.nearest;
   }
 
-  // Steps of half a target edge length over a triangle: along its longest side, and from there to the
-  // corner opposite.
+  // Steps of half a target edge length over a triangle: along its longest side, and from there to
+  // the corner opposite.
   struct Grid {
     int longest = 0;  // the corner where that side begins
     double along = 0, rows = 0;
@@ -185,9 +185,9 @@ class Survey {
             isThin ? std::max(1.0, std::ceil(height / (kSpacing * size))) : steps};
   }
 
-  // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area; those
-  // with sides much longer than their area tells could ask for any number. Then all steps are longer,
-  // and the work stays in proportion to both meshes.
+  // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area;
+  // those with sides much longer than their area tells could ask for any number. Then all steps are
+  // longer, and the work stays in proportion to both meshes.
   void addInside() {
     const Index faces = Index(mesh_.surface().mesh().faceCapacity());
     const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + faces);

@@ -78,7 +78,8 @@ void insert(Run& run, const Place& tip) {
 void reachTips(Run& run, double tolerance) {
   std::vector<Place> tips = farthestFirst(run, tolerance);
   for (const Place& tip : tips) reach(run, tip);
-  const std::size_t most = run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
+  const std::size_t most =
+      run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
   for (Place& tip : tips) {
     if (run.mesh.mesh().vertexCount() > most) break;
     const double enough = kInsertAbove * run.scale * run.sizes.at(tip.original);

@@ -119,9 +119,9 @@ class ChainTracer {
     }
   }
 
-  // The first vertex at least `reach` along the path from i, in any case the next one whose place is
-  // another; around the start of a loop if need be. Found by bisection: a rim of a hundred thousand
-  // edges may be shorter than the reach.
+  // The first vertex at least `reach` along the path from i, in any case the next one whose place
+  // is another; around the start of a loop if need be. Found by bisection: a rim of a hundred
+  // thousand edges may be shorter than the reach.
   std::size_t reachFrom(const Chain& path, std::size_t i, int direction, double reach) const {
     const std::size_t last = path.vertices.size() - 1;
     const bool loop = path.vertices.front() == path.vertices.back() && !corner_[path.vertices[0]];
@@ -130,7 +130,8 @@ class ChainTracer {
     if (!loop || (gone > 0 && gone >= reach)) return straight;
     // Once around is as far as there is.
     const double rest = std::min(reach, path.length()) - gone;
-    return direction > 0 ? std::min(ahead(path, 0, rest), i) : std::max(behind(path, last, rest), i);
+    return direction > 0 ? std::min(ahead(path, 0, rest), i)
+                         : std::max(behind(path, last, rest), i);
   }
 
   static std::size_t ahead(const Chain& path, std::size_t i, double reach) {

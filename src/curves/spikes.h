@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Vertices that stick out so far that the skin between them and their neighbours is a needle: the
-// wild points of scans. Of even triangles that skin would take a share by its area, which may be nearly
-// all of them, and make slivers of them, for few fit around it. So it is left to few triangles.
+// wild points of scans. Of even triangles that skin would take a share by its area, which may be
+// nearly all of them, and make slivers of them, for few fit around it. So it is left to few
+// triangles.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 namespace remesher {
 
 struct Spikes {
-  VertexData<double> lengths;  // from a spike's foot to its tip; 0 for other vertices; empty: none
+  VertexData<double> lengths;   // from a spike's foot to its tip; 0 for other vertices; empty: none
   std::vector<Vertex> corners;  // tips, and their feet: smoothing would draw these up the spike
   Vertex longest;
   std::size_t count = 0;

@@ -89,8 +89,9 @@ Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const Fi
   return Verdict::Accepted;
 }
 
-// Whether two corners of a coming triangle would be at one place: projections of different points may
-// end in one corner of the original. In a file both would be one vertex, and sheets grown together.
+// Whether two corners of a coming triangle would be at one place: projections of different points
+// may end in one corner of the original. In a file both would be one vertex, and sheets grown
+// together.
 bool merges(const WorkingMesh& mesh, const LocalChange& change) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& t) {

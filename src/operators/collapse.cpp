@@ -20,8 +20,8 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
   return false;
 }
 
-// A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed into
-// one hub, each next look would cost thousands.
+// A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed
+// into one hub, each next look would cost thousands.
 bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
   constexpr int kMostNeighbors = 128;
   const int from = m.valence(a), into = m.valence(b), after = from + into - 4;

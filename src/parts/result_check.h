@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a result is worse than what was given, by the report's own figures: then the report says so,
-// and where.
+// Whether a result is worse than what was given, by the report's own figures: then the report says
+// so, and where.
 #pragma once
 
 #include <vector>

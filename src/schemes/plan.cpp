@@ -121,15 +121,14 @@ Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Prog
   progress.phase("curves", 0, 0);
   const std::vector<Halfedge> joints = findJoints(built);
   CurveChoice choice = chooseWithJoints(
-      built, input, options,
-      {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
+      built, input, options, {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
   std::vector<float> density = densityOf(built, options);
   std::vector<Warning> warnings = built.warnings;
   warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
   if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
-  return {
-      std::move(built),  std::move(choice.curves), std::move(choice.transfer), std::move(density),
-      std::move(spikes), vertices,                 std::move(warnings)};
+  return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
+          std::move(density), std::move(spikes),        vertices,
+          std::move(warnings)};
 }
 
 Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)

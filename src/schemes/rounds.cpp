@@ -200,8 +200,8 @@ bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
     changes = mesh.vertexCount() < goal.vertices
                   ? splitRound(run, splitOrder(run), goal.vertices)
                   : collapseRound(run, collapseOrder(run), goal.vertices);
-    missing = std::max(mesh.vertexCount(), goal.vertices) -
-              std::min(mesh.vertexCount(), goal.vertices);
+    missing =
+        std::max(mesh.vertexCount(), goal.vertices) - std::min(mesh.vertexCount(), goal.vertices);
     areaBasedRound(run);
   }
   bool reached = mesh.vertexCount() == goal.vertices;

@@ -17,9 +17,9 @@ namespace {
 // A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
 constexpr std::size_t kFewestVertices = 4;
 
-// Measured at their peak: what a run holds for each vertex of the result and of the input. Less would
-// do for some meshes, and more than there are addresses, or numbers for six halfedges to a vertex, for
-// none.
+// Measured at their peak: what a run holds for each vertex of the result and of the input. Less
+// would do for some meshes, and more than there are addresses, or numbers for six halfedges to a
+// vertex, for none.
 constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
 
 double mostVertices(const BuiltMesh& built) {

@@ -22,8 +22,9 @@ constexpr int kRounds = 8, kRoundsInLarge = 6;
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kMany = 200;
 constexpr int kTries = 3;  // per triangle and round of topological changes
-// Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where few
-// triangles are bad a hundredth of it is needed; where all are, and valences high, more is in vain.
+// Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
+// few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
+// vain.
 constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 20;
 // Drastic means may make so much more of the vertices before the count is put right again.
 constexpr double kMostGrowth = 1.25;

@@ -42,7 +42,8 @@ std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int leve
     f *= 4;
   }
   // And each becomes four to the power of the levels.
-  const std::int64_t missing = std::max(std::int64_t{0}, std::int64_t(vertices) - v), each = std::int64_t{1} << (2 * levels);
+  const std::int64_t missing = std::max(std::int64_t{0}, std::int64_t(vertices) - v),
+                     each = std::int64_t{1} << (2 * levels);
   return fewest + std::size_t((missing + each - 1) / each);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of every kind of hostile mesh: a table of how long it took, how it ended, what was said
-// and what the result is like beside the input. For people; the laws are in the unit tests.
+// What becomes of every kind of hostile mesh: a table of how long it took, how it ended, what was
+// said and what the result is like beside the input. For people; the laws are in the unit tests.
 //   hostile [part of a name]        all whose name holds it
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -108,9 +108,10 @@ double userSeconds() {
 }
 
 void print(const char* what, const MeshReport& r) {
-  std::printf("    %-4s V %zu F %zu comp %zu open %zu nonman %zu chi %ld degenerate %zu angle %.4g/%.4g\n",
-              what, r.vertices, r.triangles, r.components, r.boundaryEdges, r.nonManifoldEdges,
-              r.eulerCharacteristic, r.degenerateTriangles, r.minAngle.worst, r.minAngle.mean);
+  std::printf(
+      "    %-4s V %zu F %zu comp %zu open %zu nonman %zu chi %ld degenerate %zu angle %.4g/%.4g\n",
+      what, r.vertices, r.triangles, r.components, r.boundaryEdges, r.nonManifoldEdges,
+      r.eulerCharacteristic, r.degenerateTriangles, r.minAngle.worst, r.minAngle.mean);
 }
 
 void run(const Case& input) {
@@ -123,8 +124,8 @@ void run(const Case& input) {
     constexpr const char* kStopped[] = {"target", "fidelity", "max-error", "cancelled", "limits"};
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
-    std::printf("%s: %.2f s, %ld MB, stopped %s, H %.3g\n", input.name.c_str(), userSeconds() - start,
-                used.ru_maxrss / 1024, kStopped[int(result.report.stopped)],
+    std::printf("%s: %.2f s, %ld MB, stopped %s, H %.3g\n", input.name.c_str(),
+                userSeconds() - start, used.ru_maxrss / 1024, kStopped[int(result.report.stopped)],
                 result.report.fidelity ? result.report.fidelity->hausdorff : 0);
     print("in", result.report.input);
     print("out", *result.report.output);
@@ -149,8 +150,7 @@ void runInChild(const Case& input) {
   }
   int status = 0;
   waitpid(child, &status, 0);
-  if (WIFSIGNALED(status))
-    std::printf("%s: SIGNAL %d\n", input.name.c_str(), WTERMSIG(status));
+  if (WIFSIGNALED(status)) std::printf("%s: SIGNAL %d\n", input.name.c_str(), WTERMSIG(status));
 }
 
 }  // namespace

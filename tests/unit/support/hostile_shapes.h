@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes that are hard on arithmetic, on topology or on memory: what broken and malicious files look
-// like. Each comes from a formula, so that what it must turn into can be told from that.
+// Meshes that are hard on arithmetic, on topology or on memory: what broken and malicious files
+// look like. Each comes from a formula, so that what it must turn into can be told from that.
 #pragma once
 
 #include <algorithm>
@@ -121,7 +121,8 @@ inline TriangleMesh doubledSphere(int n) {
 inline TriangleMesh kleinBottle(int n, int m) {
   TriangleMesh mesh;
   addSheet(mesh, n, m, [&](int i, int k) {
-    // Once around, the section has turned by half: the last ring is the first, run through backwards.
+    // Once around, the section has turned by half: the last ring is the first, run through
+    // backwards.
     const int at = i == n ? (m - k) % m : k % m;
     const double u = 2 * std::numbers::pi * (i % n) / n, v = 2 * std::numbers::pi * at / m;
     const double half = u / 2;
