@@ -3,26 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace remesher::io {
 namespace {
 
 using Triangles = std::vector<std::array<Index, 3>>;
 
+// The polygon's first corner at the origin, and its size, whatever it was, about 1: products of its
+// coordinates are finite. The factor is a power of two, which changes no digit.
+std::vector<Vec3> ofUsualSize(std::span<const Vec3> polygon) {
+  constexpr int kFarthest = 1022;
+  std::vector<Vec3> points;
+  double size = 0;
+  for (const Vec3& corner : polygon) {
+    points.push_back(0.5 * corner - 0.5 * polygon[0]);
+    size = std::max(size, points.back().cwiseAbs().maxCoeff());
+  }
+  if (size == 0) return points;
+  const double factor = std::ldexp(1.0, std::clamp(-std::ilogb(size), -kFarthest, kFarthest));
+  for (Vec3& point : points) point *= factor;
+  return points;
+}
+
 // The polygon seen against its normal (Newell's: the sum over its edges), so that a convex corner
 // turns left.
-std::vector<Vec2> flattened(std::span<const Vec3> polygon) {
+std::vector<Vec2> flattened(std::span<const Vec3> corners) {
+  const std::vector<Vec3> polygon = ofUsualSize(corners);
   Vec3 normal = Vec3::Zero();
-  const Vec3 origin = polygon[0];
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    normal += (polygon[i] - origin).cross(polygon[(i + 1) % polygon.size()] - origin);
+    normal += polygon[i].cross(polygon[(i + 1) % polygon.size()]);
   const double length = normal.norm();
   normal = length > 0 ? Vec3(normal / length) : Vec3::UnitZ();
   const Vec3 u = normal.unitOrthogonal();
   const Vec3 v = normal.cross(u);
   std::vector<Vec2> points;
-  for (const Vec3& point : polygon)
-    points.emplace_back((point - origin).dot(u), (point - origin).dot(v));
+  for (const Vec3& point : polygon) points.emplace_back(point.dot(u), point.dot(v));
   return points;
 }
 
@@ -37,46 +54,88 @@ bool isStrictlyConvex(const std::vector<Vec2>& points) {
   return true;
 }
 
-// Where the corner at `at` of the remaining polygon is convex and no other point lies inside it.
-bool isEar(const std::vector<Vec2>& points, const std::vector<Index>& ring, std::size_t at) {
-  const std::size_t n = ring.size();
-  const Vec2& a = points[ring[(at + n - 1) % n]];
-  const Vec2& b = points[ring[at]];
-  const Vec2& c = points[ring[(at + 1) % n]];
-  if (turn(a, b, c) <= 0) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](Index other) {
-    const Vec2& p = points[other];
+// Cuts ears off one by one. Only a corner that turns right can lie in another's triangle, and only
+// the two beside a cut change: a polygon of n corners with r such takes n (r + log n) steps. Where
+// one that crosses itself or has collapsed has no ear left, its widest corner goes; so do all in
+// the end of a polygon that would take more than kMostTests.
+class EarCutter {
+ public:
+  explicit EarCutter(const std::vector<Vec2>& points);
+  Triangles cut();
+
+ private:
+  static constexpr std::size_t kMostTests = 500'000'000;
+
+  double turnAt(Index corner) const {
+    return turn(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
+  }
+  bool isEar(Index corner);
+  void judge(Index corner);
+  void forget(Index corner);
+
+  const std::vector<Vec2>& points_;
+  std::vector<Index> previous_;
+  std::vector<Index> next_;
+  std::vector<double> turns_;
+  std::vector<Index> reflex_;  // and some that no longer are
+  std::set<Index> ears_;
+  std::set<std::pair<double, Index>> widest_;  // by the turn to the right
+  std::size_t tests_ = 0;
+};
+
+EarCutter::EarCutter(const std::vector<Vec2>& points)
+    : points_(points), previous_(points.size()), next_(points.size()), turns_(points.size()) {
+  const auto n = static_cast<Index>(points.size());
+  for (Index i = 0; i < n; ++i) {
+    previous_[i] = (i + n - 1) % n;
+    next_[i] = (i + 1) % n;
+  }
+  for (Index i = 0; i < n; ++i) {
+    turns_[i] = turnAt(i);
+    if (!(turns_[i] > 0)) reflex_.push_back(i);
+  }
+  for (Index i = 0; i < n; ++i) judge(i);
+}
+
+bool EarCutter::isEar(Index corner) {
+  if (!(turns_[corner] > 0) || tests_ > kMostTests) return false;
+  std::erase_if(reflex_, [&](Index other) { return next_[other] == kNone || turns_[other] > 0; });
+  tests_ += reflex_.size();
+  const Vec2& a = points_[previous_[corner]];
+  const Vec2& b = points_[corner];
+  const Vec2& c = points_[next_[corner]];
+  return std::none_of(reflex_.begin(), reflex_.end(), [&](Index other) {
+    const Vec2& p = points_[other];
     if (p == a || p == b || p == c) return false;
     return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
   });
 }
 
-// An ear; where a polygon that crosses itself or has collapsed has none left, its widest corner.
-std::size_t nextEar(const std::vector<Vec2>& points, const std::vector<Index>& ring) {
-  const std::size_t n = ring.size();
-  std::size_t widest = 0;
-  double widestTurn = -HUGE_VAL;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (isEar(points, ring, i)) return i;
-    const double angle =
-        turn(points[ring[(i + n - 1) % n]], points[ring[i]], points[ring[(i + 1) % n]]);
-    if (angle > widestTurn) {
-      widestTurn = angle;
-      widest = i;
-    }
-  }
-  return widest;
+void EarCutter::judge(Index corner) {
+  forget(corner);
+  turns_[corner] = turnAt(corner);
+  widest_.emplace(-turns_[corner], corner);
+  if (isEar(corner)) ears_.insert(corner);
 }
 
-Triangles clipEars(const std::vector<Vec2>& points) {
-  std::vector<Index> ring(points.size());
-  for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = static_cast<Index>(i);
+void EarCutter::forget(Index corner) {
+  widest_.erase({-turns_[corner], corner});
+  ears_.erase(corner);
+}
+
+Triangles EarCutter::cut() {
   Triangles triangles;
-  while (ring.size() >= 3) {
-    const std::size_t n = ring.size();
-    const std::size_t at = nextEar(points, ring);
-    triangles.push_back({ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]});
-    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
+  while (triangles.size() + 2 < points_.size()) {
+    const Index corner = ears_.empty() ? widest_.begin()->second : *ears_.begin();
+    const Index before = previous_[corner];
+    const Index after = next_[corner];
+    triangles.push_back({before, corner, after});
+    forget(corner);
+    next_[corner] = kNone;
+    next_[before] = after;
+    previous_[after] = before;
+    judge(before);
+    judge(after);
   }
   return triangles;
 }
@@ -92,7 +151,7 @@ Triangles fan(std::size_t corners) {
 std::vector<std::array<Index, 3>> triangulate(std::span<const Vec3> polygon) {
   if (polygon.size() <= 3) return fan(polygon.size());
   const std::vector<Vec2> points = flattened(polygon);
-  return isStrictlyConvex(points) ? fan(polygon.size()) : clipEars(points);
+  return isStrictlyConvex(points) ? fan(polygon.size()) : EarCutter(points).cut();
 }
 
 }  // namespace remesher::io

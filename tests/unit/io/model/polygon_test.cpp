@@ -68,3 +68,28 @@ TEST_CASE("polygon: collapsed polygons still give n - 2 triangles") {
   CHECK(io::triangulate(std::vector<Vec3>(2)).empty());
   CHECK(io::triangulate({}).empty());
 }
+
+TEST_CASE("polygon: a star of a thousand points is cut without folds") {
+  std::vector<Vec3> star;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 1000;
+    star.emplace_back((i % 2 == 0 ? 1 : 0.9) * Vec3(std::cos(angle), std::sin(angle), 0));
+  }
+  checkCovers(star);
+}
+
+TEST_CASE("polygon: a thousand corners at few places come to an end") {
+  std::vector<Vec3> tangle;
+  for (int i = 0; i < 1000; ++i) tangle.emplace_back(i * i % 7, i % 5, i % 3);
+  CHECK(io::triangulate(tangle).size() == 998);
+}
+
+TEST_CASE("polygon: the size of a polygon does not matter, from the least number to the largest") {
+  const std::vector<Vec3> arrow = {{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}, {0.25, 0.5, 0}};
+  const auto expected = io::triangulate(arrow);
+  for (const double size : {1e-300, 1e-150, 1e150, 1.7e308}) {
+    std::vector<Vec3> scaled;
+    for (const Vec3& p : arrow) scaled.push_back(size * (2 * p - Vec3(1, 1, 0)));
+    CHECK(io::triangulate(scaled) == expected);
+  }
+}
