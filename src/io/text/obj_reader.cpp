@@ -71,7 +71,7 @@ void ObjReader::readPosition() {
   std::array<float, 4> extra{};
   std::size_t extras = 0;
   while (extras < extra.size() && !scanner_.atLineEnd())
-    extra[extras++] = static_cast<float>(scanner_.number("the colour of a vertex"));
+    extra[extras++] = scanner_.singleNumber("the colour of a vertex");
   // A single extra number is the weight of a rational curve, which triangles have no use for.
   if (extras < 3) return;
   content_.colors.resize(3 * (content_.positions.size() - 1), 1.0F);
@@ -81,7 +81,7 @@ void ObjReader::readPosition() {
 void ObjReader::readNumbers(std::vector<float>& list, int count, std::string_view what) {
   for (int i = 0; i < count; ++i) {
     const bool isOptional = i > 0 && scanner_.atLineEnd();
-    list.push_back(isOptional ? 0.0F : static_cast<float>(scanner_.number(what)));
+    list.push_back(isOptional ? 0.0F : scanner_.singleNumber(what));
   }
 }
 

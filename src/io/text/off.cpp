@@ -48,7 +48,7 @@ class OffReader {
   TriangleMesh read();
 
  private:
-  std::string_view nextWord(std::string_view what);
+  void requireMore(std::string_view what);
   double nextNumber(std::string_view what);
   std::size_t nextCount(std::string_view what);
   std::size_t readHeader();
@@ -66,10 +66,14 @@ class OffReader {
   std::vector<Vec3> polygonPoints_;
 };
 
-double OffReader::nextNumber(std::string_view what) {
+void OffReader::requireMore(std::string_view what) {
   if (!scanner_.skipEmptyLines())
     scanner_.fail(ErrorCode::ParseError, "the file ends where " + std::string(what) + " should be.",
                   "Its first line promises more than follows.");
+}
+
+double OffReader::nextNumber(std::string_view what) {
+  requireMore(what);
   return scanner_.number(what);
 }
 
@@ -102,7 +106,10 @@ void OffReader::readVertex() {
   for (double& coordinate : position) coordinate = nextNumber("the coordinate of a vertex");
   mesh_.positions.push_back(position);
   const auto readInto = [&](std::vector<float>& list, int count, std::string_view what) {
-    for (int i = 0; i < count; ++i) list.push_back(static_cast<float>(nextNumber(what)));
+    for (int i = 0; i < count; ++i) {
+      requireMore(what);
+      list.push_back(scanner_.singleNumber(what));
+    }
   };
   if (header_.hasNormals) readInto(normals_, 3, "the coordinate of a normal");
   if (header_.hasColors) readInto(colors_, 4, "the colour of a vertex");

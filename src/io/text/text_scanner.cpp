@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/legible.h"
@@ -103,6 +104,15 @@ double TextScanner::number(std::string_view what) {
     fail(ErrorCode::NonFinite, legible(what) + " is not finite.",
          "Repair the file: every coordinate must be a finite number.");
   return value;
+}
+
+float TextScanner::singleNumber(std::string_view what) {
+  const double value = number(what);
+  if (std::abs(value) > double(std::numeric_limits<float>::max()))
+    fail(ErrorCode::NonFinite,
+         std::string(what) + " is too large for a number of single precision.",
+         "Only the coordinates of vertices may be larger.");
+  return static_cast<float>(value);
 }
 
 TextScanner::IntegerAndRest TextScanner::leadingInteger(std::string_view text) {

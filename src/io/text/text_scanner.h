@@ -30,6 +30,8 @@ class TextScanner {
   double number(std::string_view what);
   // The same where NaN and infinity are numbers too.
   double anyNumber(std::string_view what);
+  // The same in single precision; NON_FINITE also for what is too large for that.
+  float singleNumber(std::string_view what);
 
   // Goes on to the next line that has a word left; false at the end of the text.
   bool skipEmptyLines();

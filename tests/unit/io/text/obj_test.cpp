@@ -155,6 +155,8 @@ TEST_CASE("obj: bad files are refused with the line and what is wrong") {
   contains(failure(""), "EMPTY_FILE bad.obj");
   contains(failure("v 0 0 nan\n"), "NON_FINITE bad.obj, line 1");
   contains(failure("v 0 0 1e999\n"), "NON_FINITE bad.obj, line 1");
+  contains(failure("vn 0 0 1e39\n"),
+           "NON_FINITE bad.obj, line 1: the coordinate of a normal is too");
   contains(failure("v 0 0\n"), "PARSE_ERROR bad.obj, line 1");
   contains(failure("v 0 0 x\n"), "not a number: \"x\"");
   contains(failure("\nv 0 0 0\nf 1 2 3\n"), "INDEX_OUT_OF_RANGE bad.obj, line 3");

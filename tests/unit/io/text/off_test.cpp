@@ -50,6 +50,8 @@ TEST_CASE("off: bad files are refused with the line and what is wrong") {
   check("PLY\n", "PARSE_ERROR bad.off, line 1");
   check("OFF\n3 1 0\n0 0 0\n1 0 0\n", "the file ends where");
   check("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 inf\n3 0 1 2\n", "NON_FINITE bad.off, line 5");
+  check("NOFF\n1 0 0\n0 0 0\n0 0 -1e39\n",
+        "NON_FINITE bad.off, line 4: the coordinate of a normal");
   check("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "INDEX_OUT_OF_RANGE bad.off, line 6");
   check("OFF\n-3 1 0\n", "not a whole number");
   check("OFF BINARY\n", "not a number: \"BINARY\"");
