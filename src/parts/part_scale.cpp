@@ -33,11 +33,16 @@ HalfBox halfBoxOfWorld(const std::vector<io::Part>& parts) {
   return box;
 }
 
-// What brings the longest side of the box to between 1 and 2.
+// What brings the longest side of the box to between 1 and 2, or less if it lies so far away that
+// products of four coordinates would be infinite.
 double unitScale(const HalfBox& box) {
-  const double half = box.isEmpty() ? 0 : (box.max() - box.min()).maxCoeff();
-  if (!std::isfinite(half) || half == 0) return 1;
-  const int power = std::ilogb(half) + 1;
+  constexpr int kFarAway = 200;
+  if (box.isEmpty()) return 1;
+  const double half = (box.max() - box.min()).maxCoeff();
+  const double farthest = box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).maxCoeff();
+  if (!std::isfinite(half) || farthest == 0) return 1;
+  const int bySize = half > 0 ? std::ilogb(half) + 1 : 0;
+  const int power = std::max(bySize, std::ilogb(farthest) + 1 - kFarAway);
   if (std::abs(power) <= kUsual) return 1;
   return std::ldexp(1.0, -std::clamp(power, -kFarthest, kFarthest));
 }

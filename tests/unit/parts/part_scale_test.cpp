@@ -28,6 +28,13 @@ TEST_CASE("part_scale: usual sizes are left alone") {
     CHECK(!PartScale({partOf(scaled(shapes::tetrahedron(), size), 1)}).isNeeded());
 }
 
+TEST_CASE("part_scale: what lies far away is brought near, however small it is") {
+  io::Part part = partOf(shapes::tetrahedron(), 1);
+  part.instances[0].pretranslate(Vec3(0, 0, 1e300));
+  const std::vector<io::Part> near = PartScale({part}).applied({part});
+  for (const Vec3& p : near[0].mesh.positions) CHECK((near[0].instances[0] * p).norm() < 1e70);
+}
+
 TEST_CASE("part_scale: what was applied and undone is the same, digit by digit") {
   for (const int power : {-1060, -300, -40, 40, 300, 1020}) {
     const double size = std::ldexp(1, power);
