@@ -98,6 +98,7 @@ EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType)
 void makeUnitLength(Table& table) {
   // What is this close to unit length is left as it is, bit for bit.
   constexpr double kTolerance = 1e-4;
+  if (table.width < 3) return;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Eigen::Map<Eigen::Vector3f> direction(&table.values[row * table.width]);
     const double length = direction.cast<double>().norm();
@@ -112,22 +113,26 @@ void makeUnitLength(Table& table) {
   }
 }
 
-void roundWeights(std::span<Table> sets, int componentType) {
+void normalizeWeights(std::span<Table> sets, int componentType) {
   const double one = largestInteger(componentType);
-  if (one == 0 || sets.empty()) return;
+  if (sets.empty()) return;
   for (std::size_t row = 0; row < sets[0].rows(); ++row) {
     std::vector<float*> weights;
     double sum = 0;
     for (Table& set : sets)
       for (int k = 0; k < set.width; ++k) weights.push_back(&set.values[row * set.width + k]);
     for (float* weight : weights) {
-      *weight = static_cast<float>(std::round(std::max(*weight, 0.0F) * one));
+      if (one > 0) *weight = static_cast<float>(std::round(std::max(*weight, 0.0F) * one));
       sum += *weight;
     }
     float* const largest = *std::max_element(
         weights.begin(), weights.end(), [](const float* a, const float* b) { return *a < *b; });
-    *largest += static_cast<float>(one - sum);
-    for (float* weight : weights) *weight = static_cast<float>(*weight / one);
+    if (one > 0) {
+      *largest += static_cast<float>(one - sum);
+      for (float* weight : weights) *weight = static_cast<float>(*weight / one);
+    } else if (sum == 0) {
+      *largest = 1;
+    }
   }
 }
 

@@ -35,11 +35,13 @@ EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType)
 // value of a type is no index. `wanted` is the file's, 0 if it had none.
 int indexType(int wanted, std::size_t vertexCount);
 
-// NORMAL and TANGENT of unit length (a zero one points somewhere), TANGENT's w 1 or -1.
+// NORMAL and TANGENT of unit length (a zero one points somewhere), TANGENT's w 1 or -1. Rows of
+// fewer than three numbers are neither, and stay.
 void makeUnitLength(Table& table);
 
-// WEIGHTS_n of a vertex, all sets together, rounded to integers whose sum is still exactly one.
-void roundWeights(std::span<Table> sets, int componentType);
+// WEIGHTS_n of a vertex, all sets together: integers are rounded so that their sum is still exactly
+// one; where all are zero, as they may not be, the first becomes one.
+void normalizeWeights(std::span<Table> sets, int componentType);
 
 // Whether positions can go back to integers: not where rounding would move vertices by more than a
 // small part of an edge, nor where they leave the range.

@@ -103,7 +103,7 @@ void PoolEncoder::encodeAttribute(const std::string& semantic) {
   const Attribute* const attribute = findAttribute(mesh_, semantic);
   if (attribute == nullptr) {
     if (semantic.starts_with("TARGET_"))
-      result_.attributes[semantic] = {{TINYGLTF_COMPONENT_TYPE_FLOAT, false, 3}, {}};
+      result_.attributes[semantic] = {encodingOf(semantic, 3), {}};
     return;
   }
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
@@ -124,7 +124,7 @@ void PoolEncoder::encodeWeights() {
     sets.push_back(tableOf(*attribute, encodings.back().components));
   }
   if (sets.empty()) return;
-  roundWeights(sets, encodings[0].componentType);
+  normalizeWeights(sets, encodings[0].componentType);
   for (std::size_t i = 0; i < sets.size(); ++i) add(semantics[i], sets[i], encodings[i]);
 }
 

@@ -40,11 +40,23 @@ TEST_CASE("gltf_encoder: directions get unit length, good ones stay bit for bit"
   Table tangents{4, {2, 0, 0, -0.3F}};
   makeUnitLength(tangents);
   CHECK(tangents.values == std::vector<float>{1, 0, 0, -1});
+  Table scalars{1, {0, 2}};
+  makeUnitLength(scalars);
+  CHECK(scalars.values == std::vector<float>{0, 2});
+}
+
+TEST_CASE("gltf_encoder: weights that are all zero become a whole one") {
+  for (const int type : {TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE}) {
+    std::vector<Table> sets = {{4, {0, 0, 0, 0, 0.25F, 0.75F, 0, 0}}};
+    normalizeWeights(sets, type);
+    CHECK(sets[0].values[0] == 1.0F);
+    CHECK(sets[0].values[4] == doctest::Approx(0.25).epsilon(0.01));
+  }
 }
 
 TEST_CASE("gltf_encoder: weights of all sets together sum to exactly one") {
   std::vector<Table> sets(2, Table{4, {1 / 8.0F, 1 / 8.0F, 1 / 8.0F, 1 / 8.0F}});
-  roundWeights(sets, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+  normalizeWeights(sets, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
   double sum = 0;
   for (const Table& set : sets)
     for (const float weight : set.values) sum += std::round(255.0 * weight);
