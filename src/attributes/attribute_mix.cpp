@@ -27,10 +27,13 @@ void appendVector(const Vec3& v, std::vector<float>& out) {
 AttributeMix::AttributeMix(const OriginalSurface& surface, const TriangleMesh& input,
                            const std::vector<std::string>& chartless)
     : surface_(surface), input_(input) {
+  const auto isOfFour = [&](std::size_t a) {
+    return a < input.attributes.size() && input.attributes[a].itemSize == int{kInfluences};
+  };
   for (std::size_t n = 0; n < input.attributes.size(); ++n) {
     const std::string number = std::to_string(n);
     const SkinSet set{find(input, "JOINTS_" + number), find(input, "WEIGHTS_" + number)};
-    if (std::max(set.joints, set.weights) == input.attributes.size()) break;
+    if (!isOfFour(set.joints) || !isOfFour(set.weights)) break;
     skin_.push_back(set);
   }
   for (const Attribute& attribute : input.attributes)
@@ -122,9 +125,11 @@ void AttributeMix::append(const SurfacePoint& point, std::vector<Attribute>& val
         for (int k = 0; k < attribute.itemSize; ++k)
           out.push_back(float(value(attribute, corners, k)));
         break;
-      case Kind::Unit:
-        appendVector(mixedVector(attribute, corners).normalized(), out);
+      case Kind::Unit: {
+        const Vec3 mixed = mixedVector(attribute, corners);
+        appendVector((mixed.isZero(0) ? surface_.normal(point) : mixed).normalized(), out);
         break;
+      }
       case Kind::SurfaceNormal:
         appendVector(surface_.normal(point).normalized(), out);
         break;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 #include <utility>
 
 #include "base/legible.h"
@@ -26,11 +28,35 @@ AccessorsBySemantic accessorsOf(const tinygltf::Primitive& primitive) {
   return accessors;
 }
 
+// How many numbers glTF allows an attribute to have.
+std::pair<int, int> componentRange(std::string_view semantic) {
+  const bool isTarget = semantic.starts_with("TARGET_");
+  if (isTarget) semantic.remove_prefix(semantic.find('/') + 1);
+  if (semantic == "POSITION" || semantic == "NORMAL" || (isTarget && semantic == "TANGENT"))
+    return {3, 3};
+  if (semantic.starts_with("TEXCOORD_")) return {2, 2};
+  if (semantic.starts_with("COLOR_")) return {3, 4};
+  if (semantic == "TANGENT" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_"))
+    return {4, 4};
+  return {1, 16};
+}
+
+// Of the smallest skin that the mesh is shown with.
+std::size_t jointCount(const tinygltf::Model& model, int mesh) {
+  std::size_t count = std::numeric_limits<std::size_t>::max();
+  for (const tinygltf::Node& node : model.nodes)
+    if (node.mesh == mesh && node.skin >= 0 &&
+        static_cast<std::size_t>(node.skin) < model.skins.size())
+      count = std::min(count, model.skins[node.skin].joints.size());
+  return count;
+}
+
 class GeometryReader {
  public:
   GeometryReader(const GltfDocument& document, int mesh, std::vector<Warning>& warnings)
       : document_(document),
         mesh_(document.typed.meshes[mesh]),
+        jointCount_(jointCount(document.typed, mesh)),
         where_("mesh " + std::to_string(mesh) + ", primitive "),
         warnings_(warnings) {}
   TriangleMesh read();
@@ -41,10 +67,12 @@ class GeometryReader {
   void layOutAttributes(const std::vector<VertexPool>& pools);
   void readAttributes(const VertexPool& pool, std::size_t firstVertex, std::size_t vertexCount);
   std::vector<Index> vertexSequence(int primitiveNumber, std::size_t vertexCount) const;
+  void dropForeignJoints();
   void warn(const char* code, const std::string& message);
 
   const GltfDocument& document_;
   const tinygltf::Mesh& mesh_;
+  std::size_t jointCount_;
   std::string where_;
   std::vector<Warning>& warnings_;
   TriangleMesh result_;
@@ -129,9 +157,9 @@ void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
   for (const VertexPool& pool : pools) {
     for (const auto& [semantic, accessor] : pool.accessors) {
       if (semantic == "POSITION") continue;
-      if (!isCarried(document_, accessor)) {
-        warn("ATTRIBUTE_NOT_CARRIED",
-             "The attribute " + legible(semantic) + " is a matrix of small integers and is lost.");
+      if (!isCarried(document_, semantic, accessor)) {
+        warn("ATTRIBUTE_NOT_CARRIED", "The attribute " + legible(semantic) +
+                                          " is not of a type that it can have and is lost.");
         continue;
       }
       int& size = itemSizes[semantic];
@@ -149,7 +177,8 @@ void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVer
                                     std::size_t vertexCount) {
   for (Attribute& attribute : result_.attributes) {
     const auto found = pool.accessors.find(attribute.semantic);
-    if (found == pool.accessors.end()) continue;
+    if (found == pool.accessors.end() || !isCarried(document_, attribute.semantic, found->second))
+      continue;
     const std::vector<float> values = readFloats(document_, found->second, vertexCount);
     const int width = accessorEncoding(document_, found->second).components;
     for (std::size_t i = 0; i < vertexCount; ++i) {
@@ -161,6 +190,23 @@ void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVer
           warn("NON_FINITE_ATTRIBUTE",
                "Values of " + legible(attribute.semantic) + " that are not finite are read as 0.");
       }
+    }
+  }
+}
+
+// What is bound to a joint that the skin has not goes nowhere.
+void GeometryReader::dropForeignJoints() {
+  for (Attribute& joints : result_.attributes) {
+    if (!joints.semantic.starts_with("JOINTS_")) continue;
+    const std::string partner = "WEIGHTS_" + joints.semantic.substr(7);
+    const auto weights =
+        std::find_if(result_.attributes.begin(), result_.attributes.end(),
+                     [&](const Attribute& other) { return other.semantic == partner; });
+    for (std::size_t i = 0; i < joints.values.size(); ++i) {
+      if (joints.values[i] < static_cast<float>(jointCount_)) continue;
+      joints.values[i] = 0;
+      if (weights != result_.attributes.end()) weights->values[i] = 0;
+      warn("JOINT_NOT_IN_SKIN", "Vertices bound to joints that their skin has not lose these.");
     }
   }
 }
@@ -182,6 +228,7 @@ TriangleMesh GeometryReader::read() {
   layOutAttributes(pools);
   for (std::size_t i = 0; i < pools.size(); ++i)
     readAttributes(pools[i], firstVertices[i], firstVertices[i + 1] - firstVertices[i]);
+  dropForeignJoints();
   return std::move(result_);
 }
 
@@ -203,9 +250,11 @@ std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh) {
   return pools;
 }
 
-bool isCarried(const GltfDocument& document, int accessor) {
+bool isCarried(const GltfDocument& document, const std::string& semantic, int accessor) {
   const Encoding encoding = accessorEncoding(document, accessor);
-  return encoding.components <= 4 || componentSize(encoding.componentType) == 4;
+  const auto [fewest, most] = componentRange(semantic);
+  return encoding.components >= fewest && encoding.components <= most &&
+         (encoding.components <= 4 || componentSize(encoding.componentType) == 4);
 }
 
 TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings) {

@@ -28,8 +28,8 @@ std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh);
 // Throws PARSE_ERROR, INDEX_OUT_OF_RANGE, NON_FINITE.
 TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings);
 
-// Small integers in the columns of a matrix are padded; no file is known to have them, and they are
-// not carried along.
-bool isCarried(const GltfDocument& document, int accessor);
+// What is not carried along: attributes of another type than glTF asks for, and small integers in
+// the columns of a matrix, which are padded; no file is known to have them.
+bool isCarried(const GltfDocument& document, const std::string& semantic, int accessor);
 
 }  // namespace remesher::io

@@ -47,6 +47,18 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, const tinygltf::
   return infos;
 }
 
+// A node may scale beyond all numbers. Every place lies between those of the corners of the box.
+void requireFinitePlaces(const GltfDocument& document, const Part& part) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : part.mesh.positions) box.extend(position);
+  for (const Transform& instance : part.instances)
+    for (int corner = 0; corner < 8; ++corner)
+      if (!(instance * box.corner(Eigen::AlignedBox3d::CornerType(corner))).allFinite())
+        document.fail(ErrorCode::NonFinite,
+                      "its nodes put " + part.name + " at places that are not finite.",
+                      "Repair the transforms of its nodes and joints.");
+}
+
 Model readDocument(const std::shared_ptr<GltfDocument>& document) {
   Model model;
   const std::vector<std::vector<Transform>> instances = placedMeshes(*document);
@@ -59,6 +71,7 @@ Model readDocument(const std::shared_ptr<GltfDocument>& document) {
     const std::string name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
     std::vector<GroupInfo> groups = groupInfos(*document, mesh, triangles);
     model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
+    requireFinitePlaces(*document, model.parts.back());
     document->partMeshes.push_back(static_cast<int>(i));
   }
   if (untouched > 0)

@@ -11,17 +11,20 @@ namespace {
 
 void transformDirections(Attribute& attribute, const Eigen::Matrix3d& matrix) {
   const std::size_t stride = attribute.itemSize;
+  if (stride < 3) return;
   for (std::size_t at = 0; at + stride <= attribute.values.size(); at += stride) {
     Eigen::Map<Eigen::Vector3f> direction(&attribute.values[at]);
-    const Vec3 turned = matrix * direction.cast<double>();
-    const double length = turned.norm();
-    if (length > 0) direction = (turned / length).cast<float>();
+    const Vec3 turned = (matrix * direction.cast<double>()).stableNormalized();
+    if (turned.allFinite() && !turned.isZero(0)) direction = turned.cast<float>();
   }
 }
 
 void transformMesh(TriangleMesh& mesh, const Transform& transform) {
   for (Vec3& position : mesh.positions) position = transform * position;
-  const Eigen::Matrix3d linear = transform.linear();
+  // Only directions matter, which have no size: that of the matrix could be beyond its
+  // determinant's.
+  const double size = transform.linear().cwiseAbs().maxCoeff();
+  const Eigen::Matrix3d linear = transform.linear() / (size > 0 ? size : 1.0);
   for (Attribute& attribute : mesh.attributes) {
     if (attribute.semantic == "NORMAL")
       transformDirections(attribute, linear.inverse().transpose());

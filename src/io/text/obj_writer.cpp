@@ -55,6 +55,13 @@ DistinctValues findDistinct(const std::vector<Value>& values, std::size_t firstN
   return distinct;
 }
 
+// Names from other formats may hold anything; after the end of a line they would be statements.
+std::string inOneLine(std::string name) {
+  for (char& letter : name)
+    if (static_cast<unsigned char>(letter) < ' ') letter = '_';
+  return name;
+}
+
 class ObjWriter {
  public:
   void writeLibrary(const std::string& library);
@@ -134,7 +141,7 @@ Numbers ObjWriter::writeNormals(const TriangleMesh& mesh) {
 void ObjWriter::writeState(const ObjGroup& group) {
   const ObjGroup before = state_.value_or(ObjGroup{});
   const auto say = [&](std::string_view keyword, const std::string& now, const std::string& then) {
-    if (now != then) out_.text(keyword).text(" ").text(now).text("\n");
+    if (now != then) out_.text(keyword).text(" ").text(inOneLine(now)).text("\n");
   };
   say("o", group.object, before.object);
   say("g", group.groups, before.groups);

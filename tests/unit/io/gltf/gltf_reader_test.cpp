@@ -198,3 +198,36 @@ TEST_CASE("gltf: without a scene every mesh is shown once, where it is") {
   REQUIRE(model.parts[0].instances.size() == 1);
   CHECK(model.parts[0].instances[0].matrix() == Eigen::Matrix4d::Identity());
 }
+
+TEST_CASE("gltf: attributes of a type they cannot have are left out, and said to be") {
+  for (const char* semantic : {"NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0", "JOINTS_0"}) {
+    GltfMaker maker = squareOf(kSquareIndices, kUShort, 4);
+    maker.tree["meshes"][0]["primitives"][0]["attributes"][semantic] =
+        maker.add(std::vector<float>{1, 2, 3, 4}, kFloat, "SCALAR");
+    const io::Model model = io::read(maker.glb());
+    CHECK(model.parts[0].mesh.attributes.empty());
+    REQUIRE(model.warnings.size() == 1);
+    CHECK(model.warnings[0].code == "ATTRIBUTE_NOT_CARRIED");
+    for (const char* output : {"out.glb", "out.obj", "out.off"})
+      CHECK(!io::read(io::write(model, output).files[0]).parts.empty());
+  }
+}
+
+TEST_CASE("gltf: joints that the skin has not bind nothing") {
+  GltfMaker maker = squareOf(kSquareIndices, kUShort, 4);
+  Json& attributes = maker.tree["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] =
+      maker.add(Bytes{0, 1, 0, 0, 1, 9, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0}, kUByte, "VEC4");
+  attributes["WEIGHTS_0"] = maker.add(std::vector<float>(16, 0.25F), kFloat, "VEC4");
+  maker.show({{{"mesh", 0}, {"skin", 0}}, Json::object(), Json::object()});
+  maker.tree["skins"] = Json::array({{{"joints", {1, 2}}}});
+  const io::Model model = io::read(maker.glb());
+  const std::vector<Attribute>& read = model.parts[0].mesh.attributes;
+  CHECK(read[0].values == std::vector<float>{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(read[1].values[5] == 0);
+  CHECK(read[1].values[12] == 0);
+  CHECK(read[1].values[4] == 0.25F);
+  REQUIRE(model.warnings.size() == 1);
+  CHECK(model.warnings[0].code == "JOINT_NOT_IN_SKIN");
+  CHECK(model.warnings[0].count == 2);
+}

@@ -341,3 +341,32 @@ TEST_CASE("gltf: other formats get every instance where it stands, mirrored ones
     CHECK((b - a).cross(c - a).z() == doctest::Approx(1));
   }
 }
+
+TEST_CASE("gltf: names become names in OBJ, whatever they hold") {
+  GltfMaker maker;
+  maker.addMesh({{{"attributes", {{"POSITION", maker.add(kSquarePositions, kFloat, "VEC3")}}},
+                  {"indices", maker.add(kSquareIndices, kUShort, "SCALAR")},
+                  {"material", 0}}});
+  maker.tree["meshes"][0]["name"] = "a\nmtllib elsewhere.mtl";
+  maker.tree["materials"] = Json::array({{{"name", "b\r\nf 1 2 3"}}});
+  maker.show({{{"mesh", 0}}});
+  const std::string text = textOf(io::write(io::read(maker.glb()), "out.obj").files[0]);
+  CHECK(text.find("\nmtllib") == std::string::npos);
+  CHECK(text.find('\r') == std::string::npos);
+  CHECK(io::read(textFile("out.obj", text)).parts[0].mesh.triangleCount() == 2);
+}
+
+TEST_CASE("gltf: normals of a mesh shown flat or huge stay finite") {
+  for (const double size : {0.0, 1e-200, 1e200}) {
+    GltfMaker maker;
+    maker.addMesh({{{"attributes",
+                     {{"POSITION", maker.add(kSquarePositions, kFloat, "VEC3")},
+                      {"NORMAL", maker.add(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
+                                           kFloat, "VEC3")}}},
+                    {"indices", maker.add(kSquareIndices, kUShort, "SCALAR")}}});
+    maker.show({{{"mesh", 0}, {"scale", {size, size, size}}}});
+    const io::Model model = io::read(io::write(io::read(maker.glb()), "out.obj").files[0]);
+    for (const float value : model.parts[0].mesh.attributes[0].values) CHECK(std::isfinite(value));
+    CHECK(model.parts[0].mesh.attributes[0].values[2] == 1.0F);
+  }
+}
