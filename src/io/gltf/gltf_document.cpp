@@ -25,6 +25,7 @@
 
 #include "base/legible.h"
 #include "io/gltf/gltf_document.h"
+#include "io/gltf/gltf_references.h"
 #include "io/model/resources.h"
 
 namespace remesher::io {
@@ -149,9 +150,11 @@ tinygltf::Model typedView(const GltfDocument& document) {
   const bool isLoaded =
       loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                  static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE);
-  if (!isLoaded)
-    document.fail(ErrorCode::ParseError,
-                  "the glTF document is invalid: " + legible(error.substr(0, error.find('\n'))));
+  if (!isLoaded) {
+    std::string reason = error.substr(0, error.find('\n'));
+    if (!reason.ends_with('.')) reason += '.';
+    document.fail(ErrorCode::ParseError, "the glTF document is invalid: " + legible(reason));
+  }
   return model;
 }
 
@@ -190,18 +193,26 @@ Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& b
   return bytes;
 }
 
+// What the tree says of them is what is copied when it is written back: tinygltf's view of it drops
+// the upper half of long numbers, and takes those with a fraction for 0.
+bool isInside(const Json& view, const std::vector<Bytes>& buffers) {
+  const auto member = [&](const char* key) { return view.value(key, Json(0U)); };
+  for (const char* key : {"buffer", "byteOffset", "byteLength", "byteStride"})
+    if (!isWholeNumber(member(key))) return false;
+  const auto buffer = member("buffer").get<std::uint64_t>();
+  if (buffer >= buffers.size()) return false;
+  const std::uint64_t size = buffers[buffer].size();
+  const auto offset = member("byteOffset").get<std::uint64_t>();
+  return offset <= size && member("byteLength").get<std::uint64_t>() <= size - offset;
+}
+
 void checkBufferViews(const GltfDocument& document) {
-  const auto& views = document.typed.bufferViews;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const bool hasBuffer =
-        views[i].buffer >= 0 && static_cast<std::size_t>(views[i].buffer) < document.buffers.size();
-    const std::size_t size = hasBuffer ? document.buffers[views[i].buffer].size() : 0;
-    if (!hasBuffer || views[i].byteOffset > size ||
-        views[i].byteLength > size - views[i].byteOffset)
+  const Json views = document.tree.value("bufferViews", Json::array());
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (!isInside(views[i], document.buffers))
       document.fail(ErrorCode::ParseError,
                     "buffer view " + std::to_string(i) + " reaches beyond its buffer.",
                     "Was the file copied completely?");
-  }
 }
 
 void loadBuffers(GltfDocument& document,
@@ -242,6 +253,7 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   document->typed = typedView(*document);
   loadBuffers(*document, chunks.binary);
   checkBufferViews(*document);
+  requireReferences(*document);
   return document;
 }
 

@@ -3,68 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <string_view>
+
+#include "io/gltf/gltf_references.h"
 
 namespace remesher::io {
 namespace {
-
-using Visitor = std::function<void(Json& number)>;
-
-// Calls the visitor with object[key] if it is there, for every element of an array or member.
-void visitMember(Json& object, const char* key, const Visitor& visit) {
-  if (object.is_object() && object.contains(key)) visit(object[key]);
-}
-
-void visitEach(Json& object, const char* key, const Visitor& visit) {
-  visitMember(object, key, [&](Json& list) {
-    if (list.is_structured())
-      for (Json& element : list) visit(element);
-  });
-}
-
-void visitPath(Json& object, std::initializer_list<const char*> path, const Visitor& visit) {
-  Json* at = &object;
-  for (const char* key : path) {
-    if (!at->is_object() || !at->contains(key)) return;
-    at = &(*at)[key];
-  }
-  visit(*at);
-}
-
-void forEachAccessorNumber(Json& tree, const Visitor& visit) {
-  visitEach(tree, "meshes", [&](Json& mesh) {
-    visitEach(mesh, "primitives", [&](Json& primitive) {
-      visitEach(primitive, "attributes", visit);
-      visitMember(primitive, "indices", visit);
-      visitEach(primitive, "targets", [&](Json& target) {
-        for (Json& number : target) visit(number);
-      });
-    });
-  });
-  visitEach(tree, "animations", [&](Json& animation) {
-    visitEach(animation, "samplers", [&](Json& sampler) {
-      visitMember(sampler, "input", visit);
-      visitMember(sampler, "output", visit);
-    });
-  });
-  visitEach(tree, "skins", [&](Json& skin) { visitMember(skin, "inverseBindMatrices", visit); });
-  visitEach(tree, "nodes", [&](Json& node) {
-    visitPath(node, {"extensions", "EXT_mesh_gpu_instancing"},
-              [&](Json& instancing) { visitEach(instancing, "attributes", visit); });
-  });
-}
-
-void visitBufferViewsOf(Json& accessor, const Visitor& visit) {
-  visitMember(accessor, "bufferView", visit);
-  visitPath(accessor, {"sparse", "indices", "bufferView"}, visit);
-  visitPath(accessor, {"sparse", "values", "bufferView"}, visit);
-}
-
-void forEachBufferViewNumber(Json& tree, const Visitor& visit) {
-  visitEach(tree, "accessors", [&](Json& accessor) { visitBufferViewsOf(accessor, visit); });
-  visitEach(tree, "images", [&](Json& image) { visitMember(image, "bufferView", visit); });
-}
 
 bool hasInteger(const Json& value) {
   if (value.is_number_integer()) return true;
@@ -104,7 +48,7 @@ int asIndex(const Json& number) { return number.is_number_integer() ? number.get
 // Removes the elements of tree[list] that are in `candidates` and that `forEach` does not find.
 // Returns those removed, and renumbers what `forEach` finds.
 std::vector<Json> removeUnused(Json& tree, const char* list, const std::set<int>& candidates,
-                               void (*forEach)(Json&, const Visitor&)) {
+                               void (*forEach)(Json&, const NumberVisitor&)) {
   std::set<int> unused = candidates;
   forEach(tree, [&](Json& number) { unused.erase(asIndex(number)); });
   if (unused.empty() || !tree.contains(list)) return {};
@@ -134,7 +78,7 @@ void dropAbandoned(Json& tree, const std::set<int>& abandoned) {
   std::vector<Json> accessors = removeUnused(tree, "accessors", abandoned, forEachAccessorNumber);
   std::set<int> bufferViews;
   for (Json& accessor : accessors)
-    visitBufferViewsOf(accessor, [&](Json& number) { bufferViews.insert(asIndex(number)); });
+    forEachBufferViewNumberOf(accessor, [&](Json& number) { bufferViews.insert(asIndex(number)); });
   removeUnused(tree, "bufferViews", bufferViews, forEachBufferViewNumber);
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("gltf: accessors that promise what is not there are refused by number"
   checkContains(failureAfter([](Json& t) { t["accessors"][0]["byteOffset"] = ~0ULL - 3; }),
                 "accessor 0 reaches beyond");
   checkContains(failureAfter([](Json& t) { t["accessors"][0]["bufferView"] = 9; }),
-                "accessor 0 refers to a buffer view that is not there");
+                "refers to buffer view 9, which is not there");
   checkContains(failureAfter([](Json& t) { t["accessors"][0]["componentType"] = 5130; }),
                 "accessor 0 has a component type");
   checkContains(failureAfter([](Json& t) { t["accessors"][1]["componentType"] = kShort; }),
@@ -74,6 +74,50 @@ TEST_CASE("gltf: accessors that promise what is not there are refused by number"
   checkContains(
       failureAfter([](Json& t) { t["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 7; }),
       "accessor 7, which is not there");
+}
+
+TEST_CASE("gltf: buffer views whose numbers have fractions or too many digits are refused") {
+  for (const char* member : {"buffer", "byteOffset", "byteLength", "byteStride"})
+    for (const Json& bad : {Json(1e6), Json(1LL << 32), Json(-1), Json("0")}) {
+      if (member == std::string("byteStride") && bad.is_number_unsigned()) continue;
+      const std::string failure = failureAfter([&](Json& t) { t["bufferViews"][0][member] = bad; });
+      CAPTURE(member);
+      CAPTURE(bad.dump());
+      CHECK(failure.find("PARSE_ERROR made.glb") == 0);
+    }
+}
+
+TEST_CASE("gltf: whatever refers to accessors or buffer views that are not there is refused") {
+  checkContains(failureAfter([](Json& t) {
+                  t["skins"] = {{{"inverseBindMatrices", 2}}};
+                }),
+                "refers to accessor 2, which is not there");
+  checkContains(failureAfter([](Json& t) {
+                  t["images"] = {{{"bufferView", 2}}};
+                }),
+                "refers to buffer view 2, which is not there");
+  checkContains(failureAfter([](Json& t) {
+                  t["images"] = {{{"bufferView", 0.5}}};
+                }),
+                "refers to buffer view by what is no number");
+  checkContains(failureAfter([](Json& t) {
+                  t["meshes"][0]["primitives"][0]["targets"] = {7, {{"A", 0}}};
+                }),
+                "morph targets are no list of attributes");
+}
+
+TEST_CASE("gltf: what the JSON library finds wrong is said in a sentence") {
+  checkContains(failureAfter([](Json& t) { t["accessors"][0]["bufferView"] = -5; }), ". | ");
+  checkContains(failureAfter([](Json& t) { t["meshes"] = 5; }), ". | ");
+}
+
+TEST_CASE("gltf: nodes that put triangles at no finite place are refused") {
+  checkContains(failureAfter([](Json& t) {
+                  t["nodes"][0]["scale"] = {1e300, 1, 1};
+                  t["nodes"].push_back({{"children", {0}}, {"scale", {1e300, 1, 1}}});
+                  t["scenes"][0]["nodes"] = {1};
+                }),
+                "NON_FINITE made.glb: its nodes put mesh 0 at places that are not finite");
 }
 
 TEST_CASE("gltf: indices out of range and coordinates that are not finite are located") {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_references.h"
+
+#include <algorithm>
+#include <string>
+
+namespace remesher::io {
+namespace {
+
+// Calls the visitor with object[key] if it is there, for every element of an array or member.
+void visitMember(Json& object, const char* key, const NumberVisitor& visit) {
+  if (object.is_object() && object.contains(key)) visit(object[key]);
+}
+
+void visitEach(Json& object, const char* key, const NumberVisitor& visit) {
+  visitMember(object, key, [&](Json& list) {
+    if (list.is_structured())
+      for (Json& element : list) visit(element);
+  });
+}
+
+void visitPath(Json& object, std::initializer_list<const char*> path, const NumberVisitor& visit) {
+  Json* at = &object;
+  for (const char* key : path) {
+    if (!at->is_object() || !at->contains(key)) return;
+    at = &(*at)[key];
+  }
+  visit(*at);
+}
+
+std::size_t countOf(const Json& tree, const char* list) {
+  return tree.contains(list) && tree[list].is_array() ? tree[list].size() : 0;
+}
+
+NumberVisitor requiredBelow(const GltfDocument& document, std::size_t end,
+                            const std::string& what) {
+  return [&document, end, what](const Json& number) {
+    if (!isWholeNumber(number))
+      document.fail(ErrorCode::ParseError, "it refers to " + what + " by what is no number.",
+                    "The file is damaged: export it again.");
+    if (number.get<std::uint64_t>() >= end)
+      document.fail(ErrorCode::ParseError,
+                    "it refers to " + what + " " + number.dump() + ", which is not there.",
+                    "The file is damaged: export it again.");
+  };
+}
+
+// tinygltf passes over targets that are none, and counts those behind them differently.
+void requireTargets(GltfDocument& document) {
+  visitEach(document.tree, "meshes", [&](Json& mesh) {
+    visitEach(mesh, "primitives", [&](Json& primitive) {
+      visitMember(primitive, "targets", [&](const Json& targets) {
+        const bool areTargets = targets.is_array() &&
+                                std::all_of(targets.begin(), targets.end(),
+                                            [](const Json& target) { return target.is_object(); });
+        if (!areTargets)
+          document.fail(ErrorCode::ParseError, "its morph targets are no list of attributes.",
+                        "The file is damaged: export it again.");
+      });
+    });
+  });
+}
+
+}  // namespace
+
+void forEachAccessorNumber(Json& tree, const NumberVisitor& visit) {
+  visitEach(tree, "meshes", [&](Json& mesh) {
+    visitEach(mesh, "primitives", [&](Json& primitive) {
+      visitEach(primitive, "attributes", visit);
+      visitMember(primitive, "indices", visit);
+      visitEach(primitive, "targets", [&](Json& target) {
+        for (Json& number : target) visit(number);
+      });
+    });
+  });
+  visitEach(tree, "animations", [&](Json& animation) {
+    visitEach(animation, "samplers", [&](Json& sampler) {
+      visitMember(sampler, "input", visit);
+      visitMember(sampler, "output", visit);
+    });
+  });
+  visitEach(tree, "skins", [&](Json& skin) { visitMember(skin, "inverseBindMatrices", visit); });
+  visitEach(tree, "nodes", [&](Json& node) {
+    visitPath(node, {"extensions", "EXT_mesh_gpu_instancing"},
+              [&](Json& instancing) { visitEach(instancing, "attributes", visit); });
+  });
+}
+
+void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit) {
+  visitMember(accessor, "bufferView", visit);
+  visitPath(accessor, {"sparse", "indices", "bufferView"}, visit);
+  visitPath(accessor, {"sparse", "values", "bufferView"}, visit);
+}
+
+void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit) {
+  visitEach(tree, "accessors", [&](Json& accessor) { forEachBufferViewNumberOf(accessor, visit); });
+  visitEach(tree, "images", [&](Json& image) { visitMember(image, "bufferView", visit); });
+}
+
+bool isWholeNumber(const Json& value) {
+  return value.is_number_unsigned() ||
+         (value.is_number_integer() && value.get<std::int64_t>() >= 0);
+}
+
+void requireReferences(GltfDocument& document) {
+  requireTargets(document);
+  Json& tree = document.tree;
+  forEachAccessorNumber(tree, requiredBelow(document, countOf(tree, "accessors"), "accessor"));
+  forEachBufferViewNumber(tree,
+                          requiredBelow(document, countOf(tree, "bufferViews"), "buffer view"));
+}
+
+}  // namespace remesher::io

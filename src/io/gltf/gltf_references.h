@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Where a glTF tree names accessors and buffer views by number. New ones are added behind those
+// that are there, so that a number which names nothing would come to name one of them.
+#pragma once
+
+#include <functional>
+
+#include "io/gltf/gltf_document.h"
+
+namespace remesher::io {
+
+using NumberVisitor = std::function<void(Json& number)>;
+
+void forEachAccessorNumber(Json& tree, const NumberVisitor& visit);
+void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit);
+void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit);
+
+// From 0 on.
+bool isWholeNumber(const Json& value);
+
+// Throws PARSE_ERROR unless every such number is one of what is there.
+void requireReferences(GltfDocument& document);
+
+}  // namespace remesher::io
