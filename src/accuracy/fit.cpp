@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gate/angles.h"
 #include "geometry/triangle.h"
@@ -14,6 +15,8 @@ namespace {
 
 // The last pass gains little; a large mesh does without it.
 constexpr int kPasses = 3, kPassesInLarge = 2;
+// A vertex that a pass has moved by less than this is left alone by the next.
+constexpr double kStillMoves = 0.003;  // of the target length
 // Angles above this may shrink, but never below it; what is below may not shrink at all.
 constexpr double kKeepAngle = radians(33);
 
@@ -82,21 +85,31 @@ void offsetVertex(Run& run, Vertex v, double distance) {
   commit(run);
 }
 
+bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners) {
+  return marked[corners[0]] || marked[corners[1]] || marked[corners[2]];
+}
+
 }  // namespace
 
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   FaceData<NearFaces> near(mesh.faceCapacity());
+  VertexData<char> moves(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
   const int passes = isLarge(run) ? kPassesInLarge : kPasses;
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());
     for (Index f = 0; f < mesh.faceCapacity(); ++f)
-      if (mesh.isAlive(Face(f))) addOffsets(run.mesh, Face(f), near[Face(f)], offsets);
+      if (mesh.isAlive(Face(f)) && anyOf(moves, mesh.vertices(Face(f))))
+        addOffsets(run.mesh, Face(f), near[Face(f)], offsets);
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (mesh.isAlive(v) && run.mesh.kind(v) == VertexKind::Interior && offsets[v].weight > 0)
-        offsetVertex(run, v, offsets[v].sum / offsets[v].weight);
+      if (!mesh.isAlive(v) || !moves[v] || offsets[v].weight == 0) continue;
+      const double offset = offsets[v].sum / offsets[v].weight;
+      offsetVertex(run, v, offset);
+      moves[v] = std::abs(offset) >= kStillMoves * run.sizes.at(run.mesh.at(v));
     }
   }
 }
