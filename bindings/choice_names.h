@@ -14,6 +14,8 @@ template <class E, std::size_t n>
 using Names = std::array<std::pair<std::string_view, E>, n>;
 
 inline constexpr Names<Scheme, 2> kSchemes = {{{"best", Scheme::Best}, {"rounds", Scheme::Rounds}}};
+inline constexpr Names<Quality, 2> kQualities = {
+    {{"draft", Quality::Draft}, {"best", Quality::Best}}};
 inline constexpr Names<Projection, 2> kProjections = {
     {{"patches", Projection::Patches}, {"current", Projection::Current}}};
 inline constexpr Names<Fidelity, 3> kFidelities = {
@@ -26,6 +28,7 @@ inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"cancelled", Stopped::Cancelled}}};
 
 constexpr const auto& namesOf(Scheme) { return kSchemes; }
+constexpr const auto& namesOf(Quality) { return kQualities; }
 constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }

@@ -55,7 +55,9 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   progress.phase("measure", 1 - kMeasureShare, 1);
   run.report.output = inspectParts(run.parts);
   if (!originals.empty())
-    run.report.fidelity = measureFidelity(gathered(originals), gathered(run.parts));
+    run.report.fidelity =
+        measureFidelity(gathered(originals), gathered(run.parts),
+                        options.quality == Quality::Draft ? Maximum::Glimpsed : Maximum::Sampled);
   return run;
 }
 

@@ -67,6 +67,19 @@ test('models from packages get good triangles, near the original', async () => {
     { ...good, worstAngle: 10, hausdorff: 1 });
 });
 
+test('a draft keeps every promise, and is near what it is a draft of', async () => {
+  const mesh = packaged('bunny');
+  const draft = await run(mesh, { vertices: 5000, quality: 'draft' });
+  assertGood(draft, 5000, { ...good, meanAngle: 53, above50: 80, worstAngle: 10, hausdorff: 2 });
+
+  const names = (/** @type {typeof draft} */ { report }) => report.phases.map(({ name }) => name);
+  const best = await run(mesh, { vertices: 5000, quality: 'best' });
+  assert.ok(names(best).includes('lower Hausdorff'));
+  assert.ok(!names(draft).includes('lower Hausdorff'));
+  const { report: { fidelity } } = draft;
+  assert.ok(fidelity.rms < 1.7 * best.report.fidelity.rms, `rms ${fidelity.rms}`);
+});
+
 test('rounds, the report’s algorithm, is better than what it is given', async () => {
   const mesh = packaged('bunny');
   const { report } = await run(mesh, { vertices: 4000, scheme: 'rounds' });

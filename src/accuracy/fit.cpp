@@ -14,7 +14,7 @@ namespace remesher {
 namespace {
 
 // The last pass gains little; a large mesh does without it.
-constexpr int kPasses = 3, kPassesInLarge = 2;
+constexpr int kPasses = 3, kPassesInLarge = 2, kPassesInDraft = 1;
 // A vertex that a pass has moved by less than this is left alone by the next.
 constexpr double kStillMoves = 0.003;  // of the target length
 // Angles above this may shrink, but never below it; what is below may not shrink at all.
@@ -89,6 +89,11 @@ bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners)
   return marked[corners[0]] || marked[corners[1]] || marked[corners[2]];
 }
 
+int passesOf(const Run& run) {
+  if (run.quality == Quality::Draft) return kPassesInDraft;
+  return isLarge(run) ? kPassesInLarge : kPasses;
+}
+
 }  // namespace
 
 void fit(Run& run, const Progress& progress) {
@@ -97,7 +102,7 @@ void fit(Run& run, const Progress& progress) {
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
-  const int passes = isLarge(run) ? kPassesInLarge : kPasses;
+  const int passes = passesOf(run);
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());

@@ -13,6 +13,7 @@
 namespace remesher {
 
 enum class Scheme { Best, Rounds };          // ours | the report's Algorithm 2
+enum class Quality { Draft, Best };          // of the scheme `best`: soon | as good as can be
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
@@ -23,6 +24,7 @@ struct RemeshOptions {
   std::optional<double> ratio;       // the same as a share of the input's
   std::optional<double> edgeLength;  // the same from a mean edge length
   Scheme scheme = Scheme::Best;
+  Quality quality = Quality::Best;
   Projection projection = Projection::Patches;
   std::optional<Fidelity> fidelity;
   double vertexAngle = 20;    // θ1

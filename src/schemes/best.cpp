@@ -24,12 +24,12 @@ namespace {
 
 // Irregular vertices of a larger mesh are fewer for its size, and what one round cannot reach costs
 // less: rounds are saved there.
-constexpr int kAnnealRounds = 20, kFewestRounds = 12;
+constexpr int kAnnealRounds = 20, kFewestRounds = 12, kDraftRounds = 4;
 constexpr double kManyToAnneal = 6000;
 // Over-relaxation: a vertex goes this many times as far as its neighbours ask for, and is where
 // they will want it in fewer passes.
 constexpr double kOvershoot = 1.5;
-constexpr int kPasses = 3, kCoarsePasses = 10;
+constexpr int kPasses = 3, kCoarsePasses = 10, kDraftPasses = 1;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
@@ -62,7 +62,8 @@ Levels planLevels(const Run& run, std::size_t vertices) {
   return {levels, vertices >> (2 * levels), vertices};
 }
 
-int annealRounds(std::size_t vertices) {
+int annealRounds(const Run& run, std::size_t vertices) {
+  if (run.quality == Quality::Draft) return kDraftRounds;
   const double share = std::sqrt(kManyToAnneal / double(std::max<std::size_t>(vertices, 1)));
   return std::clamp(int(kAnnealRounds * share), kFewestRounds, kAnnealRounds);
 }
@@ -70,7 +71,9 @@ int annealRounds(std::size_t vertices) {
 // Twice. What is left of a coarse level's unevenness, the finer one would need many more passes
 // for.
 void smooth(Run& run) {
-  const int passes = isCoarse(run) ? kCoarsePasses : kPasses;
+  const int passes = run.quality == Quality::Draft ? kDraftPasses
+                     : isCoarse(run)               ? kCoarsePasses
+                                                   : kPasses;
   for (int i = 0; i < 2; ++i) {
     relax(run, passes);
     delaunayFlips(run.mesh, run.rule);
@@ -114,7 +117,7 @@ void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
   const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
   matchCount(run, coarse);
-  annealValences(run, annealRounds(coarse), progress.phase("anneal", 0.55, 1));
+  annealValences(run, annealRounds(run, coarse), progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);
   progress.phase("tips", 1, 1);
   smoothOntoTips(run);
@@ -128,10 +131,20 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
     subdivide(run);
     smooth(run);
   }
-  progress.phase("tips", 1, 1);
-  smoothOntoTips(run);
+  if (run.quality == Quality::Best) {
+    progress.phase("tips", 1, 1);
+    smoothOntoTips(run);
+  }
   progress.phase("count", 1, 1);
   return followToCount(run, levels.vertices);
+}
+
+// Half of the way from a surface that the triangles cut into to one that they follow is one pass of
+// fitting; the worst triangles are mended, and the farthest places left.
+void finishDraft(Run& run, const Progress& progress) {
+  fit(run, progress.phase("fit", 0, 1));
+  progress.phase("polish", 1, 1);
+  polish(run, {kPoor});
 }
 
 // Nearer to the original, and no triangle left that could be better.
@@ -156,7 +169,8 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   run.overshoot = kOvershoot;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
-  finish(run, progress.part(0.85, 1));
+  const Progress last = progress.part(0.85, 1);
+  run.quality == Quality::Draft ? finishDraft(run, last) : finish(run, last);
   return reached;
 }
 

@@ -94,6 +94,7 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options, 
   Run run{mesh, projector, sizes, fidelityRule(options)};
   run.standIn = original.standIn();
   run.stagger = stagger;
+  run.quality = options.quality;
   const std::size_t vertices = original.vertices();
   bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)
                                   : runScheme(run, vertices, options, progress);

@@ -22,6 +22,7 @@ struct Run {
   Projector& projector;
   SizeField& sizes;
   FidelityRule rule;
+  Quality quality = Quality::Best;
   double scale = 1;      // of the sizes at the present level
   double stagger = 0;    // how far curve vertices follow all their neighbours: see curveSweep
   double overshoot = 1;  // of smoothing: over 1, what is still to move gets there in fewer passes

@@ -107,6 +107,24 @@ RemeshOutcome run(const TriangleMesh& mesh, Index vertices, RemeshOptions option
 
 }  // namespace
 
+TEST_CASE("quality: a draft has the number, the topology and the curves of the best") {
+  RemeshOptions options;
+  options.quality = Quality::Draft;
+  for (const TriangleMesh& body : {shapes::torus(48, 24), shapes::cylinder(96, 24)}) {
+    const RemeshOutcome outcome = run(body, 2000, options);
+    const MeshReport before = inspectMesh(body), after = inspectMesh(outcome.mesh);
+    CHECK(outcome.stopped == Stopped::Target);
+    CHECK(after.vertices == 2000);
+    CHECK(after.eulerCharacteristic == before.eulerCharacteristic);
+    CHECK(after.components == before.components);
+    CHECK(after.nonManifoldEdges == 0);
+    CHECK(after.minAngle.worst > 25);
+    CHECK(after.minAngle.mean > 53);
+    const std::vector<Segment> sharp = edgesOf(outcome.mesh, Which::Sharp);
+    CHECK(farthest(edgesOf(body, Which::Sharp), sharp) < 0.01);
+  }
+}
+
 TEST_CASE("curves: features of bodies survive, none is lost, none is invented") {
   struct Case {
     TriangleMesh body;
