@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The C++ unit tests, built natively with sanitizers: each of their cases is a case here. They run in
-// portions, one at a time per core. Cases depend on the program alone, so what the very same one has
-// passed is not run again.
+// The C++ unit tests, built natively with sanitizers: each of their cases is a case here. They run
+// in portions, one at a time per core. Cases depend on the program alone, so what the very same one
+// has passed is not run again.
 import assert from 'node:assert/strict';
 import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';

@@ -2,8 +2,9 @@
 // Where the time of a remesh goes, function by function, in the WebAssembly build itself; it is
 // linked once more for that, with the names of its functions, in a folder of its own.
 //   npm run profile -- MODEL VERTICES [--runs N] [--top N] [--quality draft]
-// MODEL is an OBJ or OFF file, or one from an npm package, as in limits.json. Times are a function's
-// own, without those it calls; small functions are part of the ones they were inlined into. The
+// MODEL is an OBJ or OFF file, or one from an npm package, as in limits.json. Times are a
+// function's own, without those it calls; small functions are part of the ones they were inlined
+// into. The
 // profile is left beside the build, for the tools of a browser.
 import { writeFileSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
@@ -18,7 +19,8 @@ const folder = fileURLToPath(new URL('../../build/profile', import.meta.url));
 
 /** Milliseconds by function, the most first. */
 function ownTimes({ nodes, samples, timeDeltas }) {
-  const names = new Map(nodes.map(({ id, callFrame }) => [id, callFrame.functionName || '(other)']));
+  const names = new Map(nodes.map(({ id, callFrame }) =>
+    [id, callFrame.functionName || '(other)']));
   const times = new Map();
   samples.forEach((id, k) => {
     const name = names.get(id);

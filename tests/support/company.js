@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which C++ files can be compiled as one: most of what a tool does to a file it does to the headers,
-// which files in company share.
+// Which C++ files can be compiled as one: most of what a tool does to a file it does to the
+// headers, which files in company share.
 import { readText } from './tree.js';
 
 const mostFiles = 14;
 
 /** The names that a file gives to things outside of functions and classes. */
 export function definedNames(text) {
-  const first = [...text.matchAll(/^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm)]
-    .map(([, head]) => head.match(/(\w+)\s*$/)?.[1]).filter(Boolean);
+  const head = /^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm;
+  const first = [...text.matchAll(head)]
+    .map(([, words]) => words.match(/(\w+)\s*$/)?.[1]).filter(Boolean);
   const constants = [...text.matchAll(/^(?:constexpr|const|static|inline)\b[^;]*;/gm)]
     .flatMap(([all]) => [...all.matchAll(/(\w+) = /g)].map(([, name]) => name));
   return [...new Set([...first, ...constants])];

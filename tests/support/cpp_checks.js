@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What compilers say of C++ files without building them, one process per core. A file found clean is
-// looked at again only when something that the tool reads has changed: the file, our headers in it,
-// the rules, the flags, the tool, the libraries.
+// What compilers say of C++ files without building them, one process per core. A file found clean
+// is looked at again only when something that the tool reads has changed: the file, our headers in
+// it, the rules, the flags, the tool, the libraries.
 import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';

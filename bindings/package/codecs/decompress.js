@@ -67,6 +67,7 @@ function loadBuffers(tree, chunk, file) {
  * @param {{ byteOffset?: number, byteLength: number }} view
  */
 function slice(bytes, { byteOffset = 0, byteLength }) {
+  if (![byteOffset, byteLength].every(Number.isInteger)) throw new TypeError('not a range');
   const isInside = byteOffset >= 0 && byteLength >= 0 && byteOffset + byteLength <= bytes.length;
   if (!isInside) throw new Error('a range reaches beyond its buffer');
   return bytes.subarray(byteOffset, byteOffset + byteLength);

@@ -8,8 +8,6 @@
 
 #include "base/legible.h"
 
-#include "base/legible.h"
-
 namespace remesher::io {
 namespace {
 
