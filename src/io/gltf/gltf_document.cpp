@@ -201,7 +201,7 @@ bool isInside(const Json& view, const std::vector<Bytes>& buffers) {
     if (!isWholeNumber(member(key))) return false;
   const auto buffer = member("buffer").get<std::uint64_t>();
   if (buffer >= buffers.size()) return false;
-  const std::uint64_t size = buffers[buffer].size();
+  const std::uint64_t size = buffers[static_cast<std::size_t>(buffer)].size();
   const auto offset = member("byteOffset").get<std::uint64_t>();
   return offset <= size && member("byteLength").get<std::uint64_t>() <= size - offset;
 }
