@@ -20,18 +20,14 @@ constexpr double kSurelyNear = 0.02;  // of the target edge length
 // same way: sine and cosine.
 constexpr double kSlope = 0.1, kSameWay = 0.97;
 // A walk from one corner may end in a local minimum: what is farther than this is tried from the
-// others too, and looked for everywhere unless all of them meet.
+// others too.
 constexpr double kDoubtful = 0.2;  // of the mean target edge length
-constexpr double kRounding = 1e-9;
-// An edge whose middle is nearer than this is not far off anywhere.
-constexpr double kSlight = 0.02;  // of the mean target edge length
 
 }  // namespace
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       doubtful_(kDoubtful * run.sizes.mean()),
-      slight_(kSlight * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
       places_(measurePlaces(run, kSurelyNear)),
       next_(places_.size(), kNone),
@@ -50,15 +46,13 @@ SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
 
 double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   const OriginalSurface& surface = mesh_.surface();
-  double nearest = kEndless, farthest = 0;
+  double nearest = kEndless;
   for (int i = 0; i < 3 && nearest > doubtful_; ++i) {
     const SurfacePoint near =
         closestPointFrom(surface, startAt(HalfedgeMesh::halfedge(f, i)), sample);
-    const double distance = (surface.position(near) - sample).norm();
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
+    nearest = std::min(nearest, (surface.position(near) - sample).norm());
   }
-  if (nearest <= doubtful_ || farthest <= (1 + kRounding) * nearest) return nearest;
+  if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
   return tree_->nearest(sample).distance;
 }
@@ -68,9 +62,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f) 
   const auto measure = [&](double t) {
     farthest = std::max(farthest, fromOriginal((1 - t) * from + t * to, f));
   };
-  measure(0.5);
-  if (farthest < slight_) return farthest;
-  for (const double t : {0.25, 0.75}) measure(t);
+  for (const double t : {0.25, 0.5, 0.75}) measure(t);
   if (farthest > doubtful_)
     for (const double t : {0.125, 0.375, 0.625, 0.875}) measure(t);
   return farthest;

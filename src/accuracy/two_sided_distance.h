@@ -58,7 +58,7 @@ class TwoSidedDistance {
   void measureFaces();
 
   const WorkingMesh& mesh_;
-  const double doubtful_, slight_;
+  const double doubtful_;
   const bool originalIsCoarse_;
   std::vector<Place> places_;
   std::vector<Index> next_;  // the next place of the same triangle, or kNone

@@ -26,14 +26,11 @@ namespace {
 // less: rounds are saved there.
 constexpr int kAnnealRounds = 20, kFewestRounds = 12, kDraftRounds = 4;
 constexpr double kManyToAnneal = 6000;
-// Over-relaxation: a vertex goes this many times as far as its neighbours ask for, and is where
-// they will want it in fewer passes.
-constexpr double kOvershoot = 1.5;
-constexpr int kPasses = 3, kCoarsePasses = 10, kDraftPasses = 1;
+constexpr int kPasses = 4, kDraftPasses = 2;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
-constexpr double kSliver = radians(10), kPoor = radians(33);
+constexpr double kSliver = radians(10), kPoor = radians(30);
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -68,12 +65,8 @@ int annealRounds(const Run& run, std::size_t vertices) {
   return std::clamp(int(kAnnealRounds * share), kFewestRounds, kAnnealRounds);
 }
 
-// Twice. What is left of a coarse level's unevenness, the finer one would need many more passes
-// for.
 void smooth(Run& run) {
-  const int passes = run.quality == Quality::Draft ? kDraftPasses
-                     : isCoarse(run)               ? kCoarsePasses
-                                                   : kPasses;
+  const int passes = run.quality == Quality::Draft ? kDraftPasses : kPasses;
   for (int i = 0; i < 2; ++i) {
     relax(run, passes);
     delaunayFlips(run.mesh, run.rule);
@@ -166,7 +159,6 @@ void finish(Run& run, const Progress& progress) {
 bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   const Levels levels = planLevels(run, vertices);
   run.boundaries = Boundaries::Staggered;
-  run.overshoot = kOvershoot;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
   const Progress last = progress.part(0.85, 1);

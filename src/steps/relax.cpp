@@ -9,16 +9,15 @@ namespace remesher {
 
 namespace {
 
-// What moves by less than this share of its target length is settled; on a coarse level, where a
-// pass costs little and spares many on the next, later.
-constexpr double kStill = 0.01, kStillOnCoarse = 0.004;
+// What moves by less than this share of its target length is settled; in large meshes, where a pass
+// costs and few triangles are near any limit, sooner.
+constexpr double kStillMoves = 0.004, kStillMovesInLarge = 0.01;
 
 }  // namespace
 
-void relax(Run& run, int passes) { relax(run, passes, isCoarse(run) ? kStillOnCoarse : kStill); }
-
-void relax(Run& run, int passes, double still) {
+void relax(Run& run, int passes) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double share = isLarge(run) ? kStillMovesInLarge : kStillMoves;
   std::vector<Vertex> active;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass) {
@@ -29,8 +28,8 @@ void relax(Run& run, int passes, double still) {
     for (const Vertex v : active) {
       const Vec3 before = run.mesh.position(v);
       if (!laplacianMove(run, star, v)) continue;
-      const double least = still * run.scale * run.sizes.at(run.mesh.at(v));
-      if ((run.mesh.position(v) - before).squaredNorm() >= least * least) run.mesh.unsettleStar(v);
+      const double still = share * run.scale * run.sizes.at(run.mesh.at(v));
+      if ((run.mesh.position(v) - before).squaredNorm() >= still * still) run.mesh.unsettleStar(v);
     }
   }
 }

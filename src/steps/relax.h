@@ -7,11 +7,8 @@
 namespace remesher {
 
 // Up to `passes` Laplacian passes over the vertices that are not settled: those whose star changed
-// since, and those that moved, or have a neighbour that moved, by more than the share `still` of
-// its size when they were last visited.
-void relax(Run& run, int passes, double still);
-
-// The same with the share that the level asks for.
+// since, and those that moved, or have a neighbour that moved, by more than a small share of its
+// size when they were last visited.
 void relax(Run& run, int passes);
 
 }  // namespace remesher

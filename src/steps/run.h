@@ -23,9 +23,8 @@ struct Run {
   SizeField& sizes;
   FidelityRule rule;
   Quality quality = Quality::Best;
-  double scale = 1;      // of the sizes at the present level
-  double stagger = 0;    // how far curve vertices follow all their neighbours: see curveSweep
-  double overshoot = 1;  // of smoothing: over 1, what is still to move gets there in fewer passes
+  double scale = 1;    // of the sizes at the present level
+  double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
   LocalChange change = {};           // the proposal at hand
@@ -48,13 +47,6 @@ inline bool commit(Run& run) { return commit(run, run.rule); }
 inline bool isLarge(const Run& run) {
   constexpr std::size_t kLarge = 100000;
   return run.mesh.mesh().vertexCount() >= kLarge;
-}
-
-// Whether the mesh is there to be subdivided: pains taken with it are taken for four times as many
-// vertices, or more, as long as it is not large itself.
-inline bool isCoarse(const Run& run) {
-  constexpr double kTwice = 1.5;  // the sizes of the result, but for the tuning of the scale
-  return run.scale > kTwice && !isLarge(run);
 }
 
 // The run's rule, but more tolerant of folds: for what must go.

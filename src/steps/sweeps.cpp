@@ -122,7 +122,7 @@ bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
   if (run.mesh.kind(v) == VertexKind::Corner || run.mesh.isPinned(v)) return false;
   if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
-  return relocateTo(run, star, v, run.overshoot * laplacianTarget(star));
+  return relocateTo(run, star, v, laplacianTarget(star));
 }
 
 void laplacianSweep(Run& run) {

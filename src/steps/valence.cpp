@@ -6,7 +6,7 @@
 
 #include "gate/angles.h"
 #include "steps/delaunay.h"
-#include "steps/relax.h"
+#include "steps/sweeps.h"
 
 namespace remesher {
 
@@ -16,9 +16,6 @@ constexpr std::uint32_t kSeed = 2003;
 constexpr double kStartProbability = 0.5;
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
-// A round flips one edge in a hundred: it is enough if what is around those gives way. The rest is
-// for the smoothing that follows.
-constexpr double kStill = 0.1;
 // At a boundary there are fewer neighbours to even an irregular vertex out: better have it inside.
 // Not so where the boundary is kept, and edges are as long as they happen to be.
 constexpr int kAtBoundary = 2;
@@ -105,8 +102,9 @@ void annealValences(Run& run, int rounds, const Progress& progress) {
     const double probability = kStartProbability * (1 - double(i) / rounds);
     flipsWhere(run, kSmallestAngle,
                [&](int cost) { return cost < 0 || (cost == 0 && random.uniform() < probability); });
-    relax(run, 1, kStill);
+    laplacianSweep(run);
     flipsWhere(run, kSmallestAngle, [](int cost) { return cost < 0; });
+    laplacianSweep(run);
     if ((i + 1) % kDelaunayEvery == 0) delaunayFlips(run.mesh, run.rule);
   }
   run.mesh.unsettleAll();
