@@ -250,10 +250,10 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{bytes, std::nullopt};
   document->tree = parseTree(*document, chunks.json);
   refuseCompression(*document);
+  requireReferences(*document);
   document->typed = typedView(*document);
   loadBuffers(*document, chunks.binary);
   checkBufferViews(*document);
-  requireReferences(*document);
   return document;
 }
 
