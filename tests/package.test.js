@@ -60,8 +60,9 @@ test('types come first among the conditions, and the default last', () => {
 });
 
 test('what browsers load does not speak of Node', () => {
-  const files = ['index', 'platform_browser', 'worker', 'api/api', 'api/client',
-    'api/wasm_source', 'base/errors', 'base/options', 'worker/engine', 'worker/serve'];
+  const files = ['index', 'pool', 'platform_browser', 'worker', 'api/api', 'api/client',
+    'api/crew', 'api/pool_of', 'api/wasm_source', 'base/errors', 'base/options', 'worker/engine',
+    'worker/serve'];
   for (const file of [...files.map((name) => `dist/${name}.js`), 'dist/remesher.mjs']) {
     const text = readFileSync(join(installed, file), 'utf8');
     assert.doesNotMatch(text, /['"]node:|require\(|new Function\b|\beval\(/, file);

@@ -27,3 +27,5 @@ export function spawn() {
     keepAlive() {},
   };
 }
+
+export const cores = () => globalThis.navigator?.hardwareConcurrency || 1;

@@ -2,6 +2,7 @@
 // What differs in Node: where the WebAssembly is and how a worker is started.
 
 import { readFile } from 'node:fs/promises';
+import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 
 import { RemeshError } from './base/errors.js';
@@ -47,3 +48,5 @@ export function spawn() {
     keepAlive: (busy) => (busy ? worker.ref() : worker.unref()),
   };
 }
+
+export const cores = availableParallelism;

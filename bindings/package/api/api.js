@@ -57,10 +57,13 @@ export class Api {
   #platform;
   #client;
 
-  /** @param {Platform} platform */
-  constructor(platform) {
+  /**
+   * @param {Platform} platform
+   * @param {Pick<Client, 'load' | 'warmUp' | 'run'>} [client] who runs the jobs
+   */
+  constructor(platform, client = new Client(platform)) {
     this.#platform = platform;
-    this.#client = new Client(platform);
+    this.#client = client;
   }
 
   /**

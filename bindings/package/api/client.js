@@ -23,6 +23,7 @@ import { RemeshError, abortError } from '../base/errors.js';
  * @property {() => Promise<WebAssembly.Module>} compileDefault
  * @property {(url: string | URL) => Promise<WebAssembly.Module>} compileUrl
  * @property {() => WorkerPort | undefined} spawn
+ * @property {() => number} cores how many workers can be busy at once
  */
 
 /**
@@ -43,7 +44,7 @@ import { RemeshError, abortError } from '../base/errors.js';
  */
 
 /** @param {RunOptions} options */
-function checkRun({ signal, onProgress, worker }) {
+export function checkRun({ signal, onProgress, worker }) {
   /** @param {string} what @returns {never} */
   const refuse = (what) => {
     throw new RemeshError('INVALID_OPTION', what);
@@ -66,6 +67,7 @@ export class Client {
   /** @type {Task[]} the first is running, if #isRunning */
   #tasks = [];
   #isRunning = false;
+  #isClosed = false;
 
   /** @param {Platform} platform */
   constructor(platform) {
@@ -116,6 +118,7 @@ export class Client {
   /** Makes the worker, if there can be one. @returns {Promise<WorkerPort | undefined>} */
   async warmUp() {
     const module = await this.load();
+    if (this.#isClosed) throw abortError();
     if (this.#worker) return this.#worker;
     const worker = this.#platform.spawn();
     if (!worker) return undefined;
@@ -146,6 +149,14 @@ export class Client {
     } catch (error) {
       if (this.#tasks[0] === task) this.#finish(task).reject(error);
     }
+  }
+
+  /** Ends all that runs or waits with an `AbortError`, and the worker. */
+  close() {
+    this.#isClosed = true;
+    for (const task of [...this.#tasks].reverse()) this.#abort(task);
+    this.#worker?.terminate();
+    this.#worker = undefined;
   }
 
   /** Takes the running task off the queue and lets the next one start. @param {Task} task */

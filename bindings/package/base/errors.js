@@ -43,7 +43,7 @@ export class RemeshError extends Error {
   }
 }
 
-/** What an aborted signal rejects with. */
-export function abortError() {
-  return new DOMException('The run was cancelled.', 'AbortError');
+/** What an aborted signal rejects with. @param {string} [why] */
+export function abortError(why) {
+  return new DOMException(why ?? 'The run was cancelled.', 'AbortError');
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Runs jobs as a client does, but several at once: a client for each worker, all with one compiled
+// module. Jobs wait in the order of asking for the first client that is free; those of lower number
+// come first, so that no more workers are started than are needed.
+
+import { Client, checkRun } from './client.js';
+import { abortError } from '../base/errors.js';
+
+/** @import { Job } from '../base/messages.js' */
+/** @import { Platform, RunOptions } from './client.js' */
+
+/**
+ * @typedef {object} Waiting
+ * @property {AbortSignal | undefined} signal
+ * @property {(client: Client) => void} start
+ * @property {() => void} leave
+ */
+
+export class Crew {
+  #clients;
+  #free;
+  /** @type {Waiting[]} */
+  #waiting = [];
+  #isClosed = false;
+
+  /** @param {Platform} platform @param {number} size how many workers at most */
+  constructor(platform, size) {
+    /** @type {Platform} */
+    const shared = { ...platform, compileDefault: () => first.load(platform.compileDefault) };
+    const first = new Client(platform);
+    this.#clients = [first, ...Array.from({ length: size - 1 }, () => new Client(shared))];
+    this.#free = new Set(this.#clients);
+  }
+
+  /** The compiled module, see Client. @param {() => Promise<WebAssembly.Module>} [compile] */
+  load(compile) {
+    return this.#clients[0].load(compile);
+  }
+
+  /** Makes all workers; the first of them is the answer. */
+  async warmUp() {
+    await this.load();
+    const [first] = await Promise.all(this.#clients.map((client) => client.warmUp()));
+    return first;
+  }
+
+  /**
+   * @param {Job} job
+   * @param {ArrayBuffer[]} transfer
+   * @param {RunOptions} options
+   * @returns {Promise<any>}
+   */
+  async run(job, transfer, options) {
+    checkRun(options);
+    if (this.#isClosed) throw abortError('The pool is closed.');
+    if (options.signal?.aborted) throw abortError();
+    if (options.worker === false) return this.#clients[0].run(job, transfer, options);
+    const client = await this.#nextFree(options.signal);
+    try {
+      if (this.#isClosed) throw abortError('The pool is closed.');
+      return await client.run(job, transfer, options);
+    } finally {
+      this.#free.add(client);
+      this.#startNext();
+    }
+  }
+
+  /** Ends all runs and all workers; those that wait or run reject with an `AbortError`. */
+  close() {
+    this.#isClosed = true;
+    for (const { leave } of this.#waiting.splice(0)) leave();
+    for (const client of this.#clients) client.close();
+  }
+
+  /** @param {AbortSignal | undefined} signal @returns {Promise<Client>} */
+  #nextFree(signal) {
+    return new Promise((resolve, reject) => {
+      const abort = () => {
+        this.#waiting = this.#waiting.filter((other) => other !== waiting);
+        waiting.leave();
+      };
+      const waiting = {
+        signal,
+        start: (/** @type {Client} */ client) => {
+          signal?.removeEventListener('abort', abort);
+          resolve(client);
+        },
+        leave: () => {
+          signal?.removeEventListener('abort', abort);
+          reject(abortError(this.#isClosed ? 'The pool is closed.' : undefined));
+        },
+      };
+      signal?.addEventListener('abort', abort, { once: true });
+      this.#waiting.push(waiting);
+      this.#startNext();
+    });
+  }
+
+  #startNext() {
+    const client = this.#clients.find((one) => this.#free.has(one));
+    if (this.#isClosed || !client) return;
+    const next = this.#waiting.shift();
+    if (!next) return;
+    this.#free.delete(client);
+    next.start(client);
+  }
+}

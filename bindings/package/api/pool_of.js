@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The class Pool, for whichever platform it is made.
+
+import { Api } from './api.js';
+import { Crew } from './crew.js';
+import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
+import { requireObject } from '../base/options.js';
+
+/** @import { Platform } from './client.js' */
+
+/**
+ * @typedef {object} PoolOptions
+ * @property {number} [size] How many workers at most; as many as the machine has cores, if not
+ *   given.
+ */
+
+const mostWorkers = 1024;
+
+/** @param {PoolOptions} options @param {Platform} platform */
+function sizeOf(options, platform) {
+  requireObject(options);
+  const unknown = Object.keys(options).find((name) => name !== 'size');
+  if (unknown) {
+    throw new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(unknown)} here.`,
+      'There is size.');
+  }
+  const { size = platform.cores() } = options;
+  if (!Number.isInteger(size) || size < 1 || size > mostWorkers) {
+    throw new RemeshError('INVALID_OPTION',
+      `size must be a whole number from 1 to ${mostWorkers}.`);
+  }
+  return size;
+}
+
+/** What each function does is said where the class is exported, in pool.js. */
+export class PoolOf extends Api {
+  #crew;
+
+  /** @param {Platform} platform @param {PoolOptions} options */
+  constructor(platform, options) {
+    const crew = new Crew(platform, sizeOf(options, platform));
+    super(platform, crew);
+    this.#crew = crew;
+  }
+
+  close() {
+    this.#crew.close();
+  }
+}

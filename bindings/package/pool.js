@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// remesher/pool in browsers; and what is said of it, for every platform.
+
+import { PoolOf } from './api/pool_of.js';
+import * as platform from './platform_browser.js';
+
+/**
+ * What goes in and comes out.
+ * @typedef {import('./api/pool_of.js').PoolOptions} PoolOptions
+ */
+/** @import * as Package from './index.js' */
+
+/**
+ * Several workers with the package's functions. Each job goes to the first worker that is free;
+ * workers start when they are needed, share one compiled module, and keep no program from ending
+ * while they are idle.
+ *
+ * @example
+ * const pool = new Pool({ size: 4 });
+ * const results = await Promise.all(files.map((file) => pool.remeshFile(file, { ratio: 0.5 })));
+ * pool.close();
+ */
+export class Pool {
+  #pool;
+
+  /** @param {PoolOptions} [options] How many workers there may be. */
+  constructor(options = {}) {
+    this.#pool = new PoolOf(platform, options);
+  }
+
+  /**
+   * Loads the WebAssembly and starts all workers ahead of time. Optional.
+   *
+   * @param {Package.InitOptions} [options] Where the WebAssembly is; where bundlers put it, if not
+   *   given.
+   * @returns {Promise<void>} Once the next runs can begin at once.
+   */
+  init(options) {
+    return this.#pool.init(options);
+  }
+
+  /**
+   * Remeshes a mesh, as the package's function does.
+   *
+   * @param {Package.Mesh} mesh The surface: positions, triangles, and what else the vertices have.
+   * @param {Package.RemeshOptions & Package.RunOptions} [options] What to make of it, and how to
+   *   run.
+   * @returns {Promise<Package.RemeshResult>} The new mesh and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  remesh(mesh, options) {
+    return this.#pool.remesh(mesh, options);
+  }
+
+  /**
+   * Remeshes the meshes of a scene, as the package's function does: in one worker.
+   *
+   * @param {Package.PlacedMesh[]} parts The meshes, and where they are shown.
+   * @param {Package.RemeshOptions & Package.RunOptions} [options] What to make of them, and how to
+   *   run.
+   * @returns {Promise<Package.RemeshSceneResult>} The new meshes and one report. Rejects with a
+   *   `RemeshError`.
+   */
+  remeshScene(parts, options) {
+    return this.#pool.remeshScene(parts, options);
+  }
+
+  /**
+   * Remeshes a file, as the package's function does.
+   *
+   * @param {Package.Bytes} bytes The file.
+   * @param {Package.RemeshOptions & Package.FileOptions & Package.OutputOptions
+   *   & Package.RunOptions} [options] What to make of it, its name, the result's name, and how to
+   *   run.
+   * @returns {Promise<Package.RemeshFileResult>} The new file and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  remeshFile(bytes, options) {
+    return this.#pool.remeshFile(bytes, options);
+  }
+
+  /**
+   * Writes a file in another format, as the package's function does.
+   *
+   * @param {Package.Bytes} bytes The file.
+   * @param {Package.FileOptions & Package.OutputOptions & Package.RunOptions} [options] Its name,
+   *   the result's name, and how to run.
+   * @returns {Promise<Package.ConvertFileResult>} The new file. Rejects with a `RemeshError`.
+   */
+  convertFile(bytes, options) {
+    return this.#pool.convertFile(bytes, options);
+  }
+
+  /**
+   * Reports on a file or a mesh, as the package's function does.
+   *
+   * @param {Package.Bytes | Package.Mesh} bytesOrMesh The file, or the mesh.
+   * @param {Package.FileOptions & Package.RunOptions} [options] The file's name, and how to run.
+   * @returns {Promise<Package.Inspection>} What there is. Rejects with a `RemeshError`.
+   */
+  inspect(bytesOrMesh, options) {
+    return this.#pool.inspect(bytesOrMesh, options);
+  }
+
+  /**
+   * Ends the workers. What runs or waits, and what is asked for afterwards, rejects with an
+   * `AbortError`. Cheap to repeat.
+   */
+  close() {
+    this.#pool.close();
+  }
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// remesher/pool in Node. What it does is said in pool.js, whose types are its too.
+
+import { PoolOf } from './api/pool_of.js';
+import * as platform from './platform_node.js';
+
+export class Pool extends PoolOf {
+  /** @param {import('./api/pool_of.js').PoolOptions} [options] */
+  constructor(options = {}) {
+    super(platform, options);
+  }
+}
