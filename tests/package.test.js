@@ -2,9 +2,11 @@
 // The tarball: small, whole, without install scripts, and working where nothing else is.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { after, test } from 'node:test';
 
 import { build, createLogger } from 'vite';
@@ -98,11 +100,55 @@ test('the command is installed and works', () => {
   assert.equal(call(command, ['--version']).trim(), JSON.parse(readText('package.json')).version);
 });
 
+/** Installs what the adapters are for from where it is already. */
+function linkPeers() {
+  for (const name of ['three', '@types/three', '@gltf-transform']) {
+    const place = join(folder, 'node_modules', name);
+    mkdirSync(dirname(place), { recursive: true });
+    if (!existsSync(place)) symlinkSync(join(root, 'node_modules', name), place);
+  }
+}
+
+test('nothing but the adapters asks for what they are for', () => {
+  const peers = Object.keys(manifest.peerDependencies);
+  for (const name of peers) assert.ok(manifest.peerDependenciesMeta[name].optional, name);
+  for (const { path } of tarball.files.filter(({ path: file }) => /\.m?js$/.test(file))) {
+    if (path.startsWith('dist/adapters/')) continue;
+    const text = readFileSync(join(installed, path), 'utf8');
+    for (const name of peers) assert.ok(!text.includes(`'${name}'`), `${path}: ${name}`);
+  }
+});
+
+test('a program imports the adapters and the pool', () => {
+  linkPeers();
+  writeFileSync(join(folder, 'adapters.js'), `
+    import { Document } from '@gltf-transform/core';
+    import { TorusGeometry } from 'three';
+    import { RemeshError } from 'remesher';
+    import { remesh } from 'remesher/gltf-transform';
+    import { Pool } from 'remesher/pool';
+    import { remeshGeometry } from 'remesher/three';
+    const torus = new TorusGeometry(1, 0.4, 24, 48);
+    const { geometry, report } = await remeshGeometry(torus, { vertices: 400 });
+    await new Document().transform(remesh());
+    const pool = new Pool({ size: 1 });
+    const failed = await pool.inspect({}).catch((error) => error instanceof RemeshError);
+    console.log(report.output.vertices, geometry.attributes.uv.itemSize, failed);`);
+  assert.equal(call(process.execPath, ['adapters.js']).trim(), '400 2 true');
+});
+
 for (const resolution of ['nodenext', 'bundler']) {
   test(`a TypeScript program finds the types (${resolution})`, () => {
+    linkPeers();
     writeFileSync(join(folder, 'typed.ts'), `
       import { remesh, RemeshError } from 'remesher';
+      import type { RemeshReport } from 'remesher';
       import type { RemeshOptions } from 'remesher/options';
+      import { Document } from '@gltf-transform/core';
+      import { BufferGeometry, Group } from 'three';
+      import { remesh as transform } from 'remesher/gltf-transform';
+      import { Pool } from 'remesher/pool';
+      import { remeshGeometry, remeshObject } from 'remesher/three';
       const options: RemeshOptions = { vertices: 10, scheme: 'rounds', featureAngle: 'off' };
       // @ts-expect-error: there is no such scheme
       const wrong: RemeshOptions = { scheme: 'fast' };
@@ -112,13 +158,22 @@ for (const resolution of ['nodenext', 'bundler']) {
       const { mesh: { positions }, report } = await remesh(mesh, { ...options,
         onProgress: ({ phase, fraction }) => console.log(phase.length, fraction.toFixed(2)) });
       const count: number = positions.length + report.output.vertices;
+      const geometry: BufferGeometry = (await remeshGeometry(new BufferGeometry())).geometry;
+      const whole: RemeshReport = (await remeshObject(new Group(), { ratio: 0.5 })).report;
+      const made: Document = await new Document().transform(transform({ vertices: 10 }));
+      // @ts-expect-error: there is no such option here either
+      transform({ vertexes: 10 });
+      const pool = new Pool({ size: 2 });
+      const inPool: Promise<RemeshReport> = pool.remesh(mesh, { ratio: 2 }).then((r) => r.report);
+      pool.close();
+      console.log(geometry, whole, made, inPool);
       const code: 'INTERNAL' | string = new RemeshError('INTERNAL', '').code;
       console.log(count, code, wrong, unknown);`);
     const module = resolution === 'nodenext' ? 'nodenext' : 'esnext';
     writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
       compilerOptions: {
         strict: true, noEmit: true, target: 'es2022', module, moduleResolution: resolution,
-        lib: ['es2022', 'dom'], types: [],
+        lib: ['es2022', 'dom', 'esnext.float16'], types: [],
       },
       files: ['typed.ts'],
     }));

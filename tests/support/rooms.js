@@ -35,6 +35,7 @@ export const packageRooms = {
   files: ['base'],
   worker: ['base', 'codecs'],
   api: ['base', 'worker'],
+  adapters: ['base'],
   '': ['base', 'worker', 'api'],
   cli: ['base', 'codecs', 'files', 'api', ''],
 };

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// remesher/three: geometries and scenes of three.js.
+
+import { remeshScene } from 'remesher';
+
+import { RemeshError } from '../base/errors.js';
+import { readPart, writePart } from './three_geometry.js';
+import { sceneParts, surfacesIn } from './three_scene.js';
+import { joined } from './vertex_pools.js';
+
+/** @import { BufferGeometry, Mesh, Object3D } from 'three' */
+/** @import { RemeshOptions, RemeshReport, RunOptions } from 'remesher' */
+
+/**
+ * @typedef {object} RemeshGeometryResult
+ * @property {BufferGeometry} geometry A new one, indexed.
+ * @property {RemeshReport} report What went in, what came out, and how far the two are apart.
+ */
+
+/**
+ * @typedef {object} RemeshObjectResult
+ * @property {RemeshReport} report On all meshes together.
+ */
+
+/**
+ * Remeshes a geometry. Every attribute comes back in its type, morph targets too; groups,
+ * name, `userData` and what is instanced stay. Only triangles in its draw range count. What was
+ * interleaved is not any more, and positions in integers become floats where they would be too
+ * coarse.
+ *
+ * @example
+ * const { geometry } = await remeshGeometry(mesh.geometry, { vertices: 10000 });
+ *
+ * @param {BufferGeometry} geometry The surface; it stays as it is.
+ * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @returns {Promise<RemeshGeometryResult>} The new geometry and a report. Rejects with a
+ *   `RemeshError`.
+ */
+export async function remeshGeometry(geometry, options) {
+  const part = readPart([geometry]);
+  const { meshes: [mesh], report } = await remeshScene([{ mesh: joined(part.pools) }], options);
+  const [result] = writePart(part, mesh).values();
+  return { geometry: result, report };
+}
+
+/** Skinned and instanced meshes have bounds of their own. @param {any} mesh */
+function renewBounds(mesh) {
+  if (mesh.boundingBox) mesh.computeBoundingBox();
+  if (mesh.boundingSphere) mesh.computeBoundingSphere();
+}
+
+/** @param {Mesh[]} surfaces @param {Map<BufferGeometry, BufferGeometry>} replacements */
+function replace(surfaces, replacements) {
+  for (const mesh of surfaces) {
+    mesh.geometry = replacements.get(mesh.geometry) ?? mesh.geometry;
+    renewBounds(mesh);
+  }
+  for (const old of replacements.keys()) old.dispose();
+}
+
+/**
+ * Remeshes all meshes of an object and below, in place: each gets a new geometry once all are
+ * there, and the old ones are disposed of. Meshes that share a geometry still do; skins, instances,
+ * morph targets and materials stay. Vertices are shared out by area in the world. Meshes of one
+ * parent at one place, as GLTFLoader makes of several materials, are one surface. Lines, points,
+ * sprites and batched meshes are left alone.
+ *
+ * @example
+ * const { scene } = await new GLTFLoader().loadAsync('helmet.glb');
+ * const { report } = await remeshObject(scene, { ratio: 0.5 });
+ *
+ * @param {Object3D} object A scene, a group, a mesh.
+ * @param {RemeshOptions & RunOptions} [options] What to make of it, and how to run.
+ * @returns {Promise<RemeshObjectResult>} A report. Rejects with a `RemeshError`; then nothing has
+ *   changed.
+ */
+export async function remeshObject(object, options) {
+  if (!(/** @type {any} */ (object)?.isObject3D)) {
+    throw new RemeshError('INVALID_MESH', 'The object must be an Object3D of three.js.');
+  }
+  object.updateWorldMatrix(true, true);
+  const surfaces = surfacesIn(object);
+  if (surfaces.length === 0) {
+    throw new RemeshError('NO_TRIANGLES', 'There are no meshes of triangles in the object.');
+  }
+  const parts = sceneParts(surfaces)
+    .map(({ geometries, places }) => ({ part: readPart(geometries), places }));
+  const { meshes, report } = await remeshScene(
+    parts.map(({ part, places }) => ({ mesh: joined(part.pools), places })), options);
+  replace(surfaces, new Map(parts.flatMap(({ part }, i) => [...writePart(part, meshes[i])])));
+  return { report };
+}
