@@ -8,7 +8,10 @@ import { dirname, join, normalize } from 'node:path';
 import { before, test } from 'node:test';
 
 import * as remesher from 'remesher';
+import * as gltfTransform from 'remesher/gltf-transform';
 import * as options from 'remesher/options';
+import * as pool from 'remesher/pool';
+import * as three from 'remesher/three';
 
 import { filesUnder, readText, root } from './support/tree.js';
 
@@ -37,7 +40,8 @@ function deadLinks(file, links, placesOf) {
 }
 
 test('the reference has a page for every public function, and text on it', () => {
-  const names = { remesher, remesher_options: options };
+  const names = { remesher, remesher_options: options, remesher_pool: pool,
+    'remesher_gltf-transform': gltfTransform, remesher_three: three };
   for (const [module, exported] of Object.entries(names)) {
     for (const [name, value] of Object.entries(exported).filter(([, v]) => v instanceof Function)) {
       const folder = /^class /.test(Function.prototype.toString.call(value))
