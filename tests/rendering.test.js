@@ -4,7 +4,10 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
+import { NodeIO } from '@gltf-transform/core';
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { remeshFile } from 'remesher';
+import { remesh } from 'remesher/gltf-transform';
 
 import {
   addChart, columns, layOut, narrow, rows, texels, wide,
@@ -12,6 +15,7 @@ import {
 import { GltfMaker } from './support/gltf.js';
 import { openGallery } from './support/pictures.js';
 import { png } from './support/png.js';
+import { skinnedTorus } from './support/skinned_torus.js';
 
 const strange = [255, 0, 255];
 
@@ -95,4 +99,17 @@ test('a torus of several charts looks as it did', async () => {
 
 test('charts narrower than the edges look as they did and do not bleed', async () => {
   await holdsUp(narrow, { vertices: 400, within: 0.02 });
+});
+
+test('two materials and a skin look as they did, through glTF-Transform', async () => {
+  const { bytes } = skinnedTorus();
+  const io = new NodeIO().registerExtensions(ALL_EXTENSIONS);
+  const document = await io.readBinary(bytes);
+  await document.transform(remesh({ vertices: 2000 }));
+  const views = await gallery.compare(bytes, await io.writeBinary(document));
+  assert.equal(views.length, 12);
+  for (const [n, { difference, pixels }] of views.entries()) {
+    assert.ok(pixels > 10000);
+    assert.ok(difference < 0.02, `view ${n} differs by ${difference}`);
+  }
 });
