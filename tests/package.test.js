@@ -38,7 +38,8 @@ test('it holds the built package and the papers, nothing else', () => {
     /^(dist\/([a-z]+\/)?[a-z_]+(\.d)?\.(js|mjs|mts|ts|wasm)|package\.json|[A-Z]+(\.md)?)$/;
   const wrong = tarball.files.map(({ path }) => path).filter((path) => !belongs.test(path));
   assert.deepEqual(wrong, []);
-  assert.ok(tarball.size < 600_000, `${tarball.size} bytes`);
+  // Two thirds are WebAssembly, an eighth is the decoder of Draco.
+  assert.ok(tarball.size < 640_000, `${tarball.size} bytes`);
 });
 
 test('installing runs nothing and brings nothing', () => {
