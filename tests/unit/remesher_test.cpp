@@ -51,21 +51,21 @@ struct Hostile {
 }  // namespace
 
 TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
-  for (const auto& [name, mesh] : {Hostile{"flat triangle", shapes::flatTriangle(1e-12)},
-                                   Hostile{"tube", shapes::tube(12, 2, 1e-3, 1e4)},
-                                   Hostile{"sheet", shapes::stretchedSheet(4, 1e9)},
-                                   Hostile{"on a line", shapes::nearlyOnALine(30, 1e-9)},
-                                   Hostile{"on a line", shapes::nearlyOnALine(30, 1e-15)},
-                                   Hostile{"needles", shapes::needles(40, 1e-9)},
-                                   Hostile{"mixed", shapes::mixedScales(3, 1e30)},
-                                   Hostile{"mixed", shapes::mixedScales(3, 1e-30)}})
+  for (const Hostile& shape : {Hostile{"flat triangle", shapes::flatTriangle(1e-12)},
+                               Hostile{"tube", shapes::tube(12, 2, 1e-3, 1e4)},
+                               Hostile{"sheet", shapes::stretchedSheet(4, 1e9)},
+                               Hostile{"on a line", shapes::nearlyOnALine(30, 1e-9)},
+                               Hostile{"on a line", shapes::nearlyOnALine(30, 1e-15)},
+                               Hostile{"needles", shapes::needles(40, 1e-9)},
+                               Hostile{"mixed", shapes::mixedScales(3, 1e30)},
+                               Hostile{"mixed", shapes::mixedScales(3, 1e-30)}})
     for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
-      CAPTURE(name);
+      CAPTURE(shape.name);
       CAPTURE(int(scheme));
       RemeshOptions options;
       options.scheme = scheme;
-      checked(mesh, options);
-      checked(mesh, toVertices(200, scheme));
+      checked(shape.mesh, options);
+      checked(shape.mesh, toVertices(200, scheme));
     }
 }
 
@@ -103,19 +103,19 @@ TEST_CASE("hostile: parts that touch touch still, and nothing opens") {
     TriangleMesh mesh;
     Index vertices;
   };
-  for (const auto& [name, mesh, vertices] :
-       {Case{"cubes at an edge", shapes::cubesSharingAnEdge(4), 500},
-        Case{"cubes at a corner", shapes::cubesSharingACorner(4), 500},
-        Case{"doubled sheet", shapes::doubledSheet(6), 200},
-        Case{"Möbius strip", shapes::moebiusStrip(40), 300},
-        Case{"Klein bottle", shapes::kleinBottle(24, 12), 700},
-        Case{"book", shapes::book(10, 4), 600}}) {
-    CAPTURE(name);
-    const Report report = checked(mesh, toVertices(vertices)).report;
+  for (const Case& touching : {Case{"cubes at an edge", shapes::cubesSharingAnEdge(4), 500},
+                               Case{"cubes at a corner", shapes::cubesSharingACorner(4), 500},
+                               Case{"doubled sheet", shapes::doubledSheet(6), 200},
+                               Case{"Möbius strip", shapes::moebiusStrip(40), 300},
+                               Case{"Klein bottle", shapes::kleinBottle(24, 12), 700},
+                               Case{"book", shapes::book(10, 4), 600}}) {
+    CAPTURE(touching.name);
+    const Report report = checked(touching.mesh, toVertices(touching.vertices)).report;
     CHECK(report.stopped == Stopped::Target);
     CHECK(report.output->components == report.input.components);
     CHECK((report.output->boundaryEdges == 0) == (report.input.boundaryEdges == 0));
-    if (name == std::string("doubled sheet")) continue;  // inside, both sides had the same edges
+    if (touching.name == std::string("doubled sheet"))
+      continue;  // inside, both sides had the same edges
     CHECK(report.output->eulerCharacteristic == report.input.eulerCharacteristic);
     CHECK(report.output->nonManifoldEdges == report.input.nonManifoldEdges);
   }

@@ -72,8 +72,9 @@ bool hasPocket(const HalfedgeMesh& mesh) {
 }  // namespace
 
 TEST_CASE("mesh_builder: a manifold comes through whole and without a warning") {
-  for (const auto& [name, input, chi, components, loops] : shapes::manifolds()) {
-    CAPTURE(name);
+  for (const auto& shape : shapes::manifolds()) {
+    CAPTURE(shape.name);
+    const auto& [name, input, chi, components, loops] = shape;
     const BuiltMesh built = buildMesh(input);
     CHECK(check(built.mesh) == "");
     CHECK(built.warnings.empty());
@@ -86,8 +87,9 @@ TEST_CASE("mesh_builder: a manifold comes through whole and without a warning") 
 }
 
 TEST_CASE("mesh_builder: what is no manifold is cut into one") {
-  for (const auto& [name, input, chi, components, loops] : shapes::nonManifolds()) {
-    CAPTURE(name);
+  for (const auto& shape : shapes::nonManifolds()) {
+    CAPTURE(shape.name);
+    const auto& [name, input, chi, components, loops] = shape;
     const BuiltMesh built = buildMesh(input);
     CHECK(check(built.mesh) == "");
     CHECK(built.mesh.faceCount() == input.triangleCount());

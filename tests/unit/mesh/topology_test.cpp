@@ -10,8 +10,9 @@
 using namespace remesher;
 
 TEST_CASE("topology: χ, components and loops are those of the surface") {
-  for (const auto& [name, input, chi, components, loops] : shapes::all()) {
-    CAPTURE(name);
+  for (const auto& shape : shapes::all()) {
+    CAPTURE(shape.name);
+    const auto& [name, input, chi, components, loops] = shape;
     const HalfedgeMesh mesh = buildMesh(input).mesh;
     CHECK(eulerCharacteristic(mesh) == chi);
     CHECK(componentCount(mesh) == components);
