@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs cases by number, and prints those that break a law:
-//   npm run fuzz -- laws [--seed first] [--cases number] [--every nth]
+//   npm run laws -- [--seed first] [--cases number] [--every nth]
 // The same seed is the same case: one that was printed is seen again with --cases 1. The clock,
 // here that of the processor, only ends what does not end, and tells which case took longest for
 // its size.
@@ -58,9 +58,9 @@ async function runSeed(seed) {
   return { seed, broken, size, code, seconds: seconds() };
 }
 
-/** @param {readonly string[]} words @returns {Promise<number>} the exit status */
-export async function runLaws(words) {
-  const { values } = parseArgs({ args: [...words], options: {
+/** @returns {Promise<number>} the exit status */
+async function runLaws() {
+  const { values } = parseArgs({ options: {
     seed: { type: 'string', default: '1' },
     cases: { type: 'string', default: '1000' },
     every: { type: 'string', default: '1' },
@@ -80,3 +80,5 @@ export async function runLaws(words) {
   }
   return failures > 0 ? 1 : 0;
 }
+
+process.exitCode = await runLaws();
