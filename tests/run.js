@@ -11,7 +11,7 @@ import { spec } from 'node:test/reporters';
 
 import { filesUnder, root } from './support/tree.js';
 
-const longest = ['unit', 'lint', 'web', 'gltf', 'quality', 'rendering', 'package'];
+const longest = ['unit', 'lint', 'gltf', 'quality', 'package', 'rendering', 'web'];
 const rank = (/** @type {string} */ file) => {
   const at = longest.findIndex((name) => file === `tests/${name}.test.js`);
   return at < 0 ? longest.length : at;

@@ -31,6 +31,7 @@ export async function startSite() {
 /** A page with its complaints: whatever it wrote to the console as an error, or threw. */
 export async function openPage(site, { hash = '', prepare = () => {}, ...options } = {}) {
   const page = await site.browser.newPage({ viewport: { width: 1200, height: 760 }, ...options });
+  page.setDefaultTimeout(180_000); // all cores may be busy with other tests
   const complaints = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) complaints.push(message.text());

@@ -25,6 +25,7 @@ function contents(path, models) {
 export async function openGallery() {
   const browser = await startChromium();
   const tab = await browser.newPage();
+  tab.setDefaultTimeout(180_000); // all cores may be busy with other tests
   const models = new Map();
   const complaints = [];
   tab.on('console', (message) => {
