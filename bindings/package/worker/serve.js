@@ -10,9 +10,9 @@ import { RemeshError } from '../base/errors.js';
 /** The buffers a result owns, to be handed over instead of copied. @param {any} result */
 function buffersOf(result) {
   const arrays = [];
-  if (result.mesh) {
-    arrays.push(result.mesh.positions, result.mesh.indices);
-    for (const { array } of Object.values(result.mesh.attributes)) arrays.push(array);
+  for (const mesh of result.meshes ?? []) {
+    arrays.push(mesh.positions, mesh.indices, ...(mesh.groups ? [mesh.groups] : []));
+    for (const { array } of Object.values(mesh.attributes)) arrays.push(array);
   }
   for (const { bytes } of result.files ?? []) arrays.push(bytes);
   return arrays.map((array) => array.buffer);
