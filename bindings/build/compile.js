@@ -17,6 +17,7 @@ import { includeFolders, packageManager } from './system.js';
 export function commonDefinitions(system) {
   return [
     `-DREMESHER_INCLUDE=${includeFolders(system).join(';')}`,
+    '-DREMESHER_UNITY=ON',
     ...(packageManager(system) === 'apt' ? [] : ['-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF']),
   ];
 }

@@ -14,11 +14,11 @@ namespace {
 
 // Only a large distance is worth angles: good ones stay good otherwise.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kKeepAngle = radians(33.2);
+constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kWorstLeft = radians(33.2);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
-constexpr double kGain = 0.99, kEnough = 0.65;
+constexpr double kGain = 0.99, kReached = 0.65;
 // What costs angles, or makes way for another, must win more.
 constexpr double kMuch = 0.9;
 // Where the maximum is stuck, what lies below this share of it decides nothing.
@@ -80,7 +80,7 @@ class Descent {
   }
 
   bool lower(Face f) {
-    for (const double angle : {kGoodAngle, kFairAngle, kKeepAngle}) {
+    for (const double angle : {kGoodAngle, kFairAngle, kWorstLeft}) {
       if (moveCorner(f, angle) || flipSide(f, angle) || makeWay(f, angle)) return true;
       if (!isLarge(f)) return false;
     }
@@ -99,7 +99,7 @@ class Descent {
 
   // Outlines show: a curve always has its way.
   double keptAt(Vertex v, double angle) const {
-    return run_.mesh.kind(v) == VertexKind::Curve ? kKeepAngle : angle;
+    return run_.mesh.kind(v) == VertexKind::Curve ? kWorstLeft : angle;
   }
 
   bool moveCorner(Face f, double angle) {
@@ -110,7 +110,7 @@ class Descent {
     for (const Vertex v : mesh_.vertices(f)) {
       if (isFixed(v) || distances_.onRim(v) > lowest) continue;
       StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
-      search.descend(kEnough * before);
+      search.descend(kReached * before);
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
       mover = v;
@@ -142,8 +142,8 @@ class Descent {
       if (isFixed(v) || distances_.onRim(v) < before) continue;
       StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
       const double own = search.distance();
-      if (own < kEnough * before) continue;
-      search.descend(kEnough * before);
+      if (own < kReached * before) continue;
+      search.descend(kReached * before);
       if (search.distance() > kMuch * own) continue;
       move(v, search.best());
       moved = true;

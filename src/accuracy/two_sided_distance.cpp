@@ -13,23 +13,23 @@ namespace remesher {
 
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kFarOff = std::numeric_limits<double>::infinity();
 // What is beside a vertex and nearer to its tangent plane than this decides nothing.
-constexpr double kSurelyNear = 0.02;  // of the target edge length
+constexpr double kBesideIt = 0.02;  // of the target edge length
 // An edge follows the original where its slope to both tangent planes is less and they face the
 // same way: sine and cosine.
-constexpr double kSlope = 0.1, kSameWay = 0.97;
+constexpr double kSlope = 0.1, kAlongIt = 0.97;
 // A walk from one corner may end in a local minimum: what is farther than this is tried from the
 // others too.
-constexpr double kDoubtful = 0.2;  // of the mean target edge length
+constexpr double kMayBeLocal = 0.2;  // of the mean target edge length
 
 }  // namespace
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
-      doubtful_(kDoubtful * run.sizes.mean()),
+      doubtful_(kMayBeLocal * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
-      places_(measurePlaces(run, kSurelyNear)),
+      places_(measurePlaces(run, kBesideIt)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0) {
@@ -46,7 +46,7 @@ SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
 
 double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   const OriginalSurface& surface = mesh_.surface();
-  double nearest = kEndless;
+  double nearest = kFarOff;
   for (int i = 0; i < 3 && nearest > doubtful_; ++i) {
     const SurfacePoint near =
         closestPointFrom(surface, startAt(HalfedgeMesh::halfedge(f, i)), sample);
@@ -82,7 +82,7 @@ bool TwoSidedDistance::followsOriginal(Halfedge h) const {
   const Vec3 edge = mesh_.position(b) - mesh_.position(a);
   const double most = kSlope * edge.norm();
   return std::abs(edge.dot(mesh_.normal(a))) < most && std::abs(edge.dot(mesh_.normal(b))) < most &&
-         mesh_.normal(a).dot(mesh_.normal(b)) > kSameWay;
+         mesh_.normal(a).dot(mesh_.normal(b)) > kAlongIt;
 }
 
 void TwoSidedDistance::raise(Face f, double distance) {
@@ -140,7 +140,7 @@ void TwoSidedDistance::gather(Vertex v, const Placement& to) {
 
 // To the triangles at hand.
 void TwoSidedDistance::measureNear(Place& place) const {
-  double nearest = kEndless;
+  double nearest = kFarOff;
   for (const auto& [face, at] : gathered_) {
     const double distance2 =
         (closestPoint(place.position, at[0], at[1], at[2]) - place.position).squaredNorm();
@@ -192,7 +192,7 @@ double TwoSidedDistance::ifFlipped(Halfedge h) {
   const Vec3 &c = mesh_.position(m.opposite(h)), &d = mesh_.position(m.opposite(t));
   moved_ = {};
   gathered_ = {{m.face(h), {a, d, c}}, {m.face(t), {b, c, d}}};
-  double farthest = std::max(farthestPlace(kEndless), fromOriginal(d, c, m.face(h)));
+  double farthest = std::max(farthestPlace(kFarOff), fromOriginal(d, c, m.face(h)));
   for (const auto& [face, at] : gathered_)
     farthest = std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], face),
                          fromOriginal(at[1], face), fromOriginal(at[0], at[1], face),

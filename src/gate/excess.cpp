@@ -11,7 +11,7 @@ namespace remesher {
 namespace {
 
 // A proof takes a few hundred pieces, but one large triangle may lie under thousands of small ones.
-constexpr std::size_t kMostPieces = 100'000;
+constexpr std::size_t kMostPiecesOfAll = 100'000;
 
 // The corner that is farthest from the mesh, or the place where the proof has failed.
 Lost farthest(Index triangle, const Vec3& failure, const TriangleTree& original,
@@ -30,7 +30,7 @@ Lost farthest(Index triangle, const Vec3& failure, const TriangleTree& original,
 
 ExcessSearch::ExcessSearch(const ErrorBound& bound)
     : bound_(bound),
-      limits_{kSmallestPiece * bound.distance(), kMostPieces},
+      limits_{kSmallestPiece * bound.distance(), kMostPiecesOfAll},
       isDoubtful_(bound.original().order().size(), 1) {}
 
 // A proof for the original used nothing farther away than the distance.

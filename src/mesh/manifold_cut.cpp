@@ -10,7 +10,8 @@ namespace {
 // Beyond this many triangles an edge has no sensible pairs: all are cut apart.
 constexpr std::size_t kMaxTrianglesPaired = 64;
 
-struct Soup {
+// Triangles by their corners, with what meets at their edges.
+struct Corners {
   std::span<const Vec3> positions;
   std::span<const Index> corners;
   const EdgeGroups& edges;
@@ -31,7 +32,7 @@ struct Pair {
   }
 };
 
-Vec3 normalAt(const Soup& soup, Index h) {
+Vec3 normalAt(const Corners& soup, Index h) {
   const Vec3& a = soup.positions[soup.corners[h]];
   const Vec3& b = soup.positions[soup.corners[nextCorner(h)]];
   const Vec3& c = soup.positions[soup.corners[prevCorner(h)]];
@@ -40,7 +41,7 @@ Vec3 normalAt(const Soup& soup, Index h) {
 
 // 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one is the tighter: two
 // solids that touch along an edge come apart.
-double bend(const Soup& soup, Index h, Index other) {
+double bend(const Corners& soup, Index h, Index other) {
   constexpr double kReflexPenalty = 1e-6;  // beyond rounding, below any angle that matters
   const Vec3 normal = normalAt(soup, h);
   const Vec3 away =
@@ -50,7 +51,7 @@ double bend(const Soup& soup, Index h, Index other) {
 
 // Per triangle whether it belongs to a sheet given with both sides: at one of its edges there are
 // several triangles and each has its mirror image.
-std::vector<char> findTwoSided(const Soup& soup) {
+std::vector<char> findTwoSided(const Corners& soup) {
   std::vector<char> twoSided(soup.corners.size() / 3, 0);
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
     const std::span<const Index> group = soup.edges[e];
@@ -65,7 +66,7 @@ std::vector<char> findTwoSided(const Soup& soup) {
 
 // The two sides of such a sheet do not join at its rim: they would share every edge between two
 // vertices of the rim.
-bool canJoin(const Soup& soup, const std::vector<char>& twoSided, Index h, Index other) {
+bool canJoin(const Corners& soup, const std::vector<char>& twoSided, Index h, Index other) {
   return soup.upward(h) != soup.upward(other) &&
          !(soup.mirrored(h, other) && twoSided[h / 3] && twoSided[other / 3]);
 }
@@ -76,7 +77,7 @@ void join(Index h, Index other, std::vector<Index>& mates) {
 }
 
 // Per halfedge the one it stays joined to, or kNone. Joined halfedges run in opposite directions.
-std::vector<Index> pairHalfedges(const Soup& soup) {
+std::vector<Index> pairHalfedges(const Corners& soup) {
   const std::vector<char> twoSided = findTwoSided(soup);
   std::vector<Index> mates(soup.corners.size(), kNone);
   std::vector<Pair> pairs;
@@ -112,7 +113,7 @@ void labelFan(std::span<const Index> mates, Index h, Index v, std::vector<Index>
 }
 
 // The first fan at a vertex takes the vertex's place in the order, further fans follow at the end.
-void splitFans(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut) {
+void splitFans(const Corners& soup, std::span<const Index> mates, ManifoldCut& cut) {
   std::vector<Index> firstCopy(soup.positions.size(), kNone);
   for (const Index v : soup.corners) firstCopy[v] = 0;
   cut.origins.clear();
@@ -139,7 +140,7 @@ void splitFans(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut)
 // Two edges cut apart from one another may still share both ends, when fans run from one to the
 // other. Then all pairs there are cut, which parts those fans. One pass suffices: parting fans
 // makes no two vertices one, and a fan has one end in either direction.
-bool cutDoubleEdges(const Soup& soup, const ManifoldCut& cut, std::vector<Index>& mates) {
+bool cutDoubleEdges(const Corners& soup, const ManifoldCut& cut, std::vector<Index>& mates) {
   bool any = false;
   std::vector<Index> doubled;
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
@@ -161,7 +162,7 @@ bool cutDoubleEdges(const Soup& soup, const ManifoldCut& cut, std::vector<Index>
   return any;
 }
 
-void countCuts(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut) {
+void countCuts(const Corners& soup, std::span<const Index> mates, ManifoldCut& cut) {
   std::vector<char> counted(soup.positions.size(), 0);
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
     const std::span<const Index> group = soup.edges[e];
@@ -184,7 +185,7 @@ void countCuts(const Soup& soup, std::span<const Index> mates, ManifoldCut& cut)
 
 ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index> corners,
                           const EdgeGroups& edges) {
-  const Soup soup{positions, corners, edges};
+  const Corners soup{positions, corners, edges};
   ManifoldCut cut;
   std::vector<Index> mates = pairHalfedges(soup);
   splitFans(soup, mates, cut);

@@ -19,7 +19,7 @@ namespace {
 constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
 constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
 constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
-constexpr int kRounds = 8, kSlides = 4, kPasses = 3;
+constexpr int kMostRounds = 8, kSlides = 4, kPasses = 3;
 constexpr double kBadAngle = radians(35), kWorstCounts = 2, kWorthAMove = radians(0.3);
 constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
 
@@ -210,7 +210,7 @@ bool mendStars(Run& run) {
 
 void followBoundaries(Run& run) {
   bool changed = true;
-  for (int i = 0; i < kRounds && changed; ++i) {
+  for (int i = 0; i < kMostRounds && changed; ++i) {
     changed = split(run, planFor(run).tooLong);
     const Plan plan = planFor(run);
     changed = slide(run, plan.moves) || changed || split(run, plan.far);
@@ -219,9 +219,9 @@ void followBoundaries(Run& run) {
 }
 
 void settleBoundaries(Run& run) {
-  for (int i = 0; i < kRounds && slide(run, planFor(run).moves); ++i) {
+  for (int i = 0; i < kMostRounds && slide(run, planFor(run).moves); ++i) {
   }
-  for (int i = 0; i < kRounds && mendStars(run); ++i) {
+  for (int i = 0; i < kMostRounds && mendStars(run); ++i) {
   }
   for (const Row& row : rowsOf(run))
     for (const Station& station : row) run.mesh.pin(station.vertex);

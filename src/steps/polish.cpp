@@ -16,7 +16,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 8, kRoundsInLarge = 6;
+constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6;
 // Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
 // the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
@@ -185,7 +185,7 @@ Means meansOf(int round, int rounds) {
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
-  const int rounds = isLarge(run) ? kRoundsInLarge : kRounds;
+  const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = std::max(kLeastWork, kMostWork * run.mesh.mesh().faceCount());
   const auto mayTry = [&](Face f) {

@@ -14,7 +14,7 @@ using namespace remesher;
 namespace {
 
 // Bumps so steep that the report's rules refuse what lies around their tops.
-TriangleMesh spikySphere() {
+TriangleMesh steepSphere() {
   TriangleMesh mesh = shapes::icosphere(8);
   for (std::size_t i = 0; i < mesh.positions.size(); i += 37) mesh.positions[i] *= 1.15;
   return mesh;
@@ -30,7 +30,7 @@ void crowd(shapes::TestRun& test) {
   }
 }
 
-double worstAngle(const WorkingMesh& mesh) {
+double worstAngleOf(const WorkingMesh& mesh) {
   double worst = 10;
   for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
     if (mesh.mesh().isAlive(Face(i))) worst = std::min(worst, smallestAngle(mesh, Face(i)));
@@ -48,16 +48,16 @@ double farthest(const Run& run) {
 }  // namespace
 
 TEST_CASE("poor regions: no triangle stays below 20°, and the surface stays where it is") {
-  shapes::TestRun test(spikySphere());
+  shapes::TestRun test(steepSphere());
   RemeshOptions options;
   options.scheme = Scheme::Rounds;
   test.run.rule = fidelityRule(options);
   crowd(test);
-  REQUIRE(worstAngle(test.mesh) < radians(15));
+  REQUIRE(worstAngleOf(test.mesh) < radians(15));
   const double before = farthest(test.run);
   const std::size_t vertices = test.mesh.mesh().vertexCount();
   mendPoorRegions(test.run);
-  CHECK(worstAngle(test.mesh) >= radians(20));
+  CHECK(worstAngleOf(test.mesh) >= radians(20));
   CHECK(farthest(test.run) <= before);
   CHECK(test.mesh.mesh().vertexCount() == vertices);
   CHECK(check(test.mesh.mesh()) == "");

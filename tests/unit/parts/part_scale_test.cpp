@@ -17,7 +17,7 @@ TriangleMesh scaled(TriangleMesh mesh, double factor) {
   return mesh;
 }
 
-io::Part partOf(const TriangleMesh& mesh, double instanceScale) {
+io::Part placed(const TriangleMesh& mesh, double instanceScale) {
   return {"", mesh, {Transform(Eigen::Scaling(instanceScale))}};
 }
 
@@ -25,11 +25,11 @@ io::Part partOf(const TriangleMesh& mesh, double instanceScale) {
 
 TEST_CASE("part_scale: usual sizes are left alone") {
   for (const double size : {1e-9, 1e-3, 1.0, 1e3, 1e8})
-    CHECK(!PartScale({partOf(scaled(shapes::tetrahedron(), size), 1)}).isNeeded());
+    CHECK(!PartScale({placed(scaled(shapes::tetrahedron(), size), 1)}).isNeeded());
 }
 
 TEST_CASE("part_scale: what lies far away is brought near, however small it is") {
-  io::Part part = partOf(shapes::tetrahedron(), 1);
+  io::Part part = placed(shapes::tetrahedron(), 1);
   part.instances[0].pretranslate(Vec3(0, 0, 1e300));
   const std::vector<io::Part> near = PartScale({part}).applied({part});
   for (const Vec3& p : near[0].mesh.positions) CHECK((near[0].instances[0] * p).norm() < 1e70);
@@ -38,8 +38,8 @@ TEST_CASE("part_scale: what lies far away is brought near, however small it is")
 TEST_CASE("part_scale: what was applied and undone is the same, digit by digit") {
   for (const int power : {-1060, -300, -40, 40, 300, 1020}) {
     const double size = std::ldexp(1, power);
-    const std::vector<io::Part> parts = {partOf(scaled(shapes::tetrahedron(), size), 1),
-                                         partOf(shapes::tetrahedron(), size)};
+    const std::vector<io::Part> parts = {placed(scaled(shapes::tetrahedron(), size), 1),
+                                         placed(shapes::tetrahedron(), size)};
     const PartScale scale(parts);
     CAPTURE(power);
     REQUIRE(scale.isNeeded());

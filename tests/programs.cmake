@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+# The native programs: unit tests, the judge of the benchmark, what developers run by hand.
+add_executable(unit_tests
+  tests/unit/accuracy/bound_error_test.cpp
+  tests/unit/accuracy/lower_hausdorff_test.cpp
+  tests/unit/accuracy/poor_regions_test.cpp
+  tests/unit/accuracy/refine_excess_test.cpp
+  tests/unit/attributes/chart_keeper_test.cpp
+  tests/unit/base/legible_test.cpp
+  tests/unit/base/phase_clock_test.cpp
+  tests/unit/curves/curve_simplification_test.cpp
+  tests/unit/curves/feature_curves_test.cpp
+  tests/unit/curves/feature_detection_test.cpp
+  tests/unit/curves/seams_test.cpp
+  tests/unit/curves/spikes_test.cpp
+  tests/unit/gate/crossings_test.cpp
+  tests/unit/gate/error_bound_test.cpp
+  tests/unit/gate/excess_test.cpp
+  tests/unit/gate/fidelity_test.cpp
+  tests/unit/geometry/fast_trigonometry_test.cpp
+  tests/unit/geometry/mesh_tree_test.cpp
+  tests/unit/geometry/piecewise_test.cpp
+  tests/unit/geometry/polar_map_test.cpp
+  tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/triangle_test.cpp
+  tests/unit/geometry/triangle_tree_test.cpp
+  tests/unit/io/gltf/gltf_encoder_test.cpp
+  tests/unit/io/gltf/gltf_errors_test.cpp
+  tests/unit/io/gltf/gltf_reader_test.cpp
+  tests/unit/io/gltf/gltf_writer_test.cpp
+  tests/unit/io/model/companions_test.cpp
+  tests/unit/io/model/conventions_test.cpp
+  tests/unit/io/model/polygon_test.cpp
+  tests/unit/io/model/resources_test.cpp
+  tests/unit/io/ply/ply_test.cpp
+  tests/unit/io/stl/stl_test.cpp
+  tests/unit/io/text/mtl_test.cpp
+  tests/unit/io/text/obj_test.cpp
+  tests/unit/io/text/off_test.cpp
+  tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/main.cpp
+  tests/unit/measure/hausdorff_test.cpp
+  tests/unit/measure/mesh_report_test.cpp
+  tests/unit/measure/self_intersections_test.cpp
+  tests/unit/mesh/check_test.cpp
+  tests/unit/mesh/edge_groups_test.cpp
+  tests/unit/mesh/euler_operators_test.cpp
+  tests/unit/mesh/halfedge_mesh_test.cpp
+  tests/unit/mesh/handles_test.cpp
+  tests/unit/mesh/joints_test.cpp
+  tests/unit/mesh/manifold_cut_test.cpp
+  tests/unit/mesh/mesh_builder_test.cpp
+  tests/unit/mesh/orientation_test.cpp
+  tests/unit/mesh/topology_test.cpp
+  tests/unit/mesh/weld_test.cpp
+  tests/unit/operators/local_operators_test.cpp
+  tests/unit/operators/projection_test.cpp
+  tests/unit/operators/shift_test.cpp
+  tests/unit/operators/smoothing_test.cpp
+  tests/unit/operators/working_mesh_test.cpp
+  tests/unit/parts/part_scale_test.cpp
+  tests/unit/parts/part_targets_test.cpp
+  tests/unit/parts/result_check_test.cpp
+  tests/unit/patches/disk_parameterization_test.cpp
+  tests/unit/patches/disk_patch_test.cpp
+  tests/unit/patches/face_cells_test.cpp
+  tests/unit/patches/patch_atlas_test.cpp
+  tests/unit/patches/point_location_test.cpp
+  tests/unit/remesher_test.cpp
+  tests/unit/schemes/remesh_test.cpp
+  tests/unit/schemes/targets_test.cpp
+  tests/unit/steps/boundaries_test.cpp
+  tests/unit/steps/decimate_test.cpp
+  tests/unit/steps/delaunay_test.cpp
+  tests/unit/steps/stand_in_test.cpp
+  tests/unit/surface/boundary_places_test.cpp
+  tests/unit/surface/original_surface_test.cpp
+  tests/unit/surface/surface_walk_test.cpp
+)
+target_include_directories(unit_tests PRIVATE tests/unit)
+# It includes doctest in another way.
+set_source_files_properties(tests/unit/main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  SKIP_UNITY_BUILD_INCLUSION ON)
+if(REMESHER_PRECOMPILE)
+  target_precompile_headers(unit_tests PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm>
+    <doctest/doctest.h> <map> <memory> <optional> <random> <string> <vector>)
+endif()
+target_link_libraries(unit_tests PRIVATE core)
+compile_folders_as_one(unit_tests)
+
+# What the benchmark and developers judge meshes with.
+add_executable(measure tests/bench/measure_main.cpp)
+target_link_libraries(measure PRIVATE core)
+
+# Random inputs for as long as wanted; not built by default.
+add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)
+target_include_directories(stress PRIVATE tests/unit)
+target_link_libraries(stress PRIVATE core)
+
+# What becomes of every kind of hostile mesh, as a table; not built by default.
+add_executable(hostile EXCLUDE_FROM_ALL tests/stress/hostile_main.cpp)
+target_include_directories(hostile PRIVATE tests/unit)
+target_link_libraries(hostile PRIVATE core)
