@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 
-import { drop, openPage, reportRow, settled, startSite } from './support/browser_page.js';
+import { drop, openPage, reportRow, saved, settled, startSite } from './support/browser_page.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 
 const require = createRequire(import.meta.url);
@@ -32,11 +32,6 @@ async function remeshTo(vertices) {
   await settled(page);
 }
 
-async function saved(button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
-
 test('the sample is remeshed on arrival to the count in the address', async () => {
   assert.deepEqual(await reportRow(page, 'Vertices'), ['1,839', '1,200']);
   // A closed surface of genus 0 has 2 V - 4 triangles.
@@ -54,12 +49,12 @@ test('a dropped OBJ is remeshed to exactly as many vertices as were asked for', 
 });
 
 test('downloads have the vertices that the report tells of', async () => {
-  const obj = await saved('text="OBJ"');
+  const obj = await saved(page, 'text="OBJ"');
   assert.equal(obj.name, 'ring.obj');
   assert.equal(String(obj.bytes).match(/^v /gm).length, 500);
-  const off = await saved('text="OFF"');
+  const off = await saved(page, 'text="OFF"');
   assert.match(String(off.bytes), /^OFF\s+500 1000 /);
-  const glb = await saved('text="Download GLB"');
+  const glb = await saved(page, 'text="Download GLB"');
   const jsonLength = glb.bytes.readUInt32LE(12);
   const gltf = JSON.parse(glb.bytes.subarray(20, 20 + jsonLength));
   const { attributes } = gltf.meshes[0].primitives[0];
@@ -138,7 +133,7 @@ test('the space bar shows the original while it is held', async () => {
 
 test('every option of the table is in the form', async () => {
   const { optionTable } = await import('remesher/options');
-  await page.click('summary');
+  await page.click('form summary');
   for (const { name, flag } of optionTable) {
     if (!flag) continue;
     const selector = `#option-${name}, .target option[value=${name}]`;

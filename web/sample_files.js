@@ -1,31 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Build step: writes the built-in models, which npm packages carry as JavaScript arrays, as OBJ
-// files into the built page.
+// Build step: writes the built-in models into the built page. Two come as JavaScript arrays in npm
+// packages, in the public domain; the others are formulas of ours.
 import { createRequire } from 'node:module';
 import { samples } from './model/samples.js';
+import { gear } from './samples/gear.js';
+import { scan } from './samples/scan.js';
+import { vase } from './samples/vase.js';
 
 const require = createRequire(import.meta.url);
 
-/** The package that holds each sample. */
-const sources = /** @type {Record<string, string>} */ ({
-  bunny: 'bunny',
-  teapot: 'teapot',
-});
-
-/** @param {{ positions: number[][], cells: number[][] }} mesh */
+/** @param {import('./samples/gear.js').PolygonMesh} mesh */
 function toObj({ positions, cells }) {
-  const vertices = positions.map((p) => `v ${p.join(' ')}`);
+  const vertices = positions.map((p) => `v ${p.map((x) => Number(x.toPrecision(9))).join(' ')}`);
   const faces = cells.map((cell) => `f ${cell.map((index) => index + 1).join(' ')}`);
   return [...vertices, ...faces, ''].join('\n');
 }
+
+/** How each sample is made. @type {Record<import('./model/samples.js').Sample['id'],
+ *   () => string | Promise<Uint8Array>>} */
+const sources = {
+  bunny: () => toObj(require('bunny')),
+  teapot: () => toObj(require('teapot')),
+  gear: () => toObj(gear()),
+  scan: () => toObj(scan()),
+  vase,
+};
 
 /** @returns {import('vite').Plugin} */
 export function sampleFiles() {
   return {
     name: 'sample-files',
-    generateBundle() {
+    async generateBundle() {
       for (const { id, file } of samples) {
-        const source = toObj(require(sources[id]));
+        const source = await sources[id]();
         this.emitFile({ type: 'asset', fileName: `samples/${file}`, source });
       }
     },

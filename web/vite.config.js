@@ -4,12 +4,13 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { sampleFiles } from './sample_files.js';
+import { wordsInPlace } from './words_in_place.js';
 
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   publicDir: false,
-  plugins: [sampleFiles()],
+  plugins: [sampleFiles(), wordsInPlace()],
   worker: { format: 'es' },
   build: {
     outDir: fileURLToPath(new URL('../build/web', import.meta.url)),

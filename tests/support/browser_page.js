@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The built page in Chromium, for tests: served from a folder of its own, with the handful of
 // gestures that a visitor makes.
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 
-import { build, preview } from 'vite';
+import { preview } from 'vite';
 
+import { builtPage, configFile } from './built_page.js';
 import { startChromium } from './chromium.js';
-import { root } from './tree.js';
 
-/** Builds and serves the page, and starts a browser; `close` undoes all of it. */
+/** No step of a test waits longer: then it fails. */
+const patience = 60_000;
+
+/** Serves the built page, and starts a browser; `close` undoes both. */
 export async function startSite() {
-  const outDir = mkdtempSync(join(tmpdir(), 'remesher-web-'));
-  const common = { configFile: join(root, 'web/vite.config.js'), logLevel: 'error' };
-  await build({ ...common, build: { outDir, emptyOutDir: true } });
-  const server = await preview({ ...common, build: { outDir }, preview: { port: 0 } });
+  const build = { outDir: await builtPage() };
+  const server = await preview({ configFile, logLevel: 'error', build, preview: { port: 0 } });
   const browser = await startChromium();
   return {
     url: server.resolvedUrls.local[0],
@@ -23,15 +22,15 @@ export async function startSite() {
     async close() {
       await browser.close();
       await server.close();
-      rmSync(outDir, { recursive: true });
     },
   };
 }
 
 /** A page with its complaints: whatever it wrote to the console as an error, or threw. */
 export async function openPage(site, { hash = '', prepare = () => {}, ...options } = {}) {
-  const page = await site.browser.newPage({ viewport: { width: 1200, height: 760 }, ...options });
-  page.setDefaultTimeout(180_000); // all cores may be busy with other tests
+  const page = await site.browser.newPage({
+    viewport: { width: 1200, height: 760 }, locale: 'en-US', ...options });
+  page.setDefaultTimeout(patience);
   const complaints = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
@@ -67,4 +66,10 @@ export async function drop(page, files) {
 export async function reportRow(page, label) {
   const row = page.locator('#result tbody tr', { hasText: label }).first();
   return row.locator('td').allTextContents();
+}
+
+/** The file that a click hands to the visitor. */
+export async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }

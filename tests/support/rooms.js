@@ -42,11 +42,14 @@ export const packageRooms = {
 
 /** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */
 export const pageRooms = {
-  base: [],
+  texts: [],
+  base: ['texts'],
   model: ['base'],
   view: ['base', 'model'],
   panel: ['base', 'model'],
-  '': ['base', 'model', 'view', 'panel'],
+  acts: ['base', 'model', 'view', 'panel'],
+  samples: [],
+  '': ['texts', 'base', 'model', 'view', 'panel', 'acts', 'samples'],
 };
 
 /** @param {string} path from the rooms' top */

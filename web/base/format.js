@@ -1,29 +1,55 @@
 // SPDX-License-Identifier: MIT
-// Numbers for people.
+// Numbers for people, as their language writes them.
+import { language } from './i18n.js';
 
-const counts = new Intl.NumberFormat('en');
+/** Makers of numbers, by language and digits. @type {Map<string, Intl.NumberFormat>} */
+const formats = new Map();
+
+/** @param {number} value @param {Intl.NumberFormatOptions} [options] */
+export function number(value, options = {}) {
+  const key = JSON.stringify([language(), options]);
+  const format = formats.get(key) ?? new Intl.NumberFormat(language(), options);
+  formats.set(key, format);
+  return format.format(value);
+}
+
+/** @param {number} value @param {number} digits after the point, always */
+const fixed = (value, digits) =>
+  number(value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
 /** @param {number} value a whole number: 35,947 */
-export const count = (value) => counts.format(value);
+export const count = (value) => number(value);
 
 /** @param {number} value in degrees */
-export const degrees = (value) => `${value.toFixed(1)}°`;
+export const degrees = (value) => `${fixed(value, 1)}°`;
 
 /** @param {number} value a part of a whole, in percent */
-export const share = (value) => `${value.toFixed(1)} %`;
+export const share = (value) => `${fixed(value, 1)} %`;
 
 /** Three significant digits, never in exponents: 0.0131 %, 90.6 %.
  * @param {number} value */
 export function percent(value) {
   if (!value) return '0 %';
   const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value))));
-  return `${value.toFixed(Math.min(4, digits))} %`;
+  return `${fixed(value, Math.min(4, digits))} %`;
 }
+
+/** A length in model units, which can be of any size. @param {number} value */
+export const length = (value) => (Math.abs(value) >= 1e-4 && Math.abs(value) < 1e6 || !value
+  ? number(value, { maximumSignificantDigits: 3 }) : value.toExponential(2));
 
 /** @param {number} milliseconds */
 export function duration(milliseconds) {
   if (milliseconds < 1000) return `${Math.max(1, Math.round(milliseconds))} ms`;
-  return `${(milliseconds / 1000).toFixed(milliseconds < 10000 ? 2 : 1)} s`;
+  return `${fixed(milliseconds / 1000, milliseconds < 10000 ? 2 : 1)} s`;
+}
+
+/** @param {number} bytes */
+export function fileSize(bytes) {
+  const units = ['byte', 'kilobyte', 'megabyte', 'gigabyte'];
+  const step = Math.min(3, Math.max(0, Math.floor(Math.log10(bytes || 1) / 3)));
+  return number(bytes / 1000 ** step,
+    { style: 'unit', unit: units[step], maximumSignificantDigits: 3 });
 }
 
 /** The word for a name in camelCase: vertexAngle becomes "Vertex angle".

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The built-in models, in the public domain, that come from npm packages. The build turns them into
-// files beside the page (sample_files.js), so they need no network.
+// The built-in models. The build writes them as files beside the page (sample_files.js), so they
+// need no network. Their titles and where they are from: sample.ID and origin.ID in the texts.
 
 /** vertices: a target that shows what remeshing does for it.
- * @typedef {{ id: string, title: string, file: string, vertices: number }} Sample */
+ * @typedef {{ id: 'bunny' | 'gear' | 'scan' | 'vase' | 'teapot', file: string,
+ *   vertices: number }} Sample */
 
 /** @type {Sample[]} The first one greets the visitor. */
 export const samples = [
-  { id: 'bunny', title: 'Bunny', file: 'bunny.obj', vertices: 3000 },
-  { id: 'teapot', title: 'Teapot', file: 'teapot.obj', vertices: 4000 },
+  { id: 'bunny', file: 'bunny.obj', vertices: 3000 },
+  { id: 'gear', file: 'gear.obj', vertices: 4000 },
+  { id: 'scan', file: 'scan.obj', vertices: 2500 },
+  { id: 'vase', file: 'vase.glb', vertices: 2000 },
+  { id: 'teapot', file: 'teapot.obj', vertices: 4000 },
 ];
+
+/** @param {string | null} id */
+export const sampleOf = (id) => samples.find((sample) => sample.id === id);

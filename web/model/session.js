@@ -4,7 +4,7 @@
 import { convertFile, inspect, remeshFile } from 'remesher';
 import { extensionOf } from './files.js';
 
-/** @typedef {import('./files.js').Model} Model */
+/** @typedef {import('./models.js').Model} Model */
 /** @typedef {import('remesher').RemeshFileResult} RemeshFileResult */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 /** @typedef {import('remesher').ProgressEvent} ProgressEvent */
@@ -21,6 +21,10 @@ export class Session {
   #onProgress;
   /** @type {Model | null} */
   model = null;
+  /** What an address can name the model by; null for the visitor's own. @type {string | null} */
+  source = null;
+  /** @type {import('remesher').Inspection | null} of the model */
+  inspection = null;
   /** @type {RemeshOptions} of the latest result */
   options = {};
   /** @type {RemeshFileResult | null} as GLB */
@@ -42,12 +46,11 @@ export class Session {
   }
 
   /** Makes this the model, and reports on it; a file that cannot be read leaves the old one.
-   * @param {Model} model */
-  async open(model) {
+   * @param {Model} model @param {string | null} source */
+  async open(model, source) {
     const signal = this.#begin();
     const report = await inspect(model.bytes, { ...describe(model), signal });
-    this.model = model;
-    this.result = null;
+    Object.assign(this, { model, source, inspection: report, result: null });
     return report;
   }
 
@@ -68,10 +71,16 @@ export class Session {
 
   /** @param {RemeshOptions} options @param {string} output */
   #remesh(options, output) {
-    const model = this.#opened();
+    return this.remeshOther(this.#opened(), { ...options, output });
+  }
+
+  /** Remeshes a model that is not opened, and keeps nothing of it.
+   * @param {Model} model
+   * @param {RemeshOptions & import('remesher').OutputOptions} options */
+  remeshOther(model, options) {
     const onProgress = this.#onProgress;
     const signal = this.#begin();
-    return remeshFile(model.bytes, { ...describe(model), ...options, output, onProgress, signal });
+    return remeshFile(model.bytes, { ...describe(model), ...options, onProgress, signal });
   }
 
   /** @param {RemeshOptions} options */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Smallest angles before and after, as bars: six steps of ten degrees, in percent of the triangles.
 import { angleColors } from '../base/angle_colors.js';
-import { share } from '../base/format.js';
+import { number, share } from '../base/format.js';
+import { t } from '../base/i18n.js';
 
 const svgNamespace = 'http://www.w3.org/2000/svg';
 const size = { width: 300, height: 132, top: 16, base: 112, bar: 18, step: 50 };
@@ -25,8 +26,9 @@ function bar(x, part, look) {
 /** @param {number[]} before @param {number[]} after percentages */
 function describe(before, after) {
   const steps = before.map((part, i) =>
-    `${10 * i} to ${10 * i + 10} degrees: ${share(part)}, now ${share(after[i])}`);
-  return `Smallest angle of the triangles. ${steps.join('; ')}.`;
+    t('histogram.step', { from: 10 * i, to: 10 * i + 10, before: share(part),
+      after: share(after[i]) }));
+  return t('histogram', { steps: steps.join('; ') });
 }
 
 /** @param {number[]} before @param {number[]} after percentages, six each */
@@ -41,7 +43,9 @@ export function histogram(before, after) {
     chart.append(bar(middle - size.bar - 1, before[i] / tallest, { class: 'before' }),
       bar(middle + 1, after[i] / tallest, { fill: angleColors[i] }),
       svg('text', { x: middle, y: size.base + 15, class: 'step' }, `${10 * i}–${10 * i + 10}°`));
-    if (after[i] >= 0.05) chart.append(svg('text', { x, y, class: 'value' }, after[i].toFixed(1)));
+    if (after[i] < 0.05) continue;
+    const value = number(after[i], { minimumFractionDigits: 1, maximumFractionDigits: 1 });
+    chart.append(svg('text', { x, y, class: 'value' }, value));
   }
   const { width, base } = size;
   chart.append(svg('line', { x1: 0, x2: width, y1: base, y2: base, class: 'axis' }));

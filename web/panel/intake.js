@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The ways a model comes in: dropped anywhere, picked from the disk, or chosen among the samples.
+// The ways a model comes in: dropped anywhere, pasted, picked from the disk, chosen from the menu
+// of samples and of models opened before.
+import { addCommand, isTyping } from '../base/commands.js';
 import { byId, element } from '../base/dom.js';
-import { droppedFiles, pickedFiles } from '../model/files.js';
-import { samples } from '../model/samples.js';
+import { t } from '../base/i18n.js';
+import { droppedFiles, PageError, pastedText, pickedFiles } from '../model/files.js';
+import { keptFiles, recentNames } from '../model/recent.js';
+import { sampleOf, samples } from '../model/samples.js';
+import { servedFiles } from '../model/served.js';
 
 /** @typedef {import('../model/files.js').PathedFile} PathedFile */
-/** @typedef {(items: Promise<PathedFile[]>, sample: string | null) => void} OnFiles */
+/** source: what an address can name it by, null for the visitor's own.
+ * @typedef {(items: Promise<PathedFile[]>, source: string | null) => void} OnFiles */
 
 /** @param {OnFiles} onFiles */
 function wireDrop(onFiles) {
@@ -35,43 +41,85 @@ function wireDrop(onFiles) {
 }
 
 /** @param {OnFiles} onFiles */
-function wireOpen(onFiles) {
-  const input = byId('file-input', HTMLInputElement);
-  byId('open', HTMLButtonElement).addEventListener('click', () => input.click());
+function wirePaste(onFiles) {
+  addEventListener('paste', (event) => {
+    const { clipboardData } = event;
+    if (!clipboardData || isTyping(event)) return;
+    if (clipboardData.files.length) {
+      onFiles(droppedFiles(clipboardData), null);
+      return;
+    }
+    const pasted = pastedText(clipboardData.getData('text/plain'));
+    if (pasted) onFiles(Promise.resolve([pasted]), null);
+  });
+}
+
+/** @param {OnFiles} onFiles @param {{ command: string, id: string, key: string }} way */
+function wirePicker(onFiles, { command, id, key }) {
+  const input = byId(id, HTMLInputElement);
   input.addEventListener('change', () => {
     if (input.files?.length) onFiles(Promise.resolve(pickedFiles(input.files)), null);
     input.value = '';  // so that the same file can be picked again
   });
-  addEventListener('keydown', ({ key, target, ctrlKey, metaKey, altKey }) => {
-    const isTyping = target instanceof Element && target.matches('input:not([type=range]), select');
-    if (key === 'o' && !isTyping && !ctrlKey && !metaKey && !altKey) input.click();
-  });
+  addCommand(command, () => input.click(), key);
 }
 
-/** @param {string} id @returns {Promise<PathedFile[]>} */
-async function sampleFiles(id) {
-  const { file } = samples.find((sample) => sample.id === id) ?? samples[0];
-  const response = await fetch(`./samples/${file}`);
-  if (!response.ok) throw new Error(`${file} cannot be loaded: status ${response.status}.`);
-  return [{ path: file, file: new File([await response.blob()], file) }];
+/** @param {string} name @returns {Promise<PathedFile[]>} */
+async function recentFiles(name) {
+  const files = await keptFiles(name);
+  if (files) return files;
+  throw new PageError(t('error.notKept', { name }), t('error.notKept.hint'));
+}
+
+const recentPrefix = 'recent:';
+
+/** The menu's entries, in the language of the day; the choice stays. */
+export function fillMenu() {
+  const menu = byId('samples', HTMLSelectElement);
+  const { value } = menu;
+  const group = (/** @type {string} */ label, /** @type {[string, string][]} */ entries) =>
+    element('optgroup', { label }, ...entries.map(([id, title]) =>
+      element('option', { value: id }, title)));
+  const recent = recentNames();
+  menu.replaceChildren(
+    element('option', { value: '', disabled: true, hidden: true }, t('menu.sampleGroup')),
+    group(t('menu.sampleGroup'), samples.map(({ id }) => [id, t(`sample.${id}`)])));
+  if (recent.length) {
+    menu.append(group(t('menu.recentGroup'), recent.map((name) => [recentPrefix + name, name])));
+  }
+  menu.value = value;
+}
+
+/** @param {string | null} source */
+export function showInMenu(source) {
+  byId('samples', HTMLSelectElement).value = sampleOf(source) ? source ?? '' : '';
 }
 
 /** @param {OnFiles} onFiles */
-function wireSamples(onFiles) {
+function wireMenu(onFiles) {
   const menu = byId('samples', HTMLSelectElement);
-  menu.append(element('option', { value: '', disabled: true, hidden: true }, 'Samples'));
-  for (const { id, title } of samples) menu.append(element('option', { value: id }, title));
-  const open = (/** @type {string} */ id) => {
-    menu.value = samples.some((sample) => sample.id === id) ? id : samples[0].id;
-    onFiles(sampleFiles(menu.value), menu.value);
-  };
-  menu.addEventListener('change', () => open(menu.value));
-  return { open, clear: () => { menu.value = ''; } };
+  menu.addEventListener('change', () => {
+    if (menu.value.startsWith(recentPrefix)) {
+      onFiles(recentFiles(menu.value.slice(recentPrefix.length)), null);
+    } else {
+      openNamed(menu.value, onFiles);
+    }
+  });
+}
+
+/** Opens what an address names: a sample, or files beside the page with commas between them.
+ * @param {string} source @param {OnFiles} onFiles */
+export function openNamed(source, onFiles) {
+  const sample = sampleOf(source);
+  const paths = sample ? [`samples/${sample.file}`] : source.split(',');
+  onFiles(Promise.all(paths.map(servedFiles)).then((lists) => lists.flat()), source);
 }
 
 /** @param {OnFiles} onFiles */
 export function wireIntake(onFiles) {
   wireDrop(onFiles);
-  wireOpen(onFiles);
-  return wireSamples(onFiles);
+  wirePaste(onFiles);
+  wirePicker(onFiles, { command: 'open', id: 'file-input', key: 'o' });
+  wirePicker(onFiles, { command: 'folder', id: 'folder-input', key: 'd' });
+  wireMenu(onFiles);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the page tells its visitor: errors in a box, news to screen readers, progress in a bar.
 import { byId, element } from '../base/dom.js';
-import { words } from '../base/format.js';
+import { number, words } from '../base/format.js';
+import { t } from '../base/i18n.js';
 
 /** @param {string} text heard by screen readers, not seen */
 export function announce(text) {
@@ -19,8 +20,16 @@ export function showError(error) {
   box.hidden = !error || isAbort(error);
   if (box.hidden) return;
   const { message, hint } = /** @type {{ message?: string, hint?: string }} */ (error);
-  box.append(element('strong', {}, message || 'Something went wrong.'));
+  box.append(element('strong', {}, message || t('error.unknown')));
   if (hint) box.append(element('span', {}, hint));
+}
+
+/** Good news in a box of its own; empty to take it away. @param {string} text */
+export function showNews(text) {
+  const box = byId('news', HTMLElement);
+  box.textContent = text;
+  box.hidden = !text;
+  if (text) announce(text);
 }
 
 /** @param {{ phase: string, fraction: number } | null} event null: nothing runs */
@@ -28,6 +37,7 @@ export function showProgress(event) {
   byId('progress', HTMLElement).hidden = !event;
   if (!event) return;
   byId('progress-phase', HTMLElement).textContent = words(event.phase);
-  byId('progress-percent', HTMLElement).textContent = `${Math.round(100 * event.fraction)} %`;
+  byId('progress-percent', HTMLElement).textContent = 
+    number(event.fraction, { style: 'percent' });
   byId('progress-bar', HTMLProgressElement).value = event.fraction;
 }

@@ -3,7 +3,8 @@
 // left at its default is left out of the options, so the scheme's own defaults hold.
 import { defaultOf, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
-import { sentence, words } from '../base/format.js';
+import { t } from '../base/i18n.js';
+import { optionHelp, optionName, optionUnit } from './option_words.js';
 import { TargetField } from './target_field.js';
 
 /** @typedef {import('remesher/options').Option} Option */
@@ -12,7 +13,7 @@ import { TargetField } from './target_field.js';
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
 
 /** @param {Option} option @param {Scheme} scheme */
-const defaultText = (option, scheme) => String(defaultOf(option, scheme) ?? 'none');
+const defaultText = (option, scheme) => String(defaultOf(option, scheme) ?? t('none'));
 
 /** Whether a row is best served by a slider: both ends known, and close. @param {Option} option */
 const isShare = ({ min, max, off }) => !off && min === 0 && max === 1;
@@ -38,9 +39,9 @@ function controlFor(option) {
 
 /** @param {Option} option @param {Control} control */
 function fieldFor(option, control) {
-  const unit = option.unit && element('span', { className: 'unit' }, `, ${option.unit}`);
-  const label = element('label', { htmlFor: control.id }, words(option.name), unit);
-  const help = element('p', { id: `${control.id}-help`, className: 'help' }, sentence(option.help));
+  const unit = option.unit && element('span', { className: 'unit' }, `, ${optionUnit(option)}`);
+  const label = element('label', { htmlFor: control.id }, optionName(option), unit);
+  const help = element('p', { id: `${control.id}-help`, className: 'help' }, optionHelp(option));
   if (control.type === 'range') {
     const value = element('output', { htmlFor: control.id });
     return element('div', { className: 'field share' }, label, value, control, help);
@@ -65,18 +66,16 @@ function valueOf(option, control) {
 const belongsInForm = ({ name, flag }) => flag && !TargetField.names.includes(name);
 
 export class Panel {
-  #target;
+  #form;
+  #target = new TargetField();
   /** @type {{ option: Option, control: Control }[]} */
-  #fields;
-  #button = element('button', { type: 'submit', className: 'primary wide', disabled: true },
-    'Remesh');
+  #fields = [];
+  #button = element('button', { type: 'submit', className: 'primary wide', disabled: true });
 
   /** @param {HTMLFormElement} form @param {() => void} onSubmit */
   constructor(form, onSubmit) {
-    this.#target = new TargetField();
-    this.#fields = optionTable.filter(belongsInForm)
-      .map((option) => ({ option, control: controlFor(option) }));
-    form.append(this.#target.view, this.#moreOptions(), this.#button);
+    this.#form = form;
+    this.build();
     form.addEventListener('input', ({ target }) => {
       if (target instanceof HTMLInputElement) target.dataset.touched = 'true';
       this.#showDefaults();
@@ -85,15 +84,25 @@ export class Panel {
       event.preventDefault();
       onSubmit();
     });
-    this.#showDefaults();
+  }
+
+  /** Makes the fields, in the language of the day; what they say stays. */
+  build() {
+    const values = this.values();
+    this.#target.build();
+    this.#fields = optionTable.filter(belongsInForm)
+      .map((option) => ({ option, control: controlFor(option) }));
+    this.#button.textContent = t('remesh');
+    this.#form.replaceChildren(this.#target.view, this.#moreOptions(), this.#button);
+    this.setValues(values);
   }
 
   #moreOptions() {
     const fields = this.#fields.map(({ option, control }) => fieldFor(option, control));
-    const reset = element('button', { type: 'button', className: 'link' }, 'Back to the defaults');
+    const reset = element('button', { type: 'button', className: 'link' }, t('defaults'));
     reset.addEventListener('click', () => this.setValues(this.#target.value()));
     return element('details', { className: 'more' },
-      element('summary', {}, 'More options'), ...fields, reset);
+      element('summary', {}, t('moreOptions')), ...fields, reset);
   }
 
   /** @returns {Scheme} */
@@ -106,9 +115,11 @@ export class Panel {
   #showDefaults() {
     for (const { option, control } of this.#fields) {
       const text = defaultText(option, this.#scheme);
-      if (control instanceof HTMLSelectElement) control.options[0].text = `${text} (default)`;
-      else if (control.type !== 'range') control.placeholder = text;
-      else {
+      if (control instanceof HTMLSelectElement) {
+        control.options[0].text = t('default', { value: text });
+      } else if (control.type !== 'range') {
+        control.placeholder = text;
+      } else {
         if (!control.dataset.touched) control.value = text;
         const output = control.parentElement?.querySelector('output');
         if (output) output.value = control.value;

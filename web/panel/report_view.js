@@ -2,29 +2,22 @@
 // The report on a run: what got better, by how much the surface moved, what to know, and the files.
 import { element } from '../base/dom.js';
 import { count, degrees, duration, percent, share } from '../base/format.js';
+import { t, textIfAny } from '../base/i18n.js';
 import { histogram } from './histogram.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
 /** @typedef {import('remesher').RemeshReport} RemeshReport */
 /** @typedef {import('remesher').Inspection} Inspection */
 
-/** @type {[string, (mesh: MeshReport) => string][]} */
+/** @type {[import('../base/i18n.js').TextKey, (mesh: MeshReport) => string][]} */
 const rows = [
-  ['Vertices', (mesh) => count(mesh.vertices)],
-  ['Triangles', (mesh) => count(mesh.triangles)],
-  ['Mean smallest angle', (mesh) => degrees(mesh.minAngle.mean)],
-  ['Worst angle', (mesh) => degrees(mesh.minAngle.worst)],
-  ['Triangles in 50–60°', (mesh) => share(mesh.minAngle.histogram[5])],
-  ['Vertices of valence 6', (mesh) => share(mesh.valence6)],
+  ['report.vertices', (mesh) => count(mesh.vertices)],
+  ['report.triangles', (mesh) => count(mesh.triangles)],
+  ['report.meanAngle', (mesh) => degrees(mesh.minAngle.mean)],
+  ['report.worstAngle', (mesh) => degrees(mesh.minAngle.worst)],
+  ['report.goodAngles', (mesh) => share(mesh.minAngle.histogram[5])],
+  ['report.valence6', (mesh) => share(mesh.valence6)],
 ];
-
-/** Why a run ended before its target, and what would let it go on. */
-const stops = /** @type {Record<string, string>} */ ({
-  fidelity: 'Stopped before the target: every further step would bend the surface by more than '
-    + 'the angles allow. Loosen the fidelity or widen its angles.',
-  'max-error': 'Stopped before the target: every further step would leave the original by more '
-    + 'than the largest error allowed.',
-});
 
 /** @param {string} label @param {string[]} values */
 function row(label, values) {
@@ -39,22 +32,22 @@ const columnHead = (title) => element('th', { scope: 'col' }, title);
 function table({ input, output, fidelity, timings }) {
   const time = Object.values(timings).reduce((sum, part) => sum + part, 0);
   return element('table', {},
-    element('caption', { className: 'visually-hidden' }, 'Original and result compared'),
-    element('thead', {}, element('tr', {}, element('td'), columnHead('Original'),
-      columnHead('Result'))),
+    element('caption', { className: 'visually-hidden' }, t('report.compared')),
+    element('thead', {}, element('tr', {}, element('td'), columnHead(t('original')),
+      columnHead(t('result')))),
     element('tbody', {},
-      ...rows.map(([label, value]) => row(label, [value(input), value(output)])),
-      row('Largest distance', ['', percent(fidelity.hausdorff)]),
-      row('Mean distance (RMS)', ['', percent(fidelity.rms)]),
-      row('Time', ['', duration(time)])));
+      ...rows.map(([label, value]) => row(t(label), [value(input), value(output)])),
+      row(t('report.largest'), ['', percent(fidelity.hausdorff)]),
+      row(t('report.rms'), ['', percent(fidelity.rms)]),
+      row(t('report.time'), ['', duration(time)])));
 }
 
 /** @param {number[]} before @param {number[]} after */
 function histogramWithKey(before, after) {
   return element('figure', {}, histogram(before, after),
     element('figcaption', { className: 'key' },
-      element('span', { className: 'swatch before' }), 'original ',
-      element('span', { className: 'swatch after' }), 'result, % of the triangles'));
+      element('span', { className: 'swatch before' }), `${t('report.keyBefore')} `,
+      element('span', { className: 'swatch after' }), t('report.key')));
 }
 
 /** The report on a finished run. @param {RemeshReport} report */
@@ -62,23 +55,22 @@ export function reportView(report) {
   const { input, output, stopped, warnings } = report;
   const notes = warnings.map(({ message, count: times }) =>
     (times > 1 ? `${message} (${count(times)}×)` : message));
-  if (stopped in stops) notes.unshift(stops[stopped]);
+  const early = textIfAny(`stopped.${stopped}`);
+  if (early) notes.unshift(early);
   return [
     ...notes.map((note) => element('p', { className: 'notice' }, note)),
-    element('h2', {}, 'Smallest angles'),
+    element('h2', {}, t('report.angles')),
     histogramWithKey(input.minAngle.histogram, output.minAngle.histogram),
     table(report),
-    element('p', { className: 'quiet' }, 'Distances between the surfaces, both ways, in percent of '
-      + 'the bounding-box diagonal.'),
+    element('p', { className: 'quiet' }, t('report.distances')),
   ];
 }
 
-/** One line on a model that was opened.
- * @param {Inspection} report @param {string[]} others models that came along, left aside */
-export function modelFacts({ input }, others) {
-  const parts = [`${count(input.vertices)} vertices`, `${count(input.triangles)} triangles`];
-  if (input.components > 1) parts.push(`${count(input.components)} parts`);
-  if (input.boundaryEdges) parts.push('open');
-  if (others.length) parts.push(`not opened: ${others.join(', ')}`);
+/** One line on a model that was opened. @param {Inspection} report */
+export function modelFacts({ input }) {
+  const parts = [t('facts.vertices', { count: count(input.vertices) }),
+    t('facts.triangles', { count: count(input.triangles) })];
+  if (input.components > 1) parts.push(t('facts.parts', { count: count(input.components) }));
+  if (input.boundaryEdges) parts.push(t('facts.open'));
   return parts.join(' · ');
 }

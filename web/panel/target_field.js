@@ -3,7 +3,9 @@
 // an edge length. Just one of them is ever asked for.
 import { optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
-import { count, sentence, words } from '../base/format.js';
+import { count, number } from '../base/format.js';
+import { t } from '../base/i18n.js';
+import { optionHelp, optionName } from './option_words.js';
 
 /** @typedef {import('../model/address.js').Values} Values */
 
@@ -16,34 +18,44 @@ function rounded(value) {
   return Math.round(value / unit) * unit;
 }
 
-const times = { maximumSignificantDigits: 2 };
-const percents = { ...times, style: /** @type {const} */ ('percent') };
+const times = { maximumSignificantDigits: 3 };
+const percents = { maximumSignificantDigits: 2, style: /** @type {const} */ ('percent') };
 
 export class TargetField {
   static names = ['vertices', 'ratio', 'edgeLength'];
 
   #inputVertices = 0;
-  #kind = element('select', { 'aria-label': 'Target' });
+  #kind = element('select');
   #number = element('input', { id: 'target', type: 'number', min: '0', step: 'any',
-    'aria-label': 'Target value', 'aria-describedby': 'target-hint' });
-  #slider = element('input', { type: 'range', min: '0', max: '1', step: '0.002',
-    'aria-label': 'Vertices, by slider' });
+    'aria-describedby': 'target-hint' });
+  #slider = element('input', { id: 'target-slider', type: 'range', min: '0', max: '1',
+    step: '0.002' });
   #hint = element('p', { className: 'help', id: 'target-hint' });
   /** What belongs above the rest of the form. */
-  view;
+  view = element('div', { className: 'target' },
+    element('div', { className: 'target-line' }, this.#kind, this.#number),
+    this.#slider, this.#hint);
 
   constructor() {
-    const rows = optionTable.filter(({ name }) => TargetField.names.includes(name));
-    for (const { name } of rows) this.#kind.append(element('option', { value: name }, words(name)));
-    this.view = element('div', { className: 'target' },
-      element('div', { className: 'target-line' }, this.#kind, this.#number),
-      this.#slider, this.#hint);
+    this.build();
     this.#kind.addEventListener('change', () => this.#changeKind());
     this.#number.addEventListener('input', () => this.#show());
     this.#slider.addEventListener('input', () => {
       this.#number.value = String(this.#fromSlider(Number(this.#slider.value)));
       this.#showHint();
     });
+  }
+
+  /** Its words, in the language of the day. */
+  build() {
+    const { value } = this.#kind;
+    const rows = optionTable.filter(({ name }) => TargetField.names.includes(name));
+    this.#kind.replaceChildren(...rows.map((option) =>
+      element('option', { value: option.name }, optionName(option))));
+    this.#kind.value = value || 'vertices';
+    this.#kind.ariaLabel = t('target');
+    this.#number.ariaLabel = t('target.value');
+    this.#slider.ariaLabel = t('target.slider');
     this.#show();
   }
 
@@ -88,8 +100,9 @@ export class TargetField {
   }
 
   #showHint() {
-    const help = this.#option?.help ?? '';
-    this.#hint.textContent = this.#isVertices ? this.#verticesHint() : sentence(help);
+    const option = this.#option;
+    const help = option ? optionHelp(option) : '';
+    this.#hint.textContent = this.#isVertices ? this.#verticesHint() : help;
   }
 
   get #option() {
@@ -99,11 +112,10 @@ export class TargetField {
   #verticesHint() {
     const original = this.#inputVertices;
     const share = Number(this.#number.value) / original;
-    if (!original || !share) return 'The result has exactly this many.';
-    if (share === 1) return 'Exactly as many as the original has.';
-    const ratio = share < 1 ? `${share.toLocaleString('en', percents)} of`
-      : `${share.toLocaleString('en', times)} times`;
-    return `Exactly; ${ratio} the original’s ${count(original)}.`;
+    if (!original || !share) return t('target.exact');
+    if (share === 1) return t('target.same');
+    return share < 1 ? t('target.share', { share: number(share, percents), count: count(original) })
+      : t('target.times', { times: number(share, times), count: count(original) });
   }
 
   /** @returns {Values} */

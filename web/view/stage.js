@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The view's controls: comparison, shading, wireframe, divider, keys. Works without a viewer, too:
 // where there is no WebGL the page says so and goes on.
+import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
+import { t } from '../base/i18n.js';
 import { loadScene } from './scene_loader.js';
 import { Viewer } from './viewer.js';
 
@@ -9,12 +11,6 @@ import { Viewer } from './viewer.js';
 /** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
 
 const narrow = '(max-width: 760px)';
-
-/** Whether a key belongs to what has the focus, and not to the page. @param {Event} event */
-function isTyping({ target }) {
-  const kinds = 'input:not([type=range], [type=checkbox]), select, textarea';
-  return target instanceof Element && target.matches(kinds);
-}
 
 /** @param {Event} event whether the space bar would press what has the focus */
 const isPressing = ({ target }) => target instanceof Element
@@ -32,7 +28,7 @@ export class Stage {
     try {
       this.#viewer = new Viewer(byId('canvas', HTMLCanvasElement));
     } catch {
-      this.say('This browser cannot show 3-D here. Remeshing and downloading still work.');
+      this.say(t('noWebGL'));
       this.#root.classList.add('blind');
     }
     this.#wireDivider();
@@ -88,8 +84,8 @@ export class Stage {
       this.#press('shading', shading);
       this.#viewer?.setShading(/** @type {import('./viewer.js').Shading} */ (shading));
     });
-    this.#wireframe.addEventListener('click', () => this.#toggleWireframe());
-    byId('fit', HTMLButtonElement).addEventListener('click', () => this.#viewer?.fit());
+    addCommand('wireframe', () => this.#toggleWireframe(), 'w');
+    addCommand('fit', () => this.#viewer?.fit(), 'f');
   }
 
   #toggleWireframe() {
@@ -105,10 +101,8 @@ export class Stage {
 
   #wireKeys() {
     addEventListener('keydown', (event) => {
-      if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-      if (event.key === 'w') this.#toggleWireframe();
-      if (event.key === 'f') this.#viewer?.fit();
-      if (event.key === ' ' && !isPressing(event)) this.#hold(event, true);
+      if (event.key !== ' ' || isTyping(event) || isPressing(event)) return;
+      if (!document.querySelector('dialog[open]')) this.#hold(event, true);
     });
     addEventListener('keyup', (event) => {
       if (event.key === ' ' && !isPressing(event)) this.#hold(event, false);

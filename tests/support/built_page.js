@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The page as the build makes it, once for all test files that look at the same sources.
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { build } from 'vite';
+
+import { filesUnder, root } from './tree.js';
+
+export const configFile = join(root, 'web/vite.config.js');
+
+/** What stands in for all that the page is made of. */
+function fingerprint() {
+  const hash = createHash('sha256');
+  const files = [...filesUnder('web', /./), ...filesUnder('dist', /\.(js|mjs|wasm)$/)].sort();
+  for (const file of [...files, 'package-lock.json']) {
+    hash.update(`${file}\n`).update(readFileSync(join(root, file)));
+  }
+  return hash.digest('hex').slice(0, 16);
+}
+
+/** @returns {Promise<string>} the folder */
+export async function builtPage() {
+  const pages = join(root, 'build/pages');
+  const folder = join(pages, fingerprint());
+  if (existsSync(folder)) return folder;
+  rmSync(pages, { recursive: true, force: true });  // of earlier sources
+  mkdirSync(pages, { recursive: true });
+  const outDir = mkdtempSync(join(pages, 'new-'));
+  await build({ configFile, logLevel: 'error', build: { outDir, emptyOutDir: true } });
+  try {
+    renameSync(outDir, folder);
+  } catch {
+    rmSync(outDir, { recursive: true });  // another test file was faster
+  }
+  return folder;
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The page's words: none missing in any language, none left over, the same gaps to fill in each.
+import assert from 'node:assert/strict';
+import { basename } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { optionTable } from 'remesher/options';
+
+import en from '../web/texts/en.js';
+import { withWords } from '../web/words_in_place.js';
+import { filesUnder, readText, root } from './support/tree.js';
+
+const others = filesUnder('web/texts', /\.js$/).filter((file) => !file.endsWith('/en.js'));
+const textsOf = async (file) => (await import(pathToFileURL(`${root}/${file}`))).default;
+
+/** What English has in the package's own table. */
+const ofOptions = [
+  ...optionTable.filter(({ flag }) => flag)
+    .flatMap(({ name }) => [`option.${name}`, `help.${name}`]),
+  ...new Set(optionTable.flatMap(({ unit }) => (unit ? [`unit.${unit}`] : []))),
+];
+
+/** The names in braces. */
+const gaps = (text) => [...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name).sort();
+
+test('there are other languages than English', () => {
+  assert.deepEqual(others.map((file) => basename(file)), ['de.js', 'fr.js']);
+});
+
+for (const file of others) {
+  test(`${file} has every text and every option, and nothing else`, async () => {
+    const texts = await textsOf(file);
+    assert.deepEqual(Object.keys(texts).sort(), [...Object.keys(en), ...ofOptions].sort());
+    for (const [key, text] of Object.entries(texts)) assert.ok(text.trim(), key);
+  });
+
+  test(`${file} fills the same gaps as English`, async () => {
+    const texts = await textsOf(file);
+    for (const key of Object.keys(en)) assert.deepEqual(gaps(texts[key]), gaps(en[key]), key);
+  });
+}
+
+test('every text of the page itself is there, and every text is used', () => {
+  withWords(readText('web/index.html'));  // throws for one that is not
+  const sources = filesUnder('web', /\.(js|html)$/).filter((file) => !file.includes('/texts/'))
+    .map(readText).join('\n');
+  const isMade = (key) => [...sources.matchAll(/`(\w[\w.-]*\.)\$\{/g)]
+    .some(([, beginning]) => key.startsWith(beginning));
+  const unused = Object.keys(en)
+    .filter((key) => !sources.includes(`'${key}'`) && !sources.includes(`"${key}"`)
+      && !isMade(key));
+  assert.deepEqual(unused, []);
+});
+
+test('words are written into the page, and a missing one stops the build', () => {
+  assert.equal(withWords('<p class="a" data-text="open"></p>'),
+    `<p class="a" data-text="open">${en.open}</p>`);
+  assert.equal(withWords('<a data-label="fit"></a>'),
+    `<a data-label="fit" aria-label="${en.fit}"></a>`);
+  assert.throws(() => withWords('<p data-text="no.such"></p>'), /no\.such/);
+});

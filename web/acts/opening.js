@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// A model comes in: found among the files, read, shown, and remeshed if that is quickly done.
+import { byId } from '../base/dom.js';
+import { count } from '../base/format.js';
+import { t } from '../base/i18n.js';
+import { unpacked } from '../model/archives.js';
+import { remeshAll } from '../model/batch.js';
+import { modelFrom, modelsAmong } from '../model/models.js';
+import { PageError } from '../model/files.js';
+import { addRecent } from '../model/recent.js';
+import { sampleOf } from '../model/samples.js';
+import { chooseModel } from '../panel/chooser.js';
+import { download } from '../panel/downloads.js';
+import { fillMenu, showInMenu } from '../panel/intake.js';
+import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
+import { modelFacts } from '../panel/report_view.js';
+import { clearResult, remesh } from './running.js';
+
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('../model/files.js').PathedFile} PathedFile */
+/** @typedef {import('../model/address.js').Values} Values */
+
+/** Larger models wait for the button instead of starting by themselves. */
+const largestAutomatic = 150_000;
+
+/** What is known of the model, in words. @param {Page} page */
+export function showFacts({ session: { model, inspection, source } }) {
+  if (!model || !inspection) return;
+  byId('model-name', HTMLElement).textContent = model.name;
+  byId('model-facts', HTMLElement).textContent = modelFacts(inspection);
+  byId('original-count', HTMLElement).textContent = count(inspection.input.vertices);
+  const origin = byId('model-origin', HTMLElement);
+  const sample = sampleOf(source);
+  origin.hidden = !sample;
+  if (sample) origin.textContent = t(`origin.${sample.id}`);
+}
+
+/** The file itself where the viewer can read it, for it keeps what a conversion may not.
+ * @param {Page} page */
+async function showOriginal({ session, stage }) {
+  try {
+    await stage.show('original', await session.originalAsGltf('direct'));
+  } catch (error) {
+    if (isAbort(error)) throw error;
+    await stage.show('original', await session.originalAsGltf('converted'));
+  }
+}
+
+/** @param {Page} page @param {Values} wished what an address asked for */
+function setForm({ panel, session }, wished) {
+  panel.setInput(session.inspection?.input.vertices ?? 0);
+  const sample = sampleOf(session.source);
+  if (sample) panel.setTarget(sample.vertices);
+  if (Object.keys(wished).length) panel.setValues(wished);
+}
+
+/** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
+async function remeshEach({ session, panel }, { models, items }) {
+  const values = panel.values();
+  const { file, outcomes } = await remeshAll(session, { models, items, values }, (name, i) => {
+    const phase = t('batch.phase', { name, number: i + 1, total: models.length });
+    showProgress({ phase, fraction: 0 });
+    announce(phase);
+  });
+  download(file);
+  const failed = outcomes.filter(({ error }) => error).map(({ name }) => name);
+  const total = models.length;
+  if (!failed.length) showNews(t('batch.done', { count: total }));
+  else {
+    throw new PageError(t('batch.failed', { failed: failed.length, count: total,
+      names: failed.join(', ') }), t('batch.failed.hint'));
+  }
+}
+
+/**
+ * @param {Page} page
+ * @param {Promise<PathedFile[]>} coming
+ * @param {{ source: string | null, wished?: Values }} from
+ */
+export function open(page, coming, { source, wished = {} }) {
+  const { session } = page;
+  return page.busy(async () => {
+    const items = await unpacked(await coming);
+    const models = modelsAmong(items);
+    const chosen = models.length > 1 ? await chooseModel(models) : models[0];
+    if (!chosen) return;
+    if (chosen === 'all') {
+      await remeshEach(page, { models, items });
+      return;
+    }
+    const model = await modelFrom(chosen, items);
+    announce(t('opening', { name: model.name }));
+    const report = await session.open(model, source);
+    if (!source) await addRecent(model.name, items);
+    fillMenu();
+    showInMenu(source);
+    clearResult(page);
+    showFacts(page);
+    setForm(page, wished);
+    await showOriginal(page);
+    announce(t('opened', { name: model.name, facts: modelFacts(report) }));
+    if (report.input.vertices <= largestAutomatic) await remesh(page);
+  });
+}

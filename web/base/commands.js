@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What a visitor can do, once each: a button (data-do), a key and a program run the same command.
+import { recall, remember } from './memory.js';
+
+/** @typedef {{ id: string, key: string, run: () => void }} Command key: '' for none */
+
+/** @type {Map<string, Command>} */
+const commands = new Map();
+
+/** Whether a key belongs to what has the focus, and not to the page. @param {Event} event */
+export function isTyping({ target }) {
+  const kinds = 'input:not([type=range], [type=checkbox], [type=radio]), select, textarea';
+  return target instanceof Element && target.matches(kinds);
+}
+
+const singleKeys = 'single-keys';
+export const hasSingleKeys = () => recall(singleKeys) !== 'off';
+
+/** @param {boolean} isOn whether letters alone, without Ctrl, are keys */
+export function setSingleKeys(isOn) {
+  remember(singleKeys, isOn ? null : 'off');
+  showShortcuts();
+}
+
+/** @param {string} id @param {() => void} run @param {string} [key] 'w', or 'Control+z' */
+export function addCommand(id, run, key = '') {
+  commands.set(id, { id, key, run });
+}
+
+export const allCommands = () => [...commands.values()];
+
+/** @param {string} id */
+export function perform(id) {
+  commands.get(id)?.run();
+}
+
+/** @param {KeyboardEvent} event @returns {string} as commands spell it */
+function spelled({ key, ctrlKey, metaKey, shiftKey }) {
+  const letter = key.length === 1 ? key.toLowerCase() : key;
+  if (!ctrlKey && !metaKey) return letter;
+  return `Control+${shiftKey ? 'Shift+' : ''}${letter}`;
+}
+
+/** Tells assistive technology which key does what a button does. */
+function showShortcuts() {
+  for (const node of document.querySelectorAll('[data-do]')) {
+    const key = commands.get(/** @type {HTMLElement} */ (node).dataset.do ?? '')?.key;
+    if (key && (hasSingleKeys() || key.length > 1)) node.setAttribute('aria-keyshortcuts', key);
+    else node.removeAttribute('aria-keyshortcuts');
+  }
+}
+
+/** @param {KeyboardEvent} event */
+function onKey(event) {
+  const isOpen = document.querySelector('dialog[open]');
+  if (event.defaultPrevented || event.altKey || isTyping(event) || isOpen) return;
+  const key = spelled(event);
+  if (key.length === 1 && (event.repeat || !hasSingleKeys())) return;
+  const command = allCommands().find((candidate) => candidate.key === key);
+  if (!command) return;
+  event.preventDefault();
+  command.run();
+}
+
+/** Once all commands are known. */
+export function wireCommands() {
+  showShortcuts();
+  addEventListener('keydown', onKey);
+  addEventListener('click', ({ target }) => {
+    const button = target instanceof Element ? target.closest('[data-do]') : null;
+    if (button instanceof HTMLElement) perform(button.dataset.do ?? '');
+  });
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The page's words in the visitor's language: one file of texts for each in web/texts, English
+// where one is not there. Elements name their text by data-text, their label by data-label,
+// what they are by data-role.
+import en from '../texts/en.js';
+import { recall, remember } from './memory.js';
+
+/** @typedef {keyof typeof en} TextKey */
+/** @typedef {Record<string, string | number>} Filling */
+
+/** The languages by their own names. */
+export const languages = { en: 'English', de: 'Deutsch', fr: 'Français' };
+/** @typedef {keyof typeof languages} Language */
+
+/** @type {Record<Language, () => Promise<Record<string, string>>>} */
+const files = {
+  en: async () => en,
+  de: async () => (await import('../texts/de.js')).default,
+  fr: async () => (await import('../texts/fr.js')).default,
+};
+
+/** @type {Record<string, string>} */
+let texts = en;
+/** @type {Language} */
+let current = 'en';
+/** @type {(() => void)[]} */
+const listeners = [];
+
+/** @param {string | null} code @returns {code is Language} */
+const isKnown = (code) => code !== null && code in languages;
+
+export const language = () => current;
+
+/** @param {() => void} listener called after the words have changed */
+export function onLanguage(listener) {
+  listeners.push(listener);
+}
+
+/** The text of that name in the visitor's language, if any has it. @param {string} key */
+export const textIfAny = (key) => texts[key] ?? /** @type {Record<string, string>} */ (en)[key];
+
+/** @param {TextKey} key @param {Filling} [filling] what stands in for {names} in the text */
+export function t(key, filling = {}) {
+  return textIfAny(key).replace(/\{(\w+)\}/g, (whole, name) => String(filling[name] ?? whole));
+}
+
+/** Writes the texts that elements ask for. @param {ParentNode} root */
+export function applyTexts(root) {
+  for (const node of root.querySelectorAll('[data-text], [data-label], [data-role]')) {
+    const { text, label, role } = /** @type {Record<string, TextKey>} */ (
+      /** @type {HTMLElement} */ (node).dataset);
+    if (text) node.textContent = t(text);
+    if (label) node.setAttribute('aria-label', t(label));
+    if (role) node.setAttribute('aria-roledescription', t(role));
+  }
+}
+
+/** @param {Language} code */
+export async function setLanguage(code) {
+  texts = await files[code]();
+  current = code;
+  remember('language', code);
+  document.documentElement.lang = code;
+  applyTexts(document);
+  for (const listener of listeners) listener();
+}
+
+/** The visitor's choice, or the first of the browser's languages that there are texts for. */
+export function firstLanguage() {
+  const asked = [recall('language'), ...navigator.languages.map((tag) => tag.slice(0, 2))];
+  return asked.find(isKnown) ?? 'en';
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Several models with the same options, one after the other: one ZIP with a report on each.
+import { packed } from './archives.js';
+import { modelFrom } from './models.js';
+
+/** @typedef {import('./files.js').PathedFile} PathedFile */
+/** @typedef {import('./address.js').Values} Values */
+/** @typedef {import('./session.js').Session} Session */
+/** @typedef {{ name: string, report?: import('remesher').RemeshReport,
+ *   error?: { message: string, hint?: string } }} Outcome */
+
+/** Names by folders, so that two models of one name do not meet. @param {string} path */
+const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
+
+/** @param {unknown} error */
+const isAbort = (error) => error instanceof Error && error.name === 'AbortError';
+
+/**
+ * @param {Session} session
+ * @param {{ models: PathedFile[], items: PathedFile[], values: Values }} request `items`: the
+ *   models and all that came with them
+ * @param {(name: string, index: number) => void} onStart of each model
+ * @returns {Promise<{ file: import('./files.js').NamedBytes, outcomes: Outcome[] }>}
+ */
+export async function remeshAll(session, { models, items, values }, onStart) {
+  const files = [];
+  /** @type {Outcome[]} */
+  const outcomes = [];
+  for (const [index, item] of models.entries()) {
+    onStart(item.path, index);
+    try {
+      const model = await modelFrom(item, items);
+      const result = await session.remeshOther(model, values);
+      files.push(...result.files.map(({ name, bytes }) =>
+        ({ name: folderOf(item.path) + name, bytes })));
+      outcomes.push({ name: item.path, report: result.report });
+    } catch (error) {
+      if (isAbort(error)) throw error;
+      const { message, hint } = /** @type {{ message: string, hint?: string }} */ (error);
+      outcomes.push({ name: item.path, error: { message, hint } });
+    }
+  }
+  const bytes = new TextEncoder().encode(`${JSON.stringify(outcomes, null, 2)}\n`);
+  const file = await packed('remeshed.zip', [...files, { name: 'report.json', bytes }]);
+  return { file, outcomes };
+}

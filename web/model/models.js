@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// From a heap of files to the models among them, and from one of those to all that it refers to.
+import { formats, inWords, withoutGz } from 'remesher/formats';
+import { gunzip } from 'remesher/gunzip';
+import { t } from '../base/i18n.js';
+import { baseName, extensionOf, PageError } from './files.js';
+
+/** @typedef {import('./files.js').NamedBytes} NamedBytes */
+/** @typedef {import('./files.js').PathedFile} PathedFile */
+/** @typedef {NamedBytes & { resources: NamedBytes[] }} Model */
+
+/** @type {readonly string[]} */
+const known = formats;
+
+/** Out of its .gz, if it is in one.
+ * @param {PathedFile} item @returns {Promise<NamedBytes>} */
+async function read({ path, file }) {
+  return gunzip({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) });
+}
+
+/** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ.
+ * @param {string} extension @param {Uint8Array} bytes @returns {string[]} */
+export function referencesOf(extension, bytes) {
+  if (extension === 'obj' || extension === 'mtl') {
+    const text = new TextDecoder().decode(bytes);
+    // What follows is trimmed apart: blanks on both sides would cost their number squared.
+    const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
+    return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
+  }
+  if (extension !== 'gltf') return [];
+  try {
+    const gltf = JSON.parse(new TextDecoder().decode(bytes));
+    const uris = [...(gltf.buffers ?? []), ...(gltf.images ?? [])].map((item) => item?.uri);
+    return uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
+  } catch {
+    return [];  // the reader says better what is wrong with it
+  }
+}
+
+/** A name as a file system would have it. @param {string} reference */
+function plainName(reference) {
+  try {
+    return decodeURIComponent(reference);
+  } catch {
+    return reference;  // a lone % is a character like others
+  }
+}
+
+/** How well a file fits a name inside the model: its whole path, or only its last part.
+ * @param {string} path @param {string} reference */
+function likeness(path, reference) {
+  const wanted = plainName(reference).replaceAll('\\', '/').toLowerCase();
+  const given = path.toLowerCase();
+  if (given === wanted || given.endsWith(`/${wanted}`)) return 2;
+  return baseName(given) === baseName(wanted) ? 1 : 0;
+}
+
+/** Gives each file the name that the model uses for it. Read is only what the model names.
+ * @param {NamedBytes} model @param {PathedFile[]} others @returns {Promise<NamedBytes[]>} */
+async function resourcesOf(model, others) {
+  /** @type {Map<string, NamedBytes>} */
+  const found = new Map();
+  const visit = async (/** @type {NamedBytes} */ file) => {
+    for (const reference of referencesOf(extensionOf(file.name), file.bytes)) {
+      const fits = others.map((other) => ({ other, fit: likeness(other.path, reference) }));
+      const best = fits.sort((a, b) => b.fit - a.fit)[0];
+      if (!best?.fit || found.has(reference)) continue;
+      const { name, bytes } = await read(best.other);
+      found.set(reference, { name: reference, bytes });
+      await visit({ name, bytes });
+    }
+  };
+  await visit(model);
+  return [...found.values()];
+}
+
+/** @param {PathedFile} item its place among the formats, -1 for what is no model */
+const rank = ({ path }) => known.indexOf(extensionOf(withoutGz(path)));
+
+/** The models among some files, those of the richer formats first. There is at least one.
+ * @param {PathedFile[]} items @returns {PathedFile[]} */
+export function modelsAmong(items) {
+  const models = items.filter((item) => rank(item) >= 0).sort((a, b) => rank(a) - rank(b));
+  if (models.length) return models;
+  const names = items.map(({ path }) => baseName(path)).slice(0, 3).join(', ');
+  throw new PageError(names ? t('error.noModel', { names }) : t('error.empty'),
+    t('error.noModel.hint', { formats: inWords(known.map((format) => `.${format}`)) }));
+}
+
+/** One of the models with those of the files that it refers to.
+ * @param {PathedFile} chosen @param {PathedFile[]} items @returns {Promise<Model>} */
+export async function modelFrom(chosen, items) {
+  const model = await read(chosen);
+  const others = items.filter((item) => item !== chosen);
+  return {
+    name: baseName(model.name), bytes: model.bytes, resources: await resourcesOf(model, others),
+  };
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Models that lie beside the page on its own server: samples, and what an address names.
+import { t } from '../base/i18n.js';
+import { baseName, extensionOf, PageError, pathedFile } from './files.js';
+import { referencesOf } from './models.js';
+
+/** @typedef {import('./files.js').PathedFile} PathedFile */
+
+/** @param {URL} url @returns {Promise<ArrayBuffer | null>} null: not there */
+async function load(url) {
+  const response = await fetch(url).catch(() => null);
+  const isPage = response?.headers.get('content-type')?.startsWith('text/html');
+  return response?.ok && !isPage ? response.arrayBuffer() : null;
+}
+
+/** A file and those that it names, one step deep. What is missing, the reader will name.
+ * @param {string} path from the page, on its own server @returns {Promise<PathedFile[]>} */
+export async function servedFiles(path) {
+  const url = new URL(path, document.baseURI);
+  const name = decodeURIComponent(url.pathname.split('/').pop() ?? path);
+  if (url.origin !== location.origin) {
+    throw new PageError(t('error.elsewhere', { name: path }), t('error.elsewhere.hint'));
+  }
+  const content = await load(url);
+  if (!content) throw new PageError(t('error.notServed', { name }), t('error.notServed.hint'));
+  const references = referencesOf(extensionOf(name), new Uint8Array(content));
+  const beside = await Promise.all(references.map(async (reference) => {
+    const found = await load(new URL(reference, url));
+    return found && pathedFile(baseName(reference), found);
+  }));
+  return [pathedFile(name, content), ...beside.filter((item) => item !== null)];
+}
