@@ -3,6 +3,7 @@
 import { open, showFacts } from './acts/opening.js';
 import { Page } from './acts/page.js';
 import { remesh, showReport } from './acts/running.js';
+import { Steering } from './acts/steering.js';
 import { addCommand, wireCommands } from './base/commands.js';
 import { firstLanguage, onLanguage, setLanguage } from './base/i18n.js';
 import { readAddress } from './model/address.js';
@@ -11,7 +12,20 @@ import { fillMenu, openNamed, wireIntake } from './panel/intake.js';
 import { wireSettings } from './panel/settings.js';
 
 await setLanguage(firstLanguage());
-const page = new Page(() => run());
+const steering = new Steering();
+const page = new Page({
+  onSubmit: () => run(), onSettle: () => steering.settle(), onMove: () => move(),
+});
+steering.wire(page);
+/** The angle of the feature curves last shown. */
+let featureAngle = page.panel.featureAngle;
+
+function move() {
+  if (page.panel.featureAngle !== featureAngle) page.surveying.followFeatures();
+  featureAngle = page.panel.featureAngle;
+  steering.move();
+}
+
 const run = () => page.busy(() => remesh(page));
 
 let wished = readAddress(location.hash);
@@ -20,8 +34,9 @@ let wished = readAddress(location.hash);
  * @param {Promise<import('./model/files.js').PathedFile[]>} items @param {string | null} source */
 function take(items, source) {
   const { values } = wished;
+  steering.stop();
   wished = { model: null, values: {} };
-  void open(page, items, { source, wished: values });
+  void open(page, items, { source, wished: values, onForm: () => steering.begin() });
 }
 
 onLanguage(() => {
@@ -44,5 +59,6 @@ addEventListener('hashchange', () => {  // typed by hand: the page's own changes
     return;
   }
   page.panel.setValues(wished.values);
+  steering.settle();
   void run();
 });

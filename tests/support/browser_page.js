@@ -9,7 +9,7 @@ import { builtPage, configFile } from './built_page.js';
 import { startChromium } from './chromium.js';
 
 /** No step of a test waits longer: then it fails. */
-const patience = 60_000;
+const patience = 110_000;
 
 /** Serves the built page, and starts a browser; `close` undoes both. */
 export async function startSite() {

@@ -46,8 +46,9 @@ export const pageRooms = {
   base: ['texts'],
   model: ['base'],
   view: ['base', 'model'],
-  panel: ['base', 'model'],
-  acts: ['base', 'model', 'view', 'panel'],
+  survey: [],
+  panel: ['base', 'model', 'view', 'survey'],
+  acts: ['base', 'model', 'view', 'survey', 'panel'],
   samples: [],
   '': ['texts', 'base', 'model', 'view', 'panel', 'acts', 'samples'],
 };

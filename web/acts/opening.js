@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A model comes in: found among the files, read, shown, and remeshed if that is quickly done.
 import { byId } from '../base/dom.js';
-import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { unpacked } from '../model/archives.js';
 import { remeshAll } from '../model/batch.js';
@@ -14,7 +13,7 @@ import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { modelFacts } from '../panel/report_view.js';
-import { clearResult, remesh } from './running.js';
+import { clearResult, remesh, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../model/files.js').PathedFile} PathedFile */
@@ -28,7 +27,6 @@ export function showFacts({ session: { model, inspection, source } }) {
   if (!model || !inspection) return;
   byId('model-name', HTMLElement).textContent = model.name;
   byId('model-facts', HTMLElement).textContent = modelFacts(inspection);
-  byId('original-count', HTMLElement).textContent = count(inspection.input.vertices);
   const origin = byId('model-origin', HTMLElement);
   const sample = sampleOf(source);
   origin.hidden = !sample;
@@ -37,13 +35,14 @@ export function showFacts({ session: { model, inspection, source } }) {
 
 /** The file itself where the viewer can read it, for it keeps what a conversion may not.
  * @param {Page} page */
-async function showOriginal({ session, stage }) {
+async function showOriginal({ session, stage, surveying }) {
   try {
     await stage.show('original', await session.originalAsGltf('direct'));
   } catch (error) {
     if (isAbort(error)) throw error;
     await stage.show('original', await session.originalAsGltf('converted'));
   }
+  await surveying.shown('original');
 }
 
 /** @param {Page} page @param {Values} wished what an address asked for */
@@ -75,9 +74,10 @@ async function remeshEach({ session, panel }, { models, items }) {
 /**
  * @param {Page} page
  * @param {Promise<PathedFile[]>} coming
- * @param {{ source: string | null, wished?: Values }} from
+ * @param {{ source: string | null, wished: Values, onForm: () => void }} from `wished`: by the
+ *   address; onForm: the form has its values
  */
-export function open(page, coming, { source, wished = {} }) {
+export function open(page, coming, { source, wished, onForm }) {
   const { session } = page;
   return page.busy(async () => {
     const items = await unpacked(await coming);
@@ -96,7 +96,9 @@ export function open(page, coming, { source, wished = {} }) {
     showInMenu(source);
     clearResult(page);
     showFacts(page);
+    showReport(page);
     setForm(page, wished);
+    onForm();
     await showOriginal(page);
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     if (report.input.vertices <= largestAutomatic) await remesh(page);

@@ -7,20 +7,34 @@ import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
 import { Panel } from '../panel/panel.js';
 import { Stage } from '../view/stage.js';
+import { Surveying } from './surveying.js';
+
+/** What the page is doing; a draft shows no progress, for it is over at once.
+ * @typedef {'idle' | 'busy' | 'drafting'} State */
 
 export class Page {
-  session = new Session((event) => showProgress(event));
+  session = new Session((event) => this.#onProgress(event));
   stage = new Stage();
   panel;
+  surveying;
   #jobs = 0;
+  /** @type {State} */
+  #state = 'idle';
 
-  /** @param {() => void} onSubmit of the form */
-  constructor(onSubmit) {
-    this.panel = new Panel(byId('form', HTMLFormElement), onSubmit);
+  /** @param {ConstructorParameters<typeof Panel>[1]} formActs */
+  constructor(formActs) {
+    this.panel = new Panel(byId('form', HTMLFormElement), formActs);
+    this.surveying = new Surveying(this);
   }
 
-  /** @param {'idle' | 'busy'} state */
+  /** @param {import('remesher').ProgressEvent} event */
+  #onProgress(event) {
+    if (this.#state === 'busy') showProgress(event);
+  }
+
+  /** @param {State} state */
   #setState(state) {
+    this.#state = state;
     this.panel.setState(state);
     document.body.dataset.state = state;
     showProgress(state === 'busy' ? { phase: t('preparing'), fraction: 0 } : null);
@@ -28,12 +42,12 @@ export class Page {
 
   /** Runs a job with the page busy around it, its errors shown. A job that a later one has
    * overtaken no longer touches the page.
-   * @param {() => Promise<void>} job */
-  async busy(job) {
+   * @param {() => Promise<void>} job @param {'busy' | 'drafting'} [state] */
+  async busy(job, state = 'busy') {
     const number = ++this.#jobs;
     showError();
     showNews('');
-    this.#setState('busy');
+    this.#setState(state);
     try {
       await job();
     } catch (error) {

@@ -1,61 +1,114 @@
 // SPDX-License-Identifier: MIT
-// A run is asked for, its result shown, and taken home.
-import { byId, element } from '../base/dom.js';
-import { count, degrees, withExtension } from '../base/format.js';
+// A run is asked for, and its result shown, with all that can be done with it.
+import { byId } from '../base/dom.js';
+import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
-import { commandLine, writeAddress } from '../model/address.js';
-import { packed } from '../model/archives.js';
-import { download, downloadButtons } from '../panel/downloads.js';
+import { writeAddress } from '../model/address.js';
+import { distanceView } from '../panel/distance_view.js';
+import { historyView, resultName } from '../panel/history_view.js';
+import { landmarkOf, placeIn } from '../panel/landmarks.js';
 import { announce } from '../panel/messages.js';
 import { reportView } from '../panel/report_view.js';
+import { takeawayView } from '../panel/takeaway.js';
+import { savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('../model/session.js').Result} Result */
+/** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 
-/** @param {Page} page @param {string} format */
-const save = (page, format) => page.busy(async () => {
-  const files = await page.session.filesAs(format);
-  const [{ name }] = files;
-  download(files.length === 1 ? files[0] : await packed(withExtension(name, 'zip'), files));
-});
+/** Both sides' names, and the report on the right one, in the language of the day.
+ * @param {Page} page */
+export function showReport(page) {
+  const { session, stage } = page;
+  const { shown, baseline, inspection } = session;
+  if (inspection) {
+    stage.nameLeft(baseline ? resultName(baseline) : t('original'),
+      baseline?.report.output.vertices ?? inspection.input.vertices);
+  }
+  if (!shown) return;
+  stage.nameRight(shown.number ? t('result') : t('draft'), shown.report.output.vertices);
+  const history = historyView(session, {
+    onShow: (result) => page.busy(() => showResult(page, result)),
+    onCompare: (result) => page.busy(() => compareWith(page, result)),
+  });
+  byId('result', HTMLElement).replaceChildren(
+    ...reportView(shown.report, (warning) => visitorOf(page, warning)),
+    
+    ...(shown.number ? [takeawayView(session, savingActs(page))] : []),
+    ...(history ? [history] : []));
+  byId('result', HTMLElement).hidden = false;
+  showDistances(page);
+}
 
-/** @param {Page} page */
-function commandView({ session }) {
-  const name = session.model?.name ?? '';
-  const command = commandLine(name, withExtension(name, 'remeshed.glb'),
-    /** @type {import('../model/address.js').Values} */ (session.options));
-  return element('details', { className: 'command' },
-    element('summary', {}, t('command')), element('code', {}, command));
+/** What shows the place that a warning speaks of, if it is known.
+ * @param {Page} page @param {import('remesher').Warning} warning */
+function visitorOf({ surveying }, { code, message }) {
+  const landmark = landmarkOf(code);
+  const place = placeIn(message);
+  if (place) return () => surveying.visit('result', place);
+  return landmark ? () => surveying.visitLandmark(landmark) : null;
 }
 
 /** @param {Page} page */
-export function showReport(page) {
-  const { result } = page.session;
-  if (!result) return;
-  byId('result-count', HTMLElement).textContent = count(result.report.output.vertices);
-  const view = byId('result', HTMLElement);
-  view.replaceChildren(...reportView(result.report),
-    downloadButtons((format) => save(page, format)), commandView(page));
-  view.hidden = false;
+function showDistances({ surveying, panel }) {
+  const box = document.getElementById('distances');
+  const { distances, diagonal } = surveying;
+  if (!box || !distances) return;
+  box.hidden = false;
+  box.replaceChildren(...distanceView(distances, diagonal, {
+    onVisit: () => surveying.visitLargest(),
+    onMaxError: (error, isChosen) => panel.ask('maxError', error, isChosen),
+  }));
+}
+
+/** Shows a result, and then how far it is from the original.
+ * @param {Page} page @param {Result} result */
+async function stageResult(page, result) {
+  const { stage, surveying } = page;
+  await stage.show('result', { bytes: result.bytes, resources: [] });
+  await surveying.shown('result');
+  showReport(page);
+  if (!result.number && stage.shading !== 'distance') return;
+  void surveying.measure().then((distances) => distances && showDistances(page));
+}
+
+/** @param {Page} page @param {Result} result */
+async function showResult(page, result) {
+  const { session, panel } = page;
+  session.shown = result;
+  if (session.baseline === result) await compareWith(page, null);
+  panel.setValues(result.values);
+  await stageResult(page, result);
+}
+
+/** @param {Page} page @param {Result | null} baseline null: the original */
+async function compareWith(page, baseline) {
+  const { session, stage } = page;
+  session.baseline = baseline;
+  if (baseline) await stage.show('baseline', { bytes: baseline.bytes, resources: [] });
+  else stage.clear('baseline');
+  await page.surveying.shown('baseline');
+  showReport(page);
 }
 
 /** @param {Page} page */
 export function clearResult({ stage }) {
   stage.clear('result');
+  stage.clear('baseline');
   const view = byId('result', HTMLElement);
   view.hidden = true;
   view.replaceChildren();
   byId('result-count', HTMLElement).textContent = '';
 }
 
-/** @param {Page} page */
-export async function remesh(page) {
-  const { session, panel, stage } = page;
+/** @param {Page} page @param {RemeshOptions} [extra] what is not in the form */
+export async function remesh(page, extra = {}) {
+  const { session, panel } = page;
   const values = panel.values();
   history.replaceState(null, '', writeAddress(session.source, values));
-  const { bytes, report } = await session.run(values);
-  await stage.show('result', { bytes, resources: [] });
-  showReport(page);
-  const { vertices, minAngle } = report.output;
+  const result = await session.run(values, extra);
+  await stageResult(page, result);
+  const { vertices, minAngle } = result.report.output;
   announce(t('done', { count: count(vertices), mean: degrees(minAngle.mean),
     worst: degrees(minAngle.worst) }));
 }

@@ -33,17 +33,3 @@ export function writeAddress(model, values) {
   for (const [name, value] of Object.entries(values)) given.set(name, String(value));
   return `#${given}`;
 }
-
-/** A file's name as a shell takes it. @param {string} name */
-const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
-
-/** The same run on the command line.
- * @param {string} input @param {string} output @param {Values} values */
-export function commandLine(input, output, values) {
-  const given = Object.entries(values).filter(([, value]) => value !== false);
-  const flags = given.map(([name, value]) => {
-    const flag = optionTable.find((option) => option.name === name)?.flag?.split(' ')[0];
-    return value === true ? flag : `${flag} ${value}`;
-  });
-  return ['npx remesher', quoted(input), '-o', quoted(output), ...flags].join(' ');
-}

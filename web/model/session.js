@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
-// One model, its latest result, and at most one run: a new run ends the one before it. Knows the
+// One model, what was made of it, and at most one run: a new run ends the one before it. Knows the
 // package and nothing of the page. Every method rejects with AbortError when it was overtaken.
 import { convertFile, inspect, remeshFile } from 'remesher';
 import { extensionOf } from './files.js';
 
 /** @typedef {import('./models.js').Model} Model */
+/** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('remesher').RemeshFileResult} RemeshFileResult */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 /** @typedef {import('remesher').ProgressEvent} ProgressEvent */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
+/** number: among the results kept, from 1; 0 for a draft, which is not kept. The bytes are a GLB.
+ * @typedef {RemeshFileResult
+ *   & { number: number, values: Values, options: RemeshOptions }} Result */
+
+/** So many results are kept, and so many bytes of them. */
+const most = { results: 12, bytes: 2 ** 28 };
 
 /** @param {Model} model what every call says of a file */
 const describe = ({ name, resources }) => ({
@@ -19,16 +26,21 @@ export class Session {
   #controller = new AbortController();
   /** @type {(event: ProgressEvent) => void} */
   #onProgress;
+  #runs = 0;
   /** @type {Model | null} */
   model = null;
   /** What an address can name the model by; null for the visitor's own. @type {string | null} */
   source = null;
   /** @type {import('remesher').Inspection | null} of the model */
   inspection = null;
-  /** @type {RemeshOptions} of the latest result */
-  options = {};
-  /** @type {RemeshFileResult | null} as GLB */
-  result = null;
+  /** The latest of the model, in their order. @type {Result[]} */
+  results = [];
+  /** What is on the stage. @type {Result | null} */
+  shown = null;
+  /** Another result that it is compared with; null for the original. @type {Result | null} */
+  baseline = null;
+  /** Whether there is a result of the visitor's own file that was not taken home. */
+  isUnsaved = false;
 
   /** @param {(event: ProgressEvent) => void} onProgress */
   constructor(onProgress) {
@@ -50,7 +62,9 @@ export class Session {
   async open(model, source) {
     const signal = this.#begin();
     const report = await inspect(model.bytes, { ...describe(model), signal });
-    Object.assign(this, { model, source, inspection: report, result: null });
+    Object.assign(this, { model, source, inspection: report, results: [], shown: null,
+      baseline: null, isUnsaved: false });
+    this.#runs = 0;
     return report;
   }
 
@@ -59,9 +73,14 @@ export class Session {
   async originalAsGltf(way) {
     const model = this.#opened();
     if (way === 'direct' && ['glb', 'gltf'].includes(extensionOf(model.name))) return model;
+    return { bytes: (await this.converted('glb')).bytes, resources: [] };
+  }
+
+  /** The model in another format. @param {string} output */
+  converted(output) {
+    const model = this.#opened();
     const { signal } = this.#controller;
-    const { bytes } = await convertFile(model.bytes, { ...describe(model), output: 'glb', signal });
-    return { bytes, resources: [] };
+    return convertFile(model.bytes, { ...describe(model), output, signal });
   }
 
   #opened() {
@@ -69,12 +88,7 @@ export class Session {
     return this.model;
   }
 
-  /** @param {RemeshOptions} options @param {string} output */
-  #remesh(options, output) {
-    return this.remeshOther(this.#opened(), { ...options, output });
-  }
-
-  /** Remeshes a model that is not opened, and keeps nothing of it.
+  /** Remeshes a model, and keeps nothing of it.
    * @param {Model} model
    * @param {RemeshOptions & import('remesher').OutputOptions} options */
   remeshOther(model, options) {
@@ -83,21 +97,55 @@ export class Session {
     return remeshFile(model.bytes, { ...describe(model), ...options, onProgress, signal });
   }
 
-  /** @param {RemeshOptions} options */
-  async run(options) {
-    const result = await this.#remesh(options, 'glb');
-    this.result = result;
-    this.options = options;
+  /** Remeshes the model into what is shown from then on.
+   * @param {Values} values as they were asked for
+   * @param {RemeshOptions} [extra] what no form and no address can say
+   * @returns {Promise<Result>} */
+  async run(values, extra = {}) {
+    const options = { ...values, ...extra };
+    const made = await this.remeshOther(this.#opened(), { ...options, output: 'glb' });
+    const isDraft = extra.quality === 'draft';
+    const result = { ...made, number: isDraft ? 0 : ++this.#runs, values, options };
+    if (!isDraft) this.#keep(result);
+    this.shown = result;
     return result;
   }
 
-  /** The latest result's files in a format. A format other than the shown one is made from the
+  /** @param {Result} result */
+  #keep(result) {
+    this.results.push(result);
+    this.isUnsaved = this.source === null;
+    const size = () => this.results.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    const isTooMuch = () => this.results.length > most.results || size() > most.bytes;
+    while (this.results.length > 1 && isTooMuch()) this.results.shift();
+    if (this.baseline && !this.results.includes(this.baseline)) this.baseline = null;
+  }
+
+  /** The shown result's files in a format. A format other than the shown one is made from the
    * original again, so that it keeps what only that format can say; the same input and options
    * give the same mesh.
-   * @param {string} format @returns {Promise<NamedBytes[]>} */
-  async filesAs(format) {
-    if (!this.result) throw new Error('There is no result');
-    if (format === 'glb') return this.result.files;
-    return (await this.#remesh(this.options, format)).files;
+   * @param {string} output @returns {Promise<NamedBytes[]>} */
+  async filesAs(output) {
+    if (!this.shown) throw new Error('There is no result');
+    this.isUnsaved = false;
+    if (output === 'glb') return this.shown.files;
+    return (await this.remeshOther(this.#opened(), { ...this.shown.options, output })).files;
+  }
+
+  /** The shown result and coarser ones, each with half as many vertices as the one before.
+   * @param {number} levels @returns {Promise<NamedBytes[]>} GLB files */
+  async levels(levels) {
+    if (!this.shown) throw new Error('There is no result');
+    const { report, values, options } = this.shown;
+    const rest = { ...values, ...options, ratio: undefined, edgeLength: undefined };
+    const files = [];
+    for (let level = 0; level < levels; ++level) {
+      const vertices = Math.max(4, Math.round(report.output.vertices / 2 ** level));
+      const [file] = level === 0 ? this.shown.files : (await this.remeshOther(this.#opened(),
+        { ...rest, vertices, output: 'glb' })).files;
+      files.push({ name: file.name.replace(/\.glb$/, `-lod${level}.glb`), bytes: file.bytes });
+    }
+    this.isUnsaved = false;
+    return files;
   }
 }

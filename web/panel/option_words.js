@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How options are called and explained in the visitor's language; in English by the package itself.
+import { optionTable } from 'remesher/options';
 import { sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
 
@@ -13,3 +14,12 @@ export const optionHelp = ({ name, help }) => sentence(textIfAny(`help.${name}`)
 
 /** @param {Option} option */
 export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
+
+/** What was asked for beside the target, in a line.
+ * @param {import('../model/address.js').Values} values */
+export function valuesInWords(values) {
+  return optionTable.filter(({ name }) =>
+    values[name] !== undefined && !['vertices', 'ratio', 'edgeLength'].includes(name))
+    .map((option) => (values[option.name] === true ? optionName(option)
+      : `${optionName(option)} ${values[option.name]}`)).join(' · ');
+}

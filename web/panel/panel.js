@@ -4,7 +4,8 @@
 import { defaultOf, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
-import { optionHelp, optionName, optionUnit } from './option_words.js';
+import { presets, withPreset } from '../model/presets.js';
+import { optionHelp, optionName, optionUnit, valuesInWords } from './option_words.js';
 import { TargetField } from './target_field.js';
 
 /** @typedef {import('remesher/options').Option} Option */
@@ -37,6 +38,18 @@ function controlFor(option) {
   return element('input', { ...described, type: 'number', ...limits, step: 'any' });
 }
 
+/** A slider beside a field that takes a word as well.
+ * @param {Option} option @param {Control} control */
+function handleFor(option, control) {
+  const { name, min, max, default: standard } = option;
+  const start = typeof standard === 'object' ? standard.best : standard;
+  const handle = element('input', { type: 'range', id: `handle-${name}`, className: 'handle',
+    min: String(min), max: String(max), step: '1', 'aria-label': optionName(option) });
+  handle.value = String(start);
+  handle.addEventListener('input', () => { control.value = handle.value; });
+  return handle;
+}
+
 /** @param {Option} option @param {Control} control */
 function fieldFor(option, control) {
   const unit = option.unit && element('span', { className: 'unit' }, `, ${optionUnit(option)}`);
@@ -46,7 +59,8 @@ function fieldFor(option, control) {
     const value = element('output', { htmlFor: control.id });
     return element('div', { className: 'field share' }, label, value, control, help);
   }
-  return element('div', { className: `field ${option.type}` }, label, control, help);
+  return element('div', { className: `field ${option.type}` }, label, control,
+    option.off && option.max !== undefined && handleFor(option, control), help);
 }
 
 /** What a control says, undefined for the default.
@@ -72,18 +86,38 @@ export class Panel {
   #fields = [];
   #button = element('button', { type: 'submit', className: 'primary wide', disabled: true });
 
-  /** @param {HTMLFormElement} form @param {() => void} onSubmit */
-  constructor(form, onSubmit) {
+  #asked = element('p', { id: 'asked', className: 'help' });
+  /** Whether the result follows while options change. */
+  #live = element('input', { id: 'live', type: 'checkbox', checked: true });
+  #acts;
+
+  /** @param {HTMLFormElement} form
+   * @param {{ onSubmit: () => void, onMove: () => void, onSettle: () => void }} acts onMove: while
+   *   a value changes; onSettle: when it has */
+  constructor(form, acts) {
     this.#form = form;
+    this.#acts = acts;
     this.build();
-    form.addEventListener('input', ({ target }) => {
-      if (target instanceof HTMLInputElement) target.dataset.touched = 'true';
-      this.#showDefaults();
+    form.addEventListener('input', ({ target }) => this.#onInput(target));
+    form.addEventListener('change', ({ target }) => {
+      if (target !== this.#live) acts.onSettle();
     });
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      onSubmit();
+      acts.onSubmit();
     });
+  }
+
+  /** @param {EventTarget | null} target */
+  #onInput(target) {
+    if (target === this.#live) return;
+    if (target instanceof HTMLInputElement) target.dataset.touched = 'true';
+    this.#showDefaults();
+    this.#acts.onMove();
+  }
+
+  get isLive() {
+    return this.#live.checked;
   }
 
   /** Makes the fields, in the language of the day; what they say stays. */
@@ -93,14 +127,31 @@ export class Panel {
     this.#fields = optionTable.filter(belongsInForm)
       .map((option) => ({ option, control: controlFor(option) }));
     this.#button.textContent = t('remesh');
-    this.#form.replaceChildren(this.#target.view, this.#moreOptions(), this.#button);
+    const live = element('label', { className: 'inline-check' }, this.#live, t('live'));
+    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#moreOptions(),
+      this.#button, live);
     this.setValues(values);
+  }
+
+  #presets() {
+    const buttons = presets.map((preset) => element('button', { type: 'button', className: 'chip',
+      id: `preset-${preset.id}`, onclick: () => this.#change(withPreset(preset, this.values())) },
+    t(`preset.${preset.id}`)));
+    return element('div', { className: 'presets', role: 'group', 'aria-label': t('presets') },
+      ...buttons, this.#asked);
+  }
+
+  /** What a button does to the values, as if they had been typed. @param {Values} values */
+  #change(values) {
+    this.setValues(values);
+    this.#acts.onMove();
+    this.#acts.onSettle();
   }
 
   #moreOptions() {
     const fields = this.#fields.map(({ option, control }) => fieldFor(option, control));
     const reset = element('button', { type: 'button', className: 'link' }, t('defaults'));
-    reset.addEventListener('click', () => this.setValues(this.#target.value()));
+    reset.addEventListener('click', () => this.#change(this.#target.value()));
     return element('details', { className: 'more' },
       element('summary', {}, t('moreOptions')), ...fields, reset);
   }
@@ -125,6 +176,31 @@ export class Panel {
         if (output) output.value = control.value;
       }
     }
+    this.#showAsked();
+  }
+
+  /** Which options are not left alone, in a line and at their fields. */
+  #showAsked() {
+    const values = this.values();
+    this.#asked.textContent = valuesInWords(values);
+    for (const { option, control } of this.#fields) {
+      control.closest('.field')?.classList.toggle('set', values[option.name] !== undefined);
+    }
+  }
+
+  /** The angle from which an edge can be a feature, in degrees; Infinity where none can. */
+  get featureAngle() {
+    const option = optionTable.find(({ name }) => name === 'featureAngle');
+    const value = this.values().featureAngle ?? (option && defaultOf(option, this.#scheme));
+    return value === 'off' ? Infinity : Number(value);
+  }
+
+  /** Sets one option, as if it had been typed.
+   * @param {string} name @param {string | number} value @param {boolean} isChosen for good */
+  ask(name, value, isChosen) {
+    this.setValues({ ...this.values(), [name]: value });
+    this.#acts.onMove();
+    if (isChosen) this.#acts.onSettle();
   }
 
   /** @returns {Values} what was asked for; what was left alone is left out */
@@ -165,7 +241,7 @@ export class Panel {
     this.#target.setValue({ vertices });
   }
 
-  /** @param {'idle' | 'busy'} state */
+  /** @param {'idle' | 'busy' | 'drafting'} state */
   setState(state) {
     this.#button.hidden = state === 'busy';
   }

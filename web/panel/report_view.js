@@ -8,6 +8,7 @@ import { histogram } from './histogram.js';
 /** @typedef {import('remesher').MeshReport} MeshReport */
 /** @typedef {import('remesher').RemeshReport} RemeshReport */
 /** @typedef {import('remesher').Inspection} Inspection */
+/** @typedef {import('remesher').Warning} Warning */
 
 /** @type {[import('../base/i18n.js').TextKey, (mesh: MeshReport) => string][]} */
 const rows = [
@@ -50,19 +51,30 @@ function histogramWithKey(before, after) {
       element('span', { className: 'swatch after' }), t('report.key')));
 }
 
-/** The report on a finished run. @param {RemeshReport} report */
-export function reportView(report) {
+/** @param {Warning} warning
+ * @param {(warning: Warning) => (() => void) | null} visitorOf what shows the place that a warning
+ *   speaks of, if it is known */
+function note(warning, visitorOf) {
+  const { message, count: times } = warning;
+  const text = times > 1 ? `${message} (${count(times)}×)` : message;
+  const onclick = visitorOf(warning);
+  return element('p', { className: 'notice' }, text, onclick
+    && element('button', { type: 'button', className: 'link', onclick }, t('visit')));
+}
+
+/** The report on a finished run.
+ * @param {RemeshReport} report @param {(warning: Warning) => (() => void) | null} visitorOf */
+export function reportView(report, visitorOf) {
   const { input, output, stopped, warnings } = report;
-  const notes = warnings.map(({ message, count: times }) =>
-    (times > 1 ? `${message} (${count(times)}×)` : message));
   const early = textIfAny(`stopped.${stopped}`);
-  if (early) notes.unshift(early);
   return [
-    ...notes.map((note) => element('p', { className: 'notice' }, note)),
+    early ? element('p', { className: 'notice' }, early) : '',
+    ...warnings.map((warning) => note(warning, visitorOf)),
     element('h2', {}, t('report.angles')),
     histogramWithKey(input.minAngle.histogram, output.minAngle.histogram),
     table(report),
     element('p', { className: 'quiet' }, t('report.distances')),
+    element('section', { id: 'distances', hidden: true }),
   ];
 }
 

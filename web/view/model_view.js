@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// One model on the stage: its own materials or plain clay, smooth, flat or coloured by angle, with
-// or without its wireframe. Owns what it puts on the graphics card, and frees it.
-import { Box3, Color, DoubleSide, Mesh, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+// One model on the stage: its own materials, plain clay, flat, its normals, or coloured by a value,
+// with or without its wireframe. Owns what it puts on the graphics card, and frees it.
+import {
+  Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial,
+  MeshNormalMaterial, MeshStandardMaterial,
+} from 'three';
 import { openSide } from './facing.js';
 import { withNormals } from './normals.js';
+import { soupOf } from './soup.js';
 import { colorByAngle } from './triangle_angles.js';
 
-/** @typedef {'smooth' | 'flat' | 'angles'} Shading */
-/** @typedef {import('three').BufferGeometry} BufferGeometry */
+/** @typedef {'textured' | 'plain' | 'flat' | 'normals' | 'angles' | 'distance' | 'density'
+ *   } Shading */
 /** @typedef {Mesh<BufferGeometry, MeshStandardMaterial>} Surface */
-/** The same triangles three times: as the file has them, as lines, and coloured when asked for.
- * @typedef {{ surface: Surface, wire: Mesh, angles: Mesh | null }} Part */
+/** The same triangles several times: as the file has them, as lines, and coloured when asked for.
+ * @typedef {{ surface: Surface, own: import('three').Material | null, wire: Mesh,
+ *   colored: Partial<Record<Shading, Mesh>> }} Part */
 
 /** Pushes surfaces back a little, so that lines on them are drawn whole. */
 const behindLines = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
@@ -40,8 +45,21 @@ function companion(surface, geometry, material) {
   const copy = /** @type {Mesh} */ (surface.clone(false));
   copy.geometry = geometry;
   copy.material = material;
+  copy.visible = false;
   surface.parent?.add(copy);
   return copy;
+}
+
+/** The same vertices with colours of their own. @param {BufferGeometry} geometry */
+function recolored(geometry) {
+  const copy = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    if (!name.startsWith('color')) copy.setAttribute(name, attribute);
+  }
+  copy.setIndex(geometry.index);
+  copy.morphAttributes = geometry.morphAttributes;
+  const { count } = geometry.attributes.position;
+  return copy.setAttribute('color', new BufferAttribute(new Float32Array(3 * count).fill(1), 3));
 }
 
 /** @param {BufferGeometry} geometry */
@@ -51,61 +69,93 @@ export class ModelView {
   /** @type {Part[]} */
   #parts;
   #clay;
+  #flat;
+  #normals = new MeshNormalMaterial({ side: DoubleSide, ...behindLines });
+  #painted = new MeshStandardMaterial({ roughness: 0.85, metalness: 0, side: DoubleSide,
+    vertexColors: true, ...behindLines });
   #wire = new MeshBasicMaterial({
     wireframe: true, transparent: true, depthWrite: false, color: 0x0b1f22,
   });
 
   /** @param {import('three').Group} scene as loaded @param {string} color of the clay */
   constructor(scene, color) {
-    this.#clay = new MeshStandardMaterial(
-      { color, roughness: 0.62, metalness: 0, side: DoubleSide, ...behindLines });
+    const clay = { color, roughness: 0.62, metalness: 0, side: DoubleSide, ...behindLines };
+    this.#clay = new MeshStandardMaterial(clay);
+    this.#flat = new MeshStandardMaterial({ ...clay, flatShading: true });
     this.group = scene;
     scene.updateMatrixWorld(true);
     this.bounds = new Box3().setFromObject(scene);
     this.#parts = surfacesOf(scene).map((surface) => this.#prepare(surface));
-    this.isTextured = this.#parts.some(({ surface }) => surface.material !== this.#clay);
+    this.isTextured = this.#parts.some(({ own }) => own);
     this.edgeLength = this.#typicalEdgeLength();
-    this.front = openSide(this.#parts.map(({ surface }) => surface));
+    this.front = openSide(this.#surfaces);
   }
 
   /** @param {Surface} surface @returns {Part} */
   #prepare(surface) {
     surface.geometry = withNormals(surface.geometry);
-    if (hasOwnLook(surface)) Object.assign(surface.material, behindLines);
-    else surface.material = this.#clay;
+    const own = hasOwnLook(surface) ? Object.assign(surface.material, behindLines) : null;
     const wire = companion(surface, surface.geometry, this.#wire);
     wire.renderOrder = 1;
-    return { surface, wire, angles: null };
+    return { surface, own, wire, colored: {} };
+  }
+
+  get #surfaces() {
+    return this.#parts.map(({ surface }) => surface);
   }
 
   /** A guess from the box, good enough to fade the lines of a mesh too fine to see. */
   #typicalEdgeLength() {
     const { x, y, z } = this.bounds.getSize(this.bounds.min.clone());
     let triangles = 1;
-    for (const { surface } of this.#parts) triangles += triangleCount(surface.geometry);
+    for (const { geometry } of this.#surfaces) triangles += triangleCount(geometry);
     return Math.sqrt(3 * (x * y + y * z + z * x) / triangles);
   }
 
-  /** @param {Surface} surface */
-  #coloredByAngle(surface) {
+  /** All its triangles, in the world. */
+  soup() {
+    return soupOf(this.#surfaces);
+  }
+
+  /** @param {Part} part */
+  #coloredByAngle({ surface }) {
     const { geometry } = surface;
     const corners = geometry.index ? geometry.toNonIndexed() : geometry.clone();
     colorByAngle(corners);
-    const material = new MeshStandardMaterial({ roughness: 0.8, metalness: 0, side: DoubleSide,
-      vertexColors: true, flatShading: true, ...behindLines });
+    const material = this.#painted.clone();
+    material.flatShading = true;
     return companion(surface, corners, material);
   }
 
-  /** @param {Shading} shading */
-  setShading(shading) {
+  /** Colours the vertices, in the order of the soup.
+   * @param {'distance' | 'density'} shading
+   * @param {(vertex: number, color: Color) => void} paint sets the colour of a vertex */
+  setColors(shading, paint) {
+    const color = new Color();
+    let vertex = 0;
     for (const part of this.#parts) {
-      const { surface } = part;
-      if (shading === 'angles') part.angles ??= this.#coloredByAngle(surface);
-      if (part.angles) part.angles.visible = shading === 'angles';
-      surface.visible = shading !== 'angles';
-      if (surface.material.flatShading === (shading === 'flat')) continue;
-      surface.material.flatShading = shading === 'flat';
-      surface.material.needsUpdate = true;
+      part.colored[shading] ??=
+        companion(part.surface, recolored(part.surface.geometry), this.#painted);
+      const attribute = part.colored[shading].geometry.getAttribute('color');
+      for (let i = 0; i < attribute.count; ++i) {
+        paint(vertex++, color);
+        attribute.setXYZ(i, color.r, color.g, color.b);
+      }
+      attribute.needsUpdate = true;
+    }
+  }
+
+  /** What cannot be shown, colours that are not known or materials that are not there, is shown
+   * plain. @param {Shading} shading */
+  setShading(shading) {
+    const materials = { flat: this.#flat, normals: this.#normals };
+    for (const part of this.#parts) {
+      const { surface, colored, own } = part;
+      if (shading === 'angles') colored.angles ??= this.#coloredByAngle(part);
+      surface.visible = !colored[shading];
+      for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
+      surface.material = /** @type {MeshStandardMaterial} */ (shading === 'textured' && own
+        || materials[/** @type {'flat'} */ (shading)] || this.#clay);
     }
   }
 
@@ -120,10 +170,12 @@ export class ModelView {
   }
 
   dispose() {
-    for (const mesh of surfacesOf(this.group)) {
-      mesh.geometry.dispose();
-      for (const value of Object.values(mesh.material)) if (value?.isTexture) value.dispose();
-      mesh.material.dispose();
+    const owns = this.#parts.map(({ own }) => own);
+    for (const mesh of surfacesOf(this.group)) mesh.geometry.dispose();
+    for (const material of [this.#clay, this.#flat, this.#normals, this.#painted, this.#wire,
+      ...owns]) {
+      for (const value of Object.values(material ?? {})) if (value?.isTexture) value.dispose();
+      material?.dispose();
     }
   }
 }

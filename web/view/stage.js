@@ -3,11 +3,13 @@
 // where there is no WebGL the page says so and goes on.
 import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
+import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { loadScene } from './scene_loader.js';
 import { Viewer } from './viewer.js';
 
 /** @typedef {import('./viewer.js').Side} Side */
+/** @typedef {import('./viewer.js').Shading} Shading */
 /** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
 
 const narrow = '(max-width: 760px)';
@@ -17,16 +19,24 @@ const isPressing = ({ target }) => target instanceof Element
   && target.matches('button, summary, select, input');
 
 export class Stage {
-  /** @type {Viewer | null} */
-  #viewer = null;
+  /** None where the browser has no 3-D. @type {Viewer | null} */
+  viewer = null;
+  /** Called after the shading has changed. */
+  onShading = () => {};
+  /** Whether the pointer paints, instead of turning the model. */
+  isBrushing = false;
   #root = byId('stage', HTMLElement);
   #wireframe = byId('wireframe', HTMLButtonElement);
   /** Wires suit bare shapes and hide textures, until the visitor says otherwise. */
   #chosenWireframe = /** @type {boolean | null} */ (null);
+  /** @type {import('./viewer.js').Compare} */
+  #compare = 'side';
+  /** @type {Shading} */
+  #shading = 'plain';
 
   constructor() {
     try {
-      this.#viewer = new Viewer(byId('canvas', HTMLCanvasElement));
+      this.viewer = new Viewer(byId('canvas', HTMLCanvasElement));
     } catch {
       this.say(t('noWebGL'));
       this.#root.classList.add('blind');
@@ -35,7 +45,7 @@ export class Stage {
     this.#wireButtons();
     this.#wireKeys();
     this.#setCompare(matchMedia(narrow).matches ? 'wipe' : 'side');
-    this.#press('shading', 'smooth');
+    this.setShading('plain');
   }
 
   /** A line on the stage itself; empty to take it away. @param {string} text */
@@ -51,7 +61,7 @@ export class Stage {
       // The thumb stays within the track, so its middle does not travel the whole width.
       const thumb = 36, width = divider.clientWidth || 1;
       const x = thumb / 2 + divider.valueAsNumber * (width - thumb);
-      this.#viewer?.setDivider(x / width);
+      this.viewer?.setDivider(x / width);
       this.#root.style.setProperty('--divider', `${(100 * x) / width}%`);
     };
     divider.addEventListener('input', apply);
@@ -72,20 +82,36 @@ export class Stage {
 
   /** @param {import('./viewer.js').Compare} compare */
   #setCompare(compare) {
+    this.#compare = compare;
     this.#press('compare', compare);
-    this.#viewer?.setCompare(compare);
+    this.viewer?.setCompare(compare);
+  }
+
+  /** @param {Shading} shading */
+  setShading(shading) {
+    this.#shading = shading;
+    this.#press('shading', shading);
+    this.viewer?.setShading(shading);
+    this.onShading();
+  }
+
+  get shading() {
+    return this.#shading;
   }
 
   #wireButtons() {
-    this.#root.addEventListener('click', ({ target }) => {
-      const { compare, shading } = target instanceof HTMLElement ? target.dataset : {};
-      if (compare) this.#setCompare(/** @type {import('./viewer.js').Compare} */ (compare));
-      if (!shading) return;
-      this.#press('shading', shading);
-      this.#viewer?.setShading(/** @type {import('./viewer.js').Shading} */ (shading));
-    });
+    const buttons = [...this.#root.querySelectorAll('[data-shading]')];
+    for (const [i, button] of buttons.entries()) {
+      const { dataset } = /** @type {HTMLElement} */ (button);
+      const shading = /** @type {Shading} */ (dataset.shading);
+      dataset.do = `shading.${shading}`;
+      addCommand(dataset.do, () => this.setShading(shading), String(i + 1));
+    }
+    addCommand('compare.side', () => this.#setCompare('side'));
+    addCommand('compare.wipe', () => this.#setCompare('wipe'));
+    addCommand('compare', () => this.#setCompare(this.#compare === 'side' ? 'wipe' : 'side'), 'c');
     addCommand('wireframe', () => this.#toggleWireframe(), 'w');
-    addCommand('fit', () => this.#viewer?.fit(), 'f');
+    addCommand('fit', () => this.viewer?.eye.fit(), 'f');
   }
 
   #toggleWireframe() {
@@ -96,7 +122,7 @@ export class Stage {
   /** @param {boolean} isVisible */
   #setWireframe(isVisible) {
     this.#wireframe.setAttribute('aria-pressed', String(isVisible));
-    this.#viewer?.setWireframe(isVisible);
+    this.viewer?.setWireframe(isVisible);
   }
 
   #wireKeys() {
@@ -112,21 +138,56 @@ export class Stage {
   /** @param {Event} event @param {boolean} holds */
   #hold(event, holds) {
     event.preventDefault();  // the page would scroll
-    this.#viewer?.holdOriginal(holds);
+    this.viewer?.holdOriginal(holds);
     this.#root.classList.toggle('holding', holds);
   }
 
   /** @param {Side} side @param {{ bytes: Uint8Array, resources: NamedBytes[] }} gltf */
   async show(side, { bytes, resources }) {
-    if (!this.#viewer) return;
-    this.#viewer.show(side, await loadScene(bytes, resources));
+    if (!this.viewer) return;
+    this.viewer.show(side, await loadScene(bytes, resources));
     this.#root.classList.toggle(`has-${side}`, true);
-    if (side === 'original') this.#setWireframe(this.#chosenWireframe ?? !this.#viewer.isTextured);
+    if (side === 'original') this.#suit(this.viewer.isTextured);
+  }
+
+  /** What suits the model, where the visitor did not choose. @param {boolean} isTextured */
+  #suit(isTextured) {
+    this.#setWireframe(this.#chosenWireframe ?? !isTextured);
+    const button = this.#root.querySelector('[data-shading=textured]');
+    if (button instanceof HTMLButtonElement) button.disabled = !isTextured;
+    const isPlain = this.#shading === 'plain' || this.#shading === 'textured';
+    this.setShading(isPlain ? (isTextured ? 'textured' : 'plain') : this.#shading);
+  }
+
+  /** The stage as a PNG; null where there is no 3-D.
+   * @param {{ scale: number, hasBackground: boolean }} how */
+  async picture({ scale, hasBackground }) {
+    const picture = this.viewer?.picture(scale);
+    if (!picture) return null;
+    const context = picture.getContext('2d');
+    if (hasBackground && context) {
+      context.globalCompositeOperation = 'destination-over';
+      context.fillStyle = getComputedStyle(this.#root).getPropertyValue('background-color');
+      context.fillRect(0, 0, picture.width, picture.height);
+    }
+    return new Uint8Array(await (await picture.convertToBlob()).arrayBuffer());
+  }
+
+  /** What the left side is called. @param {string} text @param {number} vertices */
+  nameLeft(text, vertices) {
+    byId('left-name', HTMLElement).textContent = text;
+    byId('original-count', HTMLElement).textContent = count(vertices);
+  }
+
+  /** What the right side is called. @param {string} text @param {number} vertices */
+  nameRight(text, vertices) {
+    byId('right-name', HTMLElement).textContent = text;
+    byId('result-count', HTMLElement).textContent = count(vertices);
   }
 
   /** @param {Side} side */
   clear(side) {
-    this.#viewer?.show(side, null);
+    this.viewer?.show(side, null);
     this.#root.classList.toggle(`has-${side}`, false);
   }
 }

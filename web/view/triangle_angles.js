@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The smallest angle of each triangle as the triangle's colour.
 import { BufferAttribute, Color } from 'three';
-import { angleColors } from '../base/angle_colors.js';
+import { angleColors } from '../base/colors.js';
 
 const palette = angleColors.map((color) => new Color(color));
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Trying: while a slider moves, drafts follow; when it rests, the best result. Undo and redo over
+// what was asked for.
+import { addCommand } from '../base/commands.js';
+import { byId } from '../base/dom.js';
+import { Timeline } from '../model/timeline.js';
+import { remesh } from './running.js';
+
+/** @typedef {import('./page.js').Page} Page */
+/** @typedef {import('../model/address.js').Values} Values */
+
+/** Milliseconds without a change after which a slider is at rest. */
+const rest = 400;
+/** Models with more vertices take too long to follow. */
+const largestLive = 60_000;
+
+export class Steering {
+  /** @type {Timeline<Values>} */
+  #timeline = new Timeline();
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+  #isDrafting = false;
+  #isStale = false;
+  /** @type {Page | null} */
+  #page = null;
+
+  /** @param {Page} page */
+  wire(page) {
+    this.#page = page;
+    addCommand('undo', () => this.#go(-1), 'Control+z');
+    addCommand('redo', () => this.#go(1), 'Control+Shift+z');
+    this.#showSteps();
+  }
+
+  get #isLive() {
+    const { session, panel } = /** @type {Page} */ (this.#page);
+    return panel.isLive && (session.inspection?.input.vertices ?? Infinity) <= largestLive;
+  }
+
+  /** A model came in: what the form says now is where undoing ends. */
+  begin() {
+    if (!this.#page) return;
+    clearTimeout(this.#timer);
+    this.#timeline.begin(this.#page.panel.values());
+    this.#showSteps();
+  }
+
+  /** Another model is coming: nothing more is asked of this one. */
+  stop() {
+    clearTimeout(this.#timer);
+    this.#isStale = false;
+  }
+
+  /** A value moves. */
+  move() {
+    if (!this.#page || !this.#isLive) return;
+    this.#isStale = true;
+    if (!this.#isDrafting) void this.#draft(this.#page);
+    this.#restSoon(this.#page);
+  }
+
+  /** A value has been chosen. */
+  settle() {
+    if (!this.#page) return;
+    this.#timeline.add(this.#page.panel.values());
+    this.#showSteps();
+  }
+
+  /** One draft after the other, the latest values always last: none waits in line.
+   * @param {Page} page */
+  async #draft(page) {
+    this.#isDrafting = true;
+    while (this.#isStale) {
+      this.#isStale = false;
+      await page.busy(() => remesh(page, { quality: 'draft' }), 'drafting');
+    }
+    this.#isDrafting = false;
+  }
+
+  /** @param {Page} page */
+  #restSoon(page) {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      if (this.#isDrafting) this.#restSoon(page);
+      else void page.busy(() => remesh(page));
+    }, rest);
+  }
+
+  /** @param {1 | -1} step */
+  #go(step) {
+    const values = this.#timeline.go(step);
+    this.#showSteps();
+    if (!values || !this.#page) return;
+    const page = this.#page;
+    page.panel.setValues(values);
+    if (this.#isLive) void page.busy(() => remesh(page));
+  }
+
+  #showSteps() {
+    byId('undo', HTMLButtonElement).disabled = !this.#timeline.can(-1);
+    byId('redo', HTMLButtonElement).disabled = !this.#timeline.can(1);
+  }
+}

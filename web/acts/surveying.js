@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What can be seen beside the surfaces: distances as colours, curves, borders and faults as lines,
+// the triangle under the pointer. The survey's worker finds them.
+import { addCommand } from '../base/commands.js';
+import { distanceColors } from '../base/colors.js';
+import { byId } from '../base/dom.js';
+import { t } from '../base/i18n.js';
+import { showLandmarks } from '../panel/landmarks.js';
+import { showLegend, showProbe } from '../panel/legend.js';
+import { announce } from '../panel/messages.js';
+import { Survey } from '../survey/survey.js';
+import { ramp } from '../view/ramp.js';
+
+/** @typedef {import('../view/viewer.js').Side} Side */
+/** @typedef {import('../survey/surface.js').Distances} Distances */
+/** @typedef {import('../survey/surface.js').Point} Point */
+/** @typedef {import('../survey/topology.js').Edges} Edges */
+
+/** @typedef {{ stage: import('../view/stage.js').Stage, panel: import('../panel/panel.js').Panel,
+ *   session: import('../model/session.js').Session }} Desk */
+
+const distanceColor = ramp(distanceColors);
+
+export class Surveying {
+  survey = new Survey();
+  #page;
+  /** @type {Distances | null} of the shown result */
+  distances = null;
+  /** @type {Edges | null} of the original */
+  #edges = null;
+  #isProbing = false;
+
+  /** @param {Desk} page */
+  constructor(page) {
+    this.#page = page;
+    const { stage } = page;
+    stage.onShading = () => this.#showLegend();
+    addCommand('features', () => this.showFeatures(!this.#hasFeatures), 'e');
+    addCommand('probe', () => void this.#probeMiddle(), 'i');
+    const canvas = byId('canvas', HTMLCanvasElement);
+    canvas.addEventListener('pointermove', (event) => {
+      if (!event.buttons) void this.#probe({ x: event.offsetX, y: event.offsetY });
+    });
+    canvas.addEventListener('pointerleave', () => this.#showProbe(null, null));
+  }
+
+  get diagonal() {
+    return this.#page.stage.viewer?.eye.diagonal ?? 1;
+  }
+
+  /** A model is on the stage, or gone. @param {Side} side */
+  async shown(side) {
+    const { viewer } = this.#page.stage;
+    if (side !== 'baseline') this.distances = null;
+    const soup = viewer?.view(side)?.soup() ?? null;
+    const buffers = soup ? [soup.positions.buffer, soup.indices.buffer] : [];
+    await this.survey.ask('setSurface', { side, soup }, buffers);
+    if (side === 'original') await this.#findEdges();
+  }
+
+  async #findEdges() {
+    this.#edges = await this.survey.ask('edges');
+    const edges = this.#edges;
+    const overlays = this.#page.stage.viewer?.overlays.original;
+    if (edges) {
+      overlays?.setLines('features', edges.sharp);
+      this.showFeatures(this.#hasFeatures);
+    }
+    showLandmarks(edges && { boundary: edges.boundary.length / 6,
+      nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 },
+    (landmark) => this.visitLandmark(landmark));
+  }
+
+  get #hasFeatures() {
+    return byId('features', HTMLButtonElement).getAttribute('aria-pressed') === 'true';
+  }
+
+  /** The edges that bend by the angle asked for, on the original. @param {boolean} isOn */
+  showFeatures(isOn) {
+    const { stage, panel } = this.#page;
+    byId('features', HTMLButtonElement).setAttribute('aria-pressed', String(isOn));
+    const angle = panel.featureAngle;
+    const bends = this.#edges?.bends ?? [];
+    const firstBelow = bends.findIndex((bend) => bend < angle);
+    const count = firstBelow < 0 ? bends.length : firstBelow;
+    stage.viewer?.overlays.original.setCount('features', isOn ? count : 0);
+    byId('features', HTMLButtonElement).dataset.count = String(count);
+    stage.viewer?.draw();
+  }
+
+  /** The angle is being changed: now they are of interest. */
+  followFeatures() {
+    this.showFeatures(true);
+  }
+
+  /** @param {import('../panel/landmarks.js').Landmark} landmark */
+  visitLandmark(landmark) {
+    const segments = this.#edges?.[landmark];
+    const { viewer } = this.#page.stage;
+    if (!segments?.length || !viewer) return;
+    viewer.overlays.original.setLines(landmark, segments);
+    this.visit('original', /** @type {Point} */ (Array.from(segments.subarray(0, 3))));
+  }
+
+  /** Flies to a place, and marks it. @param {Side} side @param {Point} point */
+  visit(side, point) {
+    const { viewer } = this.#page.stage;
+    if (!viewer) return;
+    viewer.overlays[side].setMark(point);
+    viewer.eye.visit(point);
+    announce(t('visited'));
+  }
+
+  visitLargest() {
+    if (!this.distances) return;
+    this.#page.stage.setShading('distance');
+    this.visit('result', this.distances.largest.point);
+  }
+
+  /** Of the shown result to the original; null without 3-D, and for what was overtaken. */
+  async measure() {
+    const { session: { shown }, stage: { viewer } } = this.#page;
+    const distances = viewer && await this.survey.ask('distances');
+    if (shown !== this.#page.session.shown) return null;
+    this.distances = distances;
+    if (distances) this.#colorDistances(distances);
+    this.#showLegend();
+    return distances;
+  }
+
+  /** @param {Distances} distances */
+  #colorDistances({ values, largest }) {
+    const { viewer } = this.#page.stage;
+    viewer?.view('result')?.setColors('distance', (vertex, color) =>
+      distanceColor(values[vertex] / (largest.distance || 1), color));
+    this.#page.stage.setShading(this.#page.stage.shading);
+  }
+
+  #showLegend() {
+    const largest = this.distances?.largest.distance;
+    showLegend(this.#page.stage.shading,
+      largest === undefined ? null : { largest, diagonal: this.diagonal });
+  }
+
+  /** The triangle there, one question at a time. @param {{ x: number, y: number }} at */
+  async #probe(at) {
+    const ray = this.#page.stage.viewer?.rayAt(at);
+    if (this.#isProbing || this.#page.stage.isBrushing) return;
+    this.#isProbing = true;
+    const pick = ray ? await this.survey.ask('pick', ray) : null;
+    this.#isProbing = false;
+    this.#showProbe(pick, ray?.side ?? null);
+  }
+
+  /** The triangle in the middle of the result, for those without a pointer. */
+  async #probeMiddle() {
+    const { clientWidth, clientHeight } = byId('canvas', HTMLCanvasElement);
+    await this.#probe({ x: 0.75 * clientWidth, y: 0.5 * clientHeight });
+    announce(byId('probe', HTMLElement).textContent ?? '');
+  }
+
+  /** @param {import('../survey/picking.js').Pick | null} pick @param {Side | null} side */
+  #showProbe(pick, side) {
+    const { viewer } = this.#page.stage;
+    if (!viewer) return;
+    for (const [name, overlays] of Object.entries(viewer.overlays)) {
+      const corners = name === side && pick ? pick.corners : [];
+      overlays.setLines('probe', Float32Array.from(corners.flatMap((corner, i) =>
+        [...corner, ...corners[(i + 1) % 3]])));
+    }
+    showProbe(pick, this.diagonal);
+    viewer.draw();
+  }
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What people remesh for, as options. Their names: preset.ID in the texts.
+
+/** @typedef {import('./address.js').Values} Values */
+/** values: what replaces all options but the target; `share`, if any, the target as a share of the
+ * input's vertices.
+ * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'print' | 'simulation', values: Values,
+ *   share?: number }} Preset */
+
+/** @type {Preset[]} */
+export const presets = [
+  { id: 'even', values: { adaptivity: 0 } },
+  { id: 'accurate', values: { adaptivity: 1 } },
+  { id: 'lowPoly', values: { adaptivity: 1, gradation: 2 }, share: 0.1 },
+  { id: 'print', values: { adaptivity: 0.7, maxError: 0.2 } },
+  { id: 'simulation', values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30 } },
+];
+
+/** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values
+ * @returns {Values} */
+export function withPreset({ values: own, share }, { vertices, ratio, edgeLength }) {
+  if (share) return { ratio: share, ...own };
+  const target = Object.entries({ vertices, ratio, edgeLength })
+    .filter(([, value]) => value !== undefined);
+  return { ...Object.fromEntries(target), ...own };
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The run on the page as others would ask for it: on a command line, in JavaScript.
+import { optionTable } from 'remesher/options';
+import { withExtension } from '../base/format.js';
+
+/** @typedef {import('./address.js').Values} Values */
+
+/** A file's name as a shell takes it. @param {string} name */
+const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
+
+/** The same run on the command line. @param {string} input @param {Values} values */
+export function commandLine(input, values) {
+  const output = withExtension(input, 'remeshed.glb');
+  const given = Object.entries(values).filter(([, value]) => value !== false);
+  const flags = given.map(([name, value]) => {
+    const flag = optionTable.find((option) => option.name === name)?.flag?.split(' ')[0];
+    return value === true ? flag : `${flag} ${value}`;
+  });
+  return ['npx remesher', quoted(input), '-o', quoted(output), ...flags].join(' ');
+}
+
+/** A word as JavaScript writes it. @param {string | number | boolean} value */
+const literal = (value) => (typeof value === 'string'
+  ? `'${value.replaceAll('\\', '\\\\').replaceAll("'", "\\'")}'` : String(value));
+
+/** The same run in a program for Node. @param {string} input @param {Values} values */
+export function javaScript(input, values) {
+  const output = withExtension(input, 'remeshed.glb');
+  const options = Object.entries({ name: input, output: 'glb', ...values })
+    .map(([name, value]) => `${name}: ${literal(value)}`);
+  return [
+    "import { readFile, writeFile } from 'node:fs/promises';",
+    "import { remeshFile } from 'remesher';",
+    '',
+    `const bytes = await readFile(${literal(input)});`,
+    `const result = await remeshFile(bytes, { ${options.join(', ')} });`,
+    `await writeFile(${literal(output)}, result.bytes);`,
+    'console.log(result.report.output);',
+  ].join('\n');
+}

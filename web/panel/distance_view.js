@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// How the distances between result and original are spread, where they are largest, and a handle to
+// ask for less: dragging it sets the largest error.
+import { distanceColors } from '../base/colors.js';
+import { element } from '../base/dom.js';
+import { percent } from '../base/format.js';
+import { t } from '../base/i18n.js';
+import { lengthInWords } from './legend.js';
+
+/** @typedef {import('../survey/surface.js').Distances} Distances */
+
+/** @param {number[]} bins */
+function bars(bins) {
+  const tallest = Math.max(...bins);
+  return bins.map((share, i) => {
+    const bar = element('span', { className: 'distance-bin' });
+    bar.style.height = `${Math.max(share ? 2 : 0, 100 * Math.sqrt(share / tallest))}%`;
+    bar.style.background = distanceColors[Math.floor(i / bins.length * distanceColors.length)];
+    return bar;
+  });
+}
+
+/**
+ * @param {Distances} distances @param {number} diagonal of the original
+ * @param {{ onVisit: () => void, onMaxError: (percent: number, isChosen: boolean) => void }} acts
+ */
+export function distanceView({ bins, largest }, diagonal, { onVisit, onMaxError }) {
+  const most = 100 * largest.distance / diagonal;
+  const value = element('output', { htmlFor: 'error-handle' }, '–');
+  const handle = element('input', { id: 'error-handle', type: 'range', min: 0, max: 1,
+    step: 0.01, value: '1', 'aria-label': t('distance.handle') });
+  const change = (/** @type {boolean} */ isChosen) => () => {
+    const error = Math.max(0.001, Number((handle.valueAsNumber * most).toPrecision(2)));
+    value.value = percent(error);
+    onMaxError(error, isChosen);
+  };
+  handle.addEventListener('input', change(false));
+  handle.addEventListener('change', change(true));
+  return [
+    element('h2', {}, t('distance')),
+    element('div', { className: 'distances' },
+      element('div', { className: 'distance-bins', 'aria-hidden': true }, ...bars(bins)), handle),
+    element('div', { className: 'inline help' },
+      element('span', {}, t('distance.handle'), ' ', value),
+      element('button', { type: 'button', className: 'link', id: 'visit-largest',
+        onclick: onVisit }, t('distance.largest',
+        { distance: lengthInWords(largest.distance, diagonal) }))),
+  ];
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// All that can be taken home of a result: files, report, picture, and the run as others would ask
+// for it, to copy with one click.
+import { formats } from 'remesher/formats';
+import { element } from '../base/dom.js';
+import { t } from '../base/i18n.js';
+import { commandLine, javaScript } from '../model/snippets.js';
+
+/** @typedef {import('../model/session.js').Session} Session */
+/** @typedef {{ onFormat: (format: string) => void, onLevels: () => void, onReport: () => void,
+ *   onPicture: (hasBackground: boolean) => void, onCopy: (text: string) => void }} SavingActs */
+
+/** @param {string} label @param {() => void} onclick @param {string} [className] */
+const button = (label, onclick, className = '') =>
+  element('button', { type: 'button', className, onclick }, label);
+
+/** A button a format; the first is the one that most people want.
+ * @param {(format: string) => void} onFormat */
+function files(onFormat) {
+  return formats.map((format, i) => {
+    const name = format === 'gltf' ? t('download.gltf') : format.toUpperCase();
+    return button(i ? name : t('download.first', { format: name }), () => onFormat(format),
+      i ? '' : 'primary');
+  });
+}
+
+/** @param {string} label @param {string} text @param {(text: string) => void} onCopy */
+function snippet(label, text, onCopy) {
+  return element('div', { className: 'snippet' },
+    element('div', { className: 'inline' }, element('h3', {}, label),
+      button(t('copy'), () => onCopy(text), 'link')),
+    element('code', { tabIndex: 0 }, text));
+}
+
+/** @param {Session} session @param {SavingActs} acts */
+export function takeawayView({ model, shown }, acts) {
+  const name = model?.name ?? '';
+  const values = shown?.values ?? {};
+  return element('section', { className: 'takeaway', 'aria-label': t('download') },
+    element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },
+      ...files(acts.onFormat), button(t('download.levels'), acts.onLevels),
+      button(t('download.report'), acts.onReport),
+      button(t('download.picture'), () => acts.onPicture(true)),
+      button(t('download.cutout'), () => acts.onPicture(false))),
+    element('details', { className: 'command' },
+      element('summary', {}, t('elsewhere')),
+      snippet(t('elsewhere.command'), commandLine(name, values), acts.onCopy),
+      snippet('JavaScript', javaScript(name, values), acts.onCopy),
+      snippet(t('elsewhere.link'), location.href, acts.onCopy)));
+}

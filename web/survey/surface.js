@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// A surface that can be asked: how far a point is from it, and what a ray hits. The search itself
+// is three-mesh-bvh's.
+import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+
+/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {[number, number, number]} Point */
+/** distance in model units, from `point` of one surface to `nearest` on the other.
+ * @typedef {{ distance: number, point: Point, nearest: Point }} Place */
+
+export class Surface {
+  #tree;
+
+  /** @param {Soup} soup */
+  constructor(soup) {
+    this.soup = soup;
+    const geometry = new BufferGeometry()
+      .setAttribute('position', new BufferAttribute(soup.positions, 3))
+      .setIndex(new BufferAttribute(soup.indices, 1));
+    this.#tree = new MeshBVH(geometry, { indirect: true });
+  }
+
+  /** @param {Vector3} point */
+  distanceTo(point) {
+    return this.#tree.closestPointToPoint(point)?.distance ?? 0;
+  }
+
+  /** @param {Vector3} point @returns {Point} */
+  nearest(point) {
+    return (this.#tree.closestPointToPoint(point)?.point ?? point).toArray();
+  }
+
+  /** @param {Point} origin @param {Point} direction */
+  hit(origin, direction) {
+    const ray = new Ray(new Vector3(...origin), new Vector3(...direction).normalize());
+    return this.#tree.raycastFirst(ray, DoubleSide);
+  }
+
+  /** Visits all vertices, then the middles of all triangles: what distances are measured at.
+   * @param {(point: Vector3, vertex: number) => void} visit vertex: -1 for a middle */
+  forEachPlace(visit) {
+    const { positions, indices } = this.soup;
+    const point = new Vector3(), corner = new Vector3();
+    for (let v = 0; v < positions.length / 3; ++v) visit(point.fromArray(positions, 3 * v), v);
+    for (let i = 0; i < indices.length; i += 3) {
+      point.set(0, 0, 0);
+      for (let k = 0; k < 3; ++k) point.add(corner.fromArray(positions, 3 * indices[i + k]));
+      visit(point.multiplyScalar(1 / 3), -1);
+    }
+  }
+}
+
+const binCount = 30;
+
+/** The farthest place of one surface from another, and the distances of its vertices.
+ * @param {Surface} from @param {Surface} to
+ * @returns {{ values: Float32Array, all: Float32Array, largest: Place }} `all`: also those of the
+ *   middles of triangles */
+function distancesFrom(from, to) {
+  const values = new Float32Array(from.soup.positions.length / 3);
+  /** @type {number[]} */
+  const all = [];
+  let farthest = new Vector3(), distance = -1;
+  from.forEachPlace((point, vertex) => {
+    const own = to.distanceTo(point);
+    all.push(own);
+    if (vertex >= 0) values[vertex] = own;
+    if (own <= distance) return;
+    distance = own;
+    farthest = point.clone();
+  });
+  const largest = { distance, point: farthest.toArray(), nearest: to.nearest(farthest) };
+  return { values, all: Float32Array.from(all), largest };
+}
+
+/**
+ * values: for each vertex of the result; bins: shares of all places, from 0 to the largest.
+ * @typedef {{ values: Float32Array, largest: Place, bins: number[] }} Distances
+ */
+
+/** Between result and original, both ways. @param {Surface} result @param {Surface} original
+ * @returns {Distances} */
+export function measureDistances(result, original) {
+  const there = distancesFrom(result, original);
+  const back = distancesFrom(original, result);
+  const { point, nearest, distance } = back.largest;
+  // What is told is a place of the result, where the colours are.
+  const largest = distance > there.largest.distance
+    ? { distance, point: nearest, nearest: point } : there.largest;
+  const bins = new Array(binCount).fill(0);
+  const places = there.all.length + back.all.length;
+  for (const list of [there.all, back.all]) {
+    for (const value of list) {
+      const bin = Math.min(binCount - 1, Math.floor(binCount * value / (largest.distance || 1)));
+      bins[bin] += 1 / places;
+    }
+  }
+  return { values: there.values, largest, bins };
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The worker that knows both surfaces: whatever takes longer than a frame is asked of it.
+import { offVertices } from './off.js';
+import { pick } from './picking.js';
+import { measureDistances, Surface } from './surface.js';
+import { findEdges } from './topology.js';
+
+/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {import('./surface.js').Point} Point */
+/** @typedef {import('./surface.js').Distances} Distances */
+/** @typedef {'original' | 'baseline' | 'result'} Side */
+
+/** @type {Partial<Record<Side, Surface>>} */
+const surfaces = {};
+
+/** What can be asked, by name. */
+const questions = {
+  /** @param {{ side: Side, soup: Soup | null }} request null: there is none any more */
+  setSurface({ side, soup }) {
+    if (soup?.indices.length) surfaces[side] = new Surface(soup);
+    else delete surfaces[side];
+    return null;
+  },
+  edges: () => (surfaces.original ? findEdges(surfaces.original.soup) : null),
+  /** @returns {Distances | null} */
+  distances: () => (surfaces.result && surfaces.original
+    ? measureDistances(surfaces.result, surfaces.original) : null),
+  /** @param {{ side: Side, origin: Point, direction: Point }} request */
+  pick({ side, origin, direction }) {
+    const on = surfaces[side];
+    const against = side === 'original' ? null : surfaces.original ?? null;
+    return on ? pick({ on, against, origin, direction }) : null;
+  },
+  /** @param {Uint8Array} bytes */
+  offVertices,
+};
+
+/** @typedef {typeof questions} Questions */
+
+addEventListener('message', ({ data: { number, question, request } }) => {
+  try {
+    const answer = questions[/** @type {'pick'} */ (question)](request);
+    postMessage({ number, answer });
+  } catch (error) {
+    postMessage({ number, error: String(error) });
+  }
+});

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Lines and a mark that lie over a surface: feature curves, borders, the triangle under the
+// pointer, the place of the largest distance.
+import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { lineColors } from '../base/colors.js';
+
+/** @typedef {keyof typeof lineColors} LineKind */
+
+/** A ring, for the mark. */
+function ring() {
+  const canvas = new OffscreenCanvas(64, 64);
+  const context = canvas.getContext('2d');
+  if (context) {
+    const strokes = /** @type {[number, string][]} */ ([[14, '#fff'], [7, '#c2255c']]);
+    for (const [width, color] of strokes) {
+      context.beginPath();
+      context.arc(32, 32, 22, 0, 2 * Math.PI);
+      context.lineWidth = width;
+      context.strokeStyle = color;
+      context.stroke();
+    }
+  }
+  return new CanvasTexture(canvas);
+}
+
+export class Overlays {
+  group = new Group();
+  /** @type {Map<LineKind, LineSegments2>} */
+  #lines = new Map();
+  /** @type {Sprite | null} */
+  #mark = null;
+
+  /** @param {LineKind} kind @param {Float32Array} segments pairs of points, six numbers each */
+  setLines(kind, segments) {
+    this.#remove(kind);
+    if (!segments.length) return;
+    const material = new LineMaterial({ color: lineColors[kind], linewidth: 3,
+      polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
+    const geometry = new LineSegmentsGeometry().setPositions(segments);
+    const lines = new LineSegments2(geometry, material);
+    lines.renderOrder = 2;
+    lines.frustumCulled = false;
+    this.#lines.set(kind, lines);
+    this.group.add(lines);
+  }
+
+  /** @param {LineKind} kind @param {number} count how many of its segments are drawn, from the
+   * first */
+  setCount(kind, count) {
+    const lines = this.#lines.get(kind);
+    if (!lines) return;
+    lines.geometry.instanceCount = count;
+    lines.visible = count > 0;
+  }
+
+  /** @param {LineKind} kind */
+  #remove(kind) {
+    const lines = this.#lines.get(kind);
+    if (!lines) return;
+    this.group.remove(lines);
+    lines.geometry.dispose();
+    lines.material.dispose();
+    this.#lines.delete(kind);
+  }
+
+  /** A ring around a place, seen through the surface; null: none.
+   * @param {readonly [number, number, number] | null} point */
+  setMark(point) {
+    if (point && !this.#mark) {
+      this.#mark = new Sprite(new SpriteMaterial({ map: ring(), depthTest: false,
+        sizeAttenuation: false, transparent: true }));
+      this.#mark.scale.setScalar(0.035);
+      this.#mark.renderOrder = 3;
+      this.group.add(this.#mark);
+    }
+    if (!this.#mark) return;
+    this.#mark.visible = Boolean(point);
+    if (point) this.#mark.position.set(...point);
+  }
+
+  /** The surface below is gone. */
+  clear() {
+    for (const kind of [...this.#lines.keys()]) this.#remove(kind);
+    this.setMark(null);
+  }
+}
