@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs test files side by side, as many at a time as there are cores:
-//   node tests/run.js               all of them
+//   node tests/run.js               all of them, but those that could only pass again
+//   node tests/run.js --again       all of them
 //   node tests/run.js web gltf      those whose names contain one of the words
 // Node's own runner leaves one core idle, which is half of a machine with two. The files that take
 // longest begin first.
@@ -8,8 +9,13 @@ import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { run } from 'node:test';
 import { spec } from 'node:test/reporters';
+import { parseArgs } from 'node:util';
 
+import { remembered } from './support/remembered.js';
 import { filesUnder, root } from './support/tree.js';
+
+/** No file takes half as long, even beside others: what does hangs. In milliseconds. */
+const longestRun = 900_000;
 
 const longest = ['unit', 'lint', 'gltf', 'quality', 'package', 'rendering', 'web'];
 const rank = (/** @type {string} */ file) => {
@@ -17,7 +23,9 @@ const rank = (/** @type {string} */ file) => {
   return at < 0 ? longest.length : at;
 };
 
-const words = process.argv.slice(2);
+const { values, positionals: words } = parseArgs({
+  options: { again: { type: 'boolean' } }, allowPositionals: true,
+});
 const files = filesUnder('tests', /^tests\/\w+\.test\.js$/)
   .filter((file) => words.length === 0 || words.some((word) => file.includes(word)))
   .sort((a, b) => rank(a) - rank(b));
@@ -26,7 +34,28 @@ if (files.length === 0) {
   process.exit(1);
 }
 
-run({ files: files.map((file) => join(root, file)), concurrency: availableParallelism() })
-  .on('test:fail', () => { process.exitCode = 1; })
-  .compose(spec)
-  .pipe(process.stdout);
+const { unknown, remember } = remembered(files);
+const chosen = values.again || words.length > 0 ? files : unknown;
+if (chosen.length < files.length) {
+  console.log(`${files.length - chosen.length} of ${files.length} test files passed before, and `
+    + 'nothing that they read has changed (npm test -- --again runs all)');
+}
+/** Paths; and whatever failed without one, in whose company nothing is remembered. */
+const failed = new Set();
+const passed = () => {
+  const paths = chosen.map((file) => join(root, file));
+  if ([...failed].some((path) => !paths.includes(path))) return [];
+  return chosen.filter((file) => !failed.has(join(root, file)));
+};
+
+if (chosen.length > 0) {
+  run({ files: chosen.map((file) => join(root, file)), concurrency: availableParallelism(),
+    timeout: longestRun })
+    .on('test:fail', ({ file, name }) => {
+      process.exitCode = 1;
+      failed.add(file ?? name);
+    })
+    .on('end', () => passed().forEach(remember))
+    .compose(spec)
+    .pipe(process.stdout);
+}

@@ -10,14 +10,16 @@ import { join } from 'node:path';
 import { promisify } from 'node:util';
 
 import { inCompany } from './company.js';
+import { includeFolders, withIncludes } from './cpp_sources.js';
 import { readText, root } from './tree.js';
 
 const folder = join(root, 'build/checks');
 const libraries = 'build/test/deps-include';
 /** Of each library the header that holds its version. */
-const versions = ['Eigen/src/Core/util/Macros.h', 'fast_float/fast_float.h', 'nlohmann/json.hpp',
-  'tiny_gltf.h', 'doctest/doctest.h'].map((header) => `${libraries}/${header}`);
-const includes = ['-Isrc', '-Itests/unit', '-isystem', libraries];
+export const versions = ['Eigen/src/Core/util/Macros.h', 'fast_float/fast_float.h',
+  'nlohmann/json.hpp', 'tiny_gltf.h', 'doctest/doctest.h']
+  .map((header) => `${libraries}/${header}`);
+const includes = [...includeFolders.map((name) => `-I${name}`), '-isystem', libraries];
 /** The warnings are those of the build. */
 const warnings = () => readText('CMakeLists.txt').match(/-Wall[^)]*/)[0].trim().split(/\s+/);
 
@@ -39,17 +41,6 @@ export const gcc = {
   command: 'g++', rules: [],
   words: (file) => ['-std=c++20', '-fsyntax-only', '-Werror', ...warnings(), ...includes, file],
 };
-
-/** The file and all of ours that it includes. */
-function withIncludes(file, found = new Set()) {
-  if (found.has(file) || !existsSync(join(root, file))) return found;
-  found.add(file);
-  for (const [, included] of readText(file).matchAll(/^#include "(.+)"/gm)) {
-    withIncludes(`src/${included}`, found);
-    withIncludes(`tests/unit/${included}`, found);
-  }
-  return found;
-}
 
 /** What all files have in common that a tool reads. @param {Tool} tool */
 function surroundings(tool) {

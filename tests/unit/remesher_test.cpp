@@ -87,7 +87,7 @@ TEST_CASE("hostile: size and place do not matter") {
 }
 
 TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
-  for (const double radii : {10.0, 100.0, 1e4, 1e6}) {
+  for (const double radii : {10.0, 1e6}) {
     CAPTURE(radii);
     const Report report = checked(shapes::spikedSphere(10, radii), toVertices(1002)).report;
     CHECK(codesOf(report).count("SPIKES_LEFT_COARSE") == 1);

@@ -121,9 +121,9 @@ TEST_CASE("targets: edges are as long as asked for on average, even or graded") 
         options.adaptivity = adaptivity;
         options.density.clear();
         for (const Vec3& p : body.positions) options.density.push_back(p.x() > 0 ? density : 1);
-        options.edgeLength = 0.1;
+        options.edgeLength = 0.15;
         const double mean = meanEdge(remeshSurface(body, options, {}).mesh);
-        CHECK(mean == doctest::Approx(0.1).epsilon(0.05));
+        CHECK(mean == doctest::Approx(0.15).epsilon(0.05));
       }
 }
 

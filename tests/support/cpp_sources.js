@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Which C++ files of ours have a part in another: what it includes, and what it can call.
+import { existsSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+
+import { filesUnder, readText, root } from './tree.js';
+
+/** Where headers are looked for, as the build has it. */
+export const includeFolders = ['src', 'tests/unit'];
+
+const exists = (/** @type {string} */ file) => existsSync(join(root, file));
+
+/** @type {Map<string, string[]>} */
+const known = new Map();
+
+/** The headers of ours that a file includes itself. @param {string} file */
+function included(file) {
+  const headers = known.get(file) ?? [...readText(file).matchAll(/^#include "(.+)"/gm)]
+    .flatMap(([, name]) => includeFolders.map((folder) => `${folder}/${name}`)).filter(exists);
+  known.set(file, headers);
+  return headers;
+}
+
+/**
+ * What a header declares is in the file of its name; or, if there is none, in those of its folder
+ * that include it.
+ * @param {string} header
+ */
+function implementing(header) {
+  const twin = header.replace(/\.h$/, '.cpp');
+  if (exists(twin)) return [twin];
+  return filesUnder(dirname(header), /\.cpp$/).filter((file) => included(file).includes(header));
+}
+
+/**
+ * @param {string} file
+ * @param {(file: string) => string[]} next
+ * @param {Set<string>} found
+ */
+function reached(file, next, found = new Set()) {
+  if (found.has(file)) return found;
+  found.add(file);
+  for (const other of next(file)) reached(other, next, found);
+  return found;
+}
+
+/** The file and all of ours that it includes, directly or not. @param {string} file */
+export const withIncludes = (file) => [...reached(file, included)].sort();
+
+/** The file and all of ours that its code can reach: what it includes, and what implements that. */
+export function withCallees(/** @type {string} */ file) {
+  const next = (/** @type {string} */ at) =>
+    at.endsWith('.h') ? [...included(at), ...implementing(at)] : included(at);
+  return [...reached(file, next)].sort();
+}
