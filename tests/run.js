@@ -17,7 +17,7 @@ import { filesUnder, root } from './support/tree.js';
 /** No file takes half as long, even beside others: what does hangs. In milliseconds. */
 const longestRun = 900_000;
 
-const longest = ['unit', 'lint', 'gltf', 'quality', 'package', 'rendering', 'web'];
+const longest = ['unit', 'lint', 'gltf', 'quality', 'bundlers', 'package', 'rendering', 'web'];
 const rank = (/** @type {string} */ file) => {
   const at = longest.findIndex((name) => file === `tests/${name}.test.js`);
   return at < 0 ? longest.length : at;

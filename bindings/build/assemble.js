@@ -24,8 +24,11 @@ function decoderModules() {
   return {
     'meshopt_decoder.mjs': String(read('meshoptimizer/meshopt_decoder.mjs')),
     'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
+const DracoDecoderModule = (function () {
 const process = undefined, module = undefined, exports = undefined, require = undefined;
 ${read(`${draco}_nodejs.js`)}
+return DracoDecoderModule;
+})();
 const packed = '${gzipSync(read(`${draco}.wasm`), { level: 9 }).toString('base64')}';
 export default async () => {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
@@ -57,7 +60,7 @@ async function emitDeclarations() {
 export async function assemblePackage() {
   const sources = filesIn('bindings/package');
   const declarations = readdirSync(join(root, 'bindings'))
-    .filter((file) => file.endsWith('.d.mts')).map((file) => `bindings/${file}`);
+    .filter((file) => /\.d\.m?ts$/.test(file)).map((file) => `bindings/${file}`);
   const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
     ...declarations, 'bindings/build/assemble.js', 'bindings/build/declarations.js',
     'bindings/tsconfig.json', 'package.json', 'package-lock.json'];

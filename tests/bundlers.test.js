@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The tarball in projects of every kind: installed once, all its entries used, in Node by import
+// and by require(), and in Chromium by way of each bundler and of none. Parcel, which is as large
+// as all others together, has `npm run parcel`.
+import assert from 'node:assert/strict';
+import { copyFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { promisify } from 'node:util';
+
+import commonjs from '@rollup/plugin-commonjs';
+import { nodeResolve } from '@rollup/plugin-node-resolve';
+import * as esbuild from 'esbuild';
+import { rollup } from 'rollup';
+import { build as viteBuild, createLogger } from 'vite';
+import webpack from 'webpack';
+
+import { startChromium } from './support/chromium.js';
+import { commonProgram, entries, expected, moduleProgram } from './support/entries.js';
+import { call, freshProject, linkPeers } from './support/fresh_project.js';
+import { lineOfPage } from './support/line_of_page.js';
+
+const project = freshProject();
+after(project.remove);
+linkPeers(project.folder);
+const { folder, write } = project;
+const installed = join(folder, 'node_modules/remesher/dist');
+const limit = { timeout: 240_000 };
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => {
+  browser = await startChromium();
+});
+after(() => browser.close());
+
+/** glTF-Transform speaks of Node's modules, for a class that is not for browsers. */
+const isPeers = (/** @type {string} */ message) => message.includes('@gltf-transform');
+const nodeModules = /^node:/;
+
+/** Where bundlers put it: remesher.wasm beside the script. */
+const beside = "const wasmUrl = new URL('remesher.wasm', import.meta.url);";
+const html = (head = '') => '<!doctype html><link rel="icon" href="data:,">'
+  + `${head}<script type="module" src="page.js"></script>`;
+
+/** The program of a page. @param {string} place @param {string} wasm as moduleProgram takes it */
+function writePage(place, wasm) {
+  write(`${place}/index.html`, html());
+  return write(`${place}/page.js`, moduleProgram(wasm, 'tell'));
+}
+
+/** What the built page says; and it complains of nothing. @param {string} place */
+async function requireLine(place, path = '/') {
+  assert.deepEqual(await lineOfPage(browser, join(folder, place), path),
+    { line: expected, complaints: [] });
+}
+
+test('the programs reach every entry', () => {
+  const reached = [...entries, 'remesher/worker', 'remesher/remesher.wasm',
+    'remesher/package.json'];
+  assert.deepEqual(reached.sort(),
+    Object.keys(project.manifest.exports).map((name) => join('remesher', name)).sort());
+});
+
+test('Node, by import', limit, () => {
+  write('program.mjs', moduleProgram(
+    "const wasmUrl = import.meta.resolve('remesher/remesher.wasm');", 'console.log'));
+  assert.equal(call(process.execPath, ['program.mjs'], folder).trim(), expected);
+});
+
+test('Node, by require()', { ...limit, skip: !process.features.require_module }, () => {
+  write('program.cjs', commonProgram());
+  assert.equal(call(process.execPath, ['program.cjs'], folder).trim(), expected);
+});
+
+test('Vite', limit, async () => {
+  writePage('vite', "import wasmUrl from 'remesher/remesher.wasm?url';");
+  /** @type {string[]} */
+  const said = [];
+  const say = (/** @type {string} */ message) => isPeers(message) || said.push(message);
+  const customLogger = { ...createLogger('silent'), warn: say, warnOnce: say, error: say };
+  await viteBuild({ root: join(folder, 'vite'), configFile: false, customLogger,
+    worker: { format: 'es' },
+    build: { target: 'es2022', outDir: 'out', chunkSizeWarningLimit: 2000 } });
+  assert.deepEqual(said, []);
+  await requireLine('vite/out');
+});
+
+test('webpack', limit, async () => {
+  const entry = writePage('webpack',
+    "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);");
+  const compiler = webpack({ mode: 'production', context: folder, entry, performance: false,
+    plugins: [new webpack.IgnorePlugin({ resourceRegExp: nodeModules })],
+    optimization: { minimize: false },
+    output: { path: join(folder, 'webpack/out'), filename: 'page.js' } });
+  const stats = await promisify(compiler.run.bind(compiler))();
+  await promisify(compiler.close.bind(compiler))();
+  assert.deepEqual([...stats.compilation.errors, ...stats.compilation.warnings], []);
+  write('webpack/out/index.html', html());
+  await requireLine('webpack/out');
+});
+
+test('esbuild', limit, async () => {
+  const page = writePage('esbuild', beside);
+  const { warnings } = await esbuild.build({ bundle: true, format: 'esm', target: 'es2022',
+    entryPoints: { page, worker: 'remesher/worker' }, absWorkingDir: folder,
+    outdir: 'esbuild/out', external: ['node:*'], logLevel: 'silent' });
+  assert.deepEqual(warnings, []);
+  copyFileSync(join(installed, 'remesher.wasm'), join(folder, 'esbuild/out/remesher.wasm'));
+  write('esbuild/out/index.html', html());
+  await requireLine('esbuild/out');
+});
+
+test('Rollup', limit, async () => {
+  const page = writePage('rollup', beside);
+  /** @type {string[]} */
+  const said = [];
+  const bundle = await rollup({
+    input: { page, worker: join(installed, 'worker.js') },
+    external: nodeModules,
+    plugins: [nodeResolve({ browser: true }), commonjs()],
+    onLog: (_, { message, ids = [] }) =>
+      [message, ...ids].some(isPeers) || said.push(message),
+  });
+  await bundle.write({ dir: join(folder, 'rollup/out'), format: 'es',
+    entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js' });
+  await bundle.close();
+  assert.deepEqual(said, []);
+  copyFileSync(join(installed, 'remesher.wasm'), join(folder, 'rollup/out/remesher.wasm'));
+  write('rollup/out/index.html', html());
+  await requireLine('rollup/out');
+});
+
+/**
+ * What the adapters are for, a module each; of glTF-Transform's functions the one that is used, for
+ * others ask for eval().
+ */
+async function servePeers() {
+  write('plain/functions.js', "export { createTransform } from '@gltf-transform/functions';");
+  await esbuild.build({ bundle: true, format: 'esm', splitting: true, absWorkingDir: folder,
+    entryPoints: { three: 'three', core: '@gltf-transform/core',
+      functions: './plain/functions.js' },
+    outdir: 'plain/peers', external: ['node:*'], logLevel: 'silent' });
+  return { three: '/plain/peers/three.js', '@gltf-transform/core': '/plain/peers/core.js',
+    '@gltf-transform/functions': '/plain/peers/functions.js' };
+}
+
+test('no bundler: an import map', limit, async () => {
+  const own = Object.entries(project.manifest.exports).map(([name, entry]) =>
+    [join('remesher', name), join('/node_modules/remesher', entry.default ?? entry)]);
+  const map = { imports: { ...Object.fromEntries(own), ...await servePeers() } };
+  writePage('plain', "const wasmUrl = import.meta.resolve('remesher/remesher.wasm');");
+  write('plain/index.html', html(`<script type="importmap">${JSON.stringify(map)}</script>`));
+  await requireLine('', '/plain/index.html');
+});

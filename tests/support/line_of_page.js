@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A folder as a web server shows it, under the content security policy that the README speaks of,
+// and what the program of a page there tells.
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+
+const types = {
+  '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript',
+  '.wasm': 'application/wasm',
+};
+
+const policy = "script-src 'self' 'wasm-unsafe-eval'";
+
+/** @param {string} folder @param {string} path of the page: one below may hold an import map */
+async function serve(folder, path) {
+  const scripts = path === '/' ? policy : `${policy} 'unsafe-inline'`;
+  const server = createServer(async ({ url }, response) => {
+    const { pathname } = new URL(url === '/' ? '/index.html' : url, 'http://localhost');
+    const bytes = await readFile(join(folder, normalize(decodeURIComponent(pathname))))
+      .catch(() => {});
+    response.writeHead(bytes ? 200 : 404, { 'content-security-policy': scripts,
+      'content-type': types[extname(pathname)] ?? 'text/plain' });
+    response.end(bytes ?? 'not found');
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(undefined)));
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  const close = () => {
+    server.close();
+    server.closeAllConnections();
+  };
+  return { url: `http://127.0.0.1:${port}`, close };
+}
+
+/**
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} folder what is served
+ * @param {string} [path] of the page
+ * @returns {Promise<{ line: string, complaints: string[] }>} what its program tells by `tell`, and
+ *   what it wrote to the console or threw; no line if it throws, or says nothing for two minutes
+ */
+export async function lineOfPage(browser, folder, path = '/') {
+  const { url, close } = await serve(folder, path);
+  const page = await browser.newPage();
+  /** @type {string[]} */
+  const complaints = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  try {
+    const line = new Promise((resolve) => {
+      void page.exposeFunction('tell', resolve);
+      page.on('pageerror', (error) => resolve(complaints.push(String(error)) && ''));
+      setTimeout(resolve, 120_000, '').unref();
+    });
+    await page.goto(url + path);
+    return { line: await line, complaints };
+  } finally {
+    await page.close();
+    close();
+  }
+}
