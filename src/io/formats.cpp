@@ -2,8 +2,8 @@
 #include "io/formats.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
 #include <string_view>
 
 #include "base/error.h"
@@ -25,14 +25,11 @@ struct Format {
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
 };
 
-constexpr std::array<Format, 6> kFormats = {{
-    {".glb", "glTF", readGltf, writeGlb},
-    {".gltf", "{", readGltf, writeGltf},
-    {".obj", "", readObj, writeObj},
-    {".off", "OFF", readOff, writeOff},
-    {".ply", "ply", readPly, writePly},
-    {".stl", "solid", readStl, writeStl},
-}};
+constexpr Format kFormats[] = {
+    {".glb", "glTF", readGltf, writeGlb}, {".gltf", "{", readGltf, writeGltf},
+    {".obj", "", readObj, writeObj},      {".off", "OFF", readOff, writeOff},
+    {".ply", "ply", readPly, writePly},   {".stl", "solid", readStl, writeStl},
+};
 
 std::string lowerCase(std::string_view text) {
   std::string result(text);
@@ -49,18 +46,19 @@ std::string listOfExtensions() {
 
 const Format* findByExtension(const std::string& name) {
   const std::string lower = lowerCase(name);
-  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
-    return lower.ends_with(format.extension);
-  });
-  return found == kFormats.end() ? nullptr : &*found;
+  const auto found =
+      std::find_if(std::begin(kFormats), std::end(kFormats),
+                   [&](const Format& format) { return lower.ends_with(format.extension); });
+  return found == std::end(kFormats) ? nullptr : &*found;
 }
 
 const Format* findByMagic(const File& file) {
   const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
-    return !format.magic.empty() && bytes.substr(0, format.magic.size()) == format.magic;
-  });
-  return found == kFormats.end() ? nullptr : &*found;
+  const auto found =
+      std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& format) {
+        return !format.magic.empty() && bytes.substr(0, format.magic.size()) == format.magic;
+      });
+  return found == std::end(kFormats) ? nullptr : &*found;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "base/options.h"
 #include "base/progress.h"
 #include "gate/error_bound.h"
-#include "steps/stand_in.h"
+#include "schemes/stand_in.h"
 #include "surface/size_field.h"
 
 namespace remesher {

@@ -52,7 +52,7 @@ struct Model {
   std::vector<Part> parts;
   Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
-  std::shared_ptr<const Source> source;
+  std::shared_ptr<const Source> source;  // none where the parts hold everything
 };
 
 }  // namespace remesher::io

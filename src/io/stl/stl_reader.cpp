@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/legible.h"
-#include "io/stl/corner_weld.h"
+#include "io/model/corner_weld.h"
 #include "io/stl/stl.h"
 #include "io/text/text_scanner.h"
 

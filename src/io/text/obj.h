@@ -38,7 +38,6 @@ struct ObjSource : Source {
   std::vector<ObjGroup> groups;
   std::vector<std::string> libraries;  // the operands of mtllib
   std::vector<File> libraryFiles;      // those of them that were given
-  File original;
 };
 
 }  // namespace remesher::io

@@ -332,7 +332,6 @@ Model readObj(const File& file, const std::vector<File>& resources) {
                    file.name);
   ObjContent content = reader.read();
   const std::shared_ptr<ObjSource> source = reader.source();
-  source->original = file;
 
   Model model;
   model.conventions = Conventions::Classic;

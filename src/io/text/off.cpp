@@ -2,7 +2,6 @@
 #include "io/text/off.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -16,10 +15,6 @@
 
 namespace remesher::io {
 namespace {
-
-struct OffSource : Source {
-  File original;
-};
 
 // What the first word promises of each vertex: [ST][C][N]OFF.
 struct OffHeader {
@@ -202,7 +197,6 @@ std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh) {
 Model readOff(const File& file, const std::vector<File>&) {
   OffReader reader({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()},
                    file.name);
-  const auto source = std::make_shared<OffSource>();
   Model model;
   model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();
@@ -210,8 +204,6 @@ Model readOff(const File& file, const std::vector<File>&) {
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");
   model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}});
-  source->original = file;
-  model.source = source;
   return model;
 }
 

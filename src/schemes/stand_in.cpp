@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "steps/stand_in.h"
+#include "schemes/stand_in.h"
 
 #include <limits>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/stl/corner_weld.h"
+#include "io/model/corner_weld.h"
 
 #include <cstdint>
 #include <cstring>
