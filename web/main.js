@@ -15,6 +15,7 @@ await setLanguage(firstLanguage());
 const steering = new Steering();
 const page = new Page({
   onSubmit: () => run(), onSettle: () => steering.settle(), onMove: () => move(),
+  onStroke: () => steering.stroke(),
 });
 steering.wire(page);
 /** The angle of the feature curves last shown. */

@@ -48,9 +48,10 @@ export const pageRooms = {
   view: ['base', 'model'],
   survey: [],
   panel: ['base', 'model', 'view', 'survey'],
-  acts: ['base', 'model', 'view', 'survey', 'panel'],
+  report: ['base', 'model', 'view', 'survey', 'panel'],
+  acts: ['base', 'model', 'view', 'survey', 'panel', 'report'],
   samples: [],
-  '': ['texts', 'base', 'model', 'view', 'panel', 'acts', 'samples'],
+  '': ['texts', 'base', 'model', 'view', 'panel', 'report', 'acts', 'samples'],
 };
 
 /** @param {string} path from the rooms' top */

@@ -12,7 +12,7 @@ import { chooseModel } from '../panel/chooser.js';
 import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
-import { modelFacts } from '../panel/report_view.js';
+import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -35,7 +35,7 @@ export function showFacts({ session: { model, inspection, source } }) {
 
 /** The file itself where the viewer can read it, for it keeps what a conversion may not.
  * @param {Page} page */
-async function showOriginal({ session, stage, surveying }) {
+async function showOriginal({ session, stage, surveying, painting }) {
   try {
     await stage.show('original', await session.originalAsGltf('direct'));
   } catch (error) {
@@ -43,6 +43,7 @@ async function showOriginal({ session, stage, surveying }) {
     await stage.show('original', await session.originalAsGltf('converted'));
   }
   await surveying.shown('original');
+  painting.begin();
 }
 
 /** @param {Page} page @param {Values} wished what an address asked for */
@@ -98,8 +99,8 @@ export function open(page, coming, { source, wished, onForm }) {
     showFacts(page);
     showReport(page);
     setForm(page, wished);
-    onForm();
     await showOriginal(page);
+    onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     if (report.input.vertices <= largestAutomatic) await remesh(page);
   });

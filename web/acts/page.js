@@ -7,6 +7,7 @@ import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
 import { Panel } from '../panel/panel.js';
 import { Stage } from '../view/stage.js';
+import { Painting } from './painting.js';
 import { Surveying } from './surveying.js';
 
 /** What the page is doing; a draft shows no progress, for it is over at once.
@@ -17,14 +18,16 @@ export class Page {
   stage = new Stage();
   panel;
   surveying;
+  painting;
   #jobs = 0;
   /** @type {State} */
   #state = 'idle';
 
-  /** @param {ConstructorParameters<typeof Panel>[1]} formActs */
+  /** @param {ConstructorParameters<typeof Panel>[1] & { onStroke: () => void }} formActs */
   constructor(formActs) {
     this.panel = new Panel(byId('form', HTMLFormElement), formActs);
     this.surveying = new Surveying(this);
+    this.painting = new Painting(this, formActs.onStroke);
   }
 
   /** @param {import('remesher').ProgressEvent} event */

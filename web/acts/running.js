@@ -4,12 +4,12 @@ import { byId } from '../base/dom.js';
 import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { writeAddress } from '../model/address.js';
-import { distanceView } from '../panel/distance_view.js';
-import { historyView, resultName } from '../panel/history_view.js';
-import { landmarkOf, placeIn } from '../panel/landmarks.js';
+import { distanceView } from '../report/distance_view.js';
+import { historyView, resultName } from '../report/history_view.js';
+import { landmarkOf, placeIn } from '../report/landmarks.js';
 import { announce } from '../panel/messages.js';
-import { reportView } from '../panel/report_view.js';
-import { takeawayView } from '../panel/takeaway.js';
+import { reportView } from '../report/report_view.js';
+import { takeawayView } from '../report/takeaway.js';
 import { savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -106,7 +106,7 @@ export async function remesh(page, extra = {}) {
   const { session, panel } = page;
   const values = panel.values();
   history.replaceState(null, '', writeAddress(session.source, values));
-  const result = await session.run(values, extra);
+  const result = await session.run(values, { ...extra, ...await page.painting.option() });
   await stageResult(page, result);
   const { vertices, minAngle } = result.report.output;
   announce(t('done', { count: count(vertices), mean: degrees(minAngle.mean),

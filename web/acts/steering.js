@@ -7,7 +7,9 @@ import { Timeline } from '../model/timeline.js';
 import { remesh } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
-/** @typedef {import('../model/address.js').Values} Values */
+/** What is undone and done again.
+ * @typedef {{ values: import('../model/address.js').Values,
+ *   dabs: import('../model/density.js').Dab[] }} State */
 
 /** Milliseconds without a change after which a slider is at rest. */
 const rest = 400;
@@ -15,7 +17,7 @@ const rest = 400;
 const largestLive = 60_000;
 
 export class Steering {
-  /** @type {Timeline<Values>} */
+  /** @type {Timeline<State>} */
   #timeline = new Timeline();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
@@ -32,6 +34,12 @@ export class Steering {
     this.#showSteps();
   }
 
+  /** @returns {State} */
+  get #state() {
+    const { panel, painting } = /** @type {Page} */ (this.#page);
+    return { values: panel.values(), dabs: painting.dabs };
+  }
+
   get #isLive() {
     const { session, panel } = /** @type {Page} */ (this.#page);
     return panel.isLive && (session.inspection?.input.vertices ?? Infinity) <= largestLive;
@@ -41,7 +49,7 @@ export class Steering {
   begin() {
     if (!this.#page) return;
     clearTimeout(this.#timer);
-    this.#timeline.begin(this.#page.panel.values());
+    this.#timeline.begin(this.#state);
     this.#showSteps();
   }
 
@@ -62,8 +70,14 @@ export class Steering {
   /** A value has been chosen. */
   settle() {
     if (!this.#page) return;
-    this.#timeline.add(this.#page.panel.values());
+    this.#timeline.add(this.#state);
     this.#showSteps();
+  }
+
+  /** A stroke of the brush is done. */
+  stroke() {
+    this.settle();
+    this.move();
   }
 
   /** One draft after the other, the latest values always last: none waits in line.
@@ -88,11 +102,12 @@ export class Steering {
 
   /** @param {1 | -1} step */
   #go(step) {
-    const values = this.#timeline.go(step);
+    const state = this.#timeline.go(step);
     this.#showSteps();
-    if (!values || !this.#page) return;
+    if (!state || !this.#page) return;
     const page = this.#page;
-    page.panel.setValues(values);
+    page.panel.setValues(state.values);
+    page.painting.set(state.dabs);
     if (this.#isLive) void page.busy(() => remesh(page));
   }
 

@@ -5,8 +5,8 @@ import { addCommand } from '../base/commands.js';
 import { distanceColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
-import { showLandmarks } from '../panel/landmarks.js';
-import { showLegend, showProbe } from '../panel/legend.js';
+import { showLandmarks } from '../report/landmarks.js';
+import { showLegend, showProbe } from '../report/legend.js';
 import { announce } from '../panel/messages.js';
 import { Survey } from '../survey/survey.js';
 import { ramp } from '../view/ramp.js';
@@ -46,6 +46,11 @@ export class Surveying {
 
   get diagonal() {
     return this.#page.stage.viewer?.eye.diagonal ?? 1;
+  }
+
+  /** The x of the plane that mirrors the model. */
+  get middle() {
+    return this.#page.stage.viewer?.eye.center.x ?? 0;
   }
 
   /** A model is on the stage, or gone. @param {Side} side */
@@ -93,7 +98,7 @@ export class Surveying {
     this.showFeatures(true);
   }
 
-  /** @param {import('../panel/landmarks.js').Landmark} landmark */
+  /** @param {import('../report/landmarks.js').Landmark} landmark */
   visitLandmark(landmark) {
     const segments = this.#edges?.[landmark];
     const { viewer } = this.#page.stage;

@@ -79,7 +79,7 @@ export class Session {
   /** The model in another format. @param {string} output */
   converted(output) {
     const model = this.#opened();
-    const { signal } = this.#controller;
+    const { signal } = this.#controller.signal.aborted ? new AbortController() : this.#controller;
     return convertFile(model.bytes, { ...describe(model), output, signal });
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The eye: one camera for all panes, how it is turned, and what it is pointed at.
-import { Box3, MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
+import {
+  Box3, MathUtils, MOUSE, PerspectiveCamera, Spherical, TOUCH, Vector3,
+} from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 const fieldOfView = 32;
@@ -33,9 +35,12 @@ export class Eye {
     this.#controls.update();
   }
 
-  /** Whether dragging turns the model; else it is someone else's. @param {boolean} isOn */
+  /** Whether dragging turns the model; else the other button does, or two fingers.
+   * @param {boolean} isOn */
   setTurning(isOn) {
-    this.#controls.enableRotate = isOn;
+    this.#controls.mouseButtons.RIGHT = isOn ? MOUSE.PAN : MOUSE.ROTATE;
+    this.#controls.mouseButtons.LEFT = isOn ? MOUSE.ROTATE : null;
+    this.#controls.touches.ONE = isOn ? TOUCH.ROTATE : null;
   }
 
   /** How far away what it looks at is. */
@@ -46,6 +51,11 @@ export class Eye {
   /** The model's size. */
   get diagonal() {
     return this.#box.getSize(new Vector3()).length();
+  }
+
+  /** The model's middle. */
+  get center() {
+    return this.#box.getCenter(new Vector3());
   }
 
   /** What to look at, from its open side if it has one.

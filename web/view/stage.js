@@ -95,6 +95,14 @@ export class Stage {
     this.onShading();
   }
 
+  /** @param {boolean} isOn */
+  setBrushing(isOn) {
+    this.isBrushing = isOn;
+    this.#root.classList.toggle('brushing', isOn);
+    byId('paint', HTMLButtonElement).setAttribute('aria-pressed', String(isOn));
+    this.viewer?.eye.setTurning(!isOn);
+  }
+
   get shading() {
     return this.#shading;
   }

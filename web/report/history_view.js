@@ -3,7 +3,7 @@
 import { element } from '../base/dom.js';
 import { count, degrees, percent } from '../base/format.js';
 import { t } from '../base/i18n.js';
-import { valuesInWords } from './option_words.js';
+import { valuesInWords } from '../panel/option_words.js';
 
 /** @typedef {import('../model/session.js').Session} Session */
 /** @typedef {import('../model/session.js').Result} Result */

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Density is painted on the original with a brush, and handed to the runs that follow. It is kept
+// for the model it was painted on.
+import { addCommand } from '../base/commands.js';
+import { densityColors } from '../base/colors.js';
+import { byId } from '../base/dom.js';
+import { recall, remember } from '../base/memory.js';
+import { applyDab, densityOf, largestLevel, levelsOf, mirrored } from '../model/density.js';
+import { currentBrush, hideBrush, showBrush } from '../panel/brush.js';
+import { ramp } from '../view/ramp.js';
+
+/** @typedef {import('../model/density.js').Dab} Dab */
+/** @typedef {import('./surveying.js').Desk & { surveying: import('./surveying.js').Surveying
+ *   }} Desk */
+
+const densityColor = ramp(densityColors);
+
+export class Painting {
+  #page;
+  #onStroke;
+  /** @type {Dab[]} */
+  #dabs = [];
+  /** Of the original on the stage. @type {Float32Array | null} */
+  #shownAt = null;
+  #levels = new Float32Array();
+  /** The vertices as the core counts them, once they are known. @type {Float32Array | null} */
+  #countedAt = null;
+  #isPicking = false;
+  #isStroke = false;
+
+  /** @param {Desk} page @param {() => void} onStroke one more is done */
+  constructor(page, onStroke) {
+    this.#page = page;
+    this.#onStroke = onStroke;
+    addCommand('paint', () => this.#toggle(!this.#page.stage.isBrushing), 'p');
+    const canvas = byId('canvas', HTMLCanvasElement);
+    const at = (/** @type {PointerEvent} */ event) => ({ x: event.offsetX, y: event.offsetY });
+    canvas.addEventListener('pointerdown', (event) => {
+      if (event.button === 0) void this.#dabAt(at(event));
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      if (event.buttons & 1) void this.#dabAt(at(event));
+    });
+    canvas.addEventListener('pointerup', () => this.#endStroke());
+    canvas.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') void this.#dabInTheMiddle();
+    });
+  }
+
+  get dabs() {
+    return this.#dabs;
+  }
+
+  /** Where this model's dabs are remembered. */
+  get #key() {
+    const { model } = this.#page.session;
+    return model && `${model.name} ${model.bytes.length}`;
+  }
+
+  /** A new original is on the stage: what was painted on it before is there again. */
+  begin() {
+    this.#shownAt = this.#page.stage.viewer?.view('original')?.soup().positions ?? null;
+    this.#countedAt = null;
+    this.#toggle(false);
+    const kept = JSON.parse(recall('paint') ?? '{}');
+    this.set(kept.key === this.#key && Array.isArray(kept.dabs) ? kept.dabs : []);
+  }
+
+  /** @param {Dab[]} dabs instead of those there are */
+  set(dabs) {
+    this.#dabs = [...dabs];
+    if (dabs.length) remember('paint', JSON.stringify({ key: this.#key, dabs }));
+    else if (this.#key) remember('paint', null);
+    if (!this.#shownAt) return;
+    this.#levels = levelsOf(this.#shownAt, dabs);
+    this.#showLevels();
+  }
+
+  #showLevels() {
+    const { stage } = this.#page;
+    if (!this.#dabs.length && stage.shading !== 'density') return;
+    stage.viewer?.view('original')?.setColors('density', (vertex, color) =>
+      densityColor(0.5 + this.#levels[vertex] / (2 * largestLevel), color));
+    stage.setShading(stage.shading);
+  }
+
+  /** @param {boolean} isOn */
+  #toggle(isOn) {
+    const { stage } = this.#page;
+    if (isOn === stage.isBrushing) return;
+    stage.setBrushing(isOn);
+    if (isOn) {
+      showBrush({ onClear: () => this.#clear(), onDone: () => this.#toggle(false) });
+      stage.setShading('density');
+      this.#showLevels();
+    } else {
+      hideBrush();
+      stage.setShading(stage.viewer?.isTextured ? 'textured' : 'plain');
+    }
+  }
+
+  #clear() {
+    this.set([]);
+    this.#onStroke();
+  }
+
+  /** @param {{ x: number, y: number }} at of the canvas; one question at a time */
+  async #dabAt(at) {
+    const { stage, surveying } = this.#page;
+    const ray = stage.isBrushing ? stage.viewer?.rayAt(at) : null;
+    if (ray?.side !== 'original' || this.#isPicking) return;
+    this.#isPicking = true;
+    const pick = await surveying.survey.ask('pick', ray);
+    this.#isPicking = false;
+    if (pick) this.#dab(pick.point);
+  }
+
+  async #dabInTheMiddle() {
+    const { clientWidth, clientHeight } = byId('canvas', HTMLCanvasElement);
+    await this.#dabAt({ x: 0.25 * clientWidth, y: 0.5 * clientHeight });
+    this.#endStroke();
+  }
+
+  /** @param {Dab['point']} point */
+  #dab(point) {
+    const { mode, size, strength, isMirrored } = currentBrush();
+    const signs = { dense: 1, sparse: -1, erase: 0 };
+    const { diagonal, middle } = this.#page.surveying;
+    const dab = { point, radius: size * diagonal, strength: signs[mode] * strength };
+    for (const one of isMirrored ? [dab, mirrored(dab, middle)] : [dab]) {
+      this.#dabs.push(one);
+      if (this.#shownAt) applyDab(this.#levels, this.#shownAt, one);
+    }
+    this.#isStroke = true;
+    this.#showLevels();
+  }
+
+  #endStroke() {
+    if (this.#isPicking) {  // the last dab is still on its way
+      setTimeout(() => this.#endStroke(), 20);
+      return;
+    }
+    if (!this.#isStroke) return;
+    this.#isStroke = false;
+    this.set(this.#dabs);
+    this.#onStroke();
+  }
+
+  /** What a run takes: nothing where nothing is painted.
+   * @returns {Promise<{ density?: Float32Array }>} */
+  async option() {
+    if (!this.#dabs.length) return {};
+    if (!this.#countedAt) {
+      const { bytes } = await this.#page.session.converted('off');
+      this.#countedAt = await this.#page.surveying.survey.ask('offVertices', bytes);
+    }
+    return { density: densityOf(levelsOf(this.#countedAt, this.#dabs)) };
+  }
+}
