@@ -33,7 +33,8 @@ const runtime = '/lib/clang/linux';
 const debian = system({
   osRelease: 'PRETTY_NAME="Debian GNU/Linux 12"\nID=debian\n',
   files: [...programs('/usr/bin', ['cmake', 'ninja', 'g++', 'clang++', 'clang-format',
-    'clang-tidy', 'chromium']), ...headersIn('/usr/include'), '/usr/include/eigen3/Eigen/Core',
+    'clang-tidy', 'chromium', 'redis-server', 'parallel',
+    'assimp']), ...headersIn('/usr/include'), '/usr/include/eigen3/Eigen/Core',
   `${runtime}/libclang_rt.asan-x86_64.a`, `/usr/share/emscripten/${toolchain}`],
   links: { '/usr/bin/emcc': '/usr/share/emscripten/emcc' },
   answers: { '/usr/bin/clang++': runtime },

@@ -32,7 +32,8 @@ test('JavaScript passes eslint', async () => {
   const eslint = new ESLint({
     cwd: root, overrideConfigFile: join(root, 'tests/lint/eslint.config.js'),
   });
-  const results = await eslint.lintFiles(['bindings/**/*.js', 'web/**/*.js', 'tests/**/*.js']
+  const results = await eslint.lintFiles(['bindings/**/*.js', 'examples/**/*.js', 'web/**/*.js',
+    'tests/**/*.js']
     .filter((pattern) => filesUnder(pattern.split('/')[0], /\.js$/).length > 0));
   const complaints = results.flatMap(({ filePath, messages }) => messages.map(
     ({ line, message }) => `${filePath.slice(root.length + 1)}:${line} ${message}`));

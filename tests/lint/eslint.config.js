@@ -30,7 +30,8 @@ export default [
   },
   {
     files: ['bindings/*.js', 'bindings/build/*.js', 'bindings/package/*node.js',
-      'bindings/package/cli/*.js', 'bindings/package/files/*.js', 'tests/**', 'web/serve.js'],
+      'bindings/package/cli/*.js', 'bindings/package/files/*.js', 'examples/**', 'tests/**',
+      'web/serve.js'],
     languageOptions: { globals: globals.node },
   },
   {
