@@ -12,7 +12,7 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 
 import {
-  interrupted, makeReadOnly, mountSmall, randomFrom, run, runLimited, snapshot, start,
+  interrupted, killedBefore, makeReadOnly, mountSmall, randomFrom, run, runLimited, snapshot, start,
 } from './support/faults.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 import { root } from './support/tree.js';
@@ -23,12 +23,13 @@ const at = (...parts) => join(top, ...parts);
 
 writeFileSync(at('old.obj'), objText(torus(30, 20)));
 writeFileSync(at('new.obj'), objText(torus(250, 100)));
+writeFileSync(at('small.obj'), objText(torus(6, 5)));
 
-/** A folder with the results of the old model; and what those of the new one will be. */
-function prepared(name, format) {
-  for (const model of ['old', 'new']) {
-    mkdirSync(at(name, model), { recursive: true });
-    const output = `${name}/${model}/x.${format}`;
+/** A folder with the results of the old model; and what those of the newer one will be. */
+function prepared(name, format, newer = 'new') {
+  for (const [folder, model] of [['old', 'old'], ['new', newer]]) {
+    mkdirSync(at(name, folder), { recursive: true });
+    const output = `${name}/${folder}/x.${format}`;
     const { status, stderr } = run(top, 'convert', `${model}.obj`, '-o', output);
     assert.equal(status, 0, stderr);
   }
@@ -41,7 +42,7 @@ function prepared(name, format) {
     }
   };
   return { folder: at(name, 'old'), before, wanted, restore,
-    words: ['convert', 'new.obj', '-o', `${name}/old/x.${format}`] };
+    words: ['convert', `${newer}.obj`, '-o', `${name}/old/x.${format}`] };
 }
 
 /** Half of them over the whole run, half when it has begun to write. */
@@ -69,23 +70,82 @@ test('SIGKILL at 20 moments: the output is the old one or the new one', async (t
   t.diagnostic(JSON.stringify(seen));
 });
 
-test('SIGKILL at 12 moments: an output of two files is never a mixture', async (t) => {
-  const work = prepared('pair', 'gltf');
-  const { folder, before, wanted, restore, words } = work;
-  const seen = { old: 0, new: 0, none: 0 };
-  for (const moment of moments(12, work, 20161217)) {
-    restore();
-    await interrupted(top, words, { signal: 'SIGKILL', ...moment });
-    const { 'x.gltf': main, 'x.bin': data } = snapshot(folder);
-    const isWhole = (files) => main === files['x.gltf'] && data === files['x.bin'];
-    assert.ok(main === undefined || isWhole(before) || isWhole(wanted), JSON.stringify(moment));
-    seen[main === undefined ? 'none' : main === before['x.gltf'] ? 'old' : 'new'] += 1;
+/** A .gltf and what it refers to, wherever that is; what the file is called does not matter. */
+function wholeGltf(files) {
+  const { buffers: [{ uri, ...buffer }], ...tree } = JSON.parse(files['x.gltf']);
+  return JSON.stringify({ ...tree, buffer, data: files[decodeURIComponent(uri)] });
+}
+
+/** An .obj and its library. */
+function wholeObj(files) {
+  const [line, name] = /^mtllib (.*)\n/m.exec(files['x.obj']);
+  return JSON.stringify([files['x.obj'].replace(line, ''), files[name]]);
+}
+
+test('SIGKILL at 12 moments: an output of two files is whole, the old one or the new one',
+  async (t) => {
+    const work = prepared('pair', 'gltf');
+    const { folder, before, wanted, restore, words } = work;
+    const seen = { old: 0, new: 0 };
+    for (const moment of moments(12, work, 20161217)) {
+      restore();
+      await interrupted(top, words, { signal: 'SIGKILL', ...moment });
+      const found = wholeGltf(snapshot(folder));
+      const isOld = found === wholeGltf(before);
+      assert.ok(isOld || found === wholeGltf(wanted), JSON.stringify(moment));
+      seen[isOld ? 'old' : 'new'] += 1;
+    }
+    t.diagnostic(JSON.stringify(seen));
+  });
+
+/** A model and its library, converted from others of the same name. */
+function preparedWithLibrary() {
+  for (const [model, shape, color] of [['one', torus(5, 4), 1], ['two', torus(6, 5), 0]]) {
+    mkdirSync(at(model));
+    writeFileSync(at(model, 'm.obj'), `mtllib x.mtl\nusemtl paint\n${objText(shape)}`);
+    writeFileSync(at(model, 'x.mtl'), `newmtl paint\nKd ${color} 0 0\n`);
   }
-  t.diagnostic(JSON.stringify(seen));
-  assert.equal(run(top, ...words, '--force').status, 0, 'what was left is in nobody’s way');
-  const { 'x.gltf': main, 'x.bin': data } = snapshot(folder);
-  assert.ok(main === wanted['x.gltf'] && data === wanted['x.bin']);
-});
+  for (const [model, name] of [['one', 'old'], ['two', 'new']]) {
+    mkdirSync(at('library', name), { recursive: true });
+    const { status, stderr } =
+      run(top, 'convert', `${model}/m.obj`, '-o', `library/${name}/x.obj`);
+    assert.equal(status, 0, stderr);
+  }
+  return { folder: at('library/old'), before: snapshot(at('library/old')),
+    wanted: snapshot(at('library/new')),
+    words: ['convert', 'two/m.obj', '-o', 'library/old/x.obj', '--force'] };
+}
+
+const pairs = { '.gltf': [() => prepared('steps', 'gltf', 'small'), wholeGltf],
+  '.obj': [preparedWithLibrary, wholeObj] };
+
+for (const [format, [prepare, wholeOf]] of Object.entries(pairs)) {
+  test(`SIGKILL before each change to a folder: the ${format} is whole`, (t) => {
+    const { folder, before, wanted, words } = prepare();
+    const put = () => {
+      rmSync(folder, { recursive: true });
+      mkdirSync(folder);
+      for (const [file, text] of Object.entries(before)) {
+        writeFileSync(join(folder, file), text, 'latin1');
+      }
+    };
+    const seen = { old: 0, new: 0 };
+    let step = 1;
+    for (put(); killedBefore(step, top, words); put()) {
+      const found = wholeOf(snapshot(folder));
+      const isOld = found === wholeOf(before);
+      assert.ok(isOld || found === wholeOf(wanted), `step ${step}`);
+      seen[isOld ? 'old' : 'new'] += 1;
+      assert.equal(run(top, ...words).status, 0, `what step ${step} left is in nobody’s way`);
+      const mended = snapshot(folder);
+      for (const name of Object.keys(wanted)) assert.equal(mended[name], wanted[name]);
+      step += 1;
+    }
+    assert.deepEqual(snapshot(folder), wanted);
+    t.diagnostic(JSON.stringify(seen));
+    assert.ok(seen.old > 4 && seen.new > 4, JSON.stringify(seen));
+  });
+}
 
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
   test(`${signal} leaves nothing behind`, async () => {

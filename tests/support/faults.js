@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What can go wrong around a run: disks that are full or may not be written, processes that are
 // killed at any moment.
+import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { chmodSync, mkdirSync, readdirSync, readFileSync, watch } from 'node:fs';
 import { join } from 'node:path';
@@ -27,6 +28,31 @@ export function start(folder, ...words) {
   const ended = new Promise((resolve) =>
     child.on('exit', (status, signal) => resolve({ status, signal })));
   return { child, ended };
+}
+
+/** What kills its process before the nth change to the names in a folder, told by a variable. */
+const killer = `data:text/javascript,${encodeURIComponent(`
+  import fs from 'node:fs';
+  import { syncBuiltinESMExports } from 'node:module';
+  let left = Number(process.env.KILL_BEFORE);
+  for (const name of ['linkSync', 'renameSync', 'rmSync', 'openSync']) {
+    const whole = fs[name];
+    fs[name] = (...words) => {
+      left -= 1;
+      if (left === 0) process.kill(process.pid, 'SIGKILL');
+      return whole(...words);
+    };
+  }
+  syncBuiltinESMExports();
+`)}`;
+
+/** @returns whether it was killed before its nth change */
+export function killedBefore(step, folder, words) {
+  const { signal, status, stderr } = spawnSync(process.execPath, ['--import', killer, cli, ...words],
+    { cwd: folder, encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'ignore', 'pipe'],
+      env: { ...process.env, KILL_BEFORE: String(step) } });
+  assert.ok(signal === 'SIGKILL' || status === 0, stderr);
+  return signal === 'SIGKILL';
 }
 
 /**

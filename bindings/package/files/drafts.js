@@ -2,18 +2,20 @@
 // Files that appear together or not at all. Each is written beside its place under a name that no
 // other run uses, and flushed to the disk; then all are moved, without a pause, the main one last.
 // A main file alone is replaced by one move: its readers see the old one or the new one whole.
-// Where a companion is replaced with it, the old ones go out of the way first, so that whoever is
-// killed in between leaves no mixture of old and new.
+// Where a companion is replaced with it, the new main file comes twice: first as one that refers to
+// the new companion by another name, under which that is there already; then, when the companion is
+// at its place, as it stays. So whoever is killed in between leaves an output that is whole.
 
 import { randomBytes } from 'node:crypto';
 import {
-  closeSync, existsSync, fsync, fsyncSync, linkSync, mkdirSync, openSync, readdirSync, renameSync,
-  rmdirSync, rmSync, statSync, write,
+  closeSync, copyFileSync, existsSync, fsync, fsyncSync, linkSync, mkdirSync, openSync, readdirSync,
+  renameSync, rmdirSync, rmSync, statSync, write,
 } from 'node:fs';
-import { basename, dirname, join, resolve } from 'node:path';
+import { basename, dirname, extname, join, relative, resolve, sep } from 'node:path';
 import { promisify } from 'node:util';
 
 import { isAlive } from './lock.js';
+import { withOtherNames } from './other_names.js';
 import { codeOf } from './reasons.js';
 
 // Younger ones may be those of a run in another container, whose processes cannot be asked for.
@@ -22,10 +24,26 @@ const oldest = 600_000; // milliseconds
 /** @typedef {{ place: string, bytes: Uint8Array }} PlacedFile */
 /** @typedef {PlacedFile & { path: string }} Draft path: where it is until it is at its place */
 
+const ourRun = () => `${process.pid}-${randomBytes(4).toString('hex')}`;
+
 /** @param {string} place @param {'part' | 'old'} ending */
 function besides(place, ending) {
-  const run = `${process.pid}-${randomBytes(4).toString('hex')}`;
-  return join(dirname(place), `.${stemOf(place)}.${run}.${ending}`);
+  return join(dirname(place), `.${stemOf(place)}.${ourRun()}.${ending}`);
+}
+
+/** Not hidden, for a model may not name what is. @param {string} place */
+function otherPlace(place) {
+  const ending = extname(place);
+  const stem = basename(place, ending).slice(0, 50);
+  return join(dirname(place), `${stem}.${ourRun()}.part${ending}`);
+}
+
+/** Whether a main file may have been left to call a companion so. @param {string} place */
+export function otherNamePattern(place) {
+  const ending = extname(place);
+  const stem = basename(place, ending).slice(0, 50);
+  const [before, after] = [stem, ending].map((part) => part.replace(/[^\w]/g, '\\$&'));
+  return new RegExp(`${before}\\.(\\d+)-[0-9a-f]{8}\\.part${after}`);
 }
 
 /** Short enough for what is added to it. @param {string} place */
@@ -77,70 +95,126 @@ function flushFolder(folder) {
   }
 }
 
+/** The same file by another name as well; its copy where a file system has no links. */
+function linkOrCopy(/** @type {string} */ from, /** @type {string} */ to) {
+  try {
+    linkSync(from, to);
+    return;
+  } catch (error) {
+    if (codeOf(error) === 'EEXIST') throw error;
+  }
+  try {
+    copyFileSync(from, to);
+  } catch (error) {
+    rmSync(to, { force: true });
+    throw error;
+  }
+}
+
 export class Drafts {
-  /** @type {Draft[]} the companions', then the main file's */
-  #drafts;
+  /** @type {Draft} */
+  #main;
+  /** @type {Draft[]} */
+  #companions;
+  /** @type {{ draft: Draft, other: string }[]} companions that replace others */
+  #replacing = [];
+  /** @type {Draft | undefined} the main file with the other names */
+  #between;
   /** @type {string[]} folders made for them */
   #folders = [];
-  /** @type {{ place: string, path: string }[]} what was moved out of the way */
-  #aside = [];
-  /** @type {string[]} places of companions that were moved there */
-  #moved = [];
+  /** @type {{ place: string, path: string }[]} the old files once more, the main one last */
+  #kept = [];
+  /** @type {string[]} places that were free */
+  #taken = [];
 
   /** @param {PlacedFile[]} files the main one last */
   constructor(files) {
-    this.#drafts = files.map((file) => ({ ...file, path: besides(file.place, 'part') }));
+    const drafts = files.map((file) => ({ ...file, path: besides(file.place, 'part') }));
+    this.#companions = drafts.slice(0, -1);
+    this.#main = drafts[drafts.length - 1];
   }
 
   /** Each is made at once, so that discard() finds it whenever it is called. */
   async write() {
-    for (const { place, path, bytes } of this.#drafts) {
-      this.#folders.unshift(...makeFolders(dirname(place)));
-      const mode = existsSync(place) ? statSync(place).mode & 0o777 : 0o666;
-      const file = openSync(path, 'wx', mode);
-      try {
-        await writeAll(file, bytes);
-      } finally {
-        closeSync(file);
-      }
+    for (const draft of [...this.#companions, this.#main]) await this.#writeDraft(draft);
+    this.#replacing = this.#companions.filter(({ place }) => existsSync(place))
+      .map((draft) => ({ draft, other: otherPlace(draft.place) }));
+    const { place } = this.#main;
+    const nameOf = (/** @type {string} */ path) =>
+      relative(dirname(place), path).replaceAll(sep, '/');
+    const names = new Map(this.#replacing.map(({ draft, other }) =>
+      [nameOf(draft.place), nameOf(other)]));
+    const bytes = withOtherNames(this.#main, names);
+    if (!bytes) return;
+    this.#between = { place, bytes, path: besides(place, 'part') };
+    await this.#writeDraft(this.#between);
+  }
+
+  /** @param {Draft} draft */
+  async #writeDraft({ place, path, bytes }) {
+    this.#folders.unshift(...makeFolders(dirname(place)));
+    const mode = existsSync(place) ? statSync(place).mode & 0o777 : 0o666;
+    const file = openSync(path, 'wx', mode);
+    try {
+      await writeAll(file, bytes);
+    } finally {
+      closeSync(file);
     }
   }
 
   /** To their places, at once. After a failure all is as it was. */
   move() {
-    const companions = this.#drafts.slice(0, -1);
-    const main = this.#drafts[this.#drafts.length - 1];
     try {
-      if (companions.some(({ place }) => existsSync(place))) {
-        [main, ...companions].forEach(({ place }) => this.#putAside(place));
-      }
-      for (const draft of companions) {
+      this.#keepOld();
+      const replacing = new Set(this.#replacing.map(({ draft }) => draft));
+      for (const draft of this.#companions.filter((one) => !replacing.has(one))) {
         moveToFree(draft);
-        this.#moved.push(draft.place);
+        this.#taken.push(draft.place);
       }
-      renameSync(main.path, main.place);
+      this.#showOther();
+      for (const { draft } of this.#replacing) renameSync(draft.path, draft.place);
+      renameSync(this.#main.path, this.#main.place);
     } catch (error) {
       this.discard();
       throw error;
     }
-    for (const { path } of this.#aside) rmSync(path, { force: true });
-    new Set(this.#drafts.map(({ place }) => dirname(place))).forEach(flushFolder);
-    [this.#drafts, this.#folders, this.#aside, this.#moved] = [[], [], [], []];
+    for (const { other } of this.#replacing) rmSync(other, { force: true });
+    for (const { path } of this.#kept) rmSync(path, { force: true });
+    const folders = [this.#main, ...this.#companions].map(({ place }) => dirname(place));
+    new Set(folders).forEach(flushFolder);
+    this.#forget();
   }
 
-  /** @param {string} place */
-  #putAside(place) {
-    if (!existsSync(place)) return;
-    const path = besides(place, 'old');
-    renameSync(place, path);
-    this.#aside.push({ place, path });
+  /** Where one move does not do. */
+  #keepOld() {
+    if (this.#replacing.length === 0) return;
+    for (const { place } of [...this.#replacing.map(({ draft }) => draft), this.#main]) {
+      if (!existsSync(place)) continue;
+      const path = besides(place, 'old');
+      linkOrCopy(place, path);
+      this.#kept.push({ place, path });
+    }
   }
 
-  /** Nothing is left of them, and what was out of the way is back. Safe to repeat. */
+  /** The new output is there whole, the places of its companions are free to be changed. */
+  #showOther() {
+    if (!this.#between) return;
+    for (const { draft, other } of this.#replacing) {
+      this.#taken.push(other);
+      linkOrCopy(draft.path, other);
+    }
+    renameSync(this.#between.path, this.#between.place);
+  }
+
+  /** Nothing is left of them, and what was there is back. Safe to repeat. */
   discard() {
-    for (const place of this.#moved) rmSync(place, { force: true });
-    for (const { place, path } of this.#aside) renameSync(path, place);
-    for (const { path } of this.#drafts) rmSync(path, { force: true });
+    for (const { place, path } of this.#kept) {
+      renameSync(path, place);
+      rmSync(path, { force: true }); // two names of one file are both there still
+    }
+    for (const place of this.#taken) rmSync(place, { force: true });
+    const drafts = [...this.#companions, this.#main, ...(this.#between ? [this.#between] : [])];
+    for (const { path } of drafts) rmSync(path, { force: true });
     for (const folder of this.#folders) {
       try {
         rmdirSync(folder);
@@ -148,7 +222,12 @@ export class Drafts {
         break; // somebody else uses it
       }
     }
-    [this.#folders, this.#aside, this.#moved] = [[], [], []];
+    this.#forget();
+  }
+
+  #forget() {
+    [this.#replacing, this.#folders, this.#kept, this.#taken] = [[], [], [], []];
+    this.#companions = [];
   }
 }
 
@@ -166,8 +245,10 @@ function isOld(path) {
 export function removeLeftovers(place) {
   try {
     for (const name of readdirSync(dirname(place))) {
-      const [, stem, pid] = /^\.(.+)\.(\d+)-[0-9a-f]{8}\.(?:part|old)$/s.exec(name) ?? [];
-      if (stem !== stemOf(place) || isAlive(Number(pid))) continue;
+      const [, stem, hidden] = /^\.(.+)\.(\d+)-[0-9a-f]{8}\.(?:part|old)$/s.exec(name) ?? [];
+      const [whole, shown] = otherNamePattern(place).exec(name) ?? [];
+      const pid = stem === stemOf(place) ? hidden : whole === name ? shown : undefined;
+      if (pid === undefined || isAlive(Number(pid))) continue;
       const path = join(dirname(place), name);
       if (isOld(path)) rmSync(path, { force: true });
     }

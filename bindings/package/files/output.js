@@ -8,7 +8,7 @@ import { basename, dirname, isAbsolute, join, relative, sep } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
-import { Drafts, removeLeftovers } from './drafts.js';
+import { Drafts, otherNamePattern, removeLeftovers } from './drafts.js';
 import { undoneIfInterrupted } from './interruptions.js';
 import { Lock } from './lock.js';
 import { plainPaths } from './plain_names.js';
@@ -81,13 +81,16 @@ function requireWithin(folder, place) {
 }
 
 /**
- * The .bin that belongs to a .gltf which is about to be replaced is replaced with it.
+ * The .bin that belongs to a .gltf which is about to be replaced is replaced with it; a run that
+ * was killed may have left that calling it by another name.
  * @param {string} path of the main file @param {string} place of a companion
  */
 function isOwnData(path, place) {
   const stem = basename(path).replace(/\.gltf$/i, '');
-  return basename(place) === `${stem}.bin` && Boolean(lookAt(path))
-    && readFileSync(path).includes(`"${encodeURIComponent(basename(place))}"`);
+  if (basename(place) !== `${stem}.bin` || !lookAt(path)) return false;
+  const text = readFileSync(path);
+  return text.includes(`"${encodeURIComponent(basename(place))}"`)
+    || (text.includes('.part.bin"') && otherNamePattern(place).test(text.toString('latin1')));
 }
 
 /**
@@ -116,8 +119,8 @@ function placed({ name, bytes }, { path }) {
 
 /** @param {NamedBytes[]} files @param {Output} output */
 async function writeDrafts([main, ...others], output) {
-  const companions = others.map((file) => placed(file, output))
-    .filter((companion) => !isThere(companion, output));
+  const all = others.map((file) => placed(file, output));
+  const companions = all.filter((companion) => !isThere(companion, output));
   const drafts = new Drafts([...companions, { place: output.path, bytes: main.bytes }]);
   await undoneIfInterrupted(() => drafts.discard(), async () => {
     try {
@@ -128,6 +131,8 @@ async function writeDrafts([main, ...others], output) {
       throw error;
     }
   });
+  [output, ...all.map(({ place }) => ({ path: place }))].forEach(({ path }) =>
+    removeLeftovers(path));
 }
 
 /**
@@ -144,7 +149,6 @@ export async function writeOutput(files, output) {
       if (files.length > 1) await lock.acquire();
       await writeDrafts(files, output);
     }).finally(unlock);
-    removeLeftovers(output.path);
   } catch (error) {
     throw error instanceof RemeshError ? error : unwritable(output.path, reason(error));
   }
