@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What must hold of every run, tried on random cases: surfaces good and bad, as arrays and as files
-// good and bad, with random options. npm run fuzz -- laws tries others.
+// good and bad, with random options. npm run laws tries others.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -12,7 +12,7 @@ import { shapes } from './fuzz/made_shapes.js';
 
 test('a broken law is noticed', async () => {
   const side = { vertices: 8, components: 1, boundaryEdges: 0, nonManifoldEdges: 0,
-    eulerCharacteristic: 2, degenerateTriangles: 0 };
+    eulerCharacteristic: 2, degenerateTriangles: 0, minAngle: { worst: 20 } };
   const report = { input: side, output: side, fidelity: { hausdorff: 1 }, warnings: [],
     stopped: 'target' };
   assert.deepEqual(lawsOfReports(report, { vertices: 8, maxError: 2 }), []);
@@ -21,6 +21,12 @@ test('a broken law is noticed', async () => {
   const worse = { boundaryEdges: 3, nonManifoldEdges: 1, components: 2, eulerCharacteristic: 3,
     degenerateTriangles: 1 };
   assert.equal(lawsOfReports({ ...report, output: { ...side, ...worse } }, {}).length, 5);
+  const said = ['NON_MANIFOLD_EDGES_SPLIT', 'NON_MANIFOLD_EDGES_MADE', 'SURFACE_OPENED']
+    .map((code) => ({ code, message: 'The first near (0, 0, 0).' }));
+  const output = { ...side, boundaryEdges: 3, nonManifoldEdges: 1 };
+  assert.deepEqual(lawsOfReports({ ...report, output, warnings: said }, {}), []);
+  assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(1) }, {}).length, 2);
+  assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(0, 1) }, {}).length, 2);
   assert.match(lawsOfErrors({ code: 'INTERNAL', message: 'Oh.' })[0], /INTERNAL/);
   assert.match(lawsOfErrors({ code: 'PARSE_ERROR', message: 'Oh' })[0], /not a sentence/);
   assert.match(lawsOfErrors(new TypeError('Oh'))[0], /not a RemeshError/);

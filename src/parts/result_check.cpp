@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <string>
 
 #include "geometry/triangle.h"
+#include "measure/edge_table.h"
 
 namespace remesher {
 namespace {
@@ -47,6 +49,21 @@ std::string place(const Vec3& p) {
   return text;
 }
 
+// "message, the first near (…).", of the edges with as many triangles as wanted.
+std::string withFirstEdge(std::string message, const std::vector<io::Part>& parts,
+                          const std::function<bool(std::size_t triangles)>& isWanted) {
+  for (const io::Part& part : parts) {
+    const WeldedMesh mesh = weld(part.mesh);
+    const EdgeTable edges(mesh);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (!isWanted(edges[e].opposites.size())) continue;
+      const Vec3 middle = (mesh.positions[edges[e].low] + mesh.positions[edges[e].high]) / 2;
+      return message.append(", the first near (").append(place(middle)).append(").");
+    }
+  }
+  return message.append(".");
+}
+
 std::string angleMessage(const BeforeAndAfter& reports, const Vec3& where) {
   const AngleStatistics &before = reports.before.minAngle, &after = reports.after.minAngle;
   std::string text = "Triangles are worse than those given: smallest angles of ";
@@ -73,18 +90,24 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   const bool isMean = isWorse(after.minAngle.mean, before.minAngle.mean, kGoodMean);
   if (isMean || isWorse(after.minAngle.worst, before.minAngle.worst, kGoodWorst))
     warnings.push_back({"ANGLES_WORSE", angleMessage(reports, worstTriangle(result).centre)});
-  const auto count = [&](const char* code, const char* message, std::size_t made) {
-    if (made > 0) warnings.push_back({code, message, made});
-  };
-  count("DEGENERATE_TRIANGLES_MADE",
-        "Triangles of the result have no area: parts of the surface are too thin for its numbers.",
-        more(after.degenerateTriangles, before.degenerateTriangles));
-  count("NON_MANIFOLD_EDGES_MADE",
-        "Parts of the surface that lie on each other share edges of the result.",
-        more(after.nonManifoldEdges, before.nonManifoldEdges));
-  if (before.boundaryEdges == 0)
-    count("SURFACE_OPENED", "Edges of the result are open, though the surface given was closed.",
-          after.boundaryEdges);
+  if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
+    warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
+                        "Triangles of the result have no area: parts of the surface are too thin "
+                        "for its numbers, as near (" +
+                            place(worstTriangle(result).centre) + ").",
+                        made});
+  if (const std::size_t made = more(after.nonManifoldEdges, before.nonManifoldEdges))
+    warnings.push_back(
+        {"NON_MANIFOLD_EDGES_MADE",
+         withFirstEdge("Parts of the surface that lie on each other share edges of the result",
+                       result, [](std::size_t triangles) { return triangles > 2; }),
+         made});
+  if (before.boundaryEdges == 0 && after.boundaryEdges > 0)
+    warnings.push_back(
+        {"SURFACE_OPENED",
+         withFirstEdge("Edges of the result are open, though the surface given was closed", result,
+                       [](std::size_t triangles) { return triangles == 1; }),
+         after.boundaryEdges});
   return warnings;
 }
 

@@ -57,3 +57,23 @@ TEST_CASE("result check: new holes, joined sheets and lines are counted") {
   CHECK(codes(before, after) ==
         "DEGENERATE_TRIANGLES_MADE 1;NON_MANIFOLD_EDGES_MADE 3;SURFACE_OPENED 4;");
 }
+
+TEST_CASE("result check: each says where") {
+  const auto messageOf = [](const MeshReport& after, const TriangleMesh& mesh) {
+    return worseThanGiven({MeshReport{}, after}, {io::Part{"", mesh, {}}}).front().message;
+  };
+  MeshReport after;
+  after.boundaryEdges = 3;
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 8, 0}, {0, -8, 0}, {0, 0, 8}};
+  mesh.indices = {0, 1, 2};
+  CHECK(messageOf(after, mesh).find("the first near (2, 0, 0)") != std::string::npos);
+  after = {};
+  after.nonManifoldEdges = 1;
+  mesh.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
+  CHECK(messageOf(after, mesh).find("the first near (2, 0, 0)") != std::string::npos);
+  after = {};
+  after.degenerateTriangles = 1;
+  mesh.indices = {0, 2, 3};
+  CHECK(messageOf(after, mesh).find("as near (0, 0, 0)") != std::string::npos);
+}
