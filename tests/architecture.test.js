@@ -11,6 +11,7 @@ import { filesUnder, readText } from './support/tree.js';
 const cppFiles = filesUnder('src', /\.(h|cpp)$/);
 const bindingFiles = filesUnder('bindings', /\.(h|cpp)$/);
 const testFiles = filesUnder('tests/unit', /\.(h|cpp)$/);
+const fuzzFiles = filesUnder('tests/fuzz', /\.(h|cpp)$/);
 const packageFiles = filesUnder('bindings/package', /\.js$/);
 const buildFiles = filesUnder('bindings', /^bindings\/build.*\.js$/);
 const pageFiles = filesUnder('web', /\.js$/).filter((file) => !file.includes('/public/'));
@@ -123,7 +124,8 @@ test('the page knows the package by its public name alone', () => {
 
 test('CMake lists every source file, sorted', () => {
   const cmake = readText('CMakeLists.txt') + readText('tests/programs.cmake');
-  const sources = [...cppFiles, ...bindingFiles, ...testFiles].filter((f) => f.endsWith('.cpp'));
+  const sources = [...cppFiles, ...bindingFiles, ...testFiles, ...fuzzFiles]
+    .filter((f) => f.endsWith('.cpp'));
   assert.deepEqual(sources.filter((file) => !cmake.includes(`  ${file}\n`)), []);
   for (const [block] of cmake.matchAll(/(?:^ +(?:src|bindings|tests)\/\S+\.cpp\n)+/gm)) {
     const listed = block.trim().split(/\s+/);
@@ -141,7 +143,7 @@ test('every unit test is named after the file it tests', () => {
 
 test('every file says its licence on top', () => {
   const files = [...cppFiles, ...bindingFiles, ...packageFiles, ...pageFiles,
-    ...buildFiles, ...testFiles, ...filesUnder('tests', /\.js$/)];
+    ...buildFiles, ...testFiles, ...fuzzFiles, ...filesUnder('tests', /\.js$/)];
   const without = files.filter((file) =>
     !readText(file).replace(/^#!.*\n/, '').startsWith('// SPDX-License-Identifier: MIT\n'));
   assert.deepEqual(without, []);

@@ -4,21 +4,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { RemeshError } from 'remesher';
-
 import { decompress } from '../dist/codecs/decompress.js';
 import { openContainer, packGlb } from '../bindings/package/codecs/gltf_container.js';
-import { Dice } from './fuzz/dice.js';
-import { files, meshOf } from './fuzz/made_files.js';
-import { shapes } from './fuzz/made_shapes.js';
-import { spoilFile } from './fuzz/mutations.js';
-import { dracoCompressed, meshoptCompressed } from './support/compressed.js';
+import { draco, meshopt, runCompressedCase } from './fuzz/compressed_case.js';
 import { rejectsWith } from './support/errors.js';
-
-const shape = shapes.ball(2);
-const { positions, indices, attributes } = meshOf(shape);
-const meshopt = await meshoptCompressed(files.textured(shape));
-const draco = await dracoCompressed({ positions, indices, texcoords: attributes.TEXCOORD_0.array });
 
 /** The file after `damage` was done to its tree. */
 function damaged(file, damage) {
@@ -57,17 +46,5 @@ test('ranges begin and end within their buffer', async () => {
 });
 
 test('spoilt files are decoded, or refused in a sentence of our own', async () => {
-  for (let seed = 1; seed <= 200; seed += 1) {
-    const dice = new Dice(seed);
-    let file = dice.pick([meshopt, draco]);
-    for (let times = dice.whole(1, 3); times > 0; times -= 1) file = spoilFile(file, dice, []);
-    try {
-      await decompress({ ...file, resources: [] });
-    } catch (error) {
-      assert.ok(error instanceof RemeshError, `${seed}: ${error}`);
-      assert.match(error.message, /\.$/, `${seed}`);
-      assert.doesNotMatch(error.message, /undefined|memory access|divide by zero|Cannot/,
-        `${seed}`);
-    }
-  }
+  for (let seed = 1; seed <= 200; seed += 1) assert.deepEqual(await runCompressedCase(seed), []);
 });

@@ -11,7 +11,8 @@ import { clangTidy, complaintsOf, gcc } from './support/cpp_checks.js';
 import { filesUnder, root } from './support/tree.js';
 
 test('C++ is laid out as .clang-format says', () => {
-  const files = ['src', 'bindings', 'tests/unit'].flatMap((f) => filesUnder(f, /\.(h|cpp)$/));
+  const files = ['src', 'bindings', 'tests/fuzz', 'tests/unit']
+    .flatMap((folder) => filesUnder(folder, /\.(h|cpp)$/));
   const { stderr } = spawnSync('clang-format', ['--dry-run', '--Werror', ...files],
     { cwd: root, encoding: 'utf8' });
   const complaints = stderr.matchAll(/^(\S+?):(\d+):\d+: error/gm);

@@ -44,7 +44,8 @@ test('a run that needs more memory than there is says so, and the next one works
 test('what a run without enough memory held is free for the next, however often', async () => {
   // The instance itself, which the package would not use again.
   const instance = await instantiate(await WebAssembly.compile(withMemory(wasm, 24)));
-  const run = (/** @type {any} */ { file, options }) => instance.remeshFile(file, options, undefined);
+  const run = (/** @type {any} */ { file, options }) =>
+    instance.remeshFile(file, options, undefined);
   const most = jobOf(40, 1000);
   const wanted = bytesIn(run(most));
   for (let times = 0; times < 5; times += 1) {

@@ -101,3 +101,38 @@ target_link_libraries(stress PRIVATE core)
 add_executable(hostile EXCLUDE_FROM_ALL tests/stress/hostile_main.cpp)
 target_include_directories(hostile PRIVATE tests/unit)
 target_link_libraries(hostile PRIVATE core)
+
+# What fuzzers run, without libFuzzer: files and changed copies of them.
+set(fuzz_targets
+  tests/fuzz/native/builder.cpp
+  tests/fuzz/native/byte_changes.cpp
+  tests/fuzz/native/glb.cpp
+  tests/fuzz/native/gltf.cpp
+  tests/fuzz/native/gltf_changes.cpp
+  tests/fuzz/native/laws.cpp
+  tests/fuzz/native/obj.cpp
+  tests/fuzz/native/off.cpp
+  tests/fuzz/native/ply.cpp
+  tests/fuzz/native/reading.cpp
+  tests/fuzz/native/remesh.cpp
+  tests/fuzz/native/small_mesh.cpp
+  tests/fuzz/native/stl.cpp
+  tests/fuzz/native/targets.cpp
+  tests/fuzz/native/tree_changes.cpp
+)
+add_executable(fuzz_replay EXCLUDE_FROM_ALL ${fuzz_targets}
+  tests/fuzz/native/replay.cpp
+)
+target_include_directories(fuzz_replay PRIVATE tests/unit)
+target_link_libraries(fuzz_replay PRIVATE core)
+compile_folders_as_one(fuzz_replay)
+
+if(REMESHER_FUZZ)
+  add_executable(fuzz EXCLUDE_FROM_ALL ${fuzz_targets}
+    tests/fuzz/native/libfuzzer.cpp
+  )
+  target_include_directories(fuzz PRIVATE tests/unit)
+  target_link_libraries(fuzz PRIVATE core)
+  target_link_options(fuzz PRIVATE -fsanitize=fuzzer)
+  compile_folders_as_one(fuzz)
+endif()

@@ -39,7 +39,7 @@ export function testDefinitions(system) {
  * @typedef {object} Target
  * @property {string} what
  * @property {string} folder
- * @property {string} name
+ * @property {readonly string[]} names
  * @property {readonly string[]} definitions
  */
 
@@ -59,26 +59,27 @@ async function configure({ folder, definitions }) {
 /** @param {Target} target */
 async function buildTarget(target) {
   await configure(target);
-  if (ask('ninja', ['-C', target.folder, '-n', target.name]).includes('no work to do')) return;
+  if (ask('ninja', ['-C', target.folder, '-n', ...target.names]).includes('no work to do')) return;
   say(`Building ${target.what}`);
-  await run('ninja', ['-C', target.folder, target.name]);
+  await run('ninja', ['-C', target.folder, ...target.names]);
 }
 
 /** @param {System} system */
 export const buildWebAssembly = (system) => buildTarget({
-  what: 'the WebAssembly module', folder: 'build/wasm', name: 'remesher',
+  what: 'the WebAssembly module', folder: 'build/wasm', names: ['remesher'],
   definitions: [...commonDefinitions(system), ...wasmDefinitions(system)],
 });
 
 /** @param {System} system */
 const unitTests = (system) => ({
-  what: 'the unit tests, with sanitizers', folder: 'build/test', name: 'unit_tests',
+  what: 'the unit tests, with sanitizers', folder: 'build/test',
+  names: ['unit_tests', 'fuzz_replay'],
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
 
 /** @param {System} system */
 export const buildProfile = (system) => buildTarget({
-  what: 'the WebAssembly module with names', folder: 'build/profile', name: 'remesher',
+  what: 'the WebAssembly module with names', folder: 'build/profile', names: ['remesher'],
   definitions: [...commonDefinitions(system), ...wasmDefinitions(system),
     '-DCMAKE_EXE_LINKER_FLAGS=--profiling-funcs'],
 });
@@ -86,11 +87,17 @@ export const buildProfile = (system) => buildTarget({
 /** @param {System} system */
 export const buildUnitTests = (system) => buildTarget(unitTests(system));
 
+/** @param {System} system */
+export const buildFuzz = (system) => buildTarget({
+  what: 'the fuzzer, with sanitizers', folder: 'build/fuzz', names: ['fuzz'],
+  definitions: [...commonDefinitions(system), ...testDefinitions(system), '-DREMESHER_FUZZ=ON'],
+});
+
 /** Finds the headers for those who only read them. @param {System} system */
 export const configureUnitTests = (system) => configure(unitTests(system));
 
 /** @param {System} system */
 export const buildMeasure = (system) => buildTarget({
-  what: 'the measuring tool', folder: 'build/native', name: 'measure',
+  what: 'the measuring tool', folder: 'build/native', names: ['measure'],
   definitions: [...commonDefinitions(system), '-DCMAKE_BUILD_TYPE=Release'],
 });

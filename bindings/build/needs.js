@@ -6,7 +6,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
-/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'bits' | 'profile'} Part */
+/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'fuzz' | 'bits' | 'profile'} Part */
 
 /**
  * @typedef {object} Need
@@ -75,7 +75,7 @@ const header = (name) => (/** @type {System} */ system) => findHeader(system, na
 const variable = 'REMESHER_INCLUDE';
 
 /** @type {Part[]} */
-const all = ['package', 'tests', 'lint', 'measure'];
+const all = ['package', 'tests', 'lint', 'measure', 'fuzz'];
 /** @type {Part[]} */
 const checks = ['tests', 'lint'];
 
@@ -105,7 +105,7 @@ export const needs = [
   { name: 'g++', parts: ['tests', 'lint', 'measure'],
     find: (system) => findProgram(system, system.platform === 'darwin' ? 'c++' : 'g++'),
     packages: { apt: 'g++', dnf: 'gcc-c++', pacman: 'gcc', apk: 'g++', brew: 'gcc', nix: 'gcc' } },
-  { name: 'clang++ with sanitizers', parts: checks, find: findSanitizingClang,
+  { name: 'clang++ with sanitizers', parts: [...checks, 'fuzz'], find: findSanitizingClang,
     packages: { apt: 'clang libclang-rt-dev', dnf: 'clang compiler-rt', pacman: 'clang compiler-rt',
       apk: 'clang compiler-rt', brew: 'llvm', nix: 'clang' } },
   { name: 'clang-format', parts: checks, find: program('clang-format'),

@@ -2,6 +2,7 @@
 // Surfaces as files of every format and kind: { name, bytes, resources }. What they have besides
 // positions is computed from these, so that any surface can be any file.
 import { GltfMaker } from '../support/gltf.js';
+import { scans } from './made_scans.js';
 
 const encode = (text) => new TextEncoder().encode(text);
 const flat = (lists) => lists.flat();
@@ -139,6 +140,7 @@ export const files = {
   off: (shape) => ({ name: 'made.off', bytes: encode(offText(shape, 'OFF', [])) }),
   'off with colours': (shape) =>
     ({ name: 'made.off', bytes: encode(offText(shape, 'COFF', [255, 0, 0, 255])) }),
+  ...scans,
 };
 
 /** A surface as arrays. */

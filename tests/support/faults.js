@@ -48,7 +48,8 @@ const killer = `data:text/javascript,${encodeURIComponent(`
 
 /** @returns whether it was killed before its nth change */
 export function killedBefore(step, folder, words) {
-  const { signal, status, stderr } = spawnSync(process.execPath, ['--import', killer, cli, ...words],
+  const { signal, status, stderr } = spawnSync(process.execPath,
+    ['--import', killer, cli, ...words],
     { cwd: folder, encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'ignore', 'pipe'],
       env: { ...process.env, KILL_BEFORE: String(step) } });
   assert.ok(signal === 'SIGKILL' || status === 0, stderr);

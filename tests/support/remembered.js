@@ -12,7 +12,8 @@ import { filesUnder, root } from './tree.js';
 
 const memory = join(root, 'build/checks');
 /** What is not the checkout, but is made of it or is found on the machine. */
-const made = ['dist', 'build/test/unit_tests', 'node_modules/.package-lock.json'];
+const made = ['dist', 'build/test/unit_tests', 'build/test/fuzz_replay',
+  'node_modules/.package-lock.json'];
 
 /** Every file of the checkout, by git, which knows what is ignored. */
 function checkout() {
