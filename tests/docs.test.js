@@ -17,7 +17,8 @@ import { filesUnder, readText, root } from './support/tree.js';
 
 const reference = 'build/docs';
 const papers =
-  ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'src/README.md'];
+  ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'src/README.md',
+    ...filesUnder('docs', /\.md$/)];
 
 before(() =>
   execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' }));

@@ -13,7 +13,7 @@ const types = {
 const policy = "script-src 'self' 'wasm-unsafe-eval'";
 
 /** @param {string} folder @param {string} path of the page: one below may hold an import map */
-async function serve(folder, path) {
+export async function serve(folder, path) {
   const scripts = path === '/' ? policy : `${policy} 'unsafe-inline'`;
   const server = createServer(async ({ url }, response) => {
     const { pathname } = new URL(url === '/' ? '/index.html' : url, 'http://localhost');
