@@ -79,6 +79,7 @@ TriangleMesh meshFrom(const val& object) {
   if (!mesh.positions.empty())
     val(typed_memory_view(3 * mesh.positions.size(), mesh.positions.front().data()))
         .call<void>("set", positions);
+  mesh.isSingle = positions["BYTES_PER_ELEMENT"].as<std::size_t>() == sizeof(float);
   mesh.indices = copied<Index>(object["indices"]);
   if (const val groups = object["groups"]; !groups.isUndefined())
     mesh.groups = copied<Index>(groups);

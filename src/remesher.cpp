@@ -12,6 +12,7 @@
 #include "parts/part_report.h"
 #include "parts/part_scale.h"
 #include "parts/part_targets.h"
+#include "parts/precision.h"
 #include "parts/result_check.h"
 #include "schemes/remesh.h"
 
@@ -32,7 +33,14 @@ struct Run {
 std::size_t remeshPart(Run& run, io::Part& part, const RemeshOptions& options,
                        const Progress& progress) {
   RemeshOutcome outcome = remeshSurface(part.mesh, options, progress);
-  part.mesh = std::move(outcome.mesh);
+  RoundedMesh rounded = inPrecisionOf(part.mesh, std::move(outcome.mesh));
+  if (rounded.coincident > 0)
+    outcome.warnings.push_back({"VERTICES_COINCIDE",
+                                "Vertices of the result lie where others do: parts of the surface "
+                                "are nearer to each other than coordinates of single precision, as "
+                                "they were given, can tell apart.",
+                                rounded.coincident});
+  part.mesh = std::move(rounded.mesh);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   return outcome.target;

@@ -60,6 +60,7 @@ add_executable(unit_tests
   tests/unit/operators/working_mesh_test.cpp
   tests/unit/parts/part_scale_test.cpp
   tests/unit/parts/part_targets_test.cpp
+  tests/unit/parts/precision_test.cpp
   tests/unit/parts/result_check_test.cpp
   tests/unit/patches/disk_parameterization_test.cpp
   tests/unit/patches/disk_patch_test.cpp

@@ -25,6 +25,7 @@ struct TriangleMesh {
   std::vector<Index> indices;  // three per triangle, counterclockwise seen from outside
   std::vector<Index> groups;   // one per triangle (a glTF primitive, an OBJ material), or empty
   std::vector<Attribute> attributes;
+  bool isSingle = false;  // the coordinates are of single precision, and will be when written
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };

@@ -95,6 +95,7 @@ void GeometryReader::readPositions(const VertexPool& pool) {
     document_.fail(ErrorCode::ParseError, where_ + std::to_string(pool.primitives[0]) +
                                               ": its positions have not three coordinates.");
   const std::vector<float> values = readFloats(document_, accessor, count);
+  result_.isSingle = true;
   result_.positions.reserve(result_.positions.size() + count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 position(values[3 * i], values[3 * i + 1], values[3 * i + 2]);

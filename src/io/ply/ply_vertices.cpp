@@ -68,6 +68,10 @@ PlyVertices readVertices(PlyBody& body, const PlyElement& element) {
   if (widthOf(vertices.fields, "POSITION") != 3)
     body.fail(ErrorCode::ParseError, "the vertices have no x, y and z.", "Is it a PLY of a mesh?");
   const std::vector<Column> columns = layOut(vertices, element.count);
+  vertices.mesh.isSingle =
+      std::all_of(vertices.fields.begin(), vertices.fields.end(), [](const PlyField& field) {
+        return field.semantic != "POSITION" || field.property.type == PlyType::Float32;
+      });
   for (Index vertex = 0; vertex < element.count; ++vertex) {
     for (const auto& [field, attribute] : columns) {
       if (field->semantic.empty()) {

@@ -172,6 +172,7 @@ Facets readBinary(const File& file) {
     if (hasHighBit != isMagics) ++facets.colored;
   }
   facets.mesh.positions = std::move(weld.positions());
+  facets.mesh.isSingle = true;
   return facets;
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Coordinates that were given in single precision come back in it, so that what is reported of a
+// result is what its file or its arrays hold.
+#pragma once
+
+#include <cstddef>
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct RoundedMesh {
+  TriangleMesh mesh;
+  std::size_t coincident = 0;  // places that became one with another
+};
+
+// The result of remeshing `original`, in its precision.
+RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result);
+
+}  // namespace remesher
