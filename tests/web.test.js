@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The page as a visitor meets it: built, served, and used in Chromium.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 
 import { drop, openPage, reportRow, saved, settled, startSite } from './support/browser_page.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 
-const require = createRequire(import.meta.url);
 const shape = torus(24, 12);
 
 /** @type {Awaited<ReturnType<typeof startSite>>} */
@@ -139,13 +136,6 @@ test('every option of the table is in the form', async () => {
     const selector = `#option-${name}, .target option[value=${name}]`;
     assert.equal(await page.locator(selector).count(), 1, name);
   }
-});
-
-test('axe finds no barriers', async () => {
-  await page.evaluate(readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8'));
-  const violations = await page.evaluate(async () => (await globalThis.axe.run()).violations
-    .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`));
-  assert.deepEqual(violations, []);
 });
 
 test('nothing can be sent elsewhere', async () => {

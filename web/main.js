@@ -53,6 +53,18 @@ wireCommands();
 fillMenu();
 openNamed(wished.model ?? samples[0].id, take);
 
+addEventListener('beforeunload', (event) => {
+  if (page.session.isUnsaved) event.preventDefault();  // the browser asks
+});
+// Only once the visitor has been served: keeping the page takes as long as loading it.
+addEventListener('load', () => setTimeout(keepOffline, 3000));
+
+function keepOffline() {
+  const { serviceWorker } = navigator;
+  // Where it is forbidden, the page needs the network, as any other.
+  serviceWorker?.register('./offline.js').catch(() => {});
+}
+
 addEventListener('hashchange', () => {  // typed by hand: the page's own changes do not tell
   wished = readAddress(location.hash);
   if (wished.model && wished.model !== page.session.source) {

@@ -19,9 +19,14 @@ export async function startSite() {
   return {
     url: server.resolvedUrls.local[0],
     browser,
+    /** The network is gone. */
+    stop: () => new Promise((resolve) => {
+      server.httpServer.closeAllConnections();
+      server.httpServer.close(resolve);
+    }),
     async close() {
       await browser.close();
-      await server.close();
+      if (server.httpServer.listening) await server.close();
     },
   };
 }

@@ -2,6 +2,7 @@
 // What all acts share: the session, the stage, the form, and the rule that a later job overtakes an
 // earlier one.
 import { byId } from '../base/dom.js';
+import { timeLeft } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
@@ -22,6 +23,8 @@ export class Page {
   #jobs = 0;
   /** @type {State} */
   #state = 'idle';
+  /** When the state began, in milliseconds. */
+  #begun = 0;
 
   /** @param {ConstructorParameters<typeof Panel>[1] & { onStroke: () => void }} formActs */
   constructor(formActs) {
@@ -32,12 +35,14 @@ export class Page {
 
   /** @param {import('remesher').ProgressEvent} event */
   #onProgress(event) {
-    if (this.#state === 'busy') showProgress(event);
+    if (this.#state !== 'busy') return;
+    showProgress(event, timeLeft(performance.now() - this.#begun, event.fraction));
   }
 
   /** @param {State} state */
   #setState(state) {
     this.#state = state;
+    this.#begun = performance.now();
     this.panel.setState(state);
     document.body.dataset.state = state;
     showProgress(state === 'busy' ? { phase: t('preparing'), fraction: 0 } : null);

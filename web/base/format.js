@@ -44,6 +44,13 @@ export function duration(milliseconds) {
   return `${fixed(milliseconds / 1000, milliseconds < 10000 ? 2 : 1)} s`;
 }
 
+/** Milliseconds that are left of a job, once that can be told; null until then.
+ * @param {number} elapsed milliseconds @param {number} fraction of the job that is done */
+export function timeLeft(elapsed, fraction) {
+  const isKnown = elapsed > 2000 && fraction > 0.05;
+  return isKnown ? elapsed * (1 - fraction) / fraction : null;
+}
+
 /** @param {number} bytes */
 export function fileSize(bytes) {
   const units = ['byte', 'kilobyte', 'megabyte', 'gigabyte'];

@@ -192,6 +192,10 @@ export default {
   'brush.done': 'Fertig',
   'key.paint': 'Dichte auf das Original malen',
 
+  'progress.left': 'noch {seconds} s',
+  'contextLost': 'Die Grafikkarte ist für einen Moment weg. Das Bild kommt wieder; das Rechnen '
+    + 'geht weiter.',
+
   'error.unknown': 'Etwas ging schief.',
   'error.noModel': '{names} ist kein Modell, das diese Seite lesen kann',
   'error.noModel.hint': 'Legen Sie eine Datei ab: {formats}, einzeln, in .gz oder .zip.',

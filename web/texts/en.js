@@ -192,6 +192,10 @@ export default {
   'brush.done': 'Done',
   'key.paint': 'Paint density on the original',
 
+  'progress.left': '{seconds} s left',
+  'contextLost': 'The graphics card was taken away for a moment. The picture comes back; '
+    + 'remeshing goes on.',
+
   'error.unknown': 'Something went wrong.',
   'error.noModel': '{names} is not a model this page can read',
   'error.noModel.hint': 'Drop a {formats} file, alone, in a .gz or a .zip.',

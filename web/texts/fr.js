@@ -193,6 +193,10 @@ export default {
   'brush.done': 'Terminé',
   'key.paint': 'Peindre la densité sur l’original',
 
+  'progress.left': 'encore {seconds} s',
+  'contextLost': 'La carte graphique est partie un instant. L’image reviendra ; le calcul '
+    + 'continue.',
+
   'error.unknown': 'Quelque chose a échoué.',
   'error.noModel': '{names} n’est pas un modèle que cette page sait lire',
   'error.noModel.hint': 'Déposez un fichier {formats}, seul, dans un .gz ou un .zip.',

@@ -41,6 +41,9 @@ export class Stage {
       this.say(t('noWebGL'));
       this.#root.classList.add('blind');
     }
+    const canvas = byId('canvas', HTMLCanvasElement);
+    canvas.addEventListener('webglcontextlost', () => this.say(t('contextLost')));
+    canvas.addEventListener('webglcontextrestored', () => this.say(''));
     this.#wireDivider();
     this.#wireButtons();
     this.#wireKeys();

@@ -51,7 +51,7 @@ export class Viewer {
     this.#renderer.info.autoReset = false;
     this.eye = new Eye(canvas, () => this.draw());
     this.#light();
-    canvas.addEventListener('webglcontextrestored', () => this.draw());
+    canvas.addEventListener('webglcontextrestored', () => this.#restore());
     new ResizeObserver(() => this.#resize()).observe(canvas);
     this.eye.fit();
   }
@@ -78,6 +78,13 @@ export class Viewer {
     const { texture } = generator.fromScene(new RoomEnvironment(), 0.04);
     generator.dispose();
     return texture;
+  }
+
+  /** What was drawn by the card itself is lost with it. */
+  #restore() {
+    this.#room = null;
+    this.#setLights();
+    this.draw();
   }
 
   #resize() {

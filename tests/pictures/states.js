@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The states of the page that pictures are taken of: how each is reached from a fresh page.
+import { drop, settled } from '../support/browser_page.js';
+import { objText, torus } from '../support/shape_files.js';
+
+const ring = objText(torus(24, 12));
+const measured = (page) => page.waitForSelector('#distances:not([hidden])',
+  { state: 'attached' });
+const click = (page, selector) => page.locator(selector).dispatchEvent('click');
+
+/** hash: the address; enter: what is done there.
+ * @type {Record<string, { hash: string, enter?: (page: any) => Promise<unknown> }>} */
+export const states = {
+  arrival: { hash: '#model=bunny' },
+  mechanical: { hash: '#model=gear', enter: (page) => click(page, '#features') },
+  scan: { hash: '#model=scan', enter: (page) => click(page, '#landmark-boundary') },
+  textured: { hash: '#model=vase' },
+  parts: { hash: '#model=teapot' },
+  angles: { hash: '#model=bunny', enter: (page) => click(page, '[data-shading=angles]') },
+  normals: { hash: '#model=bunny', enter: (page) => click(page, '[data-shading=normals]') },
+  distances: { hash: '#model=gear', enter: async (page) => {
+    await measured(page);
+    await click(page, '#visit-largest');
+  } },
+  report: { hash: '#model=bunny', enter: async (page) => {
+    await measured(page);
+    await click(page, '.command > summary');
+    await page.locator('.takeaway').scrollIntoViewIfNeeded();
+  } },
+  options: { hash: '#model=bunny&adaptivity=1', enter: (page) => click(page, '.more > summary') },
+  history: { hash: '#model=bunny', enter: async (page) => {
+    await click(page, '#preset-accurate');
+    await page.waitForSelector('.history-entry', { state: 'attached' });
+    await settled(page);
+    await page.selectOption('#baseline', '1');
+    await settled(page);
+    await page.locator('.history').scrollIntoViewIfNeeded();
+  } },
+  painting: { hash: '#model=bunny&vertices=1500', enter: async (page) => {
+    await click(page, '#paint');
+    await page.locator('#brush-strength').fill('2');
+    await page.locator('#brush-size').fill('0.2');
+    await page.focus('#canvas');
+    await page.keyboard.press('Enter');
+    await page.waitForTimeout(800);
+    await settled(page);
+  } },
+  settings: { hash: '#model=bunny', enter: (page) => click(page, '[data-do=settings]') },
+  chooser: { hash: '#model=bunny', enter: async (page) => {
+    await drop(page, { 'ring.obj': ring, 'parts/second ring.off': ring });
+    await page.waitForSelector('#chooser[open]');
+  } },
+  error: { hash: '#model=bunny', enter: async (page) => {
+    await drop(page, { 'broken.glb': 'no glTF' });
+    await page.waitForSelector('#error:visible');
+    await settled(page);
+  } },
+  busy: { hash: '#model=gear', enter: async (page) => {
+    await page.fill('#target', '150000');
+    await page.keyboard.press('Enter');
+    await page.waitForTimeout(3500);
+  } },
+};

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What visitors may rely on: the page works without a network, from any folder, survives a lost
+// graphics card, asks before work is thrown away, and stays small.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { brotliCompressSync } from 'node:zlib';
+
+import { timeLeft } from '../web/base/format.js';
+import { drop, openPage, settled, startSite } from './support/browser_page.js';
+import { builtPage } from './support/built_page.js';
+import { objText, torus } from './support/shape_files.js';
+import { filesUnder } from './support/tree.js';
+
+/** @type {Awaited<ReturnType<typeof startSite>>} */
+let site;
+let page;
+let folder;
+
+before(async () => {
+  site = await startSite();
+  folder = await builtPage();
+  ({ page } = await openPage(site,
+    { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } }));
+  await settled(page);
+});
+
+after(() => site?.close());
+
+test('the page’s script has at most 300 kB, packed with brotli', () => {
+  const scripts = filesUnder(folder.slice(folder.indexOf('build/')), /\.js$/)
+    .filter((file) => !/decoder/.test(file));  // with the WebAssembly inside
+  const total = scripts.reduce((sum, file) =>
+    sum + brotliCompressSync(readFileSync(join(folder, '../../..', file))).length, 0);
+  assert.ok(scripts.length >= 5);
+  assert.ok(total < 300_000, `${total} bytes`);
+});
+
+test('every address in the page is relative to it', () => {
+  const html = readFileSync(join(folder, 'index.html'), 'utf8');
+  const addresses = [...html.matchAll(/(?:src|href)="([^"]+)"/g)].map(([, address]) => address)
+    .filter((address) => !address.startsWith('data:'));
+  assert.ok(addresses.length >= 3);
+  for (const address of addresses) assert.match(address, /^\.\//);
+  const manifest = JSON.parse(readFileSync(join(folder, 'app.webmanifest'), 'utf8'));
+  assert.deepEqual([manifest.start_url, manifest.scope, manifest.display],
+    ['./', './', 'standalone']);
+});
+
+test('a graphics card that is lost comes back', async () => {
+  const message = page.locator('#stage-message');
+  await page.evaluate(() => {
+    const context = document.getElementById('canvas').getContext('webgl2');
+    globalThis.card = context.getExtension('WEBGL_lose_context');
+    globalThis.card.loseContext();
+  });
+  await message.waitFor({ state: 'visible' });
+  assert.match(await message.textContent(), /comes back/);
+  await page.evaluate(() => globalThis.card.restoreContext());
+  await message.waitFor({ state: 'hidden' });
+  await page.waitForFunction(() => Number(document.getElementById('canvas').dataset.calls) > 0);
+});
+
+test('leaving asks when a result of one’s own file was not taken home', async () => {
+  const asks = () => page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  assert.equal(await asks(), false, 'a sample');
+  await drop(page, { 'mine.obj': objText(torus(16, 8)) });
+  await page.waitForFunction(() => document.getElementById('model-name').textContent
+    === 'mine.obj');
+  await settled(page);
+  assert.equal(await asks(), true);
+  await Promise.all([page.waitForEvent('download'),
+    page.click('.takeaway button:text-is("Download GLB")')]);
+  await settled(page);
+  assert.equal(await asks(), false, 'it was taken home');
+});
+
+test('the time that is left is told once it is known', () => {
+  assert.equal(timeLeft(500, 0.5), null);
+  assert.equal(timeLeft(10_000, 0.01), null);
+  assert.equal(timeLeft(3000, 0.75), 1000);
+});
+
+test('after the first visit the page needs no network', async () => {
+  await page.waitForFunction(async () =>
+    (await navigator.serviceWorker.getRegistration())?.active?.state === 'activated');
+  await site.stop();
+  await page.goto(`${site.url}#model=vase&vertices=300`);
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.textContent('#result-count'), '300');
+  assert.equal(await page.isVisible('#error'), false);
+});

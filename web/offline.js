@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// The service worker: after the first visit the page needs no network. What there is to keep, the
+// build writes into it (installable.js).
+import { Serwist } from 'serwist';
+
+const precacheEntries = /** @type {any} */ (self).__SW_MANIFEST;
+
+new Serwist({ precacheEntries, skipWaiting: true, clientsClaim: true }).addEventListeners();
