@@ -125,6 +125,9 @@ test('360 pixels are wide enough, from right to left, too', async () => {
       await page.setViewportSize({ width, height: 640 });
       await page.waitForTimeout(100);
       assert.ok(await beside(page) <= 0, `${direction} at ${width}`);
+      const heights = await page.locator('.field label').evaluateAll((labels) =>
+        labels.map((label) => label.clientHeight));
+      assert.ok(heights.length > 8 && Math.max(...heights) < 70, `labels ${heights.join(' ')}`);
     }
   }
   await page.evaluate(() => { document.documentElement.dir = 'ltr'; });

@@ -45,7 +45,7 @@ export function showReport(page) {
 function visitorOf({ surveying }, { code, message }) {
   const landmark = landmarkOf(code);
   const place = placeIn(message);
-  if (place) return () => surveying.visit('result', place);
+  if (place) return () => void surveying.visit('result', place);
   return landmark ? () => surveying.visitLandmark(landmark) : null;
 }
 

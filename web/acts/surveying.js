@@ -104,22 +104,23 @@ export class Surveying {
     const { viewer } = this.#page.stage;
     if (!segments?.length || !viewer) return;
     viewer.overlays.original.setLines(landmark, segments);
-    this.visit('original', /** @type {Point} */ (Array.from(segments.subarray(0, 3))));
+    void this.visit('original', /** @type {Point} */ (Array.from(segments.subarray(0, 3))));
   }
 
   /** Flies to a place, and marks it. @param {Side} side @param {Point} point */
-  visit(side, point) {
+  async visit(side, point) {
     const { viewer } = this.#page.stage;
     if (!viewer) return;
     viewer.overlays[side].setMark(point);
-    viewer.eye.visit(point);
+    const wished = viewer.eye.direction;
+    viewer.eye.visit(point, await this.survey.ask('viewOf', { side, point, wished }));
     announce(t('visited'));
   }
 
   visitLargest() {
     if (!this.distances) return;
     this.#page.stage.setShading('distance');
-    this.visit('result', this.distances.largest.point);
+    void this.visit('result', this.distances.largest.point);
   }
 
   /** Of the shown result to the original; null without 3-D, and for what was overtaken. */

@@ -16,7 +16,7 @@ export function chooseModel(models) {
       dialog.close();
     };
     byId('chooser-list', HTMLElement).replaceChildren(...models.map((model) =>
-      element('button', { type: 'button', className: 'choice', onclick: close(model) },
+      element('button', { type: 'button', className: 'entry', onclick: close(model) },
         element('span', {}, model.path),
         element('span', { className: 'quiet' }, fileSize(model.file.size)))));
     const all = byId('chooser-all', HTMLButtonElement);

@@ -14,7 +14,7 @@ export const resultName = ({ number }) => (number ? t('history.name', { number }
 /** @param {Result} result @param {boolean} isShown @param {() => void} onShow */
 function entry(result, isShown, onShow) {
   const { report: { output, fidelity }, values } = result;
-  const button = element('button', { type: 'button', className: 'choice history-entry',
+  const button = element('button', { type: 'button', className: 'entry history-entry',
     'aria-pressed': isShown, onclick: onShow },
   element('b', {}, String(result.number)),
   element('span', {}, t('facts.vertices', { count: count(output.vertices) }),

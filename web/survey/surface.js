@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A surface that can be asked: how far a point is from it, and what a ray hits. The search itself
 // is three-mesh-bvh's.
-import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 
 /** @typedef {import('./topology.js').Soup} Soup */
@@ -35,6 +35,35 @@ export class Surface {
   hit(origin, direction) {
     const ray = new Ray(new Vector3(...origin), new Vector3(...direction).normalize());
     return this.#tree.raycastFirst(ray, DoubleSide);
+  }
+
+  /** The unit normal of the triangle with these corners. @param {number} triangle */
+  #normal(triangle) {
+    const { positions, indices } = this.soup;
+    const [a, b, c] = [0, 1, 2].map((k) =>
+      new Vector3().fromArray(positions, 3 * indices[3 * triangle + k]));
+    return b.sub(a).cross(c.sub(a)).normalize();
+  }
+
+  /** A direction from which a place of the surface is seen, with nothing in the way: the wished one
+   * if it will do, else one near the normal.
+   * @param {Point} point @param {Point} wished @returns {Point} of unit length */
+  viewOf(point, wished) {
+    const place = new Vector3(...point);
+    const normal = this.#normal(this.#tree.closestPointToPoint(place)?.faceIndex ?? 0);
+    const leans = [[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
+    const directions = [new Vector3(...wished).normalize(),
+      ...leans.map((lean) => normal.clone().add(new Vector3(...lean)).normalize())];
+    const isClear = (/** @type {Vector3} */ direction) => {
+      const start = place.clone().addScaledVector(direction, 1e-3 * this.#size);
+      return direction.dot(normal) > 0.2 && !this.hit(start.toArray(), direction.toArray());
+    };
+    return (directions.find(isClear) ?? directions[0]).toArray();
+  }
+
+  /** The length of its box's diagonal. */
+  get #size() {
+    return this.#tree.getBoundingBox(new Box3()).getSize(new Vector3()).length();
   }
 
   /** Visits all vertices, then the middles of all triangles: what distances are measured at.

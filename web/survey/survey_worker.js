@@ -31,6 +31,8 @@ const questions = {
     const against = side === 'original' ? null : surfaces.original ?? null;
     return on ? pick({ on, against, origin, direction }) : null;
   },
+  /** @param {{ side: Side, point: Point, wished: Point }} request */
+  viewOf: ({ side, point, wished }) => surfaces[side]?.viewOf(point, wished) ?? wished,
   /** @param {Uint8Array} bytes */
   offVertices,
 };

@@ -5,6 +5,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
+/** @typedef {[number, number, number]} Triple */
+
 const fieldOfView = 32;
 /** Milliseconds of a flight to a place. */
 const flight = 350;
@@ -123,14 +125,18 @@ export class Eye {
     this.#onMove();
   }
 
-  /** Flies to a place, to see it from outside. @param {readonly [number, number, number]} point */
-  visit(point) {
+  /** From what it looks at to the eye itself. @returns {Triple} */
+  get direction() {
+    return this.camera.position.clone().sub(this.#controls.target).normalize().toArray();
+  }
+
+  /** Flies to a place, to see it from a direction.
+   * @param {Triple} point @param {Triple} direction */
+  visit(point, direction) {
     const from = this.#controls.target.clone();
     const to = new Vector3(...point);
     const start = this.camera.position.clone().sub(from);
-    // From the side of the model on which the place is.
-    const outward = to.clone().sub(this.#box.getCenter(new Vector3()));
-    const end = (outward.lengthSq() ? outward : start.clone())
+    const end = new Vector3(...direction)
       .setLength(Math.max(0.45 * this.diagonal, this.#controls.minDistance));
     const begin = performance.now();
     const step = () => {
