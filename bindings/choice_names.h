@@ -22,6 +22,10 @@ inline constexpr Names<Fidelity, 3> kFidelities = {
     {{"strict", Fidelity::Strict}, {"loose", Fidelity::Loose}, {"fold", Fidelity::Fold}}};
 inline constexpr Names<Boundary, 2> kBoundaries = {
     {{"resample", Boundary::Resample}, {"keep", Boundary::Keep}}};
+inline constexpr Names<Textures, 2> kTextures = {
+    {{"keep", Textures::Keep}, {"bake", Textures::Bake}}};
+inline constexpr Names<TextureFormat, 3> kTextureFormats = {
+    {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},
@@ -32,6 +36,8 @@ constexpr const auto& namesOf(Quality) { return kQualities; }
 constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }
+constexpr const auto& namesOf(Textures) { return kTextures; }
+constexpr const auto& namesOf(TextureFormat) { return kTextureFormats; }
 
 template <class E, std::size_t n>
 constexpr std::string_view nameOf(const Names<E, n>& names, E value) {

@@ -61,6 +61,7 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
                    progressFrom(onProgress));
     val result = val::object();
     result.set("files", objectFrom(run.files));
+    if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
     result.set("report", objectFrom(run.report));
     return result;
   });

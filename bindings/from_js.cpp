@@ -104,9 +104,14 @@ std::vector<PlacedMesh> sceneFrom(const val& list) {
 }
 
 FileBundle bundleFrom(const val& object) {
-  FileBundle bundle{fileFrom(object), {}};
+  FileBundle bundle{fileFrom(object), {}, {}};
   forEach(object["resources"],
           [&](const val& resource) { bundle.resources.push_back(fileFrom(resource)); });
+  if (const val pictures = object["pictures"]; !pictures.isUndefined())
+    forEach(pictures, [&](const val& p) {
+      bundle.pictures.push_back({p["name"].as<std::string>(), "", p["width"].as<Index>(),
+                                 p["height"].as<Index>(), copied<std::uint8_t>(p["texels"])});
+    });
   return bundle;
 }
 

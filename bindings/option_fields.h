@@ -25,6 +25,9 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("featureAngle", options.featureAngle);
   visit("boundary", options.boundary);
   visit("maxError", options.maxError);
+  visit("textures", options.textures);
+  visit("textureSize", options.textureSize);
+  visit("textureFormat", options.textureFormat);
   visit("density", options.density);
   visit("featureEdges", options.featureEdges);
 }

@@ -105,6 +105,20 @@ val objectFrom(const std::vector<File>& files) {
   return result;
 }
 
+val objectFrom(const std::vector<Picture>& pictures) {
+  val result = val::array();
+  for (const Picture& picture : pictures) {
+    val object = val::object();
+    object.set("name", picture.name);
+    object.set("type", picture.type);
+    object.set("width", double(picture.width));
+    object.set("height", double(picture.height));
+    object.set("texels", arrayFrom(picture.texels));
+    result.call<void>("push", object);
+  }
+  return result;
+}
+
 val objectFrom(const std::vector<Warning>& warnings) {
   val result = val::array();
   for (const Warning& warning : warnings) {

@@ -13,6 +13,7 @@ namespace remesher {
 
 emscripten::val objectFrom(const TriangleMesh& mesh);
 emscripten::val objectFrom(const std::vector<File>& files);
+emscripten::val objectFrom(const std::vector<Picture>& pictures);
 emscripten::val objectFrom(const std::vector<Warning>& warnings);
 emscripten::val objectFrom(const Report& report);
 emscripten::val objectFrom(const RemeshOptions& options);  // null: left to the scheme, or none

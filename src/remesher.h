@@ -41,13 +41,24 @@ RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const Remesh
                               const Progress& progress = {});
 
 // A file with those it refers to (a .bin, images, a .mtl), by the names it uses for them.
+// To have textures baked, images come decoded: four bytes to a texel, row after row from the top;
+// glTF's are called by their numbers.
+struct Picture {
+  std::string name;
+  std::string type;  // of one to be encoded: image/png, image/jpeg or image/webp
+  Index width = 0, height = 0;
+  std::vector<std::uint8_t> texels;
+};
+
 struct FileBundle {
   File file;
   std::vector<File> resources;
+  std::vector<Picture> pictures = {};
 };
 
 struct RemeshFileResult {
   std::vector<File> files;  // the one asked for first; then what lies beside it (a .bin, a .mtl)
+  std::vector<Picture> pictures;  // baked: the files refer to the n-th as painting:n
   Report report;
 };
 

@@ -8,6 +8,7 @@ add_executable(unit_tests
   tests/unit/attributes/chart_keeper_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/phase_clock_test.cpp
+  tests/unit/charts/unwrap_test.cpp
   tests/unit/curves/curve_simplification_test.cpp
   tests/unit/curves/feature_curves_test.cpp
   tests/unit/curves/feature_detection_test.cpp
@@ -58,6 +59,11 @@ add_executable(unit_tests
   tests/unit/operators/shift_test.cpp
   tests/unit/operators/smoothing_test.cpp
   tests/unit/operators/working_mesh_test.cpp
+  tests/unit/painting/canvas_test.cpp
+  tests/unit/painting/painter_test.cpp
+  tests/unit/painting/side_finder_test.cpp
+  tests/unit/painting/tangents_test.cpp
+  tests/unit/painting/texture_test.cpp
   tests/unit/parts/part_scale_test.cpp
   tests/unit/parts/part_targets_test.cpp
   tests/unit/parts/precision_test.cpp

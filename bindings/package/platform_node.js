@@ -2,6 +2,7 @@
 // What differs in Node: where the WebAssembly is and how a worker is started.
 
 import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 
@@ -28,6 +29,14 @@ export async function compileUrl(url) {
 /** @returns {Promise<WebAssembly.Module>} */
 export function compileDefault() {
   return compileUrl(new URL('./remesher.wasm', import.meta.url));
+}
+
+/**
+ * The file of another package, which cannot fetch it by itself here.
+ * @param {string} path
+ */
+export async function compileCodec(path) {
+  return WebAssembly.compile(await readFile(createRequire(import.meta.url).resolve(path)));
 }
 
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */

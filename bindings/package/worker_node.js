@@ -3,6 +3,8 @@
 
 import { parentPort } from 'node:worker_threads';
 
+import { compileCodec } from './platform_node.js';
 import { serve } from './worker/serve.js';
 
-parentPort?.on('message', serve((message, transfer) => parentPort?.postMessage(message, transfer)));
+parentPort?.on('message', serve(
+  (message, transfer) => parentPort?.postMessage(message, transfer), compileCodec));

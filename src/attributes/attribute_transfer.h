@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "attributes/chart_keeper.h"
+#include "base/input_place.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {
@@ -19,5 +20,9 @@ struct TransferRules {
 // original triangle they lie on.
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
                          const TransferRules& rules);
+
+// Where each corner of the triangles that extractMesh gives lies on the input, each on its own side
+// of the curves.
+std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input);
 
 }  // namespace remesher

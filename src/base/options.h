@@ -17,6 +17,8 @@ enum class Quality { Draft, Best };          // of the scheme `best`: soon | as 
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
+enum class Textures { Keep, Bake };  // texture coordinates along their seams | painted anew
+enum class TextureFormat { Png, Jpeg, Webp };
 enum class TooFew { Refuse, Raise };  // a target below what the surface needs
 
 struct RemeshOptions {
@@ -38,7 +40,10 @@ struct RemeshOptions {
   std::optional<double> maxError;                     // percent of the diagonal
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
-  TooFew tooFew = TooFew::Refuse;                     // not the caller's: see PartTargets
+  Textures textures = Textures::Keep;                 // of files
+  std::optional<Index> textureSize;                   // texels along a side
+  std::optional<TextureFormat> textureFormat;
+  TooFew tooFew = TooFew::Refuse;  // not the caller's: see PartTargets
 };
 
 }  // namespace remesher

@@ -112,8 +112,9 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
 
 // What is kept cannot be subdivided, so there would be no coarse level. A model with textures needs
 // that for its triangles more than it needs its leaves to meet: each is followed like a seam.
-std::vector<Halfedge> jointsToKeep(const BuiltMesh& built, const TriangleMesh& input) {
-  if (!input.attributes.empty()) return {};
+std::vector<Halfedge> jointsToKeep(const BuiltMesh& built, const TriangleMesh& input,
+                                   const RemeshOptions& options) {
+  if (!input.attributes.empty() || options.textures == Textures::Bake) return {};
   return findJoints(built);
 }
 
@@ -126,7 +127,7 @@ Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Prog
   Spikes spikes = findSpikes(built, double(vertices));
   const double area = spikes.empty() ? surfaceArea(built) : spikes.restOfArea;
   progress.phase("curves", 0, 0);
-  const std::vector<Halfedge> joints = jointsToKeep(built, input);
+  const std::vector<Halfedge> joints = jointsToKeep(built, input, options);
   CurveChoice choice = chooseWithJoints(
       built, input, options, {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
   std::vector<float> density = densityOf(built, options);

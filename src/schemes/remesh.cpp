@@ -114,8 +114,10 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   const double stagger = input.attributes.empty() ? 0 : kStagger;
   const Remeshed remeshed = remeshOriginal(original, options, stagger, progress);
   progress.phase("extract", 1, 1);
-  return {extractMesh(remeshed.mesh, input, original.transfer()), remeshed.stopped,
-          original.vertices(), original.warnings()};
+  std::vector<InputPlace> places;
+  if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
+  return {extractMesh(remeshed.mesh, input, original.transfer()), std::move(places),
+          remeshed.stopped, original.vertices(), original.warnings()};
 }
 
 }  // namespace remesher

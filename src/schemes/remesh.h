@@ -2,6 +2,9 @@
 // The remesher as one function: build, original surface, scheme, result.
 #pragma once
 
+#include <vector>
+
+#include "base/input_place.h"
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
@@ -10,7 +13,8 @@
 namespace remesher {
 
 struct RemeshOutcome {
-  TriangleMesh mesh;  // a vertex comes in as many copies as its attributes need
+  TriangleMesh mesh;               // a vertex comes in as many copies as its attributes need
+  std::vector<InputPlace> places;  // per corner of its triangles, if textures are to be baked
   Stopped stopped = Stopped::Target;
   std::size_t target = 0;  // the number of vertices aimed at
   std::vector<Warning> warnings;

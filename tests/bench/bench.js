@@ -2,12 +2,14 @@
 // The benchmark: named models to named numbers of vertices, in this process, on one thread.
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
+//   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only those from npm packages are run. The status is 1 when a limit is broken.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 
+import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
@@ -27,6 +29,7 @@ function run() {
   const [first, ...rest] = positionals;
   switch (first) {
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
+    case 'bake': return runBake(rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
     default:
       return runCases(limits.cases,

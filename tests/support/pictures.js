@@ -43,7 +43,7 @@ export async function openGallery() {
   return {
     /**
      * For each of 12 views what the two pictures have in common, see pictures_page.js.
-     * @returns {Promise<{ difference: number, pixels: number, strange: number }[]>}
+     * @returns {Promise<{ difference: number, pixels: number, strange: number, ssim: number }[]>}
      */
     async compare(original, result, options = {}) {
       models.set('original.glb', original).set('result.glb', result);
@@ -51,6 +51,12 @@ export async function openGallery() {
         options);
       if (complaints.length > 0) throw new Error(complaints.join('\n'));
       return views;
+    },
+    /** A PNG of a model from one of those views. @returns {Promise<Buffer>} */
+    async picture(model, view) {
+      models.set('original.glb', model);
+      const uri = await tab.evaluate((v) => window.picture('original.glb', v), view);
+      return Buffer.from(uri.slice(uri.indexOf(',') + 1), 'base64');
     },
     close: () => browser.close(),
   };

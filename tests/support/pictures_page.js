@@ -41,7 +41,52 @@ function picture(scene, camera) {
 const near = (pixels, at, colour) =>
   colour.every((value, k) => Math.abs(pixels[at + k] - value) < 40);
 
+const luminance = (pixels, at) =>
+  0.2126 * pixels[at] + 0.7152 * pixels[at + 1] + 0.0722 * pixels[at + 2];
+
+/** Structural similarity [Wang et al. 2004] of two windows, from sums over their n pixels. */
+function similarity({ n, a, b, aa, bb, ab }) {
+  const [c1, c2] = [(0.01 * 255) ** 2, (0.03 * 255) ** 2];
+  const [meanA, meanB] = [a / n, b / n];
+  const [varA, varB, both] = [aa / n - meanA ** 2, bb / n - meanB ** 2, ab / n - meanA * meanB];
+  return (2 * meanA * meanB + c1) * (2 * both + c2)
+    / ((meanA ** 2 + meanB ** 2 + c1) * (varA + varB + c2));
+}
+
+const [windowSize, windowStep] = [8, 4];
+
+/** The sums over a window; `shown`: whether it shows something of either. */
+function windowSums(a, b, left, top) {
+  const sums = { n: windowSize * windowSize, a: 0, b: 0, aa: 0, bb: 0, ab: 0, shown: false };
+  for (let i = 0; i < sums.n; i += 1) {
+    const at = 4 * ((top + Math.floor(i / windowSize)) * size + left + (i % windowSize));
+    sums.shown ||= a[at + 3] + b[at + 3] > 0;
+    const [u, v] = [luminance(a, at), luminance(b, at)];
+    sums.a += u;
+    sums.b += v;
+    sums.aa += u * u;
+    sums.bb += v * v;
+    sums.ab += u * v;
+  }
+  return sums;
+}
+
+/** The mean over all windows of 8 × 8 pixels, four apart, that show something. */
+function ssim(a, b) {
+  let [sum, windows] = [0, 0];
+  for (let top = 0; top + windowSize <= size; top += windowStep) {
+    for (let left = 0; left + windowSize <= size; left += windowStep) {
+      const sums = windowSums(a, b, left, top);
+      if (!sums.shown) continue;
+      sum += similarity(sums);
+      windows += 1;
+    }
+  }
+  return sum / windows;
+}
+
 /**
+ * ssim: how alike they are to the eye, 1 at most.
  * difference: mean absolute difference of the colours, 0 to 1, over all `pixels` that show either.
  * strange: how many pixels of the second picture have the colour `forbidden`.
  */
@@ -53,8 +98,19 @@ function difference(a, b, forbidden) {
     for (let k = 0; k < 3; k += 1) sum += Math.abs(a[i + k] - b[i + k]);
     if (forbidden && near(b, i, forbidden)) strange += 1;
   }
-  return { difference: sum / (3 * 255 * pixels), pixels, strange };
+  return { difference: sum / (3 * 255 * pixels), pixels, strange, ssim: ssim(a, b) };
 }
+
+/** A picture from one of the directions, as a PNG's data URI. */
+window.picture = async (url, view) => {
+  const scene = await sceneOf(url);
+  const { center, radius } = new Box3().setFromObject(scene).getBoundingSphere(new Sphere());
+  const camera = new PerspectiveCamera(40, 1, radius, 5 * radius);
+  camera.position.copy(center).addScaledVector(directions()[view], 3.1 * radius);
+  camera.lookAt(center);
+  renderer.render(scene, camera);
+  return renderer.domElement.toDataURL('image/png');
+};
 
 window.compare = async (first, second, { forbidden } = {}) => {
   const [before, after] = await Promise.all([sceneOf(first), sceneOf(second)]);

@@ -7,6 +7,7 @@ export const coreRooms = {
   base: [],
   mesh: ['base'],
   geometry: ['base', 'mesh'],
+  charts: ['base', 'mesh', 'geometry'],
   curves: ['base', 'mesh', 'geometry'],
   patches: ['base', 'mesh', 'geometry'],
   surface: ['base', 'mesh', 'geometry', 'curves'],
@@ -25,7 +26,8 @@ export const coreRooms = {
   'io/gltf': ['base', 'io/model'],
   io: ['base', 'io/model', 'io/text', 'io/ply', 'io/stl', 'io/gltf'],
   parts: ['base', 'geometry', 'measure', 'io/model'],
-  '': ['base', 'schemes', 'measure', 'io', 'parts'],
+  painting: ['base', 'mesh', 'geometry', 'io/model'],
+  '': ['base', 'geometry', 'charts', 'schemes', 'measure', 'io/model', 'io', 'parts', 'painting'],
 };
 
 /** @type {Record<string, string[]>} folders of bindings/package; '': what is imported by name */
@@ -33,7 +35,8 @@ export const packageRooms = {
   base: [],
   codecs: ['base'],
   files: ['base'],
-  worker: ['base', 'codecs'],
+  textures: ['base', 'codecs'],
+  worker: ['base', 'codecs', 'textures'],
   api: ['base', 'worker'],
   adapters: ['base'],
   '': ['base', 'worker', 'api'],

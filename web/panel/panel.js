@@ -77,7 +77,8 @@ function valueOf(option, control) {
 }
 
 /** Rows without a flag take arrays, which no form can ask for. @param {Option} option */
-const belongsInForm = ({ name, flag }) => flag && !TargetField.names.includes(name);
+const belongsInForm = ({ name, flag }) => flag && !TargetField.names.includes(name)
+  && !name.startsWith('texture'); // the package's codecs of images are not bundled with the page
 
 export class Panel {
   #form;

@@ -24,6 +24,8 @@ import { RemeshError, abortError } from '../base/errors.js';
  * @property {(url: string | URL) => Promise<WebAssembly.Module>} compileUrl
  * @property {() => WorkerPort | undefined} spawn
  * @property {() => number} cores how many workers can be busy at once
+ * @property {(path: string) => Promise<WebAssembly.Module | undefined>} [compileCodec] a file of
+ *   another package; without it, its own code finds it
  */
 
 /**
@@ -221,7 +223,7 @@ export class Client {
    */
   async #runHere(job, { signal, onProgress }) {
     this.#engine ??= Promise.all([import('../worker/engine.js'), this.load()])
-      .then(([{ Engine }, module]) => new Engine(module));
+      .then(([{ Engine }, module]) => new Engine(module, this.#platform.compileCodec));
     this.#engine.catch(() => (this.#engine = undefined));
     const engine = await this.#engine;
     if (signal?.aborted) throw abortError();

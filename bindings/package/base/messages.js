@@ -51,7 +51,20 @@
  *   | { kind: 'inspectFile', file: FileRequest }} Job
  */
 
-/** @typedef {NamedBytes & { resources: NamedBytes[], output: string }} FileRequest */
+/**
+ * An image, decoded: four bytes to a texel, row after row from the top.
+ * @typedef {object} Picture
+ * @property {string} name What the file that it belongs to calls it.
+ * @property {string} type What it is to be encoded as.
+ * @property {number} width Texels.
+ * @property {number} height Texels.
+ * @property {Uint8Array} texels The bytes.
+ */
+
+/**
+ * @typedef {NamedBytes & { resources: NamedBytes[], output: string, pictures?: Picture[] }}
+ *   FileRequest
+ */
 
 /**
  * @typedef {object} ProgressEvent

@@ -97,12 +97,17 @@ function call(instance, job, ask) {
 
 export class Engine {
   #module;
+  #compileCodec;
   /** @type {Promise<any> | undefined} */
   #instance;
 
-  /** @param {WebAssembly.Module} module */
-  constructor(module) {
+  /**
+   * @param {WebAssembly.Module} module
+   * @param {import('../textures/image_codecs.js').CompileCodec} [compileCodec]
+   */
+  constructor(module, compileCodec = () => Promise.resolve(undefined)) {
     this.#module = module;
+    this.#compileCodec = compileCodec;
   }
 
   /**
@@ -114,10 +119,25 @@ export class Engine {
   async run(job, onProgress) {
     const plainJob = 'file' in job
       ? { ...job, file: await decompress(await gunzipAll(job.file)) } : job;
+    if (plainJob.kind !== 'remeshFile' || plainJob.options.textures !== 'bake') {
+      return this.#run(plainJob, onProgress);
+    }
+    const { Bakery } = await import('../textures/bake.js');
+    const bakery = new Bakery(this.#compileCodec);
+    const file = await bakery.opened(plainJob.file);
+    return bakery.closed(await this.#run({ ...plainJob, file }, onProgress));
+  }
+
+  /**
+   * @param {Job} job its files neither packed nor compressed
+   * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+   * @returns {Promise<any>}
+   */
+  async #run(job, onProgress) {
     const instance = await this.#start();
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
-    const outcome = this.#call(instance, plainJob, ask);
+    const outcome = this.#call(instance, job, ask);
     if (instance.HEAPU8.length > initialMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);

@@ -28,14 +28,15 @@ function failureFrom(error) {
 
 /**
  * @param {(message: FromWorker, transfer: ArrayBuffer[]) => void} post
+ * @param {import('../textures/image_codecs.js').CompileCodec} [compileCodec]
  * @returns {(message: ToWorker) => Promise<void>} to be called with every message
  */
-export function serve(post) {
+export function serve(post, compileCodec) {
   /** @type {Engine} */
   let engine;
   return async (message) => {
     if (message.type === 'start') {
-      engine = new Engine(message.module);
+      engine = new Engine(message.module, compileCodec);
       return;
     }
     try {

@@ -31,6 +31,17 @@ Json boundsOf(const std::vector<double>& bounds, int componentType) {
   return list;
 }
 
+// The attributes that have a new accessor, in their order.
+Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
+             const std::string& prefix) {
+  Json result = Json::object();
+  for (const auto& [semantic, old] : attributes.items()) {
+    const auto replacement = accessors.find(prefix + semantic);
+    if (replacement != accessors.end()) result[semantic] = replacement->second;
+  }
+  return result;
+}
+
 }  // namespace
 
 GltfEditor::GltfEditor(Json tree, const GltfDocument* document)
@@ -108,18 +119,14 @@ void GltfEditor::abandon(const Json& primitive) {
 
 void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors,
                                   std::size_t indices) {
-  Json attributes = Json::object();
-  for (const auto& [semantic, old] : primitive["attributes"].items()) {
-    const auto replacement = accessors.find(semantic);
-    if (replacement != accessors.end()) attributes[semantic] = replacement->second;
-  }
+  Json attributes = renamed(primitive["attributes"], accessors, "");
+  for (const auto& [semantic, accessor] : accessors)
+    if (semantic.find('/') == std::string::npos) attributes[semantic] = accessor;
   primitive["attributes"] = std::move(attributes);
   if (primitive.contains("targets")) {
     std::size_t number = 0;
-    for (Json& target : primitive["targets"]) {
-      const std::string prefix = "TARGET_" + std::to_string(number++) + "/";
-      for (auto& [semantic, accessor] : target.items()) accessor = accessors.at(prefix + semantic);
-    }
+    for (Json& target : primitive["targets"])
+      target = renamed(target, accessors, "TARGET_" + std::to_string(number++) + "/");
   }
   primitive["indices"] = indices;
   primitive.erase("mode");  // triangles are the default

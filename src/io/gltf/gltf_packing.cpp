@@ -74,9 +74,10 @@ std::vector<Json> removeUnused(Json& tree, const char* list, const std::set<int>
   return removed;
 }
 
-void dropAbandoned(Json& tree, const std::set<int>& abandoned) {
-  std::vector<Json> accessors = removeUnused(tree, "accessors", abandoned, forEachAccessorNumber);
-  std::set<int> bufferViews;
+void dropAbandoned(Json& tree, const Abandoned& abandoned) {
+  std::vector<Json> accessors =
+      removeUnused(tree, "accessors", abandoned.accessors, forEachAccessorNumber);
+  std::set<int> bufferViews = abandoned.bufferViews;
   for (Json& accessor : accessors)
     forEachBufferViewNumberOf(accessor, [&](Json& number) { bufferViews.insert(asIndex(number)); });
   removeUnused(tree, "bufferViews", bufferViews, forEachBufferViewNumber);
@@ -155,7 +156,7 @@ Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidd
 
 }  // namespace
 
-PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const std::set<int>& abandoned) {
+PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned) {
   const bool keepsAll = hasUnknownReferences(tree);
   if (!keepsAll) dropAbandoned(tree, abandoned);
   Bytes data = mergeBuffers(tree, buffers, keepsAll);

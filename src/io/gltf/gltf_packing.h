@@ -15,9 +15,14 @@ struct PackedGltf {
   Bytes data;
 };
 
-// abandoned: accessors that replaced primitives named. Those that nothing names any more go, and
-// with them the buffer views that only they used. Where an unknown extension might name accessors
+// What may go: accessors that replaced primitives named, buffer views of images that were replaced.
+struct Abandoned {
+  std::set<int> accessors, bufferViews;
+};
+
+// What is abandoned and nothing names any more goes, and with accessors the buffer views that only
+// they used. Where an unknown extension might name accessors
 // or buffer views by number, all stay, at their numbers.
-PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const std::set<int>& abandoned);
+PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned);
 
 }  // namespace remesher::io

@@ -8,6 +8,7 @@
 #include "io/gltf/gltf.h"
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_scene.h"
 
 namespace remesher::io {
@@ -42,6 +43,7 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, const tinygltf::
       const Json materials = document.tree.value("materials", Json::array());
       if (material >= 0 && static_cast<std::size_t>(material) < materials.size())
         info.material = materials[material].value("name", "material " + std::to_string(material));
+      info.look = readMaterial(document.tree, material);
     }
   }
   return infos;

@@ -13,6 +13,7 @@
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_editor.h"
 #include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_packing.h"
 #include "io/model/companions.h"
 #include "io/model/resources.h"
@@ -22,6 +23,9 @@ namespace remesher::io {
 namespace {
 
 enum class Container { Text, Binary };
+
+// What refers to an image that is yet to be encoded.
+constexpr std::string_view kPainting = "painting:";
 
 // Whether the mesh is the one that was read: the file itself is the only record of it.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
@@ -97,7 +101,7 @@ Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionN
   for (Json& image : tree["images"]) {
     if (!image.contains("uri")) continue;
     const std::string uri = image["uri"].get<std::string>();
-    if (isDataUri(uri)) continue;
+    if (isDataUri(uri) || uri.starts_with(kPainting)) continue;
     const File* const file = findResource(resources, uri);
     if (file == nullptr) {
       companions.missing.push_back(uri);
@@ -171,6 +175,29 @@ std::optional<WrittenFiles> asItCame(const GltfDocument& document, const std::st
   return written;
 }
 
+// The pools of a part that was painted: what was, goes; what is painted comes anew.
+std::vector<VertexPool> paintedPools(std::vector<VertexPool> pools) {
+  for (VertexPool& pool : pools) {
+    std::erase_if(pool.accessors, [](const auto& entry) {
+      const std::string own = entry.first.substr(entry.first.find('/') + 1);
+      return own == "TANGENT" || own.starts_with("TEXCOORD_") || own.starts_with("COLOR_");
+    });
+    for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"}) pool.accessors[made] = -1;
+  }
+  return pools;
+}
+
+// The paintings' numbers in place of the materials that they stand for.
+void usePaintings(Json& primitives, const Part& part, std::size_t firstPainting) {
+  for (std::size_t g = 0; g < part.groups.size() && g < primitives.size(); ++g) {
+    if (part.groups[g].painted < 0) continue;
+    primitives[g]["material"] = firstPainting + static_cast<std::size_t>(part.groups[g].painted);
+    if (!primitives[g].contains("extensions")) continue;
+    primitives[g]["extensions"].erase("KHR_materials_variants");
+    if (primitives[g]["extensions"].empty()) primitives[g].erase("extensions");
+  }
+}
+
 WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
@@ -179,19 +206,28 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
+  const bool isPainted = !model.paintings.empty();
+  const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   for (const std::size_t i : replaced) {
-    const int mesh = document.partMeshes[i];
-    editor.replaceGeometry(static_cast<std::size_t>(mesh), model.parts[i].mesh,
-                           vertexPools(document.typed.meshes[mesh]));
+    const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
+    std::vector<VertexPool> pools = vertexPools(document.typed.meshes[mesh]);
+    if (isPainted) {
+      pools = paintedPools(std::move(pools));
+      usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
+    }
+    editor.replaceGeometry(mesh, model.parts[i].mesh, pools);
   }
+  Abandoned abandoned{editor.abandoned(), {}};
+  if (isPainted) abandoned.bufferViews = dropUnusedImages(editor.tree());
   if (container == Container::Binary && before == Container::Text) embedImages(editor, document);
   std::vector<Bytes> buffers = document.buffers;
   buffers.push_back(editor.newData());
-  PackedGltf packed = packGltf(std::move(editor.tree()), buffers, editor.abandoned());
+  PackedGltf packed = packGltf(std::move(editor.tree()), buffers, abandoned);
   CompanionNames names(outputName);
   const std::string dataFile = document.isEmbedded ? "" : dataName(outputName, names);
   Companions images = takeImages(packed.tree, document.resources, names);
   WrittenFiles written = serialized(std::move(packed), outputName, container, dataFile);
+  written.images = model.images;
   passOn(std::move(images), written);
   return written;
 }
@@ -235,7 +271,9 @@ Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pool
       for (const auto& [semantic, accessor] : pool.accessors)
         primitives[group]["attributes"][semantic] = accessor;
       const bool isKnown = static_cast<std::size_t>(group) < part.groups.size();
-      if (isKnown && !part.groups[group].material.empty())
+      if (isKnown && part.groups[group].painted >= 0)
+        primitives[group]["material"] = part.groups[group].painted;
+      else if (isKnown && !part.groups[group].material.empty())
         primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
     }
   }
@@ -264,6 +302,7 @@ Json plainDocument(const Model& model) {
 WrittenFiles writePlain(const Model& model, const std::string& outputName, Container container) {
   if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
   GltfEditor editor(plainDocument(model), nullptr);
+  if (!model.paintings.empty()) addPaintings(editor.tree(), model);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const TriangleMesh mesh = converted(model.parts[i].mesh, model.conventions, Conventions::Gltf);
     const std::vector<VertexPool> pools = poolsOfGroups(model.parts[i]);
@@ -271,8 +310,10 @@ WrittenFiles writePlain(const Model& model, const std::string& outputName, Conta
     editor.replaceGeometry(i, mesh, pools);
   }
   CompanionNames names(outputName);
-  return serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}), outputName,
-                    container, dataName(outputName, names));
+  WrittenFiles written = serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}),
+                                    outputName, container, dataName(outputName, names));
+  written.images = model.images;
+  return written;
 }
 
 WrittenFiles writeIn(const Model& model, const std::string& outputName, Container container) {

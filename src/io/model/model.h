@@ -13,6 +13,7 @@
 #include "base/triangle_mesh.h"
 #include "base/types.h"
 #include "io/model/conventions.h"
+#include "io/model/material.h"
 
 namespace remesher::io {
 
@@ -29,6 +30,8 @@ namespace remesher::io {
 struct GroupInfo {
   std::string material;            // its name
   std::vector<std::string> lacks;  // semantics that the mesh has and this group has not
+  Material look = {};
+  int painted = -1;  // which of the model's paintings it has instead, if any
 };
 
 struct Part {
@@ -48,11 +51,20 @@ class Source {
   virtual ~Source() = default;
 };
 
+// A map that was painted, to be encoded by somebody else.
+struct PaintedImage {
+  std::string name;
+  std::string type;  // image/png, image/jpeg or image/webp
+  Image image;
+};
+
 struct Model {
   std::vector<Part> parts;
   Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // none where the parts hold everything
+  std::vector<Material> paintings;       // their maps are called by the number of the image below
+  std::vector<PaintedImage> images;
 };
 
 }  // namespace remesher::io

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The images of glTF files: taken out to be decoded, and put in where a result refers to one that
+// has been painted.
+
+import { openContainer, packGlb } from '../codecs/gltf_container.js';
+import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
+
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
+/** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
+
+const placeholder = /^painting:(\d+)$/;
+const extensions = /** @type {Record<string, string>} */ (
+  { 'image/png': 'png', 'image/jpeg': 'jpg', 'image/webp': 'webp' });
+
+/** @param {string} uri */
+function decoded(uri) {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+/** @param {string} uri @returns {Uint8Array} */
+function dataOf(uri) {
+  const [head, body = ''] = uri.split(/,(.*)/s);
+  if (!head.endsWith(';base64')) return new TextEncoder().encode(decoded(body));
+  return Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
+}
+
+/** @param {any} image @param {any} tree @param {Uint8Array} chunk @param {FileRequest} file */
+function bytesOf(image, tree, chunk, file) {
+  const buffer = (/** @type {any} */ { uri }) => {
+    if (uri === undefined) return chunk;
+    return uri.startsWith('data:') ? dataOf(uri) : resource(uri, file);
+  };
+  if (typeof image.uri === 'string') return buffer(image);
+  const view = tree.bufferViews?.[image.bufferView];
+  const whole = view && tree.buffers?.[view.buffer] && buffer(tree.buffers[view.buffer]);
+  const begin = view?.byteOffset ?? 0;
+  return whole?.subarray(begin, begin + view.byteLength);
+}
+
+/** @param {string} uri @param {FileRequest} file */
+function resource(uri, { resources }) {
+  return resources.find(({ name }) => name === uri || name === decoded(uri))?.bytes;
+}
+
+/** The numbers of the images that the known maps of materials show. @param {any} tree */
+function paintedFrom(tree) {
+  const infos = (tree.materials ?? []).flatMap((/** @type {any} */ material) => [
+    material.pbrMetallicRoughness?.baseColorTexture,
+    material.pbrMetallicRoughness?.metallicRoughnessTexture,
+    material.normalTexture, material.occlusionTexture, material.emissiveTexture]);
+  const images = infos.map((/** @type {any} */ info) => {
+    const texture = tree.textures?.[info?.index];
+    const { EXT_texture_webp: webp, KHR_texture_basisu: basis } = texture?.extensions ?? {};
+    return (webp ?? basis)?.source ?? texture?.source;
+  });
+  return [...new Set(images)].filter((number) => tree.images?.[number] !== undefined);
+}
+
+/**
+ * The images of a file that new textures are painted from, called by their numbers.
+ * @param {FileRequest} file
+ * @returns {{ name: string, label: string, bytes: Uint8Array }[]}
+ */
+export function imagesOf(file) {
+  const { text, chunk = new Uint8Array() } = openContainer(file.bytes);
+  let tree;
+  try {
+    tree = JSON.parse(text);
+  } catch {
+    return []; // the core says what is wrong
+  }
+  return paintedFrom(tree).map((number) => {
+    const image = tree.images[number];
+    const called = image.name ?? (image.uri?.startsWith('data:') ? undefined : image.uri);
+    const label = `${legible(file.name)}: Image ${number}${called ? ` (${legible(called)})` : ''}`;
+    const bytes = bytesOf(image, tree, chunk, file);
+    if (!bytes?.length) {
+      throw new RemeshError('MISSING_RESOURCE', `${label} was not given.`,
+        'Give the image with the file, or keep the textures.');
+    }
+    return { name: String(number), label, bytes };
+  });
+}
+
+/** @param {any} tree @param {Uint8Array} chunk @param {NamedBytes[]} encoded */
+function embed(tree, chunk, encoded) {
+  const alignment = 8;
+  const aligned = (/** @type {number} */ length) => Math.ceil(length / alignment) * alignment;
+  let end = aligned(chunk.length);
+  const whole = new Uint8Array(
+    encoded.reduce((sum, { bytes }) => sum + aligned(bytes.length), end));
+  whole.set(chunk);
+  const starts = encoded.map(({ bytes }) => {
+    const start = end;
+    whole.set(bytes, start);
+    end += aligned(bytes.length);
+    return start;
+  });
+  for (const image of tree.images ?? []) {
+    const number = placeholder.exec(image.uri ?? '')?.[1];
+    if (number === undefined) continue;
+    delete image.uri;
+    tree.bufferViews.push({ buffer: 0, byteOffset: starts[Number(number)],
+      byteLength: encoded[Number(number)].bytes.length });
+    image.bufferView = tree.bufferViews.length - 1;
+  }
+  tree.buffers[0].byteLength = whole.length;
+  return packGlb(tree, whole);
+}
+
+/** @param {NamedBytes[]} files @param {string} base @param {string} ending */
+function freeName(files, base, ending) {
+  const isTaken = (/** @type {string} */ name) => files.some((file) => file.name === name);
+  let name = `${base}.${ending}`;
+  for (let i = 2; isTaken(name); i += 1) name = `${base}_${i}.${ending}`;
+  return name;
+}
+
+/** @typedef {NamedBytes & { type: string }} EncodedImage */
+
+/** @param {any} tree @param {NamedBytes[]} files @param {EncodedImage[]} encoded */
+function layBeside(tree, files, encoded) {
+  const base = files[0].name.replace(/\.[^.]*$/, '');
+  const result = [...files];
+  for (const image of tree.images ?? []) {
+    const number = placeholder.exec(image.uri ?? '')?.[1];
+    if (number === undefined) continue;
+    const { name, bytes, type } = encoded[Number(number)];
+    const file = freeName(result, `${base}_${name}`, extensions[type]);
+    image.uri = encodeURIComponent(file);
+    delete image.mimeType;
+    result.push({ name: file, bytes });
+  }
+  result[0] = { name: files[0].name,
+    bytes: new TextEncoder().encode(`${JSON.stringify(tree, undefined, 2)}\n`) };
+  return result;
+}
+
+/**
+ * The files of a result with its painted images, within a .glb or beside a .gltf.
+ * @param {NamedBytes[]} files
+ * @param {EncodedImage[]} encoded
+ * @returns {NamedBytes[]}
+ */
+export function withImages(files, encoded) {
+  const { text, chunk } = openContainer(files[0].bytes);
+  const tree = JSON.parse(text);
+  if (!chunk) return layBeside(tree, files, encoded);
+  return [{ name: files[0].name, bytes: embed(tree, chunk, encoded) }, ...files.slice(1)];
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Images to texels and back, by Squoosh's codecs in WebAssembly: the same bytes in Node and every
+// browser. They are packages of their own, loaded when they are needed.
+
+import { imageHeader } from './image_header.js';
+import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
+
+/** @typedef {import('../base/messages.js').Picture} Picture */
+
+/**
+ * A file of a package, compiled; undefined where the codec finds its own.
+ * @typedef {(path: string) => Promise<WebAssembly.Module | undefined>} CompileCodec
+ */
+
+// Beyond this one image has more texels than are worth holding.
+const largestImage = 2 ** 26;
+
+/**
+ * For each type: its package, the WebAssembly of its two halves, and how it encodes.
+ * @type {Record<string, { name: string, decoder: string, encoder: string, quality?: object }>}
+ */
+const codecs = {
+  'image/png': {
+    name: '@jsquash/png',
+    decoder: '@jsquash/png/codec/pkg/squoosh_png_bg.wasm',
+    encoder: '@jsquash/png/codec/pkg/squoosh_png_bg.wasm',
+  },
+  'image/jpeg': {
+    name: '@jsquash/jpeg',
+    decoder: '@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm',
+    encoder: '@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm',
+    quality: { quality: 90 },
+  },
+  'image/webp': {
+    name: '@jsquash/webp',
+    decoder: '@jsquash/webp/codec/dec/webp_dec.wasm',
+    encoder: '@jsquash/webp/codec/enc/webp_enc_simd.wasm',
+    quality: { quality: 90 },
+  },
+};
+
+/**
+ * The two halves of a package. Bundlers are not to look for them: they would complain to all who
+ * bake nothing.
+ * @param {string} name
+ * @returns {Promise<any[]>}
+ */
+async function loadPackage(name) {
+  try {
+    return [await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/decode.js`),
+      await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/encode.js`)];
+  } catch (cause) {
+    throw new RemeshError('UNSUPPORTED', `Baking textures needs the package ${name}.`,
+      `npm install ${name}; in browsers, name it in an import map.`, { cause });
+  }
+}
+
+/**
+ * What Node lacks and the decoders make.
+ * @template T
+ * @param {() => Promise<T>} body
+ */
+async function withImageData(body) {
+  const scope = /** @type {any} */ (globalThis);
+  if (scope.ImageData) return body();
+  scope.ImageData = class {
+    /** @param {Uint8ClampedArray} data @param {number} width @param {number} height */
+    constructor(data, width, height) {
+      Object.assign(this, { data, width, height });
+    }
+  };
+  try {
+    return await body();
+  } finally {
+    delete scope.ImageData;
+  }
+}
+
+/** @param {{ name: string, bytes: Uint8Array }} image @returns {string} its type */
+function typeOf({ name, bytes }) {
+  const header = imageHeader(bytes);
+  if (header?.type === 'image/ktx2') {
+    throw new RemeshError('UNSUPPORTED', `${name} is a KTX2 texture, which cannot be painted from.`,
+      'Convert it to PNG, JPEG or WebP first, or keep the textures.');
+  }
+  if (!header) {
+    throw new RemeshError('UNSUPPORTED', `${name} is neither PNG nor JPEG nor WebP.`,
+      'Convert it first, or keep the textures.');
+  }
+  if ((header.width ?? 0) * (header.height ?? 0) > largestImage) {
+    throw new RemeshError('UNSUPPORTED',
+      `${name} has ${header.width} × ${header.height} texels; ${largestImage} are the most.`,
+      'Scale it down first.');
+  }
+  return header.type;
+}
+
+export class ImageCodecs {
+  #compile;
+  /** @type {Map<string, Promise<any[]>>} */
+  #loaded = new Map();
+
+  /** @param {CompileCodec} compile */
+  constructor(compile) {
+    this.#compile = compile;
+  }
+
+  /** @param {string} type */
+  #load(type) {
+    const known = this.#loaded.get(type);
+    if (known) return known;
+    const { name, decoder, encoder } = codecs[type];
+    const loading = loadPackage(name).then(async ([decode, encode]) => {
+      const modules = await Promise.all([this.#compile(decoder), this.#compile(encoder)]);
+      if (modules[0]) await decode.init(modules[0]);
+      if (modules[1]) await encode.init(modules[1]);
+      return [decode.default, encode.default];
+    });
+    this.#loaded.set(type, loading);
+    return loading;
+  }
+
+  /**
+   * @param {{ name: string, bytes: Uint8Array }} image called so where it cannot be decoded
+   * @returns {Promise<Omit<Picture, 'name' | 'type'>>}
+   */
+  async decode(image) {
+    const type = typeOf(image);
+    return withImageData(async () => {
+      const [decode] = await this.#load(type);
+      try {
+        const { data, width, height } = await decode(image.bytes.slice().buffer);
+        return { width, height, texels: new Uint8Array(data.buffer) };
+      } catch (cause) {
+        this.#loaded.delete(type);
+        throw new RemeshError('PARSE_ERROR', `${legible(image.name)} cannot be decoded.`,
+          'Was it copied completely?', { cause });
+      }
+    });
+  }
+
+  /** @param {Picture} picture @returns {Promise<Uint8Array>} */
+  async encode({ type, width, height, texels }) {
+    return withImageData(async () => {
+      const [, encode] = await this.#load(type);
+      const data = new Uint8ClampedArray(texels.buffer, texels.byteOffset, texels.byteLength);
+      return new Uint8Array(await encode({ data, width, height }, codecs[type].quality));
+    });
+  }
+}

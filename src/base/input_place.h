@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A place on a mesh as it was given: what remains of a SurfacePoint outside of the remesher.
+#pragma once
+
+#include "base/types.h"
+
+namespace remesher {
+
+struct InputPlace {
+  Index triangle = 0;
+  Vec3 weights = {1, 0, 0};  // of the triangle's corners in their order; sum 1
+};
+
+}  // namespace remesher

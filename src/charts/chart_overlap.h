@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Whether a chart, laid into the plane, covers any place twice. Where all triangles keep their
+// orientation it does not if its border crosses itself nowhere and has one outer loop: the winding
+// number about a place says how often it is covered.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher {
+
+struct PlaneEdge {
+  Index from, to;  // vertices
+  Vec2 a, b;       // where they are
+};
+
+// border: the edges of the chart's border, chart on the left, loop after loop.
+bool coversTwice(std::span<const std::vector<PlaneEdge>> border);
+
+}  // namespace remesher

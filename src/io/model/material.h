@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How a surface looks, as glTF says it: factors, and maps that they are multiplied with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher::io {
+
+// Row after row from the top, four bytes to a texel.
+struct Image {
+  Index width = 0, height = 0;
+  std::vector<std::uint8_t> texels;
+};
+
+// An image of a model that somebody else has decoded; glTF's are called by their number.
+struct NamedImage {
+  std::string name;
+  Image image;
+};
+
+enum class Wrap { Repeat, Clamp, Mirror };
+
+// A map: where it is looked up for a vertex with texture coordinates.
+struct Map {
+  std::string image;  // its name; empty: there is no map
+  int texcoord = 0;   // TEXCOORD_n
+  Eigen::Matrix<double, 2, 3> transform = Eigen::Matrix<double, 2, 3>::Identity();
+  std::array<Wrap, 2> wrap = {Wrap::Repeat, Wrap::Repeat};
+
+  explicit operator bool() const { return !image.empty(); }
+};
+
+struct Material {
+  std::string name;
+  int number = -1;                                      // in its file
+  Eigen::Vector4d baseColor = Eigen::Vector4d::Ones();  // linear, and alpha
+  double metallic = 1, roughness = 1;
+  Vec3 emissive = Vec3::Zero();
+  double normalScale = 1, occlusionStrength = 1;
+  Map baseColorMap, metalRoughMap, occlusionMap, emissiveMap, normalMap;
+  bool isOpaque = true;
+  // What cannot be painted, in some spelling: materials that agree in it can share their maps.
+  std::string rest;
+  std::vector<std::string> unpaintable;  // maps of extensions, by their names
+};
+
+}  // namespace remesher::io

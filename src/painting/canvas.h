@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The square that is painted on: which texel belongs to which triangle of an atlas, and what the
+// texels between the charts become.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "io/model/material.h"
+
+namespace remesher {
+
+using TexelTriangle = std::array<Vec2, 3>;  // in texels
+
+// Per texel the triangle over its middle, or else the nearest if it is no farther than a texel, or
+// kNone.
+std::vector<Index> coveredTexels(std::span<const TexelTriangle> triangles, Index size);
+
+// The weights of a triangle's corners at a point of its plane, also beside it.
+Vec3 weightsAt(const TexelTriangle& triangle, const Vec2& point);
+
+// Every texel that is nobody's becomes the mean of its neighbours that are somebody's, ring after
+// ring: what looks beyond the rim of a chart, as coarse mip levels do, finds what is within.
+void fillGutters(io::Image& image, std::span<const Index> owners);
+
+}  // namespace remesher

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "painting/new_surface.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "mesh/weld.h"
+
+namespace remesher {
+
+namespace {
+
+Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
+
+// What tells the copies of a vertex apart.
+using CopyKey = std::array<double, 10>;
+
+void append(Attribute& to, const Attribute& from, Index vertex) {
+  const auto first = from.values.begin() + std::ptrdiff_t(vertex) * from.itemSize;
+  to.values.insert(to.values.end(), first, first + from.itemSize);
+}
+
+}  // namespace
+
+NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> places,
+                       const PaintSource& source)
+    : mesh_(mesh),
+      places_(places),
+      texcoords_(mesh.indices.size(), Vec2::Zero()),
+      tangents_(mesh.indices.size(), Eigen::Vector4d(1, 0, 0, 1)) {
+  for (const Vec3& p : mesh.positions) positions_.push_back(rounded(p));
+  const std::vector<Index> first = weld(mesh.positions);
+  for (const Index v : mesh.indices) welded_.push_back(first[v]);
+  Shading shading = shade(positions_, welded_, places, source);
+  for (const Vec3& normal : shading.normals) normals_.push_back(rounded(normal));
+  hard_ = std::move(shading.hard);
+}
+
+void NewSurface::setTexcoord(Index corner, const Vec2& texel, Index size) {
+  texcoords_[corner] = (texel / size).cast<float>().cast<double>();
+}
+
+CanvasCorner NewSurface::canvasCorner(Index corner, Index size) const {
+  return {position(corner), normal(corner), tangents_[corner], texcoord(corner) * size,
+          places_[corner]};
+}
+
+TriangleMesh NewSurface::painted() const {
+  TriangleMesh result;
+  for (const Attribute& attribute : mesh_.attributes)
+    result.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+  Attribute normals{"NORMAL", 3, {}}, tangents{"TANGENT", 4, {}}, texcoords{"TEXCOORD_0", 2, {}};
+  std::map<CopyKey, Index> copies;
+  for (Index h = 0; h < mesh_.indices.size(); ++h) {
+    const Index v = mesh_.indices[h];
+    const Vec3& n = normals_[h];
+    const Vec2& uv = texcoords_[h];
+    const Eigen::Vector4d& t = tangents_[h];
+    const CopyKey key = {double(v), n.x(), n.y(), n.z(), uv.x(),
+                         uv.y(),    t.x(), t.y(), t.z(), t.w()};
+    const auto [copy, isNew] = copies.emplace(key, Index(result.positions.size()));
+    result.indices.push_back(copy->second);
+    if (!isNew) continue;
+    result.positions.push_back(mesh_.positions[v]);
+    for (std::size_t a = 0; a < mesh_.attributes.size(); ++a)
+      append(result.attributes[a], mesh_.attributes[a], v);
+    for (const double x : n) normals.values.push_back(float(x));
+    for (const double x : t) tangents.values.push_back(float(x));
+    for (const double x : uv) texcoords.values.push_back(float(x));
+  }
+  result.groups = mesh_.groups;
+  for (Attribute* const made : {&normals, &tangents, &texcoords})
+    result.attributes.push_back(std::move(*made));
+  return result;
+}
+
+}  // namespace remesher

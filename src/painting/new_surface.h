@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What remeshing has made of a part, on its way to being painted: its corners with all that is to
+// be written of them, in the single precision that files have.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "painting/painter.h"
+#include "painting/shading.h"
+
+namespace remesher {
+
+class NewSurface {
+ public:
+  // places: per corner, on the source. Both must outlive the object, and the mesh, too.
+  NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> places,
+             const PaintSource& source);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  std::span<const Vec3> positions() const { return positions_; }  // per vertex
+  Index welded(Index corner) const { return welded_[corner]; }
+  bool isHard(Index corner) const { return hard_[corner] != 0; }
+
+  // texel: from the corner of a square of so many.
+  void setTexcoord(Index corner, const Vec2& texel, Index size);
+  void setTangent(Index corner, const Eigen::Vector4d& tangent) { tangents_[corner] = tangent; }
+  const Vec3& position(Index corner) const { return positions_[mesh_.indices[corner]]; }
+  const Vec3& normal(Index corner) const { return normals_[corner]; }
+  const Vec2& texcoord(Index corner) const { return texcoords_[corner]; }
+  CanvasCorner canvasCorner(Index corner, Index size) const;
+
+  // The mesh with normals, tangents and texture coordinates, a vertex in as many copies as they
+  // need.
+  TriangleMesh painted() const;
+
+ private:
+  const TriangleMesh& mesh_;
+  std::span<const InputPlace> places_;
+  std::vector<Vec3> positions_;
+  std::vector<Index> welded_;
+  std::vector<Vec3> normals_;
+  std::vector<char> hard_;
+  std::vector<Vec2> texcoords_;
+  std::vector<Eigen::Vector4d> tangents_;
+};
+
+}  // namespace remesher

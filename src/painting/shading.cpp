@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "painting/shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/triangle.h"
+#include "mesh/edge_groups.h"
+
+namespace remesher {
+
+namespace {
+
+// Normals on the two sides of a curve that are farther apart were meant to be two.
+const double kHard = std::cos(radians(30));
+
+class Shader {
+ public:
+  Shader(std::span<const Vec3> positions, std::span<const Index> indices)
+      : positions_(positions), indices_(indices), parent_(indices.size()) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+
+  Shading run(std::span<const InputPlace> places, const PaintSource& source) {
+    std::vector<Vec3> original;
+    for (const InputPlace& place : places) original.push_back(source.shadingNormal(place));
+    Shading result{{}, std::vector<char>(indices_.size(), 0)};
+    const EdgeGroups edges(positions_.size(), indices_);
+    const auto parts = [&](Index a, Index b) { return original[a].dot(original[b]) < kHard; };
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (edges[e].size() != 2) continue;
+      const Index a = edges[e][0], b = edges[e][1];
+      if (indices_[a] == indices_[b]) continue;
+      const bool isHard = parts(a, nextCorner(b)) || parts(nextCorner(a), b);
+      result.hard[a] = result.hard[b] = isHard;
+      if (isHard) continue;
+      join(a, nextCorner(b));
+      join(nextCorner(a), b);
+    }
+    result.normals = sharedNormals();
+    return result;
+  }
+
+ private:
+  Triangle corners(Index t) const {
+    return {positions_[indices_[3 * t]], positions_[indices_[3 * t + 1]],
+            positions_[indices_[3 * t + 2]]};
+  }
+
+  // The mean over the triangles that share them, weighted by their angles.
+  std::vector<Vec3> sharedNormals() const {
+    std::vector<Vec3> sums(indices_.size(), Vec3::Zero()), result;
+    for (Index t = 0; 3 * t < indices_.size(); ++t) {
+      const auto [a, b, c] = corners(t);
+      const std::array<double, 3> weights = angles(a, b, c);
+      for (Index k = 0; k < 3; ++k) sums[root(3 * t + k)] += weights[k] * unitNormal(a, b, c);
+    }
+    for (Index h = 0; h < indices_.size(); ++h) {
+      const Vec3& sum = sums[root(h)];
+      const auto [a, b, c] = corners(h / 3);
+      const Vec3 own = unitNormal(a, b, c);
+      const double length = sum.norm();
+      result.push_back(length > 0 ? Vec3(sum / length) : own.isZero() ? Vec3(Vec3::UnitZ()) : own);
+    }
+    return result;
+  }
+
+  Index root(Index h) const {
+    while (parent_[h] != h) h = parent_[h];
+    return h;
+  }
+
+  void join(Index a, Index b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::span<const Vec3> positions_;
+  std::span<const Index> indices_;
+  std::vector<Index> parent_;
+};
+
+}  // namespace
+
+Shading shade(std::span<const Vec3> positions, std::span<const Index> indices,
+              std::span<const InputPlace> places, const PaintSource& source) {
+  return Shader(positions, indices).run(places, source);
+}
+
+}  // namespace remesher

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// How much a textured model still looks like itself with few triangles: its textures kept, baked,
+// and the model simplified by meshoptimizer to as many triangles. Pictures from twelve sides.
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+
+import { NodeIO } from '@gltf-transform/core';
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { dedup, simplify, weld } from '@gltf-transform/functions';
+import { MeshoptSimplifier } from 'meshoptimizer';
+import { remeshFile } from 'remesher';
+
+import { openGallery } from '../support/pictures.js';
+
+const model = 'DamagedHelmet.glb';
+const counts = [2900, 1450, 870, 290];
+
+/** As many triangles as asked for, or as near as it comes. */
+async function simplified(bytes, triangles) {
+  const io = new NodeIO().registerExtensions(ALL_EXTENSIONS);
+  const document = await io.readBinary(bytes);
+  await MeshoptSimplifier.ready;
+  const before = document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives())
+    .reduce((sum, primitive) => sum + primitive.getIndices().getCount() / 3, 0);
+  await document.transform(weld(), dedup(),
+    simplify({ simplifier: MeshoptSimplifier, ratio: triangles / before, error: 1 }));
+  return io.writeBinary(document);
+}
+
+const mean = (views, key) => views.reduce((sum, view) => sum + view[key], 0) / views.length;
+
+/** @param {string | undefined} folder where the model is */
+export async function runBake(folder) {
+  if (!folder) throw new Error(`Give the folder that ${model} is in.`);
+  const bytes = readFileSync(join(folder, model));
+  const gallery = await openGallery();
+  const rows = [];
+  try {
+    for (const vertices of counts) {
+      for (const textures of ['keep', 'bake', 'meshoptimizer']) {
+        const begin = performance.now();
+        const last = rows.at(-1);
+        const result = textures === 'meshoptimizer'
+          ? { bytes: await simplified(bytes, last.triangles) }
+          : await remeshFile(bytes, { name: basename(model), vertices, textures });
+        const seconds = (performance.now() - begin) / 1000;
+        const views = await gallery.compare(bytes, result.bytes);
+        const { triangles, minAngle } = result.report?.output ?? { triangles: last.triangles };
+        rows.push({ vertices, textures, triangles, ssim: mean(views, 'ssim').toFixed(3),
+          difference: `${(100 * mean(views, 'difference')).toFixed(2)} %`,
+          angle: minAngle ? `${minAngle.mean.toFixed(1)}°` : '–',
+          seconds: seconds.toFixed(1), bytes: result.bytes.length });
+        console.error(JSON.stringify(rows.at(-1)));
+      }
+    }
+  } finally {
+    await gallery.close();
+  }
+  const heads = Object.keys(rows[0]);
+  const table = [heads, heads.map(() => '---'), ...rows.map(Object.values)]
+    .map((row) => `| ${row.join(' | ')} |`).join('\n');
+  return { table, broken: [] };
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A file with baked textures taken apart, and what each texel of it says.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+import decodePng, { init } from '@jsquash/png/decode.js';
+
+import { openGltf, valuesOf } from './gltf.js';
+
+globalThis.ImageData ??= class {
+  constructor(data, width, height) {
+    Object.assign(this, { data, width, height });
+  }
+};
+
+const wasm = createRequire(import.meta.url).resolve('@jsquash/png/codec/pkg/squoosh_png_bg.wasm');
+await init(new WebAssembly.Module(readFileSync(wasm)));
+
+/** @param {Uint8Array} bytes a PNG */
+const decodeImage = (bytes) => decodePng(bytes.slice().buffer);
+
+/** The tree, the first primitive's attributes and indices, its PNG images by name. */
+export async function baked(file) {
+  const { tree, data } = openGltf(file);
+  const [{ attributes, indices }] = tree.meshes[0].primitives;
+  const values = (accessor) => valuesOf({ tree, data }, accessor);
+  const primitive = { indices: values(indices).flat() };
+  for (const [name, accessor] of Object.entries(attributes)) primitive[name] = values(accessor);
+  const images = {};
+  for (const { name, mimeType, bufferView } of tree.images) {
+    const { byteOffset = 0, byteLength } = tree.bufferViews[bufferView];
+    if (mimeType !== 'image/png') continue;
+    images[name] = await decodeImage(data.subarray(byteOffset, byteOffset + byteLength));
+  }
+  return { tree, primitive, images };
+}
+
+/** The colour between the texels around a texture coordinate. */
+export function bilinear({ width, height, data }, [u, v]) {
+  const [x, y] = [u * width - 0.5, v * height - 0.5];
+  const [x0, y0] = [Math.floor(x), Math.floor(y)];
+  const at = (i, j, k) => data[4 * (Math.min(Math.max(j, 0), height - 1) * width
+    + Math.min(Math.max(i, 0), width - 1)) + k];
+  return [0, 1, 2, 3].map((k) => (y0 + 1 - y) * ((x0 + 1 - x) * at(x0, y0, k)
+    + (x - x0) * at(x0 + 1, y0, k)) + (y - y0) * ((x0 + 1 - x) * at(x0, y0 + 1, k)
+    + (x - x0) * at(x0 + 1, y0 + 1, k)));
+}
+
+const unit = (v) => v.map((x) => x / Math.hypot(...v));
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0]];
+
+/** Whole numbers from the least of some numbers to the greatest. */
+const range = (values) => {
+  const first = Math.floor(Math.min(...values));
+  return Array.from({ length: Math.max(0, Math.ceil(Math.max(...values)) - first) },
+    (_, i) => first + i);
+};
+
+/** What a texel says, given the weights of a triangle's corners. */
+function texel({ primitive, images }, corners, weights, at) {
+  const mix = (name) => primitive[name][0].map((_, k) =>
+    weights.reduce((sum, weight, i) => sum + weight * primitive[name][corners[i]][k], 0));
+  const normal = unit(mix('NORMAL'));
+  const tangent = unit(mix('TANGENT').slice(0, 3));
+  const bitangent = cross(normal, tangent).map((s) => s * primitive.TANGENT[corners[0]][3]);
+  const [r, s, n] = [0, 1, 2].map((k) => (2 * images.normal.data[at + k]) / 255 - 1);
+  return {
+    position: mix('POSITION'),
+    colour: [...images.baseColor.data.subarray(at, at + 4)],
+    normal: unit(normal.map((_, k) => r * tangent[k] + s * bitangent[k] + n * normal[k])),
+  };
+}
+
+/** For every texel within a triangle: its place, its colour, and the normal that it stands for. */
+export function forEachTexel(model, visit) {
+  const { primitive, images: { baseColor: { width, height } } } = model;
+  for (let t = 0; t < primitive.indices.length; t += 3) {
+    const corners = [0, 1, 2].map((k) => primitive.indices[t + k]);
+    const [a, b, c] = corners.map((i) =>
+      [primitive.TEXCOORD_0[i][0] * width, primitive.TEXCOORD_0[i][1] * height]);
+    const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    const places = range([a[1], b[1], c[1]]).flatMap((y) =>
+      range([a[0], b[0], c[0]]).map((x) => [x, y]));
+    for (const [x, y] of places) {
+      const [p, q] = [x + 0.5 - a[0], y + 0.5 - a[1]];
+      const v = (p * (c[1] - a[1]) - q * (c[0] - a[0])) / area;
+      const w = ((b[0] - a[0]) * q - (b[1] - a[1]) * p) / area;
+      const isInside = v >= 0 && w >= 0 && v + w <= 1;
+      if (isInside) visit(texel(model, corners, [1 - v - w, v, w], 4 * (y * width + x)));
+    }
+  }
+}

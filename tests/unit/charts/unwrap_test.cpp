@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "charts/unwrap.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/triangle_mesh.h"
+#include "charts/chart_growth.h"
+#include "geometry/predicates.h"
+#include "geometry/triangle.h"
+
+using namespace remesher;
+
+namespace {
+
+// A grid of quads whose corner (i, j) lies at `place`; columns close where the ends coincide.
+template <class Place>
+TriangleMesh grid(Index columns, Index rows, const Place& place) {
+  TriangleMesh mesh;
+  for (Index j = 0; j <= rows; ++j)
+    for (Index i = 0; i <= columns; ++i)
+      mesh.positions.push_back(place(double(i) / columns, double(j) / rows));
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const Index a = j * (columns + 1) + i, b = a + 1, c = b + columns + 1, d = a + columns + 1;
+      mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+    }
+  return mesh;
+}
+
+TriangleMesh sphere() {
+  return grid(24, 12, [](double u, double v) {
+    const double a = 2 * std::numbers::pi * u, b = std::numbers::pi * (0.02 + 0.96 * v);
+    return Vec3(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+  });
+}
+
+// Two turns of a ramp around a column: seen from above all of it lies over itself.
+TriangleMesh ramp() {
+  return grid(60, 2, [](double u, double v) {
+    const double a = -4 * std::numbers::pi * u, r = 1 + v;
+    return Vec3(r * std::cos(a), r * std::sin(a), u);
+  });
+}
+
+TriangleMesh foldedSheet() {
+  return grid(24, 6, [](double u, double v) {
+    const double t = std::clamp((u - 0.45) / 0.1, 0.0, 1.0) * std::numbers::pi;
+    const double x = u < 0.45 ? u : u > 0.55 ? 1 - u : 0.45 + 0.03 * std::sin(t);
+    return Vec3(x, v, 0.01 * (1 - std::cos(t)));
+  });
+}
+
+TriangleMesh waves() {
+  return grid(20, 20, [](double u, double v) {
+    return Vec3(u, v, 0.1 * std::sin(15 * u) * std::cos(12 * v));
+  });
+}
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Whether an edge of one has all of the other on its outer side.
+bool isApart(const PlaneTriangle& s, const PlaneTriangle& t) {
+  for (int k = 0; k < 3; ++k)
+    if (std::all_of(t.begin(), t.end(),
+                    [&](const Vec2& p) { return orient2d(s[k], s[(k + 1) % 3], p) <= 0; }))
+      return true;
+  return false;
+}
+
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const double t = std::clamp((p - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300), 0., 1.);
+  return (p - a - t * (b - a)).norm();
+}
+
+double distance(const PlaneTriangle& s, const PlaneTriangle& t) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      least = std::min(
+          {least, distance(s[i], t[k], t[(k + 1) % 3]), distance(t[i], s[k], s[(k + 1) % 3])});
+  return least;
+}
+
+struct Laid {
+  TriangleMesh mesh;
+  Unwrapped uv;
+  PackingRules rules;
+
+  explicit Laid(TriangleMesh m, PackingRules r = {512, 2})
+      : mesh(std::move(m)),
+        uv(unwrap({mesh.positions, mesh.indices, std::vector<char>(mesh.indices.size(), 0)}, r)),
+        rules(r) {}
+  PlaneTriangle plane(Index t) const {
+    return {uv.corners[3 * t], uv.corners[3 * t + 1], uv.corners[3 * t + 2]};
+  }
+  double density(Index t) const {
+    const auto [a, b, c] = plane(t);
+    const auto p = [&](Index k) { return mesh.positions[mesh.indices[3 * t + k]]; };
+    return cross(b - a, c - a) / areaVector(p(0), p(1), p(2)).norm() / uv.scale / uv.scale;
+  }
+};
+
+void requireLaws(const Laid& laid) {
+  REQUIRE(laid.uv.scale > 0);
+  const Index count = Index(laid.mesh.triangleCount());
+  double least = 1e300, most = 0;
+  for (Index t = 0; t < count; ++t) {
+    least = std::min(least, laid.density(t));
+    most = std::max(most, laid.density(t));
+    for (const Vec2& p : laid.plane(t)) {
+      CHECK(p.minCoeff() >= laid.rules.padding);
+      CHECK(p.maxCoeff() <= laid.rules.size - laid.rules.padding);
+    }
+  }
+  CHECK(least > 0);
+  CHECK(most / least <= 1.5);
+  std::size_t overlaps = 0, near = 0;
+  for (Index s = 0; s < count; ++s)
+    for (Index t = s + 1; t < count; ++t) {
+      const PlaneTriangle a = laid.plane(s), b = laid.plane(t);
+      if (laid.uv.charts[s] == laid.uv.charts[t])
+        overlaps += !isApart(a, b) && !isApart(b, a);
+      else
+        near += distance(a, b) < 2 * laid.rules.padding;
+    }
+  CHECK(overlaps == 0);
+  CHECK(near == 0);
+}
+
+}  // namespace
+
+TEST_CASE("unwrap: no flips, no overlaps, even texels, padding") {
+  for (const PackingRules& rules : {PackingRules{512, 2}, PackingRules{64, 1}}) {
+    requireLaws(Laid(sphere(), rules));
+    requireLaws(Laid(ramp(), rules));
+    requireLaws(Laid(foldedSheet(), rules));
+    requireLaws(Laid(waves(), rules));
+  }
+}
+
+TEST_CASE("unwrap: what is flat is one chart, a cube six, and a sphere few") {
+  const auto flat = [](double u, double v) { return Vec3(u, 2 * v, 0); };
+  CHECK(Laid(grid(20, 20, flat)).uv.chartCount == 1);
+  CHECK(Laid(sphere()).uv.chartCount <= 20);
+  TriangleMesh cube;
+  for (Index i = 0; i < 8; ++i) cube.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  cube.indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                  2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+  CHECK(Laid(cube).uv.chartCount == 6);
+}
+
+TEST_CASE("unwrap: a cut edge parts charts") {
+  const auto flat = [](double u, double v) { return Vec3(u, v, 0); };
+  const TriangleMesh mesh = grid(4, 4, flat);
+  std::vector<char> cuts(mesh.indices.size(), 0);
+  for (Index h = 0; h < cuts.size(); ++h) {
+    const Vec3& a = mesh.positions[mesh.indices[h]];
+    const Vec3& b = mesh.positions[mesh.indices[h % 3 == 2 ? h - 2 : h + 1]];
+    cuts[h] = a.x() == 0.5 && b.x() == 0.5;
+  }
+  CHECK(unwrap({mesh.positions, mesh.indices, cuts}, {256, 2}).chartCount == 2);
+}
+
+TEST_CASE("unwrap: a square too small for its charts says so") {
+  const TriangleMesh mesh = sphere();
+  const std::vector<char> cuts(mesh.indices.size(), 1);
+  CHECK(unwrap({mesh.positions, mesh.indices, cuts}, {16, 1}).scale == 0);
+}
+
+TEST_CASE("unwrap: the square is used") {
+  const Laid laid(sphere(), {1024, 4});
+  CHECK(laid.uv.scale * laid.uv.scale * 4 * std::numbers::pi > 0.5 * 1024 * 1024);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "painting/canvas.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace remesher;
+
+TEST_CASE("canvas: texels belong to what lies over their middles, and gutters are filled") {
+  const std::vector<TexelTriangle> triangles = {{Vec2(4, 4), Vec2(12, 4), Vec2(12, 12)},
+                                                {Vec2(4, 4), Vec2(12, 12), Vec2(4, 12)}};
+  const std::vector<Index> owners = coveredTexels(triangles, 16);
+  for (Index y = 0; y < 16; ++y)
+    for (Index x = 0; x < 16; ++x) {
+      const Index owner = owners[16 * y + x];
+      const bool isInside = x >= 4 && x < 12 && y >= 4 && y < 12;
+      if (isInside && x != y) CHECK(owner == (x > y ? 0 : 1));
+      if (x < 3 || x > 12 || y < 3 || y > 12) CHECK(owner == kNone);
+    }
+  io::Image image{16, 16, std::vector<std::uint8_t>(4 * 256, 0)};
+  for (std::size_t i = 0; i < 256; ++i)
+    if (owners[i] != kNone) std::fill_n(&image.texels[4 * i], 4, std::uint8_t(200));
+  fillGutters(image, owners);
+  CHECK(std::count(image.texels.begin(), image.texels.end(), 200) == 4 * 256);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "painting/side_finder.h"
+
+#include <doctest/doctest.h>
+
+#include "painting/squares.h"
+
+using namespace remesher;
+
+using namespace remesher::test;
+
+TEST_CASE("side_finder: of sheets that touch each finds its own") {
+  TriangleMesh mesh;
+  addSquare(mesh, 0, Facing::Up);       // 0, 1
+  addSquare(mesh, 1e-3, Facing::Up);    // 2, 3: just above, not joined
+  addSquare(mesh, 5e-4, Facing::Down);  // 4, 5: between, facing down
+  const auto source = sourceOf(mesh);
+  SideFinder finder(*source);
+  const auto found = [&](Index first, double z) {
+    finder.enter({{Vec3(0.1, 0.1, 0), Vec3(0.9, 0.1, 0), Vec3(0.9, 0.9, 0)},
+                  {InputPlace{first, {1, 0, 0}}, {first, {0, 1, 0}}, {first, {0, 0, 1}}}});
+    return finder.find(Vec3(0.6, 0.4, 1e-4), Vec3(0, 0, z)).triangle;
+  };
+  CHECK(found(0, 1) == 0);
+  CHECK(found(2, 1) == 2);
+  CHECK(found(4, -1) / 2 == 2);
+}
+
+TEST_CASE("side_finder: along the normal, not to the nearest") {
+  // A step: low for x < 1, high beyond, with a wall between.
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                    {1, 0, 1}, {1, 1, 1}, {2, 0, 1}, {2, 1, 1}};
+  mesh.indices = {0, 1, 2, 0, 2, 3, 1, 5, 2, 1, 4, 5, 4, 6, 7, 4, 7, 5};
+  const auto source = sourceOf(mesh);
+  SideFinder finder(*source);
+  finder.enter({{Vec3(0, 0, 0.5), Vec3(2, 0, 0.5), Vec3(2, 1, 0.5)},
+                {InputPlace{0, {1, 0, 0}}, {4, {0, 1, 0}}, {4, {0, 0, 1}}}});
+  const InputPlace place = finder.find(Vec3(0.9, 0.5, 0.5), Vec3::UnitZ());
+  CHECK(place.triangle < 2);
+  CHECK((source->position(place) - Vec3(0.9, 0.5, 0)).norm() < 1e-12);
+}
