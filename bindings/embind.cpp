@@ -44,10 +44,11 @@ val remeshParts(const val& parts, const val& options, const val& onProgress) {
   return guarded([&] {
     const RemeshSceneResult run =
         remeshScene(sceneFrom(parts), optionsFrom(options), progressFrom(onProgress));
-    val meshes = val::array();
-    for (const TriangleMesh& mesh : run.meshes) meshes.call<void>("push", objectFrom(mesh));
+    val lods = val::array();
+    for (const std::vector<TriangleMesh>& lod : run.lods) lods.call<void>("push", objectFrom(lod));
     val result = val::object();
-    result.set("meshes", meshes);
+    result.set("meshes", objectFrom(run.meshes));
+    result.set("lods", lods);
     result.set("report", objectFrom(run.report));
     return result;
   });

@@ -62,6 +62,7 @@ struct OptionReader {
   static void read(const val& value, std::optional<T>& field) {
     if (std::is_enum_v<T> || value.isNumber()) read(value, field.emplace());
   }
+  static void read(const val& value, std::vector<double>& field) { field = copied<double>(value); }
   static void read(const val& value, std::vector<float>& field) { field = copied<float>(value); }
   static void read(const val& value, std::vector<std::pair<Index, Index>>& field) {
     const std::vector<Index> flat = copied<Index>(value);

@@ -94,6 +94,12 @@ val objectFrom(const TriangleMesh& mesh) {
   return result;
 }
 
+val objectFrom(const std::vector<TriangleMesh>& meshes) {
+  val result = val::array();
+  for (const TriangleMesh& mesh : meshes) result.call<void>("push", objectFrom(mesh));
+  return result;
+}
+
 val objectFrom(const std::vector<File>& files) {
   val result = val::array();
   for (const File& file : files) {
@@ -145,6 +151,11 @@ val objectFrom(const Report& report) {
   result.set("phases", objectFrom(report.phases));
   result.set("warnings", objectFrom(report.warnings));
   if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
+  if (!report.lods.empty()) {
+    val lods = val::array();
+    for (const Report& lod : report.lods) lods.call<void>("push", objectFrom(lod));
+    result.set("lods", lods);
+  }
   return result;
 }
 

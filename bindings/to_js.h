@@ -12,6 +12,7 @@
 namespace remesher {
 
 emscripten::val objectFrom(const TriangleMesh& mesh);
+emscripten::val objectFrom(const std::vector<TriangleMesh>& meshes);
 emscripten::val objectFrom(const std::vector<File>& files);
 emscripten::val objectFrom(const std::vector<Picture>& pictures);
 emscripten::val objectFrom(const std::vector<Warning>& warnings);

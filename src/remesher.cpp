@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "remesher.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,7 +35,7 @@ struct Run {
   Report report;
 };
 
-// Returns the number of vertices aimed at.
+// Returns the number of vertices that it took.
 std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
                        const Progress& progress) {
   io::Part& own = run.parts[part];
@@ -47,7 +51,7 @@ std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
   run.places[part] = std::move(outcome.places);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
-  return outcome.target;
+  return outcome.vertices;
 }
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
@@ -100,15 +104,58 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
   return run;
 }
 
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
-  return inspectParts(scale.isNeeded() ? scale.applied(parts) : parts);
-}
-
 Report timed(Report report, PhaseClock& clock) {
   report.phases = clock.finish();
   report.timings = timingsOf(report.phases);
   return report;
+}
+
+// What a level of detail asks for: that share of what the whole does, or as few vertices as the
+// surface can do with.
+RemeshOptions optionsOfLod(RemeshOptions options, double share) {
+  options.lods.clear();
+  options.tooFew = TooFew::Raise;
+  if (options.vertices)
+    options.vertices = Index(std::max(1LL, std::llround(share * double(*options.vertices))));
+  else if (options.edgeLength)
+    *options.edgeLength /= std::sqrt(share);
+  else
+    options.ratio = share * options.ratio.value_or(1);
+  return options;
+}
+
+// The levels of detail that were asked for, each from the original, with its own report.
+std::vector<Run> remeshLods(const std::vector<io::Part>& originals, const RemeshOptions& options,
+                            const Progress& progress) {
+  std::vector<Run> runs;
+  const double count = double(options.lods.size());
+  for (const double share : options.lods) {
+    PhaseClock clock;
+    const double begin = double(runs.size()) / count;
+    const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
+    runs.push_back(remeshScaled(originals, optionsOfLod(options, share), part));
+    runs.back().report = timed(std::move(runs.back().report), clock);
+  }
+  return runs;
+}
+
+// The levels, the finest first: what was asked for as a whole is one of them.
+std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshOptions& options,
+                           const Progress& progress) {
+  const double share = 1 / double(1 + options.lods.size());
+  std::vector<Run> runs = {remeshScaled(originals, options, progress.part(0, share))};
+  if (options.lods.empty()) return runs;
+  progress.phase("levels of detail", share, share);
+  for (Run& run : remeshLods(originals, options, progress.part(share, 1))) {
+    runs.front().report.lods.push_back(run.report);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+MeshReport inspectScaled(const std::vector<io::Part>& parts) {
+  const PartScale scale(parts);
+  return inspectParts(scale.isNeeded() ? scale.applied(parts) : parts);
 }
 
 // Errors that speak of a vertex or a triangle alone do not say of which file.
@@ -127,7 +174,10 @@ auto inFile(const std::string& name, Body body) {
 constexpr double kPaintShare = 0.4;
 
 // Textures can only be painted with what formats say that have materials.
-void requireTextured(const std::string& outputName) {
+void requireTextured(const std::string& outputName, const RemeshOptions& options) {
+  if (!options.lods.empty())
+    throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
+                "Ask for one of them: --textures, --lods.");
   const std::string extension =
       outputName.substr(std::min(outputName.rfind('.'), outputName.size()));
   if (extension == ".glb" || extension == ".gltf") return;
@@ -151,14 +201,9 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
   return pictures;
 }
 
-// The model's parts remeshed, and its textures baked if that is asked for.
-Run remeshModel(io::Model& model, const std::vector<Picture>& pictures,
+// The model's parts remeshed, and its textures painted for them.
+Run remeshBaked(io::Model& model, const std::vector<Picture>& pictures,
                 const RemeshOptions& options, const Progress& progress) {
-  if (options.textures == Textures::Keep) {
-    Run run = remeshScaled(model.parts, options, progress);
-    model.parts = std::move(run.parts);
-    return run;
-  }
   if (model.conventions != io::Conventions::Gltf)
     throw Error(ErrorCode::Unsupported, "Textures are baked of glTF files only.",
                 "Convert the file to .glb first.");
@@ -168,7 +213,44 @@ Run remeshModel(io::Model& model, const std::vector<Picture>& pictures,
   withinMemory([&] {
     repaint.paint(model, run.places, options, progress.phase("paint", 1 - kPaintShare, 1));
   });
+  run.parts = std::move(model.parts);
   return run;
+}
+
+void requireRoomForLods(const std::string& outputName, const RemeshOptions& options) {
+  if (options.lods.empty() || options.lodFiles || io::holdsLods(outputName)) return;
+  throw Error(ErrorCode::InvalidOption, legible(outputName) + " cannot hold levels of detail.",
+              "Name the output .glb or .gltf, or ask for a file each: --lod-files, lodFiles.");
+}
+
+// The model with the finest level as its parts, which know the others.
+io::Model withLods(io::Model model, std::vector<Run>& runs) {
+  model.parts = std::move(runs.front().parts);
+  for (std::size_t level = 1; level < runs.size(); ++level)
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+      model.parts[i].lods.push_back(std::move(runs[level].parts[i].mesh));
+  return model;
+}
+
+// "horse.glb" becomes "horse_lod1.glb".
+std::string nameOfLod(const std::string& outputName, std::size_t level) {
+  if (level == 0) return outputName;
+  const std::size_t dot = outputName.rfind('.');
+  return outputName.substr(0, dot) + "_lod" + std::to_string(level) + outputName.substr(dot);
+}
+
+// A file for each level. What lies beside them, a texture, is there once.
+io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::string& outputName) {
+  io::WrittenFiles all;
+  std::set<std::string> names;
+  for (std::size_t level = 0; level < runs.size(); ++level) {
+    model.parts = std::move(runs[level].parts);
+    io::WrittenFiles written = io::write(model, nameOfLod(outputName, level));
+    for (File& file : written.files)
+      if (names.insert(file.name).second) all.files.push_back(std::move(file));
+    all.warnings = joined(std::move(all.warnings), written.warnings);
+  }
+  return all;
 }
 
 }  // namespace
@@ -176,7 +258,9 @@ Run remeshModel(io::Model& model, const std::vector<Picture>& pictures,
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
   RemeshSceneResult run = remeshScene({{mesh, {}}}, options, progress);
-  return {std::move(run.meshes.front()), std::move(run.report)};
+  RemeshResult result{std::move(run.meshes.front()), std::move(run.report), {}};
+  for (std::vector<TriangleMesh>& lod : run.lods) result.lods.push_back(std::move(lod.front()));
+  return result;
 }
 
 RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const RemeshOptions& options,
@@ -187,29 +271,41 @@ RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const Remesh
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (const auto& [mesh, places] : scene) parts.push_back({"", mesh, places});
-  Run run = remeshScaled(parts, options, progress.timedBy(clock));
-  RemeshSceneResult result;
-  for (io::Part& part : run.parts) result.meshes.push_back(std::move(part.mesh));
-  result.report = timed(std::move(run.report), clock);
+  std::vector<Run> runs = remeshAll(parts, options, progress.timedBy(clock));
+  std::vector<std::vector<TriangleMesh>> levels;
+  for (Run& run : runs) {
+    levels.emplace_back();
+    for (io::Part& part : run.parts) levels.back().push_back(std::move(part.mesh));
+  }
+  RemeshSceneResult result{
+      std::move(levels.front()), timed(std::move(runs.front().report), clock), {}};
+  result.lods.assign(std::next(levels.begin()), levels.end());
   return result;
 }
 
 RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
-  if (options.textures == Textures::Bake) requireTextured(outputName);
+  if (options.textures == Textures::Bake) requireTextured(outputName, options);
+  requireRoomForLods(outputName, options);
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = io::read(input.file, input.resources);
-  Run run = inFile(input.file.name, [&] {
-    return remeshModel(model, input.pictures, options, whole.part(kReadShare, 1));
+  std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
+    const Progress body = whole.part(kReadShare, 1);
+    if (options.textures == Textures::Keep) return remeshAll(model.parts, options, body);
+    return {remeshBaked(model, input.pictures, options, body)};
   });
   whole.phase("write", 1, 1);
-  io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
-  run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);
+  io::WrittenFiles written = inFile(input.file.name, [&] {
+    return options.lodFiles ? writeEach(model, runs, outputName)
+                            : io::write(withLods(model, runs), outputName);
+  });
+  Report report = std::move(runs.front().report);
+  report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
   return {std::move(written.files), picturesFrom(std::move(written.images)),
-          timed(std::move(run.report), clock)};
+          timed(std::move(report), clock)};
 }
 
 ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName) {

@@ -20,6 +20,7 @@ namespace remesher {
 struct RemeshResult {
   TriangleMesh mesh;
   Report report;
+  std::vector<TriangleMesh> lods;  // coarser levels of detail, as they were asked for
 };
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
@@ -34,6 +35,7 @@ struct PlacedMesh {
 struct RemeshSceneResult {
   std::vector<TriangleMesh> meshes;  // in the order given
   Report report;
+  std::vector<std::vector<TriangleMesh>> lods;  // the same for each coarser level of detail
 };
 
 // Meshes that share what is asked for, as those of one file do: vertices by area in the world.
@@ -57,7 +59,8 @@ struct FileBundle {
 };
 
 struct RemeshFileResult {
-  std::vector<File> files;  // the one asked for first; then what lies beside it (a .bin, a .mtl)
+  // The one asked for first; then what lies beside it: a .bin, a .mtl, other levels of detail.
+  std::vector<File> files;
   std::vector<Picture> pictures;  // baked: the files refer to the n-th as painting:n
   Report report;
 };

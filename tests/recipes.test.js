@@ -104,6 +104,12 @@ const recipes = {
       assert.ok(existsSync(join(root, 'examples/queue', file)), file);
     }
   },
+  async lods() {
+    const { place, printed } = await follow('lods');
+    assert.deepEqual(printed.match(/^\d+/gm), ['500', '250', '125', '50']);
+    assert.equal(await verticesIn(join(place, 'model_lod3.ply')), 50);
+    assert.match(readFileSync(join(place, 'model.glb'), 'latin1'), /MSFT_lod/);
+  },
   async density() {
     const { printed } = await follow('density');
     // Eight to one would be 889, were there no way from one size to the other; none, 500.
@@ -119,7 +125,7 @@ const recipes = {
 /** As a visitor: a file is remeshed, then another given up. @param {string} built */
 async function visit(built) {
   const browser = await startChromium();
-  const { url, close } = await serve(built, '/');
+  const { url, close } = await serve(built);
   try {
     const page = await browser.newPage();
     page.setDefaultTimeout(100_000);

@@ -12,6 +12,7 @@ const plainTypes = {
   number: 'number',
   boolean: 'boolean',
   choice: 'string',
+  shares: 'readonly number[] | Float64Array',
   floats: 'Float32Array',
   pairs: 'Uint32Array | ReadonlyArray<readonly [number, number]>',
 };

@@ -43,6 +43,8 @@ struct RemeshOptions {
   Textures textures = Textures::Keep;                 // of files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;
+  std::vector<double> lods;        // shares of the number of vertices, each > 0
+  bool lodFiles = false;           // a file for each level, not one for all
   TooFew tooFew = TooFew::Refuse;  // not the caller's: see PartTargets
 };
 

@@ -68,6 +68,7 @@ struct Report {
   std::uint64_t peakBytes = 0;
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
+  std::vector<Report> lods;  // of the coarser levels of detail, as they were asked for
 };
 
 }  // namespace remesher

@@ -82,6 +82,11 @@ void requireWritable(const std::string& outputName) {
               "Let its name end in one of " + listOfExtensions() + ".");
 }
 
+bool holdsLods(const std::string& outputName) {
+  const Format* const format = findByExtension(outputName);
+  return format != nullptr && format->read == readGltf;
+}
+
 WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
   return findByExtension(outputName)->write(model, plainName(outputName));

@@ -21,6 +21,9 @@ Model read(const File& file, const std::vector<File>& resources = {});
 // Throws Error: UNKNOWN_FORMAT, unless `write` knows the format of such a name.
 void requireWritable(const std::string& outputName);
 
+// Whether a file of such a name can hold the levels of detail of its parts.
+bool holdsLods(const std::string& outputName);
+
 // The format follows the extension of `outputName`, whose last part names the first file. Into the
 // format it came from, a model takes
 // its whole scene along; into another, its parts where their instances are.

@@ -20,7 +20,11 @@ double scaleOf(const io::Part& part) {
   return sum / double(part.instances.size());
 }
 
+// Everywhere that the part is shown.
 double worldArea(const io::Part& part) {
+  double perArea = part.instances.empty() ? 1 : 0;
+  for (const Transform& place : part.instances)
+    perArea += std::pow(std::abs(place.linear().determinant()), 2.0 / 3);
   double area = 0;
   for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
     const Vec3& a = part.mesh.positions[part.mesh.indices[i]];
@@ -28,7 +32,7 @@ double worldArea(const io::Part& part) {
     const Vec3& c = part.mesh.positions[part.mesh.indices[i + 2]];
     area += 0.5 * (b - a).cross(c - a).norm();
   }
-  return area * scaleOf(part) * scaleOf(part);
+  return area * perArea;
 }
 
 }  // namespace

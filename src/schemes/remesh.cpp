@@ -116,8 +116,10 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
+  const std::size_t vertices =
+      options.splitObtuse ? original.vertices() : distinctPositions(remeshed.mesh);
   return {extractMesh(remeshed.mesh, input, original.transfer()), std::move(places),
-          remeshed.stopped, original.vertices(), original.warnings()};
+          remeshed.stopped, vertices, original.warnings()};
 }
 
 }  // namespace remesher

@@ -16,7 +16,7 @@ struct RemeshOutcome {
   TriangleMesh mesh;               // a vertex comes in as many copies as its attributes need
   std::vector<InputPlace> places;  // per corner of its triangles, if textures are to be baked
   Stopped stopped = Stopped::Target;
-  std::size_t target = 0;  // the number of vertices aimed at
+  std::size_t vertices = 0;  // distinct positions, but for those that splitObtuse adds
   std::vector<Warning> warnings;
 };
 

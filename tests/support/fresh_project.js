@@ -12,14 +12,15 @@ import { root } from './tree.js';
 const peers = ['three', '@types/three', '@gltf-transform'];
 
 /**
- * Runs a program to its end, which has two minutes.
+ * Runs a program to its end.
  * @param {string} command
  * @param {readonly string[]} words
  * @param {string} cwd
+ * @param {number} [timeout] milliseconds
  */
-export function call(command, words, cwd) {
+export function call(command, words, cwd, timeout = 120_000) {
   return execFileSync(command, words,
-    { cwd, encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'pipe', 'pipe'] });
+    { cwd, encoding: 'utf8', timeout, stdio: ['ignore', 'pipe', 'pipe'] });
 }
 
 /**

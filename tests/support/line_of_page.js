@@ -12,9 +12,9 @@ const types = {
 
 const policy = "script-src 'self' 'wasm-unsafe-eval'";
 
-/** @param {string} folder @param {string} path of the page: one below may hold an import map */
-export async function serve(folder, path) {
-  const scripts = path === '/' ? policy : `${policy} 'unsafe-inline'`;
+/** @param {string} folder @param {string} [allowed] what else scripts may do */
+export async function serve(folder, allowed = '') {
+  const scripts = `${policy} ${allowed}`;
   const server = createServer(async ({ url }, response) => {
     const { pathname } = new URL(url === '/' ? '/index.html' : url, 'http://localhost');
     const bytes = await readFile(join(folder, normalize(decodeURIComponent(pathname))))
@@ -36,11 +36,12 @@ export async function serve(folder, path) {
  * @param {import('playwright-core').Browser} browser
  * @param {string} folder what is served
  * @param {string} [path] of the page
+ * @param {string} [allowed] what else its scripts may do than the policy says
  * @returns {Promise<{ line: string, complaints: string[] }>} what its program tells by `tell`, and
  *   what it wrote to the console or threw; no line if it throws, or says nothing for two minutes
  */
-export async function lineOfPage(browser, folder, path = '/') {
-  const { url, close } = await serve(folder, path);
+export async function lineOfPage(browser, folder, path = '/', allowed = '') {
+  const { url, close } = await serve(folder, allowed);
   const page = await browser.newPage();
   /** @type {string[]} */
   const complaints = [];

@@ -19,7 +19,7 @@ export function readAddress(hash) {
   /** @type {Values} */
   const values = {};
   for (const option of optionTable) {
-    const text = option.flag && given.get(option.name);
+    const text = option.flag && option.form !== false && given.get(option.name);
     if (text) values[option.name] = parse(option, text);
   }
   return { model: given.get('model'), values };

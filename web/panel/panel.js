@@ -76,8 +76,10 @@ function valueOf(option, control) {
   return isWord ? text.toLowerCase() : Number(text.replace(',', '.'));
 }
 
-/** Rows without a flag take arrays, which no form can ask for. @param {Option} option */
-const belongsInForm = ({ name, flag }) => flag && !TargetField.names.includes(name)
+/** Rows without a flag take arrays, which no form can ask for; others say that they do not belong.
+ * @param {Option} option */
+const belongsInForm = ({ name, flag, form }) =>
+  flag && form !== false && !TargetField.names.includes(name)
   && !name.startsWith('texture'); // the package's codecs of images are not bundled with the page
 
 export class Panel {

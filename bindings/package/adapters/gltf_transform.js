@@ -5,7 +5,7 @@ import { createTransform } from '@gltf-transform/functions';
 import { remeshScene } from 'remesher';
 
 import { RemeshError } from '../base/errors.js';
-import { checkOptions } from '../base/options.js';
+import { checkOptions, refuseLods } from '../base/options.js';
 import { placesOfMeshes } from './gltf_places.js';
 import { isTriangles, readPart, writePart } from './gltf_primitives.js';
 import { joined } from './vertex_pools.js';
@@ -54,6 +54,7 @@ function partsOf(document) {
  *   nothing has changed.
  */
 export function remesh(options = {}) {
+  refuseLods(options);
   checkOptions(options, { others: ['signal', 'onProgress', 'worker'] });
   return createTransform(name, async (document) => {
     const logger = document.getLogger();

@@ -4,6 +4,7 @@
 import { remeshScene } from 'remesher';
 
 import { RemeshError } from '../base/errors.js';
+import { refuseLods } from '../base/options.js';
 import { readPart, writePart } from './three_geometry.js';
 import { sceneParts, surfacesIn } from './three_scene.js';
 import { joined } from './vertex_pools.js';
@@ -37,6 +38,7 @@ import { joined } from './vertex_pools.js';
  *   `RemeshError`.
  */
 export async function remeshGeometry(geometry, options) {
+  refuseLods(options);
   const part = readPart([geometry]);
   const { meshes: [mesh], report } = await remeshScene([{ mesh: joined(part.pools) }], options);
   const [result] = writePart(part, mesh).values();
@@ -75,6 +77,7 @@ function replace(surfaces, replacements) {
  *   changed.
  */
 export async function remeshObject(object, options) {
+  refuseLods(options);
   if (!(/** @type {any} */ (object)?.isObject3D)) {
     throw new RemeshError('INVALID_MESH', 'The object must be an Object3D of three.js.');
   }

@@ -27,20 +27,22 @@ import { compileBinary } from './wasm_source.js';
  * @typedef {object} RemeshResult
  * @property {Mesh} mesh Arrays of the types that were given.
  * @property {RemeshReport} report What went in, what came out, and how far the two are apart.
+ * @property {Mesh[]} lods The levels of detail that were asked for.
  */
 
 /**
  * @typedef {object} RemeshSceneResult
  * @property {Mesh[]} meshes In the order given, arrays of the types that were given.
  * @property {RemeshReport} report On all of them together.
+ * @property {Mesh[][]} lods The same meshes for each level of detail that was asked for.
  */
 
 /**
  * @typedef {object} ConvertFileResult
  * @property {string} name The file's name.
  * @property {Uint8Array} bytes The file.
- * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl), by
- *   names that lead nowhere but into one folder.
+ * @property {NamedBytes[]} files This file first, then those it refers to (a .bin, a .mtl) and
+ *   those of levels of detail, by names that lead nowhere but into one folder.
  * @property {Warning[]} warnings What the result lacks.
  */
 
@@ -86,8 +88,9 @@ export class Api {
    */
   async remesh(mesh, options = {}) {
     const checked = checkOptions(options, { others: runNames });
-    const { meshes, report } = await this.#runScene([{ mesh: copyMesh(mesh) }], checked, options);
-    return { mesh: meshes[0], report };
+    const { meshes, report, lods } =
+      await this.#runScene([{ mesh: copyMesh(mesh) }], checked, options);
+    return { mesh: meshes[0], report, lods: lods.map(([lod]) => lod) };
   }
 
   /**

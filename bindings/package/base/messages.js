@@ -160,6 +160,6 @@
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
  */
 
-/** @typedef {Inspection & RunReport} RemeshReport */
+/** @typedef {Inspection & RunReport & { lods?: RemeshReport[] }} RemeshReport */
 
 export {};

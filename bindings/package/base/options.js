@@ -17,7 +17,7 @@ import { legible } from './legible.js';
  * @typedef {object} Option
  * @property {string} name In JavaScript.
  * @property {string} [flag] On the command line, with a letter for its value.
- * @property {'integer' | 'number' | 'choice' | 'boolean' | 'floats' | 'pairs'} type
+ * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
  *   What its value is.
  * @property {string} help What it is for.
  * @property {string} [unit] What its value is measured in.
@@ -26,6 +26,7 @@ import { legible } from './legible.js';
  * @property {number} [above] Allowed values are larger than this.
  * @property {readonly string[]} [choices] The values allowed.
  * @property {boolean} [off] 'off' is a value too.
+ * @property {boolean} [form] false: the page does not ask for it.
  * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] What holds when
  *   it is not given.
  */
@@ -80,6 +81,11 @@ export const optionTable = [
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
     help: 'of baked textures; jpeg if not given, but png for normals and alpha' },
+  { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
+    help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
+      + 'the original; in a glTF file by MSFT_lod' },
+  { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
+    help: 'a file for each level of detail, called after the result, not one for all' },
   { name: 'density', type: 'floats',
     help: 'relative vertex density, one value per input vertex' },
   { name: 'featureEdges', type: 'pairs',
@@ -98,6 +104,8 @@ const byName = new Map(optionTable.map((option) => [option.name, option]));
 export function defaultOf(option, scheme) {
   return typeof option.default === 'object' ? option.default[scheme] : option.default;
 }
+
+const mostLods = 16;
 
 // Comparing a longer one would take long.
 const longestName = 100;
@@ -147,12 +155,19 @@ function editDistance(a, b) {
 export function rangeInWords(option) {
   if (option.choices) return `one of ${option.choices.join(', ')}`;
   if (option.type === 'boolean') return 'true or false';
+  if (option.type === 'shares') return `1 to ${mostLods} numbers above 0`;
   if (option.type === 'floats') return 'a Float32Array with one value per vertex';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const off = option.off ? ', or off' : '';
   if (option.above !== undefined) return `${kind} above ${option.above}${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;
+}
+
+/** @param {unknown} value */
+function areShares(value) {
+  return (Array.isArray(value) || value instanceof Float64Array) && value.length >= 1
+    && value.length <= mostLods && value.every((share) => Number.isFinite(share) && share > 0);
 }
 
 /** @param {Option} option @param {unknown} value @returns {boolean} */
@@ -162,6 +177,8 @@ function isAllowed(option, value) {
       return typeof value === 'boolean';
     case 'choice':
       return typeof value === 'string' && option.choices?.includes(value) === true;
+    case 'shares':
+      return areShares(value);
     case 'floats':
       return value instanceof Float32Array || value instanceof Float64Array;
     case 'pairs':
@@ -214,6 +231,7 @@ function flattened(pairs) {
 /** The value in the form that travels to the core. @param {Option} option @param {any} value */
 function canonical(option, value) {
   if (option.type === 'floats') return Float32Array.from(value);
+  if (option.type === 'shares') return Float64Array.from(value);
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
@@ -221,6 +239,10 @@ function canonical(option, value) {
 function checkTogether(given, label) {
   const targets = optionTable.filter(({ name }) =>
     given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
+  if (given.lodFiles && !given.lods) {
+    throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
+      'Give their shares of the vertices: --lods, lods.');
+  }
   if (targets.length < 2) return;
   throw new RemeshError('INVALID_OPTION',
     `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
@@ -231,6 +253,16 @@ export function requireObject(given) {
   if (typeof given === 'object' && given !== null && !Array.isArray(given)) return;
   throw new RemeshError('INVALID_OPTION', `The options must be an object, not ${inWords(given)}.`,
     'Write them like { vertices: 10000 }.');
+}
+
+/**
+ * For what makes one result in place. @param {object} [options]
+ */
+export function refuseLods(options = {}) {
+  const name = ['lods', 'lodFiles'].find((option) => Object.hasOwn(options, option));
+  if (name === undefined) return;
+  throw new RemeshError('INVALID_OPTION', `${name} does not belong here: there is one result.`,
+    'Ask for each level on its own, or give the file to remeshFile.');
 }
 
 /**

@@ -61,6 +61,11 @@ function wrongUse(message, hint = 'remesher --help lists the options.') {
 
 /** @param {Option} option @param {string} text */
 function valueFrom(option, text) {
+  if (option.type === 'shares') {
+    const shares = text.split(',').map((share) => (share.trim() === '' ? NaN : Number(share)));
+    checkValue(option, shares, String(flagOf(option)));
+    return shares;
+  }
   const isNumber = option.type === 'integer' || option.type === 'number';
   const value = isNumber && text.trim() !== '' && text !== 'off' ? Number(text) : text;
   checkValue(option, Number.isNaN(value) ? text : value, String(flagOf(option)));

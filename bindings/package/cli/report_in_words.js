@@ -19,14 +19,20 @@ function meshInWords(title, mesh) {
   ].join('\n');
 }
 
+/** @param {import('../base/messages.js').Distances} fidelity */
+function distanceInWords({ hausdorff, rms }) {
+  return `distance to the input: ${hausdorff.toFixed(4)} % at the farthest `
+    + `point found, ${rms.toFixed(4)} % RMS, of the diagonal`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
   if (report.input) parts.push(meshInWords('input', report.input));
   if (report.output) parts.push(meshInWords('output', report.output));
-  if (report.fidelity) {
-    parts.push(`distance to the input: ${report.fidelity.hausdorff.toFixed(4)} % at the farthest `
-      + `point found, ${report.fidelity.rms.toFixed(4)} % RMS, of the diagonal`);
+  if (report.fidelity) parts.push(distanceInWords(report.fidelity));
+  for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
+    parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
   }
   for (const { message } of report.warnings) parts.push(`warning: ${message}`);
   if (report.stopped && report.stopped !== 'target') {

@@ -143,8 +143,9 @@ export class Engine {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
     if (job.kind !== 'remesh') return outcome;
-    const meshes = job.parts.map(({ mesh }, i) => meshLike(outcome.meshes[i], mesh));
-    return { ...outcome, meshes };
+    const alike = (/** @type {any[]} */ meshes) =>
+      job.parts.map(({ mesh }, i) => meshLike(meshes[i], mesh));
+    return { ...outcome, meshes: alike(outcome.meshes), lods: outcome.lods.map(alike) };
   }
 
   async #start() {

@@ -10,7 +10,7 @@ import { RemeshError } from '../base/errors.js';
 /** The buffers a result owns, to be handed over instead of copied. @param {any} result */
 function buffersOf(result) {
   const arrays = [];
-  for (const mesh of result.meshes ?? []) {
+  for (const mesh of [...result.meshes ?? [], ...(result.lods ?? []).flat()]) {
     arrays.push(mesh.positions, mesh.indices, ...(mesh.groups ? [mesh.groups] : []));
     for (const { array } of Object.values(mesh.attributes)) arrays.push(array);
   }

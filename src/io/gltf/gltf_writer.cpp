@@ -13,6 +13,7 @@
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_editor.h"
 #include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_lods.h"
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_packing.h"
 #include "io/model/companions.h"
@@ -39,6 +40,11 @@ std::vector<std::size_t> replacedParts(const GltfDocument& document, const Model
   for (std::size_t i = 0; i < model.parts.size(); ++i)
     if (!isUntouched(document, model.parts[i], document.partMeshes[i])) replaced.push_back(i);
   return replaced;
+}
+
+bool hasLods(const Model& model) {
+  return std::any_of(model.parts.begin(), model.parts.end(),
+                     [](const Part& part) { return !part.lods.empty(); });
 }
 
 std::optional<std::string> imageType(const Bytes& bytes) {
@@ -202,7 +208,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
-  if (replaced.empty() && container == before)
+  if (replaced.empty() && container == before && !hasLods(model))
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
@@ -216,6 +222,11 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
       usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }
     editor.replaceGeometry(mesh, model.parts[i].mesh, pools);
+  }
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
+    addLods(editor, {mesh, document.tree["meshes"][mesh], vertexPools(document.typed.meshes[mesh])},
+            model.parts[i].lods);
   }
   Abandoned abandoned{editor.abandoned(), {}};
   if (isPainted) abandoned.bufferViews = dropUnusedImages(editor.tree());
@@ -303,11 +314,19 @@ WrittenFiles writePlain(const Model& model, const std::string& outputName, Conta
   if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
   GltfEditor editor(plainDocument(model), nullptr);
   if (!model.paintings.empty()) addPaintings(editor.tree(), model);
+  std::vector<FinestLevel> finest;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const TriangleMesh mesh = converted(model.parts[i].mesh, model.conventions, Conventions::Gltf);
-    const std::vector<VertexPool> pools = poolsOfGroups(model.parts[i]);
-    editor.tree()["meshes"].push_back(plainMesh(editor.tree(), model.parts[i], pools));
-    editor.replaceGeometry(i, mesh, pools);
+    const Part& part = model.parts[i];
+    const std::vector<VertexPool> pools = poolsOfGroups(part);
+    finest.push_back({i, plainMesh(editor.tree(), part, pools), pools});
+    editor.tree()["meshes"].push_back(finest.back().mesh);
+    editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
+  }
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    std::vector<TriangleMesh> lods;
+    for (const TriangleMesh& lod : model.parts[i].lods)
+      lods.push_back(converted(lod, model.conventions, Conventions::Gltf));
+    addLods(editor, finest[i], lods);
   }
   CompanionNames names(outputName);
   WrittenFiles written = serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}),

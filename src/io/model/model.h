@@ -39,6 +39,7 @@ struct Part {
   TriangleMesh mesh;                 // in local space
   std::vector<Transform> instances;  // local to world, one per place where the file shows it
   std::vector<GroupInfo> groups = {};
+  std::vector<TriangleMesh> lods = {};  // coarser levels of detail, each like `mesh`; for glTF
 };
 
 // Everything a format's writer needs to put back what the parts do not hold. Each format derives

@@ -25,8 +25,8 @@ std::vector<std::size_t> remeshed(const std::vector<io::Part>& parts,
   for (const std::size_t i : targets.order()) {
     const RemeshOutcome outcome = remeshSurface(parts[i].mesh, targets.of(i), {});
     vertices[i] = inspectMesh(outcome.mesh).vertices;
-    CHECK(outcome.target == vertices[i]);
-    targets.given(i, outcome.target);
+    CHECK(outcome.vertices == vertices[i]);
+    targets.given(i, outcome.vertices);
   }
   return vertices;
 }
@@ -45,6 +45,27 @@ TEST_CASE("part_targets: vertices are shared out by area in the world") {
       remeshed({partOf(torus, 1), partOf(torus, 2), partOf(torus, 1)}, options);
   CHECK(sum(vertices) == 1000);
   CHECK(std::abs(double(vertices[1]) - 1000 * 4.0 / 6) <= 1);
+}
+
+TEST_CASE("part_targets: what is shown twice has twice the area") {
+  const TriangleMesh torus = shapes::torus(24, 16);
+  io::Part twice = partOf(torus, 1);
+  twice.instances.push_back(twice.instances.front());
+  RemeshOptions options;
+  options.vertices = 900;
+  const std::vector<std::size_t> vertices = remeshed({partOf(torus, 1), twice}, options);
+  CHECK(sum(vertices) == 900);
+  CHECK(std::abs(double(vertices[1]) - 600) <= 1);
+}
+
+TEST_CASE("part_targets: what a part takes beyond its share the others do without") {
+  const TriangleMesh torus = shapes::torus(24, 16);
+  RemeshOptions options;
+  options.vertices = 900;
+  const std::vector<io::Part> parts = {partOf(torus, 1), partOf(torus, 1)};
+  PartTargets targets(parts, options);
+  targets.given(targets.order().front(), 500);
+  CHECK(*targets.of(targets.order().back()).vertices == 400);
 }
 
 TEST_CASE("part_targets: small parts have what they need, and the whole its number") {
