@@ -135,6 +135,7 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
 // Half of the way from a surface that the triangles cut into to one that they follow is one pass of
 // fitting; the worst triangles are mended, and the farthest places left.
 void finishDraft(Run& run, const Progress& progress) {
+  land(run);
   fit(run, progress.phase("fit", 0, 1));
   progress.phase("polish", 1, 1);
   polish(run, {kPoor});
