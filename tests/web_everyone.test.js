@@ -37,6 +37,7 @@ const states = [
     await page.click('#preset-even');
     await page.waitForSelector('.history-entry');
     await settled(page);
+    assert.match(await page.textContent('#progress-phase'), /^[A-Z]/);
   }],
   ['settings', () => page.click('[data-do=settings]'), () => page.click('#settings-close')],
   ['the chooser', async () => {

@@ -2,7 +2,7 @@
 // What all acts share: the session, the stage, the form, and the rule that a later job overtakes an
 // earlier one.
 import { byId } from '../base/dom.js';
-import { timeLeft } from '../base/format.js';
+import { timeLeft, words } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
@@ -36,7 +36,9 @@ export class Page {
   /** @param {import('remesher').ProgressEvent} event */
   #onProgress(event) {
     if (this.#state !== 'busy') return;
-    showProgress(event, timeLeft(performance.now() - this.#begun, event.fraction));
+    const { phase, fraction } = event;
+    showProgress({ phase: words(phase), fraction },
+      timeLeft(performance.now() - this.#begun, fraction));
   }
 
   /** @param {State} state */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page tells its visitor: errors in a box, news to screen readers, progress in a bar.
 import { byId, element } from '../base/dom.js';
-import { count, number, words } from '../base/format.js';
+import { count, number } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
 /** @param {string} text heard by screen readers, not seen */
@@ -37,7 +37,7 @@ export function showNews(text) {
 export function showProgress(event, left = null) {
   byId('progress', HTMLElement).hidden = !event;
   if (!event) return;
-  byId('progress-phase', HTMLElement).textContent = words(event.phase);
+  byId('progress-phase', HTMLElement).textContent = event.phase;
   const done = number(event.fraction, { style: 'percent' });
   byId('progress-percent', HTMLElement).textContent = left === null ? done
     : `${done} · ${t('progress.left', { seconds: count(Math.ceil(left / 1000)) })}`;
