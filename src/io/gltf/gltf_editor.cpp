@@ -134,7 +134,8 @@ void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& ac
 
 void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
                                  const std::vector<VertexPool>& pools) {
-  Json& primitives = tree_["meshes"][meshNumber]["primitives"];
+  // Taken out: what is added to the document may move all that is in it.
+  Json primitives = std::move(tree_["meshes"][meshNumber]["primitives"]);
   std::set<int> emptied;
   for (const VertexPool& pool : pools) {
     const EncodedPool encoded = encodePool(mesh, pool, document_);
@@ -152,6 +153,7 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
   }
   for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
     primitives.erase(*number);
+  tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
 }
 
 }  // namespace remesher::io
