@@ -186,6 +186,18 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
               "Let the output's name end in .glb or .gltf.");
 }
 
+// What other formats than glTF say of materials is not read as such; what they say of vertices is.
+void requirePaint(const io::Model& model) {
+  const bool isColoured = std::all_of(
+      model.parts.begin(), model.parts.end(),
+      [](const io::Part& part) { return findAttribute(part.mesh, "COLOR_0") != nullptr; });
+  if (isColoured || model.conventions == io::Conventions::Gltf) return;
+  throw Error(
+      ErrorCode::Unsupported,
+      "Textures are painted from glTF files and from colours of vertices, and this has none.",
+      "Convert it to .glb with its textures first.");
+}
+
 std::vector<io::NamedImage> imagesFrom(const std::vector<Picture>& pictures) {
   std::vector<io::NamedImage> images;
   for (const Picture& picture : pictures)
@@ -204,9 +216,7 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
 // The model's parts remeshed, and its textures painted for them.
 Run remeshBaked(io::Model& model, const std::vector<Picture>& pictures,
                 const RemeshOptions& options, const Progress& progress) {
-  if (model.conventions != io::Conventions::Gltf)
-    throw Error(ErrorCode::Unsupported, "Textures are baked of glTF files only.",
-                "Convert the file to .glb first.");
+  requirePaint(model);
   const Repaint repaint(model, imagesFrom(pictures));
   Run run = remeshScaled(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
   model.parts = std::move(run.parts);

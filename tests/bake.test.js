@@ -285,6 +285,32 @@ test('what cannot be painted from is said in a sentence', async () => {
     'INVALID_OPTION', /files/);
 });
 
+test('a scan with coloured vertices becomes a textured model', async () => {
+  const { positions, indices } = torus({ columns, rows });
+  const places = Array.from({ length: positions.length / 3 },
+    (_, v) => positions.subarray(3 * v, 3 * v + 3));
+  const corners = Array.from({ length: indices.length / 3 },
+    (_, t) => indices.subarray(3 * t, 3 * t + 3));
+  const bytes = new TextEncoder().encode(['ply', 'format ascii 1.0',
+    `element vertex ${places.length}`, ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+    ...['red', 'green', 'blue'].map((channel) => `property uchar ${channel}`),
+    `element face ${corners.length}`, 'property list uchar int vertex_indices', 'end_header',
+    ...places.map((place) => [...place, ...colourOf(...onTorus(place))].join(' ')),
+    ...corners.map((corner) => `3 ${corner.join(' ')}`), ''].join('\n'));
+  const result = await bake({ name: 'scan.ply', bytes },
+    { vertices: 300, textureFormat: 'png', textureSize: 256, output: 'glb' });
+  assert.deepEqual(await validate(result), []);
+  let [sum, count] = [0, 0];
+  forEachTexel(await baked(result), ({ position, colour }) => {
+    colourOf(...onTorus(position)).forEach((value, k) => {
+      sum += Math.abs(colour[k] - value) / 255;
+      count += 1;
+    });
+  });
+  assert.ok(count > 10_000);
+  assert.ok(sum / count < 0.01, `${(100 * sum) / count} % off`);
+});
+
 test('a texture without coordinates, and coordinates far outside, are no hindrance', async () => {
   const bare = paintedTorus((_, primitive) => delete primitive.attributes.TEXCOORD_0);
   assert.deepEqual(await validate(await bake(bare, { vertices: 150, textureSize: 64 })), []);

@@ -14,11 +14,12 @@ import { filesUnder, readText, root } from './support/tree.js';
 const others = filesUnder('web/texts', /\.js$/).filter((file) => !file.endsWith('/en.js'));
 const textsOf = async (file) => (await import(pathToFileURL(`${root}/${file}`))).default;
 
+const inForm = optionTable.filter(({ flag, form }) => flag && form !== false);
+
 /** What English has in the package's own table. */
 const ofOptions = [
-  ...optionTable.filter(({ flag }) => flag)
-    .flatMap(({ name }) => [`option.${name}`, `help.${name}`]),
-  ...new Set(optionTable.flatMap(({ unit }) => (unit ? [`unit.${unit}`] : []))),
+  ...inForm.flatMap(({ name }) => [`option.${name}`, `help.${name}`]),
+  ...new Set(inForm.flatMap(({ unit }) => (unit ? [`unit.${unit}`] : []))),
 ];
 
 /** The names in braces. */

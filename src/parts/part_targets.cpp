@@ -20,11 +20,13 @@ double scaleOf(const io::Part& part) {
   return sum / double(part.instances.size());
 }
 
-// Everywhere that the part is shown.
+// The mean over its places: however often a part is shown, its triangles shall be as large as those
+// of the others.
 double worldArea(const io::Part& part) {
-  double perArea = part.instances.empty() ? 1 : 0;
+  double sum = 0;
   for (const Transform& place : part.instances)
-    perArea += std::pow(std::abs(place.linear().determinant()), 2.0 / 3);
+    sum += std::pow(std::abs(place.linear().determinant()), 2.0 / 3);
+  const double perArea = part.instances.empty() ? 1 : sum / double(part.instances.size());
   double area = 0;
   for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
     const Vec3& a = part.mesh.positions[part.mesh.indices[i]];

@@ -79,8 +79,7 @@ function valueOf(option, control) {
 /** Rows without a flag take arrays, which no form can ask for; others say that they do not belong.
  * @param {Option} option */
 const belongsInForm = ({ name, flag, form }) =>
-  flag && form !== false && !TargetField.names.includes(name)
-  && !name.startsWith('texture'); // the package's codecs of images are not bundled with the page
+  flag && form !== false && !TargetField.names.includes(name);
 
 export class Panel {
   #form;

@@ -227,13 +227,6 @@ export default {
   'option.featureAngle': 'Kantenwinkel',
   'option.boundary': 'Rand',
   'option.maxError': 'Größter Fehler',
-  'option.textures': 'Texturen',
-  'option.textureSize': 'Texturgröße',
-  'option.textureFormat': 'Texturformat',
-  'help.textures': 'keep: Koordinaten bleiben, ihren Nähten entlang; bake (glTF): neue Texturen, '
-    + 'nach den alten gemalt, so dass Nähte keine Punkte kosten',
-  'help.textureSize': 'neuer Texturen, je Seite; sonst so fein wie das Original, höchstens 4096',
-  'help.textureFormat': 'neuer Texturen; sonst jpeg, aber png für Normalen und Alpha',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
@@ -255,7 +248,6 @@ export default {
   'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
   'unit.degrees': 'Grad',
-  'unit.texels': 'Texel',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
 };

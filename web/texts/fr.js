@@ -228,14 +228,6 @@ export default {
   'option.featureAngle': 'Angle des arêtes vives',
   'option.boundary': 'Bord',
   'option.maxError': 'Erreur maximale',
-  'option.textures': 'Textures',
-  'option.textureSize': 'Taille des textures',
-  'option.textureFormat': 'Format des textures',
-  'help.textures': 'keep : coordonnées gardées le long de leurs coutures ; bake (glTF) : textures '
-    + 'repeintes d’après les anciennes, les coutures ne prennent plus de sommets',
-  'help.textureSize': 'des textures repeintes, par côté ; sinon aussi fine que l’original, 4096 au '
-    + 'plus',
-  'help.textureFormat': 'des textures repeintes ; sinon jpeg, mais png pour normales et alpha',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -256,7 +248,6 @@ export default {
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
   'unit.degrees': 'degrés',
-  'unit.texels': 'texels',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
 };

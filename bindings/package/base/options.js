@@ -72,14 +72,14 @@ export const optionTable = [
     unit: '% of the diagonal', off: true, default: 'off',
     help: 'refuse what would leave the original by more' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
-    default: 'keep',
-    help: 'keep: texture coordinates, along their seams; bake (of glTF): new textures, painted ' +
+    default: 'keep', form: false,
+    help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +
       'from the old, so that seams hold no vertices' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
-    unit: 'texels',
+    unit: 'texels', form: false,
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
-    choices: ['png', 'jpeg', 'webp'],
+    choices: ['png', 'jpeg', 'webp'], form: false,
     help: 'of baked textures; jpeg if not given, but png for normals and alpha' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
