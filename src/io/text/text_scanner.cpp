@@ -93,8 +93,8 @@ double TextScanner::anyNumber(std::string_view what) {
   const auto [stop, problem] = fast_float::from_chars(begin, end, value);
   if (problem != std::errc() || stop != end)
     fail(ErrorCode::ParseError,
-         text.empty() ? std::string(what) + " is missing."
-                      : std::string(what) + " is not a number: \"" + legible(text) + "\".");
+         text.empty() ? legible(what) + " is missing."
+                      : legible(what) + " is not a number: \"" + legible(text) + "\".");
   return value;
 }
 
@@ -109,8 +109,7 @@ double TextScanner::number(std::string_view what) {
 float TextScanner::singleNumber(std::string_view what) {
   const double value = number(what);
   if (std::abs(value) > double(std::numeric_limits<float>::max()))
-    fail(ErrorCode::NonFinite,
-         std::string(what) + " is too large for a number of single precision.",
+    fail(ErrorCode::NonFinite, legible(what) + " is too large for a number of single precision.",
          "Only the coordinates of vertices may be larger.");
   return static_cast<float>(value);
 }

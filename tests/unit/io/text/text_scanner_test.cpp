@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string_view>
+
 #include "io/files.h"
 #include "io/text/text_writer.h"
 
@@ -44,6 +46,18 @@ TEST_CASE("text_scanner: numbers in every notation, and nothing else") {
   for (const double expected : {1.5, -2e-3, 0.5, 7.0}) CHECK(scanner.number("it") == expected);
   CHECK(failureOf([&] { scanner.number("it"); }).find("PARSE_ERROR") == 0);
   CHECK(failureOf([&] { scanner.number("it"); }).find("it is missing") != std::string::npos);
+}
+
+TEST_CASE("text_scanner: names that a file gives are quoted legibly, to the end of the sentence") {
+  using namespace std::string_view_literals;
+  TextScanner scanner("x 1e300", "t");
+  CHECK(scanner.nextLine());
+  CHECK(failureOf([&] { scanner.number("a\0b"sv); }).find("a\\u{0}b is not a number: \"x\".") !=
+        std::string::npos);
+  CHECK(failureOf([&] { scanner.singleNumber("a\0b"sv); }).find("a\\u{0}b is too large") !=
+        std::string::npos);
+  CHECK(failureOf([&] { scanner.number("a\0b"sv); }).find("a\\u{0}b is missing.") !=
+        std::string::npos);
 }
 
 TEST_CASE("text_writer: numbers have as few digits as read back to the same value") {
