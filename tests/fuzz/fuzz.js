@@ -28,7 +28,8 @@ function argumentsFor(name, { length, words, inputs }, seconds) {
   const dictionary = join(folder, 'seeds', `${name}.dict`);
   writeFileSync(dictionary, words.map((word) => `"${word}"\n`).join(''));
   return [`-max_total_time=${seconds}`, `-max_len=${length}`, `-timeout=${longestInput}`,
-    `-artifact_prefix=${join(folder, 'findings', name)}-`, `-dict=${dictionary}`,
+    `-artifact_prefix=${join(folder, 'findings', name)}-`,
+    ...(words.length > 0 ? [`-dict=${dictionary}`] : []),
     '-print_final_stats=1', corpus, seeds];
 }
 

@@ -169,12 +169,11 @@ void changePrimitive(Json& tree, Random& random) {
 }
 
 void addSkin(Json& tree, Random& random) {
-  Json* const node = oneOf(tree, "nodes", random);
-  if (node == nullptr) return;
   tree["skins"] = Json::array();
   tree["skins"].push_back({{"joints", Json::array({indexInto(tree, "nodes", random)})},
                            {"inverseBindMatrices", indexInto(tree, "accessors", random)}});
-  (*node)["skin"] = 0;
+  // Only now: a new member moves all that are in the tree.
+  if (Json* const node = oneOf(tree, "nodes", random)) (*node)["skin"] = 0;
 }
 
 void changeNode(Json& tree, Random& random) {
