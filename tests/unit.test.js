@@ -68,7 +68,8 @@ function surroundings() {
 
 /** Where it is remembered that a file's cases have passed. @returns {string} */
 function memoryOf(file, common) {
-  const hash = createHash('sha256').update(common);
+  // By its name, too: files of tests that share a header reach each other.
+  const hash = createHash('sha256').update(common).update(file);
   for (const part of withCallees(file)) hash.update(part).update(readText(part));
   return join(memory, `unit-${hash.digest('hex')}.json`);
 }
