@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
 #include "measure/edge_table.h"
 
@@ -23,27 +23,6 @@ Triangle cornersOf(const WeldedMesh& mesh, std::size_t t) {
   const std::array<Index, 3> v = mesh.triangle(t);
   return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
 }
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parents_(size) {
-    std::iota(parents_.begin(), parents_.end(), Index{0});
-  }
-
-  Index find(Index x) {
-    while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
-    return x;
-  }
-
-  // The lower number stays the root, so that a set is named by its first member.
-  void unite(Index x, Index y) {
-    x = find(x), y = find(y);
-    parents_[std::max(x, y)] = std::min(x, y);
-  }
-
- private:
-  std::vector<Index> parents_;
-};
 
 // The place of a vertex of the edge opposite to a corner, as a corner of the same triangle.
 Index cornerAt(const WeldedMesh& mesh, Index opposite, Index vertex) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "painting/shading.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
 #include "mesh/edge_groups.h"
 
@@ -18,9 +17,7 @@ const double kHard = std::cos(radians(30));
 class Shader {
  public:
   Shader(std::span<const Vec3> positions, std::span<const Index> indices)
-      : positions_(positions), indices_(indices), parent_(indices.size()) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
+      : positions_(positions), indices_(indices), shared_(indices.size()) {}
 
   Shading run(std::span<const InputPlace> places, const PaintSource& source) {
     std::vector<Vec3> original;
@@ -35,8 +32,8 @@ class Shader {
       const bool isHard = parts(a, nextCorner(b)) || parts(nextCorner(a), b);
       result.hard[a] = result.hard[b] = isHard;
       if (isHard) continue;
-      join(a, nextCorner(b));
-      join(nextCorner(a), b);
+      shared_.unite(a, nextCorner(b));
+      shared_.unite(nextCorner(a), b);
     }
     result.normals = sharedNormals();
     return result;
@@ -49,15 +46,16 @@ class Shader {
   }
 
   // The mean over the triangles that share them, weighted by their angles.
-  std::vector<Vec3> sharedNormals() const {
+  std::vector<Vec3> sharedNormals() {
     std::vector<Vec3> sums(indices_.size(), Vec3::Zero()), result;
     for (Index t = 0; 3 * t < indices_.size(); ++t) {
       const auto [a, b, c] = corners(t);
       const std::array<double, 3> weights = angles(a, b, c);
-      for (Index k = 0; k < 3; ++k) sums[root(3 * t + k)] += weights[k] * unitNormal(a, b, c);
+      for (Index k = 0; k < 3; ++k)
+        sums[shared_.find(3 * t + k)] += weights[k] * unitNormal(a, b, c);
     }
     for (Index h = 0; h < indices_.size(); ++h) {
-      const Vec3& sum = sums[root(h)];
+      const Vec3& sum = sums[shared_.find(h)];
       const auto [a, b, c] = corners(h / 3);
       const Vec3 own = unitNormal(a, b, c);
       const double length = sum.norm();
@@ -66,20 +64,9 @@ class Shader {
     return result;
   }
 
-  Index root(Index h) const {
-    while (parent_[h] != h) h = parent_[h];
-    return h;
-  }
-
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
-  std::vector<Index> parent_;
+  DisjointSets shared_;  // corners
 };
 
 }  // namespace

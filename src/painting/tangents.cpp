@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {
@@ -33,18 +34,19 @@ Vec3 anyAcross(const Vec3& normal) {
 
 class Tangents {
  public:
-  explicit Tangents(const TangentCorners& corners) : corners_(corners) {}
+  explicit Tangents(const TangentCorners& corners)
+      : corners_(corners), shared_(corners.positions.size()) {}
 
   std::vector<Eigen::Vector4d> run() {
     const std::size_t count = corners_.positions.size();
     for (Index t = 0; 3 * t < count; ++t) gradients_.push_back(gradientOf(t));
     group();
     std::vector<Vec3> sums(count, Vec3::Zero());
-    for (Index h = 0; h < count; ++h) sums[root(h)] += weighted(h);
+    for (Index h = 0; h < count; ++h) sums[shared_.find(h)] += weighted(h);
     std::vector<Eigen::Vector4d> result;
     for (Index h = 0; h < count; ++h) {
       const Vec3& normal = corners_.normals[h];
-      Vec3 tangent = inPlane(sums[root(h)], normal);
+      Vec3 tangent = inPlane(sums[shared_.find(h)], normal);
       if (tangent.isZero()) tangent = anyAcross(normal);
       result.emplace_back(tangent.x(), tangent.y(), tangent.z(),
                           gradients_[h / 3].isMirrored ? 1.0 : -1.0);
@@ -92,33 +94,20 @@ class Tangents {
     for (Index i = 0; i < count; ++i)
       number[order[i]] =
           i > 0 && key(order[i]) == key(order[i - 1]) ? number[order[i - 1]] : order[i];
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), Index{0});
     const EdgeGroups edges(count, number);
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (edges[e].size() != 2) continue;
       const Index a = edges[e][0], b = edges[e][1];
       const bool isAlike = gradients_[a / 3].isMirrored == gradients_[b / 3].isMirrored;
       if (number[a] == number[b] || !isAlike) continue;
-      join(a, nextCorner(b));
-      join(nextCorner(a), b);
+      shared_.unite(a, nextCorner(b));
+      shared_.unite(nextCorner(a), b);
     }
-  }
-
-  Index root(Index h) const {
-    while (parent_[h] != h) h = parent_[h];
-    return h;
-  }
-
-  void join(Index a, Index b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
   }
 
   const TangentCorners& corners_;
   std::vector<Gradient> gradients_;
-  std::vector<Index> parent_;
+  DisjointSets shared_;  // corners
 };
 
 }  // namespace

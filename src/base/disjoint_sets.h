@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Sets of numbers that only grow together: union and find.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "base/types.h"
+
+namespace remesher {
+
+class DisjointSets {
+ public:
+  // Each of the numbers below `size` is a set of its own.
+  explicit DisjointSets(std::size_t size) : parents_(size) {
+    std::iota(parents_.begin(), parents_.end(), Index{0});
+  }
+
+  // What the set is named by: its lowest member.
+  Index find(Index x) {
+    while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
+    return x;
+  }
+
+  void unite(Index x, Index y) {
+    x = find(x), y = find(y);
+    parents_[std::max(x, y)] = std::min(x, y);
+  }
+
+ private:
+  std::vector<Index> parents_;
+};
+
+}  // namespace remesher
