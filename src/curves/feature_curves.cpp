@@ -284,9 +284,14 @@ FeatureCurves::Place FeatureCurves::locate(const HalfedgeMesh& mesh,
 SurfacePoint FeatureCurves::leftOf(const HalfedgeMesh& mesh, const CurvePoint& here,
                                    const CurvePoint& there) const {
   const auto [edge, t, i] = step(here, there.arc);
-  const Vertex start = chains_[here.chain].vertices[there.arc < here.arc ? i + 1 : i];
-  const Halfedge left = mesh.origin(edge) == start ? edge : mesh.twin(edge);
-  return onEdge(left, there.arc < here.arc ? t : 1 - t);
+  const bool isBack = there.arc < here.arc;
+  const Vertex start = chains_[here.chain].vertices[isBack ? i + 1 : i];
+  // Beside a far longer edge a short one may add nothing to the arc, which then does not tell which
+  // way leads on; a boundary has a face on one side only.
+  const bool isLeft = mesh.origin(edge) == start || mesh.isBoundary(edge);
+  const Halfedge left = isLeft ? edge : mesh.twin(edge);
+  const double atStart = isBack ? t : 1 - t;
+  return onEdge(left, mesh.origin(left) == start ? atStart : 1 - atStart);
 }
 
 CurvePoint FeatureCurves::atCorner(Index chain, Vertex v) const {

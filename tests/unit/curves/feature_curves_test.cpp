@@ -152,3 +152,16 @@ TEST_CASE("feature_curves: left of the way there is the other side of the way ba
     CHECK(surface.normal(left).cross(ahead).dot(middle - place) > 0);
   }
 }
+
+TEST_CASE("feature_curves: of a boundary there is one side, whatever rounding makes of its arcs") {
+  TriangleMesh input = shapes::grid(5, 4);
+  for (Vec3& p : input.positions)  // beside these edges the others add nothing
+    if (p.x() == 0 || p.x() == 5) p.x() = p.x() == 0 ? -1e20 : 1e20;
+  const OriginalSurface surface = shapes::surfaceOf(input);
+  const WorkingMesh mesh(surface);
+  for (Index h = 0; h < mesh.mesh().halfedgeCapacity(); ++h) {
+    const SurfacePoint point = mesh.cornerPoint(Halfedge(h));
+    REQUIRE(point.face.index < surface.mesh().faceCapacity());
+    CHECK(point.barycentric.sum() == doctest::Approx(1));
+  }
+}
