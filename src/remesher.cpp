@@ -263,6 +263,17 @@ io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::s
   return all;
 }
 
+// The model, whose coordinates are said to be as precise as they will be written.
+io::Model readFor(const std::string& outputName, const FileBundle& input) {
+  io::Model model = io::read(input.file, input.resources);
+  if (io::roundsToSingle(outputName))
+    for (io::Part& part : model.parts) part.mesh.isSingle = true;
+  if (model.parts.empty())
+    model.warnings.push_back(
+        {"NOTHING_TO_REMESH", "There are no triangles: the file is passed on as it came."});
+  return model;
+}
+
 }  // namespace
 
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
@@ -301,7 +312,7 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
-  io::Model model = io::read(input.file, input.resources);
+  io::Model model = readFor(outputName, input);
   std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
     const Progress body = whole.part(kReadShare, 1);
     if (options.textures == Textures::Keep) return remeshAll(model.parts, options, body);

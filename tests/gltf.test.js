@@ -267,7 +267,8 @@ test('a file with nothing to remesh comes back equal', async () => {
   const { bytes, name } = maker.glb();
   const result = await remeshFile(bytes, { name, vertices: 400 });
   assert.deepEqual(result.bytes, bytes);
-  assert.equal(result.report.warnings[0].code, 'NOT_TRIANGLES');
+  assert.deepEqual(result.report.warnings.map(({ code }) => code),
+    ['NOT_TRIANGLES', 'NOTHING_TO_REMESH']);
 });
 
 test('an instanced mesh stays instanced, points beside it stay untouched', async () => {
@@ -284,6 +285,35 @@ test('an instanced mesh stays instanced, points beside it stay untouched', async
   const points = opened.tree.meshes[0].primitives[1];
   assert.equal(points.mode, 0);
   assert.deepEqual(valuesOf(opened, points.attributes.POSITION).flat(), [...positions]);
+});
+
+test('an attribute that means nothing without another goes with it, in a sentence', async () => {
+  const four = (value) => Uint8Array.from(perVertex(() => [value, 0, 0, 0]));
+  const broken = {
+    JOINTS_0: (maker, { attributes }) => {
+      attributes.JOINTS_0 = maker.add(four(0), 'VEC4');
+    },
+    WEIGHTS_0: (maker, { attributes }) => {
+      attributes.JOINTS_0 = maker.add(four(0).slice(count), 'VEC3');
+      attributes.WEIGHTS_0 = maker.add(four(255), 'VEC4', { normalized: true });
+    },
+    'TARGET_0/NORMAL': (maker, primitive) => {
+      primitive.targets = [{ POSITION: maker.add(positions, 'VEC3'),
+        NORMAL: maker.add(positions, 'VEC3') }];
+    },
+  };
+  for (const [name, change] of Object.entries(broken)) {
+    const maker = texturedSheet(change);
+    if (name !== 'TARGET_0/NORMAL') {
+      maker.tree.skins = [{ joints: [1] }];
+      maker.tree.nodes = [{ mesh: 0, skin: 0 }, {}];
+      maker.tree.scenes[0].nodes = [0, 1];
+    }
+    const result = await remeshFile(maker.glb().bytes, { name: 'made.glb', vertices: 300 });
+    assert.deepEqual(await validate(result), [], name);
+    const said = result.report.warnings.filter(({ code }) => code === 'ATTRIBUTE_NOT_CARRIED');
+    assert.ok(said.some(({ message }) => message.includes(`${name} means nothing without`)), name);
+  }
 });
 
 test('damaged compressed data is refused in a sentence', async () => {

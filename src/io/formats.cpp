@@ -23,12 +23,16 @@ struct Format {
   std::string_view magic;  // the first bytes of every such file; empty: it has none
   Model (*read)(const File& file, const std::vector<File>& resources);
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
+  bool isSingle = false;  // all its coordinates are of single precision
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF", readGltf, writeGlb}, {".gltf", "{", readGltf, writeGltf},
-    {".obj", "", readObj, writeObj},      {".off", "OFF", readOff, writeOff},
-    {".ply", "ply", readPly, writePly},   {".stl", "solid", readStl, writeStl},
+    {".glb", "glTF", readGltf, writeGlb, true},
+    {".gltf", "{", readGltf, writeGltf, true},
+    {".obj", "", readObj, writeObj},
+    {".off", "OFF", readOff, writeOff},
+    {".ply", "ply", readPly, writePly},
+    {".stl", "solid", readStl, writeStl, true},
 };
 
 std::string lowerCase(std::string_view text) {
@@ -85,6 +89,11 @@ void requireWritable(const std::string& outputName) {
 bool holdsLods(const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
   return format != nullptr && format->read == readGltf;
+}
+
+bool roundsToSingle(const std::string& outputName) {
+  const Format* const format = findByExtension(outputName);
+  return format != nullptr && format->isSingle;
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {

@@ -24,6 +24,9 @@ void requireWritable(const std::string& outputName);
 // Whether a file of such a name can hold the levels of detail of its parts.
 bool holdsLods(const std::string& outputName);
 
+// Whether a file of such a name has coordinates of single precision, whatever the model has.
+bool roundsToSingle(const std::string& outputName);
+
 // The format follows the extension of `outputName`, whose last part names the first file. Into the
 // format it came from, a model takes
 // its whole scene along; into another, its parts where their instances are.

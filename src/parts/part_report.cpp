@@ -43,6 +43,18 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
   return sum;
 }
 
+// What has two corners in one place is a line, which the remesher does not know; where all are,
+// they stay.
+std::vector<Index> withoutLines(const TriangleMesh& mesh) {
+  std::vector<Index> kept;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Index* const t = &mesh.indices[i];
+    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    if (a != b && b != c && c != a) kept.insert(kept.end(), t, t + 3);
+  }
+  return kept.empty() ? mesh.indices : kept;
+}
+
 }  // namespace
 
 MeshReport inspectParts(const std::vector<io::Part>& parts) {
@@ -55,13 +67,21 @@ MeshReport inspectParts(const std::vector<io::Part>& parts) {
 }
 
 TriangleMesh gathered(const std::vector<io::Part>& parts) {
+  const auto placeOf = [](const io::Part& part) {
+    return part.instances.empty() ? Transform::Identity() : Transform(part.instances.front());
+  };
   TriangleMesh all;
+  if (parts.empty()) return all;
+  // A scene may lie so far away that its shape would be lost to rounding.
+  const Vec3 origin = placeOf(parts.front()).translation();
   for (const io::Part& part : parts) {
     const auto first = static_cast<Index>(all.positions.size());
-    const Transform place = part.instances.empty() ? Transform::Identity() : part.instances.front();
+    Transform place = placeOf(part);
+    place.translation() -= origin;
     for (const Vec3& position : part.mesh.positions) all.positions.push_back(place * position);
-    for (Index i : part.mesh.indices) all.indices.push_back(first + i);
+    for (const Index i : part.mesh.indices) all.indices.push_back(first + i);
   }
+  all.indices = withoutLines(all);
   return all;
 }
 

@@ -13,7 +13,8 @@ namespace remesher {
 // Throws Error as requireValid does.
 MeshReport inspectParts(const std::vector<io::Part>& parts);
 
-// All parts where they are first shown, as one bag of triangles.
+// All parts where they are first shown, beside the first of them, as one bag of triangles without
+// those that are lines.
 TriangleMesh gathered(const std::vector<io::Part>& parts);
 
 // Both lists as one; warnings of the same code become one.

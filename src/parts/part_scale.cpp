@@ -19,10 +19,25 @@ void scale(std::vector<Vec3>& positions, double factor) {
 // The points' box at half its size: that of the largest doubles would be infinite.
 using HalfBox = Eigen::AlignedBox3d;
 
+// Of what has an area: a stray vertex, or a triangle that is a line, is not worked on. Indices have
+// yet to be looked at.
 HalfBox halfBox(const io::Part& part, const Transform& place) {
   HalfBox box;
-  for (const Vec3& p : part.mesh.positions) box.extend(0.5 * (place * p));
+  const std::vector<Vec3>& positions = part.mesh.positions;
+  for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
+    const Index* const t = &part.mesh.indices[i];
+    if (std::max({t[0], t[1], t[2]}) >= positions.size()) continue;
+    const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+    if (a == b || b == c || c == a) continue;
+    for (const Vec3& p : {a, b, c}) box.extend(0.5 * (place * p));
+  }
   return box;
+}
+
+// A stray vertex may lie farther out than numbers go.
+bool fits(const io::Part& part, double scale) {
+  return std::all_of(part.mesh.positions.begin(), part.mesh.positions.end(),
+                     [&](const Vec3& p) { return (p * scale).allFinite(); });
 }
 
 HalfBox halfBoxOfWorld(const std::vector<io::Part>& parts) {
@@ -51,8 +66,10 @@ double unitScale(const HalfBox& box) {
 
 PartScale::PartScale(const std::vector<io::Part>& parts)
     : world_(unitScale(halfBoxOfWorld(parts))) {
-  for (const io::Part& part : parts)
-    local_.push_back(unitScale(halfBox(part, Transform::Identity())));
+  for (const io::Part& part : parts) {
+    const double own = unitScale(halfBox(part, Transform::Identity()));
+    local_.push_back(fits(part, own) ? own : 1);
+  }
 }
 
 bool PartScale::isNeeded() const {

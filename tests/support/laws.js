@@ -9,7 +9,7 @@ import { openGltf, valuesOf } from './gltf.js';
 /** Repairs after which other parts, holes and handles than before are to be expected. */
 const repairs = new Set(['BACK_TO_BACK_TRIANGLES_REMOVED', 'DEGENERATE_TRIANGLES_REMOVED',
   'DUPLICATE_TRIANGLES_REMOVED', 'INCONSISTENT_ORIENTATION_FIXED', 'NON_MANIFOLD_EDGES_SPLIT',
-  'NON_MANIFOLD_VERTICES_SPLIT', 'NON_ORIENTABLE_CUT']);
+  'NON_MANIFOLD_VERTICES_SPLIT', 'NON_ORIENTABLE_CUT', 'VERTICES_COINCIDE']);
 
 /** Whether triangles of no area are among those given, or nearly: angles in degrees. */
 const isThin = (/** @type {any} */ { degenerateTriangles, minAngle }) =>
@@ -52,7 +52,7 @@ export function lawsOfReports(report, options) {
       require(output[name] === input[name], `${name} ${output[name]}, was ${input[name]}`);
     }
   }
-  if (options.maxError !== undefined) {
+  if (options.maxError !== undefined && fidelity !== undefined) {
     require(fidelity.hausdorff <= options.maxError * (1 + 1e-6),
       `${fidelity.hausdorff} % away, not ${options.maxError} % at most`);
   }

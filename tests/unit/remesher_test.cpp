@@ -138,3 +138,35 @@ TEST_CASE("hostile: an error bound finer than any mesh keeps the original, split
   CHECK(report.output->vertices < 2 * report.input.vertices);
   CHECK(report.fidelity->hausdorff <= 1e-9);
 }
+
+TEST_CASE("remesher: the report is of the coordinates of the format that is written") {
+  const std::string obj =  // two triangles that single precision makes one
+      "v 1e6 0 0\nv 1e6 1 0\nv 1e6 0 1\nv 1000000.000001 0 0\nv 1000000.000001 0 1\n"
+      "v 1000000.000001 1 0\nf 1 2 3\nf 4 5 6\n";
+  FileBundle input;
+  input.file = {"near.obj", {obj.begin(), obj.end()}};
+  RemeshOptions options;
+  options.vertices = 12;
+  for (const std::string name : {"near.obj", "near.stl", "near.glb"}) {
+    CAPTURE(name);
+    const RemeshFileResult result = remeshFile(input, name, options);
+    const MeshReport found = inspectFile({result.files[0], {}}).input;
+    CHECK(found.vertices == result.report.output->vertices);
+    CHECK(found.boundaryEdges == result.report.output->boundaryEdges);
+  }
+}
+
+TEST_CASE("remesher: distances are those of the surface, wherever it is shown") {
+  const TriangleMesh ball = shapes::icosphere(4);
+  RemeshOptions options;
+  options.vertices = Index(ball.positions.size());
+  const double usual = remesh(ball, options).report.fidelity->hausdorff;
+  const Transform away(Eigen::Translation3d(1e30, 0, 1e-3));
+  CHECK(remeshScene({{ball, {away}}}, options).report.fidelity->hausdorff ==
+        doctest::Approx(usual).epsilon(0.1));
+  TriangleMesh withLine = ball;  // which is no surface
+  withLine.positions.emplace_back(3, 0, 0);
+  const Index far = Index(withLine.positions.size() - 1);
+  withLine.indices.insert(withLine.indices.end(), {0, far, far});
+  CHECK(remesh(withLine, options).report.fidelity->hausdorff < 2 * usual);
+}

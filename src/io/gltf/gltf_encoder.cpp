@@ -2,6 +2,7 @@
 #include "io/gltf/gltf_encoder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -44,6 +45,24 @@ EncodedAccessor encodeAs(const Table& table, const Encoding& encoding) {
     }
   }
   return result;
+}
+
+using Place = std::array<double, 3>;
+
+std::size_t countPlaces(std::vector<Place> places) {
+  std::sort(places.begin(), places.end());
+  return std::size_t(std::unique(places.begin(), places.end()) - places.begin());
+}
+
+// Whether vertices that lie apart still do as whole steps.
+bool staysApart(const std::vector<Vec3>& positions, double scale) {
+  std::vector<Place> places, steps;
+  for (const Vec3& p : positions) {
+    places.push_back({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
+    steps.push_back({std::round(p.x() * scale) + 0.0, std::round(p.y() * scale) + 0.0,
+                     std::round(p.z() * scale) + 0.0});
+  }
+  return countPlaces(std::move(steps)) == countPlaces(std::move(places));
 }
 
 template <class Component>
@@ -152,7 +171,7 @@ bool canRoundPositions(const TriangleMesh& mesh, const Encoding& encoding) {
     const Vec3 edge = mesh.positions[mesh.indices[next]] - mesh.positions[mesh.indices[i]];
     if (edge.norm() * scale < kShortestEdgeInSteps) return false;
   }
-  return true;
+  return staysApart(mesh.positions, scale);
 }
 
 }  // namespace remesher::io

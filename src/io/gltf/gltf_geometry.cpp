@@ -41,6 +41,33 @@ std::pair<int, int> componentRange(std::string_view semantic) {
   return {1, 16};
 }
 
+bool isCarried(const GltfDocument& document, const std::string& semantic, int accessor) {
+  const Encoding encoding = accessorEncoding(document, accessor);
+  const auto [fewest, most] = componentRange(semantic);
+  return encoding.components >= fewest && encoding.components <= most &&
+         (encoding.components <= 4 || componentSize(encoding.componentType) == 4);
+}
+
+// The attribute without which this one means nothing; empty: there is none.
+std::string partnerOf(const std::string& semantic) {
+  if (semantic.starts_with("JOINTS_")) return "WEIGHTS_" + semantic.substr(7);
+  if (semantic.starts_with("WEIGHTS_")) return "JOINTS_" + semantic.substr(8);
+  return semantic.starts_with("TARGET_") ? semantic.substr(semantic.find('/') + 1) : "";
+}
+
+AccessorsBySemantic carriedBy(const GltfDocument& document, const tinygltf::Primitive& primitive) {
+  AccessorsBySemantic typed = accessorsOf(primitive);
+  std::erase_if(typed, [&](const auto& entry) {
+    return entry.first != "POSITION" && !isCarried(document, entry.first, entry.second);
+  });
+  AccessorsBySemantic carried = typed;
+  std::erase_if(carried, [&](const auto& entry) {
+    const std::string partner = partnerOf(entry.first);
+    return !partner.empty() && typed.count(partner) == 0;
+  });
+  return carried;
+}
+
 // Of the smallest skin that the mesh is shown with.
 std::size_t jointCount(const tinygltf::Model& model, int mesh) {
   std::size_t count = std::numeric_limits<std::size_t>::max();
@@ -55,7 +82,8 @@ class GeometryReader {
  public:
   GeometryReader(const GltfDocument& document, int mesh, std::vector<Warning>& warnings)
       : document_(document),
-        mesh_(document.typed.meshes[mesh]),
+        number_(static_cast<std::size_t>(mesh)),
+        mesh_(document.typed.meshes[number_]),
         jointCount_(jointCount(document.typed, mesh)),
         where_("mesh " + std::to_string(mesh) + ", primitive "),
         warnings_(warnings) {}
@@ -64,6 +92,7 @@ class GeometryReader {
  private:
   void readPositions(const VertexPool& pool);
   void readTriangles(int primitiveNumber, Index firstVertex, std::size_t vertexCount);
+  void warnOfLost(const VertexPool& pool);
   void layOutAttributes(const std::vector<VertexPool>& pools);
   void readAttributes(const VertexPool& pool, std::size_t firstVertex, std::size_t vertexCount);
   std::vector<Index> vertexSequence(int primitiveNumber, std::size_t vertexCount) const;
@@ -71,6 +100,7 @@ class GeometryReader {
   void warn(const char* code, const std::string& message);
 
   const GltfDocument& document_;
+  const std::size_t number_;
   const tinygltf::Mesh& mesh_;
   std::size_t jointCount_;
   std::string where_;
@@ -151,6 +181,18 @@ void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
   result_.groups.resize(result_.triangleCount(), static_cast<Index>(primitiveNumber));
 }
 
+void GeometryReader::warnOfLost(const VertexPool& pool) {
+  for (const int primitive : pool.primitives)
+    for (const auto& [semantic, accessor] : accessorsOf(mesh_.primitives[primitive])) {
+      if (pool.accessors.count(semantic) == 1) continue;
+      const std::string reason = isCarried(document_, semantic, accessor)
+                                     ? " means nothing without " + legible(partnerOf(semantic))
+                                     : " is not of a type that it can have";
+      warn("ATTRIBUTE_NOT_CARRIED",
+           "The attribute " + legible(semantic) + reason + " and is lost.");
+    }
+}
+
 // Room for every attribute that any pool has, as wide as the widest, filled with what the
 // vertices of the other pools shall have.
 void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
@@ -158,11 +200,6 @@ void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
   for (const VertexPool& pool : pools) {
     for (const auto& [semantic, accessor] : pool.accessors) {
       if (semantic == "POSITION") continue;
-      if (!isCarried(document_, semantic, accessor)) {
-        warn("ATTRIBUTE_NOT_CARRIED", "The attribute " + legible(semantic) +
-                                          " is not of a type that it can have and is lost.");
-        continue;
-      }
       int& size = itemSizes[semantic];
       size = std::max(size, accessorEncoding(document_, accessor).components);
     }
@@ -178,8 +215,7 @@ void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVer
                                     std::size_t vertexCount) {
   for (Attribute& attribute : result_.attributes) {
     const auto found = pool.accessors.find(attribute.semantic);
-    if (found == pool.accessors.end() || !isCarried(document_, attribute.semantic, found->second))
-      continue;
+    if (found == pool.accessors.end()) continue;
     const std::vector<float> values = readFloats(document_, found->second, vertexCount);
     const int width = accessorEncoding(document_, found->second).components;
     for (std::size_t i = 0; i < vertexCount; ++i) {
@@ -213,9 +249,10 @@ void GeometryReader::dropForeignJoints() {
 }
 
 TriangleMesh GeometryReader::read() {
-  const std::vector<VertexPool> pools = vertexPools(mesh_);
+  const std::vector<VertexPool> pools = vertexPools(document_, number_);
   std::vector<std::size_t> firstVertices = {0};
   for (const VertexPool& pool : pools) {
+    warnOfLost(pool);
     readPositions(pool);
     firstVertices.push_back(result_.positions.size());
   }
@@ -235,11 +272,12 @@ TriangleMesh GeometryReader::read() {
 
 }  // namespace
 
-std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh) {
+std::vector<VertexPool> vertexPools(const GltfDocument& document, std::size_t meshNumber) {
+  const tinygltf::Mesh& mesh = document.typed.meshes[meshNumber];
   std::vector<VertexPool> pools;
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     if (!isTriangles(mesh.primitives[i])) continue;
-    AccessorsBySemantic accessors = accessorsOf(mesh.primitives[i]);
+    AccessorsBySemantic accessors = carriedBy(document, mesh.primitives[i]);
     const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
       return pool.accessors == accessors;
     });
@@ -249,13 +287,6 @@ std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh) {
       same->primitives.push_back(static_cast<int>(i));
   }
   return pools;
-}
-
-bool isCarried(const GltfDocument& document, const std::string& semantic, int accessor) {
-  const Encoding encoding = accessorEncoding(document, accessor);
-  const auto [fewest, most] = componentRange(semantic);
-  return encoding.components >= fewest && encoding.components <= most &&
-         (encoding.components <= 4 || componentSize(encoding.componentType) == 4);
 }
 
 TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings) {

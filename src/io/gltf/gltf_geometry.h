@@ -22,14 +22,13 @@ struct VertexPool {
   std::vector<int> primitives;  // their numbers in the mesh
 };
 
-// The pools of the primitives that are triangles, strips or fans and have positions.
-std::vector<VertexPool> vertexPools(const tinygltf::Mesh& mesh);
+// The pools of the primitives that are triangles, strips or fans and have positions. Left out are
+// attributes of another type than glTF asks for, those that mean nothing without another that is
+// not there (JOINTS_n, WEIGHTS_n, what morphs an attribute), and small integers in the columns of a
+// matrix, which are padded; no file is known to have them.
+std::vector<VertexPool> vertexPools(const GltfDocument& document, std::size_t mesh);
 
 // Throws PARSE_ERROR, INDEX_OUT_OF_RANGE, NON_FINITE.
 TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings);
-
-// What is not carried along: attributes of another type than glTF asks for, and small integers in
-// the columns of a matrix, which are padded; no file is known to have them.
-bool isCarried(const GltfDocument& document, const std::string& semantic, int accessor);
 
 }  // namespace remesher::io

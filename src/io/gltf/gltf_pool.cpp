@@ -109,6 +109,9 @@ void PoolEncoder::encodeAttribute(const std::string& semantic) {
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
   Table table = tableOf(*attribute, encoding.components);
   if (semantic == "NORMAL" || semantic == "TANGENT") makeUnitLength(table);
+  // Other formats have colours of any size.
+  if (document_ == nullptr && semantic.starts_with("COLOR_"))
+    for (float& value : table.values) value = std::clamp(value, 0.0F, 1.0F);
   add(semantic, table, encoding);
 }
 

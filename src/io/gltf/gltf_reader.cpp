@@ -24,17 +24,18 @@ std::vector<std::vector<Transform>> placedMeshes(const GltfDocument& document) {
   return instances;
 }
 
-std::size_t trianglePrimitives(const tinygltf::Mesh& mesh) {
+std::size_t trianglePrimitives(const GltfDocument& document, std::size_t mesh) {
   std::size_t count = 0;
-  for (const VertexPool& pool : vertexPools(mesh)) count += pool.primitives.size();
+  for (const VertexPool& pool : vertexPools(document, mesh)) count += pool.primitives.size();
   return count;
 }
 
 // By primitive number. Semantics of some primitives only are those the others lack.
-std::vector<GroupInfo> groupInfos(const GltfDocument& document, const tinygltf::Mesh& mesh,
+std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t number,
                                   const TriangleMesh& triangles) {
+  const tinygltf::Mesh& mesh = document.typed.meshes[number];
   std::vector<GroupInfo> infos(mesh.primitives.size());
-  for (const VertexPool& pool : vertexPools(mesh)) {
+  for (const VertexPool& pool : vertexPools(document, number)) {
     for (const int primitive : pool.primitives) {
       GroupInfo& info = infos[primitive];
       for (const Attribute& attribute : triangles.attributes)
@@ -67,11 +68,11 @@ Model readDocument(const std::shared_ptr<GltfDocument>& document) {
   std::size_t untouched = 0;
   for (std::size_t i = 0; i < document->typed.meshes.size(); ++i) {
     const tinygltf::Mesh& mesh = document->typed.meshes[i];
-    untouched += mesh.primitives.size() - trianglePrimitives(mesh);
+    untouched += mesh.primitives.size() - trianglePrimitives(*document, i);
     TriangleMesh triangles = readGeometry(*document, static_cast<int>(i), model.warnings);
     if (triangles.indices.empty()) continue;
     const std::string name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
-    std::vector<GroupInfo> groups = groupInfos(*document, mesh, triangles);
+    std::vector<GroupInfo> groups = groupInfos(*document, i, triangles);
     model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
     requireFinitePlaces(*document, model.parts.back());
     document->partMeshes.push_back(static_cast<int>(i));

@@ -204,6 +204,20 @@ void usePaintings(Json& primitives, const Part& part, std::size_t firstPainting)
   }
 }
 
+bool isSkinned(const Json& tree, std::size_t mesh) {
+  const Json& primitives = tree["meshes"][mesh]["primitives"];
+  return std::any_of(primitives.begin(), primitives.end(), [](const Json& primitive) {
+    return primitive["attributes"].contains("JOINTS_0");
+  });
+}
+
+// What has lost its joints has no use for a skin.
+void dropSkins(Json& tree, std::size_t mesh) {
+  if (!tree.contains("nodes")) return;
+  for (Json& node : tree["nodes"])
+    if (node.contains("mesh") && node["mesh"] == mesh) node.erase("skin");
+}
+
 WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
@@ -216,16 +230,18 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   for (const std::size_t i : replaced) {
     const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
-    std::vector<VertexPool> pools = vertexPools(document.typed.meshes[mesh]);
+    std::vector<VertexPool> pools = vertexPools(document, mesh);
     if (isPainted) {
       pools = paintedPools(std::move(pools));
       usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }
     editor.replaceGeometry(mesh, model.parts[i].mesh, pools);
+    if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh))
+      dropSkins(editor.tree(), mesh);
   }
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
-    addLods(editor, {mesh, document.tree["meshes"][mesh], vertexPools(document.typed.meshes[mesh])},
+    addLods(editor, {mesh, document.tree["meshes"][mesh], vertexPools(document, mesh)},
             model.parts[i].lods);
   }
   Abandoned abandoned{editor.abandoned(), {}};

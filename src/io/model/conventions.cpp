@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/model/conventions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace remesher::io {
 namespace {
@@ -21,11 +23,13 @@ void turnOver(Attribute& texcoords) {
     texcoords.values[i] = 1 - texcoords.values[i];
 }
 
-// Alpha, the fourth, is linear everywhere.
+// Alpha, the fourth, is linear everywhere. What is no colour any more may become too large.
 void recode(Attribute& colors, double (*transfer)(double)) {
+  constexpr auto kLargest = double{std::numeric_limits<float>::max()};
   for (std::size_t i = 0; i < colors.values.size(); ++i)
     if (i % colors.itemSize < 3)
-      colors.values[i] = static_cast<float>(transfer(double{colors.values[i]}));
+      colors.values[i] =
+          static_cast<float>(std::clamp(transfer(double{colors.values[i]}), -kLargest, kLargest));
 }
 
 }  // namespace

@@ -35,6 +35,23 @@ TEST_CASE("part_scale: what lies far away is brought near, however small it is")
   for (const Vec3& p : near[0].mesh.positions) CHECK((near[0].instances[0] * p).norm() < 1e70);
 }
 
+TEST_CASE("part_scale: what has no area has no say") {
+  io::Part part = placed(shapes::tetrahedron(), 1);
+  part.mesh.positions.emplace_back(0, 3e38, 0);
+  CHECK(!PartScale({part}).isNeeded());
+  part.mesh.indices.insert(part.mesh.indices.end(), {0, 4, 4});
+  CHECK(!PartScale({part}).isNeeded());
+  part.mesh.indices.insert(part.mesh.indices.end(), {0, 1, 4});
+  CHECK(PartScale({part}).isNeeded());
+}
+
+TEST_CASE("part_scale: a stray vertex stays a number, however small the rest is") {
+  io::Part part = placed(scaled(shapes::tetrahedron(), 1e-30), 1);
+  part.mesh.positions.emplace_back(0, 1e300, 0);
+  const std::vector<io::Part> parts = PartScale({part}).applied({part});
+  for (const Vec3& p : parts[0].mesh.positions) CHECK(p.allFinite());
+}
+
 TEST_CASE("part_scale: what was applied and undone is the same, digit by digit") {
   for (const int power : {-1060, -300, -40, 40, 300, 1020}) {
     const double size = std::ldexp(1, power);

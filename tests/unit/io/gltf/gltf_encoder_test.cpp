@@ -62,3 +62,21 @@ TEST_CASE("gltf_encoder: weights of all sets together sum to exactly one") {
     for (const float weight : set.values) sum += std::round(255.0 * weight);
   CHECK(sum == 255);
 }
+
+TEST_CASE("gltf_encoder: what lies apart does not fall together as integers") {
+  TriangleMesh mesh;
+  const auto addSheet = [&](double z) {
+    for (const Vec3& p : {Vec3(0, 0, z), Vec3(1000, 0, z), Vec3(0, 1000, z)}) {
+      mesh.indices.push_back(Index(mesh.positions.size()));
+      mesh.positions.push_back(p);
+    }
+  };
+  const Encoding steps{TINYGLTF_COMPONENT_TYPE_SHORT, false, 3};
+  addSheet(0);
+  addSheet(1);
+  CHECK(canRoundPositions(mesh, steps));
+  addSheet(0);  // copies are no others
+  CHECK(canRoundPositions(mesh, steps));
+  addSheet(0.4);
+  CHECK(!canRoundPositions(mesh, steps));
+}

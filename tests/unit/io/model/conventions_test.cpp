@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "io/files.h"
 
@@ -47,4 +49,21 @@ TEST_CASE("conventions: a glTF's texture is turned over in every other format") 
   CHECK(findAttribute(model.parts[0].mesh, "TEXCOORD_0")->values[1] == 0.75F);
   const io::Model off = io::read(io::write(model, "a.off").files[0]);
   CHECK(findAttribute(off.parts[0].mesh, "TEXCOORD_0")->values[1] == 0.25F);
+}
+
+TEST_CASE("conventions: colours stay numbers, and are none beyond white in glTF") {
+  const float most = std::numeric_limits<float>::max();
+  const TriangleMesh wild = withColors({most, -most, 0, 1});
+  for (const bool isRead : {false, true}) {
+    const auto [from, to] = isRead ? std::pair(Conventions::Classic, Conventions::Gltf)
+                                   : std::pair(Conventions::Gltf, Conventions::Classic);
+    const TriangleMesh mesh = converted(wild, from, to);
+    for (const float value : mesh.attributes[0].values) CHECK(std::isfinite(value));
+  }
+  const std::string obj = "v 0 0 0 -1 0.5 1e9\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n";
+  const io::Model model = io::read(io::write(io::read(textFile("a.obj", obj)), "a.glb").files[0]);
+  for (const float value : findAttribute(model.parts[0].mesh, "COLOR_0")->values) {
+    CHECK(value >= 0);
+    CHECK(value <= 1);
+  }
 }
