@@ -299,7 +299,7 @@ test('an attribute that means nothing without another goes with it, in a sentenc
     },
     'TARGET_0/NORMAL': (maker, primitive) => {
       primitive.targets = [{ POSITION: maker.add(positions, 'VEC3'),
-        NORMAL: maker.add(positions, 'VEC3') }];
+        NORMAL: maker.add(positions, 'VEC3') }, { NORMAL: maker.add(positions, 'VEC3') }];
     },
   };
   for (const [name, change] of Object.entries(broken)) {

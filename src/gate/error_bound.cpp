@@ -132,10 +132,14 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
   for (const Face f : facesAround(mesh.mesh(), faces)) present.add(mesh.corners(f));
   const Vec3 margin = Vec3::Constant(distance_);
   NearChange look(going, present, distance_);
+  const auto counted = [&](const Piece& piece) {
+    ++pieces_;
+    return look(piece);
+  };
   bool kept = true;
   tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
     kept = kept &&
-           !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces}, look);
+           !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces}, counted);
   });
   return kept;
 }

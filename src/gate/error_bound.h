@@ -20,6 +20,9 @@ class ErrorBound {
   // those around.
   bool allows(const WorkingMesh& mesh, const LocalChange& change) const;
 
+  // The work of all proofs so far, in pieces looked at.
+  std::size_t piecesLookedAt() const { return pieces_; }
+
   double distance() const { return distance_; }
   const TriangleTree& original() const { return tree_; }
 
@@ -30,6 +33,7 @@ class ErrorBound {
   double distance_;
   std::vector<Index> triangles_;
   TriangleTree tree_;
+  mutable std::size_t pieces_ = 0;
 };
 
 }  // namespace remesher

@@ -26,6 +26,9 @@ constexpr int kTries = 3;  // per triangle and round of topological changes
 // few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
 // vain.
 constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 20;
+// Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
+// pieces to each of the mesh, of needles as many as there are places to try.
+constexpr std::size_t kMostPieces = 2000, kLeastPieces = 1 << 16;
 // Drastic means may make so much more of the vertices before the count is put right again.
 constexpr double kMostGrowth = 1.25;
 // A pattern search: eight directions, with steps that shrink as none of them helps.
@@ -181,6 +184,10 @@ Means meansOf(int round, int rounds) {
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
+std::size_t piecesLookedAt(const Run& run) {
+  return run.rule.bound ? run.rule.bound->piecesLookedAt() : 0;
+}
+
 }  // namespace
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
@@ -188,10 +195,12 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = std::max(kLeastWork, kMostWork * run.mesh.mesh().faceCount());
+  const std::size_t mostPieces =
+      piecesLookedAt(run) + std::max(kLeastPieces, kMostPieces * run.mesh.mesh().faceCount());
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
     const std::size_t own = isFull ? work + 1 : workOf(run, f);
-    if (own > work) return false;
+    if (own > work || piecesLookedAt(run) > mostPieces) return false;
     work -= own;
     return true;
   };

@@ -117,6 +117,16 @@ void GltfEditor::abandon(const Json& primitive) {
     for (const Json& number : target) insert(number);
 }
 
+// The number of a morph target is counted on where its last attribute has gone: it moves nothing.
+std::size_t GltfEditor::addStill(const Json& positions) {
+  const Json zero = Json::array({0, 0, 0});
+  return addAccessor({{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
+                      {"type", "VEC3"},
+                      {"count", positions["count"]},
+                      {"min", zero},
+                      {"max", zero}});
+}
+
 void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors,
                                   std::size_t indices) {
   Json attributes = renamed(primitive["attributes"], accessors, "");
@@ -125,8 +135,11 @@ void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& ac
   primitive["attributes"] = std::move(attributes);
   if (primitive.contains("targets")) {
     std::size_t number = 0;
-    for (Json& target : primitive["targets"])
+    for (Json& target : primitive["targets"]) {
       target = renamed(target, accessors, "TARGET_" + std::to_string(number++) + "/");
+      if (target.empty())
+        target["POSITION"] = addStill(tree_["accessors"][accessors.at("POSITION")]);
+    }
   }
   primitive["indices"] = indices;
   primitive.erase("mode");  // triangles are the default

@@ -39,6 +39,7 @@ class GltfEditor {
   std::size_t addIndices(const Json& primitive, const std::vector<Index>& indices,
                          std::size_t vertexCount);
   void abandon(const Json& primitive);
+  std::size_t addStill(const Json& positions);
   void rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors, std::size_t indices);
 
   Json tree_;
