@@ -87,8 +87,11 @@ test('the time that is left is told once it is known', () => {
 });
 
 test('after the first visit the page needs no network', async () => {
-  await page.waitForFunction(async () =>
-    (await navigator.serviceWorker.getRegistration())?.active?.state === 'activated');
+  await page.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready;
+    if (active.state === 'activated') return;
+    await new Promise((resolve) => { active.addEventListener('statechange', resolve); });
+  });
   await site.stop();
   await page.goto(`${site.url}#model=vase&vertices=300`);
   await page.reload();
