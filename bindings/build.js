@@ -20,13 +20,17 @@ import { thisSystem } from './build/system.js';
 
 /** @typedef {import('./build/needs.js').Part} Part */
 
-/** Side by side: linking the module as a whole keeps one core busy, and the tests the other. */
+/**
+ * Side by side: linking the module as a whole keeps one core busy, and the tests the other; and
+ * compilers need nothing of npm.
+ */
 async function build(/** @type {readonly Part[]} */ parts) {
   const system = thisSystem();
+  const installs = installNpmPackages();
+  installs.catch(() => {});  // told below; missing tools are told first
   await installTools(system, parts);
-  await installNpmPackages();
   const steps = {
-    package: () => buildWebAssembly(system).then(assemblePackage),
+    package: () => Promise.all([buildWebAssembly(system), installs]).then(assemblePackage),
     tests: () => buildUnitTests(system),
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
@@ -34,7 +38,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
     bits: async () => {},
     profile: () => buildProfile(system),
   };
-  const ends = await Promise.allSettled(parts.map((part) => steps[part]()));
+  const ends = await Promise.allSettled([installs, ...parts.map((part) => steps[part]())]);
   const failed = ends.find((end) => end.status === 'rejected');
   if (failed) throw failed.reason;
   if (parts.includes('profile')) assembleProfile();

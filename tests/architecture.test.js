@@ -69,6 +69,20 @@ test('includes in src name files that exist, from the root of src', () => {
   assert.deepEqual(missing, []);
 });
 
+test('no two headers define one type, which would be two things by one name', () => {
+  const places = new Map();
+  for (const file of cppFiles.filter((name) => name.endsWith('.h'))) {
+    const text = readText(file);
+    const [, space] = /^namespace (\S+) \{/m.exec(text) ?? [];
+    for (const [, type] of text.matchAll(/^(?:struct|class|enum class|enum) (\w+)[^;]*?\{/gm)) {
+      const name = `${space}::${type}`;
+      places.set(name, [...places.get(name) ?? [], file]);
+    }
+  }
+  assert.ok(places.size > 50, `${places.size} types`);
+  assert.deepEqual([...places].filter(([, files]) => files.length > 1), []);
+});
+
 test('the bindings see only the public header', () => {
   const own = bindingFiles.map((file) => file.slice('bindings/'.length));
   const wrong = bindingFiles.flatMap((file) => includesOf(file)

@@ -30,13 +30,22 @@ test('the names are those outside of functions and classes', () => {
 test('files that define one name are apart, those with macros alone', () => {
   const files = { a: 'int one() {}\n', b: 'int two() {}\n', c: 'int one() {}\nint two() {}\n',
     d: '#define MACRO\nint three() {}\n' };
-  assert.deepEqual(inCompany(Object.keys(files), (file) => files[file]),
+  assert.deepEqual(inCompany(Object.keys(files), (file) => files[file], () => []),
     [['d'], ['a', 'b'], ['c']]);
 });
 
+test('a file that defines what a header of another does is apart, in either order', () => {
+  const types = { a: ['Run'], b: ['Run'], c: [] };
+  const texts = { a: 'int one() {}\n', b: 'int two() {}\n', c: 'struct Run {};\n' };
+  const groups = (/** @type {string[]} */ files) =>
+    inCompany(files, (file) => texts[file], (file) => types[file]);
+  assert.deepEqual(groups(['a', 'b', 'c']), [['a', 'b'], ['c']]);
+  assert.deepEqual(groups(['c', 'b', 'a']), [['c'], ['b', 'a']]);
+});
+
 test('no company is too large, and each file is in one', () => {
-  const files = Array.from({ length: 40 }, (_, i) => `f${i}`);
-  const groups = inCompany(files, (file) => `int ${file}();\n`);
+  const files = Array.from({ length: 250 }, (_, i) => `f${i}`);
+  const groups = inCompany(files, (file) => `int ${file}();\n`, () => []);
   assert.deepEqual(groups.flat(), files);
-  assert.ok(groups.every((group) => group.length <= 14));
+  assert.ok(groups.every((group) => group.length <= 40));
 });

@@ -31,7 +31,7 @@ export function wasmDefinitions(system) {
 export function testDefinitions(system) {
   const clang = findSanitizingClang(system);
   return ['-DCMAKE_BUILD_TYPE=Debug', '-DREMESHER_SANITIZE=ON', '-DREMESHER_PRECOMPILE=ON',
-    '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -gline-tables-only',
+    '-DCMAKE_CXX_FLAGS_DEBUG=-gline-tables-only',
     ...(clang ? [`-DCMAKE_CXX_COMPILER=${clang}`] : [])];
 }
 

@@ -57,7 +57,7 @@ class NearChange {
   NearChange(const Nearby& going, const Nearby& present, double distance)
       : going_(going), present_(present), distance_(distance) {}
 
-  Look operator()(const Piece& piece) {
+  PieceFinding operator()(const Piece& piece) {
     const double squared = distance_ * distance_;
     if (isNear(piece, present_.triangle(last_), squared)) return {Finding::Holds};
     const Vec3 centre = piece.centre();

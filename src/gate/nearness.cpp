@@ -16,7 +16,7 @@ bool isNear(const Piece& piece, const Triangle& target, double squared) {
                      [&](const Vec3& p) { return squaredDistance(p, target) <= squared; });
 }
 
-Look NearTree::operator()(const Piece& piece) {
+PieceFinding NearTree::operator()(const Piece& piece) {
   const double squared = distance_ * distance_;
   if (isNear(piece, tree_.corners(last_), squared)) return {Finding::Holds};
   const TriangleTree::Nearest nearest = tree_.nearest(piece.centre(), last_);

@@ -26,7 +26,7 @@ class NearTree {
   NearTree(const TriangleTree& tree, double distance, Index start = 0)
       : tree_(tree), distance_(distance), last_(start) {}
 
-  Look operator()(const Piece& piece);
+  PieceFinding operator()(const Piece& piece);
 
  private:
   const TriangleTree& tree_;

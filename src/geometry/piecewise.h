@@ -33,7 +33,7 @@ class Piece {
 enum class Finding { Holds, Fails, Unsure };
 
 // What holds of a piece; where that is unsure, over which triangle it had better be cut out.
-struct Look {
+struct PieceFinding {
   Finding finding = Finding::Unsure;
   Triangle cutter = {};
 };
@@ -47,7 +47,7 @@ struct SearchLimits {
 // nothing to cut off that is wider than `least`, into halves.
 void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
 
-// `look` takes a piece and returns a Look. Returns the centre of a piece where it fails.
+// `look` takes a piece and returns a PieceFinding. Returns the centre of a piece where it fails.
 template <class Looking>
 std::optional<Vec3> findFailure(const Triangle& whole, const SearchLimits& limits, Looking&& look) {
   std::vector<Piece> pending = {Piece(whole)};

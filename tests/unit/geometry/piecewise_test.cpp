@@ -59,7 +59,7 @@ TEST_CASE("piecewise: a failure is found wherever it hides, and nowhere else") {
   // It holds where x < limit; of a piece that reaches beyond only its centre is known.
   const Triangle t = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   const auto below = [](double limit) {
-    return [limit](const Piece& piece) -> Look {
+    return [limit](const Piece& piece) -> PieceFinding {
       if (piece.centre().x() >= limit) return {Finding::Fails};
       if (piece.centre().x() + piece.radius() < limit) return {Finding::Holds};
       return {};
@@ -76,7 +76,7 @@ TEST_CASE("piecewise: a failure is found wherever it hides, and nowhere else") {
 TEST_CASE("piecewise: what cannot be decided fails, by size or by number of pieces") {
   const Triangle t = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   std::size_t looks = 0;
-  const auto unsure = [&](const Piece&) -> Look {
+  const auto unsure = [&](const Piece&) -> PieceFinding {
     ++looks;
     return {};
   };

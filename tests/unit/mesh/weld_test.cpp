@@ -29,5 +29,5 @@ TEST_CASE("weld: minus zero is zero, and the next number to it is not") {
 TEST_CASE("weld: coordinates in another order are another place") {
   const std::vector<Vec3> positions = {{1, 2, 3}, {2, 1, 3}, {3, 2, 1}};
   CHECK(weld(positions) == std::vector<Index>{0, 1, 2});
-  CHECK(weld({}).empty());
+  CHECK(weld(std::vector<Vec3>{}).empty());
 }
