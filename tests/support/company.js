@@ -4,13 +4,13 @@
 import { withIncludes } from './cpp_sources.js';
 import { readText } from './tree.js';
 
-const mostFiles = 40;
+const mostFiles = 70;
 
-/** The names that a file gives to things outside of functions and classes. */
+/** The names that a file gives to things outside of functions and classes; not to their members. */
 export function definedNames(text) {
   const head = /^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm;
   const first = [...text.matchAll(head)]
-    .map(([, words]) => words.match(/(\w+)\s*$/)?.[1]).filter(Boolean);
+    .map(([, words]) => words.match(/(?<!::|\w)(\w+)\s*$/)?.[1]).filter(Boolean);
   const constants = [...text.matchAll(/^(?:constexpr|const|static|inline)\b[^;]*;/gm)]
     .flatMap(([all]) => [...all.matchAll(/(\w+) = /g)].map(([, name]) => name));
   return [...new Set([...first, ...constants])];
