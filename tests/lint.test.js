@@ -21,7 +21,9 @@ test('C++ is laid out as .clang-format says', () => {
 });
 
 test('C++ passes clang-tidy', async () => {
-  assert.equal(await complaintsOf(clangTidy, filesUnder('src', /\.cpp$/)), '');
+  // But for a library's implementation, which is not ours.
+  const files = filesUnder('src', /(?<!tinygltf)\.cpp$/);
+  assert.equal(await complaintsOf(clangTidy, files), '');
 });
 
 test('C++ compiles with g++ without a warning', async () => {

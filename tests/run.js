@@ -3,8 +3,9 @@
 //   node tests/run.js               all of them, but those that could only pass again
 //   node tests/run.js --again       all of them
 //   node tests/run.js web gltf      those whose names contain one of the words
-// Node's own runner leaves one core idle, which is half of a machine with two. One file more than there
-// are cores runs at a time, for those of the page often wait. The files that take longest begin first.
+// Node's own runner leaves one core idle, which is half of a machine with two. One file more than
+// there are cores runs at a time, for those of the page often wait. The files that take longest
+// begin first.
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { run } from 'node:test';

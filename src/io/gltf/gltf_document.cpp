@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: MIT
-// tinygltf's implementation is compiled here. It sees only the part of the tree that describes
-// geometry, and no bytes: it reads images and buffers without looking whether they are all there.
-// The headers before the definitions are those it forgets to include, or includes hidden.
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include "io/gltf/gltf_document.h"
 
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#define TINYGLTF_NO_FS
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 
-// With the type of JSON that keeps the order of names, which is ours: a second one is large.
-#define json ordered_json
-#include <tiny_gltf.h>
-#undef json
-#undef TINYGLTF_IMPLEMENTATION
-
 #include "base/legible.h"
-#include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_references.h"
 #include "io/model/resources.h"
 
@@ -137,6 +120,7 @@ void refuseCompression(const GltfDocument& document) {
                     "Decompress it first.");
 }
 
+// tinygltf sees only the part of the tree that describes geometry, and no bytes.
 tinygltf::Model typedView(const GltfDocument& document) {
   Json geometry;
   for (const char* member :

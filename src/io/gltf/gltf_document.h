@@ -4,8 +4,6 @@
 // the accessors promise is checked where they are read, not here.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "io/gltf/tinygltf.h"
 #include "io/model/model.h"
 
 namespace remesher::io {
