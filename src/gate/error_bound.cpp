@@ -138,8 +138,8 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
   };
   bool kept = true;
   tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
-    kept = kept &&
-           !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces}, counted);
+    kept = kept && !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces},
+                                counted);
   });
   return kept;
 }
