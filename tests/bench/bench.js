@@ -4,6 +4,7 @@
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
+//   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only those from npm packages are run. The status is 1 when a limit is broken.
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -13,6 +14,7 @@ import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
+import { runWait } from './wait.js';
 
 const limits = JSON.parse(readFileSync(new URL('limits.json', import.meta.url), 'utf8'));
 
@@ -31,6 +33,9 @@ function run() {
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
+    case 'wait':
+      return runWait(limits.wait,
+        { folder: values.models, names: rest, runs: Number(values.runs) });
     default:
       return runCases(limits.cases,
         { folder: values.models, names: positionals, runs: Number(values.runs) });
