@@ -80,6 +80,7 @@ add_executable(unit_tests
   tests/unit/steps/boundaries_test.cpp
   tests/unit/steps/decimate_test.cpp
   tests/unit/steps/delaunay_test.cpp
+  tests/unit/steps/relax_test.cpp
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/original_surface_test.cpp
   tests/unit/surface/surface_walk_test.cpp

@@ -117,6 +117,7 @@ void fit(Run& run, const Progress& progress) {
       moves[v] = std::abs(offset) >= kStillMoves * run.sizes.at(run.mesh.at(v));
     }
   }
+  run.mesh.settleAll();  // smoothing would undo it
 }
 
 }  // namespace remesher

@@ -15,6 +15,9 @@ namespace {
 // Only a large distance is worth angles: good ones stay good otherwise.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
 constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kWorstLeft = radians(33.2);
+// A lost tip is worth more: what is worse than the worst is polished afterwards.
+constexpr double kLostTip = 0.4;  // of the target edge length
+constexpr double kMendable = radians(28);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
@@ -82,14 +85,15 @@ class Descent {
   bool lower(Face f) {
     for (const double angle : {kGoodAngle, kFairAngle, kWorstLeft}) {
       if (moveCorner(f, angle) || flipSide(f, angle) || makeWay(f, angle)) return true;
-      if (!isLarge(f)) return false;
+      if (!isBeyond(kWorthAngles, f)) return false;
     }
-    return false;
+    return isBeyond(kLostTip, f) && (moveCorner(f, kMendable) || makeWay(f, kMendable));
   }
 
-  bool isLarge(Face f) const {
+  // share: of the target edge length.
+  bool isBeyond(double share, Face f) const {
     const Vertex v = mesh_.vertices(f)[0];
-    return distances_.of(f) > kWorthAngles * run_.sizes.at(run_.mesh.at(v));
+    return distances_.of(f) > share * run_.sizes.at(run_.mesh.at(v));
   }
 
   // Boundaries are near enough already: see followBoundaries.

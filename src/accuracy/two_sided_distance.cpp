@@ -151,15 +151,30 @@ void TwoSidedDistance::measureNear(Place& place) const {
   place.distance = std::sqrt(nearest);
 }
 
-// Of the places that belong to the triangles at hand; any larger one where it exceeds `limit`.
+bool TwoSidedDistance::isGathered(Face f) const {
+  return std::any_of(gathered_.begin(), gathered_.end(),
+                     [f](const Changed& triangle) { return triangle.face == f; });
+}
+
+double TwoSidedDistance::distanceNear(Place place) const {
+  measureNear(place);
+  return place.distance;
+}
+
+// Of the places that belong to the triangles at hand; any larger one where it exceeds `limit`. What
+// exceeded it the last time is likely to do so again.
 double TwoSidedDistance::farthestPlace(double limit) {
+  if (tooFar_ != kNone && isGathered(places_[tooFar_].nearest)) {
+    const double distance = distanceNear(places_[tooFar_]);
+    if (distance > limit) return distance;
+  }
   double farthest = 0;
   for (const Changed& triangle : gathered_)
     for (Index i = first_[triangle.face]; i != kNone; i = next_[i]) {
-      Place place = places_[i];
-      measureNear(place);
-      farthest = std::max(farthest, place.distance);
-      if (farthest > limit) return farthest;
+      farthest = std::max(farthest, distanceNear(places_[i]));
+      if (farthest <= limit) continue;
+      tooFar_ = i;
+      return farthest;
     }
   return farthest;
 }

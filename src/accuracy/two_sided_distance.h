@@ -45,6 +45,8 @@ class TwoSidedDistance {
   };
 
   void gather(Vertex v, const Placement& to);
+  bool isGathered(Face f) const;
+  double distanceNear(Place place) const;
   double farthestPlace(double limit);
   void measureGathered();
   void measureNear(Place& place) const;
@@ -69,6 +71,7 @@ class TwoSidedDistance {
   Vertex moved_;  // that they change with, if any
   Placement to_;
   std::vector<Index> moving_;
+  Index tooFar_ = kNone;  // the place that exceeded a limit last
 };
 
 }  // namespace remesher

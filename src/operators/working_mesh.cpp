@@ -12,7 +12,7 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       on_(mesh_.vertexCapacity()),
       kind_(mesh_.vertexCapacity(), VertexKind::Interior),
       pinned_(mesh_.vertexCapacity(), 0),
-      unsettled_(mesh_.vertexCapacity(), 1),
+      unrest_(mesh_.vertexCapacity(), kEndless),
       curve_(mesh_.halfedgeCapacity(), kNone) {
   for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
     if (!mesh_.isAlive(Vertex(i))) continue;
@@ -111,14 +111,18 @@ void WorkingMesh::grow() {
     on_.resize(vertices);
     kind_.resize(vertices);
     pinned_.resize(vertices, 0);
-    unsettled_.resize(vertices, 1);
+    unrest_.resize(vertices, kEndless);
   }
   if (curve_.size() < mesh_.halfedgeCapacity()) curve_.resize(mesh_.halfedgeCapacity(), kNone);
 }
 
 void WorkingMesh::unsettleStar(Vertex v) {
-  unsettled_[v] = 1;
-  mesh_.forEachNeighbor(v, [&](Vertex w) { unsettled_[w] = 1; });
+  unrest_[v] = kEndless;
+  mesh_.forEachNeighbor(v, [&](Vertex w) { unrest_[w] = kEndless; });
+}
+
+void WorkingMesh::stirNeighbors(Vertex v, double moved) {
+  mesh_.forEachNeighbor(v, [&](Vertex w) { unrest_[w] += moved; });
 }
 
 Halfedge WorkingMesh::flip(Halfedge h) {
@@ -130,7 +134,7 @@ Halfedge WorkingMesh::flip(Halfedge h) {
   curve_[t] = curve_[edge];
   curve_[edge] = curve_[back] = kNone;
   for (const Halfedge side : {edge, back})
-    unsettled_[mesh_.origin(side)] = unsettled_[mesh_.opposite(side)] = 1;
+    unrest_[mesh_.origin(side)] = unrest_[mesh_.opposite(side)] = kEndless;
   return edge;
 }
 
@@ -255,7 +259,7 @@ void WorkingMesh::compact() {
     if (map.vertex[v] != kNone) {
       place(Vertex(map.vertex[v]), placement(Vertex(v)));
       pinned_[Vertex(map.vertex[v])] = pinned_[Vertex(v)];
-      unsettled_[Vertex(map.vertex[v])] = unsettled_[Vertex(v)];
+      unrest_[Vertex(map.vertex[v])] = unrest_[Vertex(v)];
     }
   for (Index h = 0; h < 3 * map.face.size(); ++h)
     if (map.face[h / 3] != kNone)
@@ -267,7 +271,7 @@ void WorkingMesh::compact() {
   on_.resize(n);
   kind_.resize(n);
   pinned_.resize(n);
-  unsettled_.resize(n);
+  unrest_.resize(n);
   curve_.resize(mesh_.halfedgeCapacity());
 }
 

@@ -5,6 +5,7 @@
 // allowed is decided before, by the operators (legality) and the fidelity gate (geometry).
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "geometry/triangle.h"
@@ -46,9 +47,9 @@ class WorkingMesh {
   Placement placement(Vertex v) const;
   bool isPinned(Vertex v) const { return pinned_[v]; }  // smoothing leaves it alone
 
-  // Whether the star of v has changed since it was last settled. Moves do not count by themselves:
-  // who moves says so where it matters.
-  bool isUnsettled(Vertex v) const { return unsettled_[v]; }
+  // How far v's neighbours have gone, summed up, since v was last settled: endless where its star
+  // has changed. Moves do not count by themselves: who moves says so where it matters.
+  double unrest(Vertex v) const { return unrest_[v]; }
 
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
@@ -82,9 +83,11 @@ class WorkingMesh {
   Vertex collapse(Halfedge h, const Placement& merged);              // tip(h) remains, at `merged`
   void move(Vertex v, const Placement& place);
   void pin(Vertex v) { pinned_[v] = 1; }
-  void settle(Vertex v) { unsettled_[v] = 0; }
-  void unsettleStar(Vertex v);  // v and its neighbours
-  void unsettleAll() { unsettled_.assign(unsettled_.size(), 1); }
+  void settle(Vertex v) { unrest_[v] = 0; }
+  void stirNeighbors(Vertex v, double moved);  // v has gone so far
+  void unsettleStar(Vertex v);                 // v and its neighbours
+  void unsettleAll() { unrest_.assign(unrest_.size(), kEndless); }
+  void settleAll() { unrest_.assign(unrest_.size(), 0); }
 
   // Each triangle becomes four. midpoints[i] is the place of the middle of the i-th edge, in the
   // order of the edges' halfedges. The mesh must be compact.
@@ -98,6 +101,8 @@ class WorkingMesh {
   void compact();
 
  private:
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
+
   void place(Vertex v, const Placement& place);
   void grow();
 
@@ -109,7 +114,7 @@ class WorkingMesh {
   VertexData<CurvePoint> on_;
   VertexData<VertexKind> kind_;
   VertexData<char> pinned_;
-  VertexData<char> unsettled_;
+  VertexData<double> unrest_;
   HalfedgeData<Index> curve_;
 };
 

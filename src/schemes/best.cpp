@@ -30,7 +30,7 @@ constexpr int kPasses = 4, kDraftPasses = 2;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
-constexpr double kSliver = radians(10), kPoor = radians(30);
+constexpr double kSliver = radians(10), kPoor = radians(30), kFair = radians(33);
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -152,7 +152,7 @@ void finish(Run& run, const Progress& progress) {
   lowerHausdorff(run);
   progress.phase("polish", 1, 1);
   polish(run, {kSliver});
-  if (!isLarge(run)) polish(run, {kPoor, kSmallShift});
+  if (!isLarge(run)) polish(run, {kFair, kSmallShift});
 }
 
 }  // namespace

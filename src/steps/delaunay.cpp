@@ -41,6 +41,14 @@ class EdgeStack {
   std::vector<Halfedge> stack_;
 };
 
+// Whether neither of the two angles opposite to an edge is obtuse: so they sum to no more than π.
+bool isPlainlyDelaunay(const WorkingMesh& mesh, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const Vec3 &a = mesh.position(m.origin(h)), &b = mesh.position(m.tip(h));
+  const Vec3 &c = mesh.position(m.opposite(h)), &d = mesh.position(m.opposite(m.twin(h)));
+  return (a - c).dot(b - c) >= 0 && (a - d).dot(b - d) >= 0;
+}
+
 }  // namespace
 
 std::size_t delaunayFlips(WorkingMesh& mesh, const FidelityRule& rule) {
@@ -53,7 +61,8 @@ std::size_t delaunayFlips(WorkingMesh& mesh, const FidelityRule& rule) {
   const std::size_t limit = 10 * m.halfedgeCapacity();
   while (!stack.empty() && flips < limit) {
     const Halfedge h = stack.pop();
-    if (m.isBoundary(h) || isLocallyDelaunay(unfold(m, mesh.positions(), h))) continue;
+    if (m.isBoundary(h) || isPlainlyDelaunay(mesh, h)) continue;
+    if (isLocallyDelaunay(unfold(m, mesh.positions(), h))) continue;
     if (!proposeFlip(mesh, h, change)) continue;
     if (judge(mesh, change, rule) != Verdict::Accepted) continue;
     const Halfedge edge = mesh.flip(h);

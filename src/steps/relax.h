@@ -6,9 +6,9 @@
 
 namespace remesher {
 
-// Up to `passes` Laplacian passes over the vertices that are not settled: those whose star changed
-// since, and those that moved, or have a neighbour that moved, by more than a small share of its
-// size when they were last visited.
+// Up to `passes` Laplacian passes over the vertices that are not at rest: those whose star has
+// changed since they were last visited, and those from under which their neighbours have gone by
+// more than a small share of the size.
 void relax(Run& run, int passes);
 
 }  // namespace remesher

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "steps/relax.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "accuracy/fit.h"
+#include "support/runs.h"
+
+using namespace remesher;
+
+namespace {
+
+// Flips leave something to smooth.
+void disturb(shapes::TestRun& test) {
+  for (Index i = 0; i < test.mesh.mesh().halfedgeCapacity(); i += 11)
+    if (proposeFlip(test.mesh, Halfedge(i), test.run.change)) commit(test.run);
+}
+
+std::vector<Vertex> movedSince(const VertexData<Vec3>& before, const WorkingMesh& mesh) {
+  std::vector<Vertex> moved;
+  for (Index i = 0; i < before.size(); ++i)
+    if (before[Vertex(i)] != mesh.position(Vertex(i))) moved.emplace_back(i);
+  return moved;
+}
+
+}  // namespace
+
+TEST_CASE("relax: what lies still stays, and only what has gone far stirs its neighbours") {
+  shapes::TestRun test(shapes::icosphere(8));
+  disturb(test);
+  relax(test.run, 300);
+  const VertexData<Vec3> still = test.mesh.positions();
+  relax(test.run, 1);
+  CHECK(movedSince(still, test.mesh).empty());
+
+  const Vertex v(40);
+  test.mesh.stirNeighbors(v, 1e-6 * test.sizes.mean());
+  relax(test.run, 1);
+  CHECK(movedSince(still, test.mesh).empty());
+
+  test.mesh.stirNeighbors(v, test.sizes.mean());
+  relax(test.run, 1);
+  const std::vector<Vertex> moved = movedSince(still, test.mesh);
+  CHECK_FALSE(moved.empty());
+  for (const Vertex one : moved) {
+    bool isBeside = false;
+    test.mesh.mesh().forEachNeighbor(one, [&](Vertex w) {
+      isBeside = isBeside || w == v || std::find(moved.begin(), moved.end(), w) != moved.end();
+    });
+    CHECK(isBeside);
+  }
+}
+
+TEST_CASE("relax: smoothing does not undo fitting, but around what changes") {
+  shapes::TestRun test(shapes::icosphere(8));
+  disturb(test);
+  relax(test.run, 2);
+  const VertexData<Vec3> smoothed = test.mesh.positions();
+  fit(test.run, {});
+  const VertexData<Vec3> fitted = test.mesh.positions();
+  CHECK_FALSE(movedSince(smoothed, test.mesh).empty());
+  relax(test.run, 4);
+  CHECK(movedSince(fitted, test.mesh).empty());
+  disturb(test);
+  relax(test.run, 1);
+  CHECK_FALSE(movedSince(fitted, test.mesh).empty());
+}
