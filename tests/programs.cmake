@@ -74,6 +74,7 @@ add_executable(unit_tests
   tests/unit/patches/patch_atlas_test.cpp
   tests/unit/patches/point_location_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/schemes/follow_test.cpp
   tests/unit/schemes/remesh_test.cpp
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
@@ -81,6 +82,7 @@ add_executable(unit_tests
   tests/unit/steps/decimate_test.cpp
   tests/unit/steps/delaunay_test.cpp
   tests/unit/steps/relax_test.cpp
+  tests/unit/steps/simplify_test.cpp
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/original_surface_test.cpp
   tests/unit/surface/surface_walk_test.cpp

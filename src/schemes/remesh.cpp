@@ -2,14 +2,15 @@
 #include "schemes/remesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "accuracy/bound_error.h"
 #include "accuracy/poor_regions.h"
 #include "attributes/attribute_transfer.h"
 #include "schemes/best.h"
+#include "schemes/follow.h"
 #include "schemes/plan.h"
 #include "schemes/rounds.h"
 #include "schemes/targets.h"
@@ -63,17 +64,6 @@ bool runWithin(Run& run, const BoundGoal& goal, const RemeshOptions& options,
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
 }
 
-std::size_t distinctPositions(const WorkingMesh& mesh) {
-  std::vector<std::array<double, 3>> places;
-  for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i)
-    if (mesh.mesh().isAlive(Vertex(i))) {
-      const Vec3& p = mesh.position(Vertex(i));
-      places.push_back({p.x(), p.y(), p.z()});
-    }
-  std::sort(places.begin(), places.end());
-  return std::size_t(std::unique(places.begin(), places.end()) - places.begin());
-}
-
 // Where the builder cut the input apart, several vertices may share a place; what was promised is a
 // number of places.
 bool matchPositions(Run& run, std::size_t vertices) {
@@ -105,6 +95,18 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options, 
                                      : Stopped::Fidelity};
 }
 
+// Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
+// even triangles are too large for.
+Remeshed orFollowing(Remeshed even, const Prepared& original, const RemeshOptions& options) {
+  const bool isFree = options.textures == Textures::Bake && options.scheme == Scheme::Best &&
+                      options.density.empty() && !options.maxError && !options.splitObtuse;
+  if (!isFree) return even;
+  const std::optional<WorkingMesh> followed =
+      follow(original.surface(), fidelityRule(options), original.vertices());
+  if (!followed || !isMuchNearer(original.surface(), *followed, even.mesh)) return even;
+  return {*followed, Stopped::Target};
+}
+
 }  // namespace
 
 RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
@@ -112,7 +114,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   checkOptions(options, input.positions.size());
   const Prepared original(planRun(input, options, progress), options, progress);
   const double stagger = input.attributes.empty() ? 0 : kStagger;
-  const Remeshed remeshed = remeshOriginal(original, options, stagger, progress);
+  const Remeshed remeshed =
+      orFollowing(remeshOriginal(original, options, stagger, progress), original, options);
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
