@@ -15,8 +15,9 @@ const known = new Map();
 
 /** The headers of ours that a file includes itself. @param {string} file */
 function included(file) {
+  const folders = [...new Set([...includeFolders, dirname(file)])];
   const headers = known.get(file) ?? [...readText(file).matchAll(/^#include "(.+)"/gm)]
-    .flatMap(([, name]) => includeFolders.map((folder) => `${folder}/${name}`)).filter(exists);
+    .flatMap(([, name]) => folders.map((folder) => `${folder}/${name}`)).filter(exists);
   known.set(file, headers);
   return headers;
 }

@@ -95,18 +95,24 @@ export function lawsOfMeshes({ positions, indices, attributes = {} }) {
 
 const isGltf = ({ name }) => /\.gl(b|tf)$/.test(name);
 
-/** What the validator complains about, by code; errors and warnings. */
+/**
+ * What the validator complains about, by code; errors and warnings. It does not survive every file.
+ */
 export async function complaints({ bytes, files = [] }) {
-  const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
-    maxIssues: 0,
-    externalResourceFunction: async (uri) => {
-      const file = files.find(({ name }) => name === decodeURIComponent(uri));
-      if (!file) throw new Error(`${uri} is missing`);
-      return file.bytes;
-    },
-  });
-  return new Map(issues.messages.filter(({ severity }) => severity < 2)
-    .map(({ code, message, pointer }) => [code, `${code} at ${pointer}: ${message}`]));
+  try {
+    const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
+      maxIssues: 0,
+      externalResourceFunction: async (uri) => {
+        const file = files.find(({ name }) => name === decodeURIComponent(uri));
+        if (!file) throw new Error(`${uri} is missing`);
+        return file.bytes;
+      },
+    });
+    return new Map(issues.messages.filter(({ severity }) => severity < 2)
+      .map(({ code, message, pointer }) => [code, `${code} at ${pointer}: ${message}`]));
+  } catch (error) {
+    return new Map([['VALIDATOR_FAILED', `the validator fails: ${error}`]]);
+  }
 }
 
 /** Colours of a glTF file from 0 to 1; the validator looks at the rest. */
