@@ -11,16 +11,25 @@ export function median(values) {
 
 const warmUps = 5; // until the engine's compilers have done their work
 
+/** Milliseconds that go by. */
+export const wallClock = () => performance.now();
+
+/** Milliseconds that this process computes: a busy machine counts only by its caches. */
+export function ownClock() {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1000;
+}
+
 /** The median of seconds, or nothing where there is nothing to simplify. */
-export async function timeYardstick({ positions, indices }, vertices, runs) {
+export async function timeYardstick({ positions, indices }, vertices, runs, clock = wallClock) {
   if (2 * vertices * 3 >= indices.length) return undefined;
   await MeshoptSimplifier.ready;
   const floats = Float32Array.from(positions);
   const seconds = [];
   for (let k = -warmUps; k < runs; k += 1) {
-    const start = performance.now();
+    const start = clock();
     MeshoptSimplifier.simplify(indices, floats, 3, 2 * vertices * 3, 1);
-    if (k >= 0) seconds.push((performance.now() - start) / 1000);
+    if (k >= 0) seconds.push((clock() - start) / 1000);
   }
   return median(seconds);
 }
