@@ -2,15 +2,20 @@
 // What visitors may rely on: the page works without a network, from any folder, survives a lost
 // graphics card, asks before work is thrown away, and stays small.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
 
+import { BufferAttribute, BufferGeometry } from 'three';
+
 import { timeLeft } from '../web/base/format.js';
+import { allCorners, thin } from '../web/view/thinning.js';
 import { drop, openPage, settled, startSite } from './support/browser_page.js';
 import { builtPage } from './support/built_page.js';
 import { objText, torus } from './support/shape_files.js';
+import { stl, torus as ring } from './support/shapes.js';
 import { filesUnder } from './support/tree.js';
 
 /** @type {Awaited<ReturnType<typeof startSite>>} */
@@ -26,7 +31,9 @@ before(async () => {
   await settled(page);
 });
 
+const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
 after(() => site?.close());
+after(() => rmSync(scratch, { recursive: true }));
 
 test('the page’s script has at most 300 kB, packed with brotli', () => {
   const scripts = filesUnder(folder.slice(folder.indexOf('build/')), /\.js$/)
@@ -78,6 +85,34 @@ test('leaving asks when a result of one’s own file was not taken home', async 
     page.click('.takeaway button:text-is("Download GLB")')]);
   await settled(page);
   assert.equal(await asks(), false, 'it was taken home');
+});
+
+test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
+  const path = join(scratch, 'large.stl');
+  writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
+  await page.setInputFiles('#file-input', path);
+  await page.waitForFunction(() => document.getElementById('model-name').textContent
+    === 'large.stl');
+  await settled(page);
+  assert.match(await page.textContent('#left-thinned'),
+    /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
+  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
+});
+
+test('what is drawn is a part of the triangles, spread over all of them', async () => {
+  const { positions, triangles } = torus(120, 40);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions.flat()), 3));
+  geometry.setIndex(triangles.flat());
+  const { shown, all } = await thin([geometry], 2000);
+  assert.equal(all, triangles.length);
+  assert.equal(shown, geometry.index.count / 3);
+  assert.ok(shown > 1000 && shown <= 2000, `${shown}`);
+  assert.deepEqual([...allCorners(geometry)], triangles.flat());
+  const drawn = new Set(geometry.index.array);
+  const far = positions.filter((place) => ![...drawn].some((v) =>
+    Math.hypot(...positions[v].map((x, k) => x - place[k])) < 0.3));
+  assert.deepEqual(far, []);
 });
 
 test('the time that is left is told once it is known', () => {

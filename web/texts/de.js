@@ -193,6 +193,7 @@ export default {
   'key.paint': 'Dichte auf das Original malen',
 
   'progress.left': 'noch {seconds} s',
+  'thinned': '{shown} von {all} Dreiecken gezeichnet',
   'contextLost': 'Die Grafikkarte ist für einen Moment weg. Das Bild kommt wieder; das Rechnen '
     + 'geht weiter.',
 

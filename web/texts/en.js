@@ -193,6 +193,7 @@ export default {
   'key.paint': 'Paint density on the original',
 
   'progress.left': '{seconds} s left',
+  'thinned': '{shown} of {all} triangles drawn',
   'contextLost': 'The graphics card was taken away for a moment. The picture comes back; '
     + 'remeshing goes on.',
 

@@ -194,6 +194,7 @@ export default {
   'key.paint': 'Peindre la densité sur l’original',
 
   'progress.left': 'encore {seconds} s',
+  'thinned': '{shown} triangles dessinés sur {all}',
   'contextLost': 'La carte graphique est partie un instant. L’image reviendra ; le calcul '
     + 'continue.',
 

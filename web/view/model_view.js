@@ -29,7 +29,7 @@ function hasOwnLook({ material, geometry }) {
 }
 
 /** @param {import('three').Object3D} scene @returns {Surface[]} */
-function surfacesOf(scene) {
+export function surfacesOf(scene) {
   /** @type {Surface[]} */
   const surfaces = [];
   scene.traverse((object) => {
@@ -77,8 +77,10 @@ export class ModelView {
     wireframe: true, transparent: true, depthWrite: false, color: 0x0b1f22,
   });
 
-  /** @param {import('three').Group} scene as loaded @param {string} color of the clay */
-  constructor(scene, color) {
+  /** @param {import('three').Group} scene as loaded @param {string} color of the clay
+   * @param {import('./thinning.js').Thinned | null} thinned */
+  constructor(scene, color, thinned) {
+    this.thinned = thinned;
     const clay = { color, roughness: 0.62, metalness: 0, side: DoubleSide, ...behindLines };
     this.#clay = new MeshStandardMaterial(clay);
     this.#flat = new MeshStandardMaterial({ ...clay, flatShading: true });
@@ -151,7 +153,8 @@ export class ModelView {
     const materials = { flat: this.#flat, normals: this.#normals };
     for (const part of this.#parts) {
       const { surface, colored, own } = part;
-      if (shading === 'angles') colored.angles ??= this.#coloredByAngle(part);
+      // Those of a part that stands for the whole would be no triangle's.
+      if (shading === 'angles' && !this.thinned) colored.angles ??= this.#coloredByAngle(part);
       surface.visible = !colored[shading];
       for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
       surface.material = /** @type {MeshStandardMaterial} */ (shading === 'textured' && own

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // All triangles of a scene in the world, as two arrays that can travel to a worker.
 import { Vector3 } from 'three';
+import { allCorners } from './thinning.js';
 
 /** Three coordinates a vertex, three vertices a triangle.
  * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
 
 /** @param {import('three').Mesh[]} meshes @returns {Soup} */
 export function soupOf(meshes) {
-  const counts = meshes.map(({ geometry: { attributes, index } }) =>
-    ({ vertices: attributes.position.count, corners: (index ?? attributes.position).count }));
+  const counts = meshes.map(({ geometry }) => {
+    const vertices = geometry.attributes.position.count;
+    return { vertices, corners: allCorners(geometry)?.length ?? vertices };
+  });
   const sum = (/** @type {'vertices' | 'corners'} */ key) =>
     counts.reduce((total, count) => total + count[key], 0);
   const positions = new Float32Array(3 * sum('vertices'));
@@ -17,9 +20,8 @@ export function soupOf(meshes) {
   let vertex = 0, corner = 0;
   for (const [i, { geometry, matrixWorld }] of meshes.entries()) {
     const { position } = geometry.attributes;
-    for (let k = 0; k < counts[i].corners; ++k) {
-      indices[corner++] = vertex + (geometry.index ? geometry.index.array[k] : k);
-    }
+    const own = allCorners(geometry);
+    for (let k = 0; k < counts[i].corners; ++k) indices[corner++] = vertex + (own ? own[k] : k);
     for (let k = 0; k < counts[i].vertices; ++k) {
       point.fromBufferAttribute(position, k).applyMatrix4(matrixWorld);
       point.toArray(positions, 3 * vertex++);

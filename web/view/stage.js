@@ -5,7 +5,9 @@ import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { surfacesOf } from './model_view.js';
 import { loadScene } from './scene_loader.js';
+import { thin } from './thinning.js';
 import { Viewer } from './viewer.js';
 
 /** @typedef {import('./viewer.js').Side} Side */
@@ -156,8 +158,11 @@ export class Stage {
   /** @param {Side} side @param {{ bytes: Uint8Array, resources: NamedBytes[] }} gltf */
   async show(side, { bytes, resources }) {
     if (!this.viewer) return;
-    this.viewer.show(side, await loadScene(bytes, resources));
+    const scene = await loadScene(bytes, resources);
+    const thinned = await thin(surfacesOf(scene).map(({ geometry }) => geometry));
+    this.viewer.show(side, scene, thinned);
     this.#root.classList.toggle(`has-${side}`, true);
+    this.#tellThinned();
     if (side === 'original') this.#suit(this.viewer.isTextured);
   }
 
@@ -184,10 +189,23 @@ export class Stage {
     return new Uint8Array(await (await picture.convertToBlob()).arrayBuffer());
   }
 
+  /** Where not all triangles are drawn, how many are. */
+  #tellThinned() {
+    const left = this.viewer?.view('baseline') ?? this.viewer?.view('original');
+    for (const [id, view] of Object.entries({ 'left-thinned': left,
+      'right-thinned': this.viewer?.view('result') })) {
+      const { shown = 0, all = 0 } = view?.thinned ?? {};
+      const note = byId(id, HTMLElement);
+      note.hidden = !all;
+      note.textContent = all ? t('thinned', { shown: count(shown), all: count(all) }) : '';
+    }
+  }
+
   /** What the left side is called. @param {string} text @param {number} vertices */
   nameLeft(text, vertices) {
     byId('left-name', HTMLElement).textContent = text;
     byId('original-count', HTMLElement).textContent = count(vertices);
+    this.#tellThinned();
   }
 
   /** What the right side is called. @param {string} text @param {number} vertices */
@@ -200,5 +218,6 @@ export class Stage {
   clear(side) {
     this.viewer?.show(side, null);
     this.#root.classList.toggle(`has-${side}`, false);
+    this.#tellThinned();
   }
 }

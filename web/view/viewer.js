@@ -187,15 +187,16 @@ export class Viewer {
   }
 
   /** Shows a model on its side, or nothing there; the eye moves only for a new original.
-   * @param {Side} side @param {import('three').Group | null} group */
-  show(side, group) {
+   * @param {Side} side @param {import('three').Group | null} group
+   * @param {import('./thinning.js').Thinned | null} [thinned] if not all its triangles are there */
+  show(side, group, thinned = null) {
     const old = this.#views[side];
     if (old) {
       this.#scene.remove(old.group);
       old.dispose();
       this.overlays[side].clear();
     }
-    const view = group && new ModelView(group, clayColors[side]);
+    const view = group && new ModelView(group, clayColors[side], thinned);
     this.#views[side] = view;
     if (view) {
       view.setShading(this.#shading);
