@@ -92,30 +92,29 @@ struct CurveNeeds {
   CurveScale scale;
 };
 
-// What stays at joints must leave vertices for the rest.
+// What stays at joints must leave vertices for the rest. It cannot be subdivided either, so there
+// would be no coarse level: a model with textures needs that for its triangles more than it needs
+// its leaves to meet, and each is followed like a seam.
 CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
                              const RemeshOptions& options, const CurveNeeds& needs) {
   constexpr std::size_t kMostShare = 2;
   const auto& [vertices, scale] = needs;
-  CurveChoice choice = chooseCurves(built, input, options, scale);
-  if (scale.joints.empty() || kMostShare * countCornerPlaces(choice.curves, built) <= vertices)
-    return choice;
+  const bool isTextured = !input.attributes.empty();
+  if (scale.joints.empty() || !isTextured) {
+    CurveChoice choice = chooseCurves(built, input, options, scale);
+    const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
+    if (scale.joints.empty() || share <= vertices) return choice;
+  }
   const std::vector<Halfedge> none;
-  choice = chooseCurves(built, input, options, {scale.size, scale.spikes, none});
+  CurveChoice choice = chooseCurves(built, input, options, {scale.size, scale.spikes, none});
   choice.warnings.push_back(
       {"JOINTS_RELEASED",
-       "Edges at which the surface was cut apart were remeshed on either side, and may no longer "
-       "meet: to keep them takes more vertices than were asked for.",
+       std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
+                   "no longer meet: to keep them ") +
+           (isTextured ? "would cost a model with attributes its even triangles."
+                       : "takes more vertices than were asked for."),
        scale.joints.size()});
   return choice;
-}
-
-// What is kept cannot be subdivided, so there would be no coarse level. A model with textures needs
-// that for its triangles more than it needs its leaves to meet: each is followed like a seam.
-std::vector<Halfedge> jointsToKeep(const BuiltMesh& built, const TriangleMesh& input,
-                                   const RemeshOptions& options) {
-  if (!input.attributes.empty() || options.textures == Textures::Bake) return {};
-  return findJoints(built);
 }
 
 }  // namespace
@@ -127,7 +126,8 @@ Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Prog
   Spikes spikes = findSpikes(built, double(vertices));
   const double area = spikes.empty() ? surfaceArea(built) : spikes.restOfArea;
   progress.phase("curves", 0, 0);
-  const std::vector<Halfedge> joints = jointsToKeep(built, input, options);
+  const bool isBaked = options.textures == Textures::Bake;
+  const std::vector<Halfedge> joints = isBaked ? std::vector<Halfedge>{} : findJoints(built);
   CurveChoice choice = chooseWithJoints(
       built, input, options, {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
   std::vector<float> density = densityOf(built, options);

@@ -121,6 +121,14 @@ TEST_CASE("hostile: parts that touch touch still, and nothing opens") {
   }
 }
 
+TEST_CASE("hostile: parts that touch and have textures are said to meet no more") {
+  TriangleMesh mesh = shapes::cubesSharingAnEdge(4);
+  mesh.attributes.push_back({"TEXCOORD_0", 2, std::vector<float>(2 * mesh.positions.size(), 0.5F)});
+  CHECK(codesOf(checked(mesh, toVertices(500)).report).count("JOINTS_RELEASED") == 1);
+  mesh.attributes.clear();
+  CHECK(codesOf(checked(mesh, toVertices(500)).report).count("JOINTS_RELEASED") == 0);
+}
+
 TEST_CASE("hostile: what is too much is refused, and the next run works") {
   RemeshOptions options;
   options.edgeLength = 1e-9;
