@@ -100,8 +100,12 @@ test('the same bytes every time, in the calling thread, too', async () => {
 
 test('tangents are those of MikkTSpace', async () => {
   const { primitive } = await baked(await bakedTorus);
+  // MikkTSpace forgets to sort the last vertex's edges, and may miss neighbours there: so another
+  // triangle, far from all, stands last.
+  const last = { POSITION: [7, 7, 7, 8, 7, 7, 7, 8, 7], NORMAL: [0, 0, 1, 0, 0, 1, 0, 0, 1],
+    TEXCOORD_0: [0, 0, 1, 0, 0, 1] };
   const corners = (name, size) => Float32Array.from(
-    primitive.indices.flatMap((i) => primitive[name][i].slice(0, size)));
+    [...primitive.indices.flatMap((i) => primitive[name][i].slice(0, size)), ...last[name]]);
   const expected = generateTangents(corners('POSITION', 3), corners('NORMAL', 3),
     corners('TEXCOORD_0', 2));
   primitive.indices.forEach((vertex, i) => {
