@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engines that are to agree, each asked for the same jobs. A browser gets a page that works the
-// jobs off and posts the digests back: so any browser will do that can be started with an address.
+// The engines that are to agree, each asked for the same jobs. A browser gets a page that does its
+// work and posts the answer back: so any browser will do that can be started with an address.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -17,7 +17,7 @@ import { digestsOf } from './digests.js';
 import { models } from './models.js';
 
 const types = { '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm',
-  '.html': 'text/html' };
+  '.html': 'text/html', '.css': 'text/css' };
 
 const page = `<!doctype html><link rel="icon" href="data:,"><script type="module">
 import * as remesher from '/dist/index.js';
@@ -29,18 +29,20 @@ const body = await answer().catch((error) => JSON.stringify(String(error)));
 await fetch('/digests', { method: 'POST', body });
 </script>`;
 
-/** @param {string} path */
-function contentOf(path, jobs) {
+/** What is at each path. */
+const contentFor = (jobs) => (/** @type {string} */ path) => {
   if (path === '/') return page;
   if (path === '/jobs') return JSON.stringify(jobs);
   if (path.startsWith('/models/')) return Buffer.from(models[path.slice('/models/'.length)]);
   return readFileSync(join(root, normalize(path)));
-}
+};
 
-/** Serves the page; `digests` is what it posts. */
-async function servePage(jobs) {
+/** @typedef {(path: string) => string | Buffer} ContentOf what is served at a path */
+
+/** Serves a page; `answer` is what it posts. @param {ContentOf} contentOf */
+async function servePage(contentOf) {
   let post;
-  const digests = new Promise((resolve) => (post = resolve));
+  const answer = new Promise((resolve) => (post = resolve));
   const server = createServer(async (request, response) => {
     if (request.method === 'POST') {
       const chunks = await request.toArray();
@@ -48,12 +50,13 @@ async function servePage(jobs) {
       response.end();
       return;
     }
-    const type = types[extname(request.url)] ?? 'text/html';
-    response.writeHead(200, { 'content-type': type }).end(contentOf(request.url, jobs));
+    const type = request.url === '/' ? types['.html']
+      : types[extname(request.url)] ?? 'application/octet-stream';
+    response.writeHead(200, { 'content-type': type }).end(contentOf(request.url));
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  return { url: `http://127.0.0.1:${port}/`, digests, close: () => server.close() };
+  return { url: `http://127.0.0.1:${port}/`, answer, close: () => server.close() };
 }
 
 export function inNode(jobs) {
@@ -61,19 +64,20 @@ export function inNode(jobs) {
 }
 
 export async function inChromium(jobs) {
-  const served = await servePage(jobs);
+  const served = await servePage(contentFor(jobs));
   const browser = await startChromium();
   try {
     await (await browser.newPage()).goto(served.url, { waitUntil: 'commit' });
-    return await served.digests;
+    return await served.answer;
   } finally {
     await browser.close();
     served.close();
   }
 }
 
-export async function inFirefox(jobs) {
-  const served = await servePage(jobs);
+/** What a page posts that is opened in Firefox. @param {ContentOf} contentOf */
+export async function answerInFirefox(contentOf) {
+  const served = await servePage(contentOf);
   const profile = mkdtempSync(join(tmpdir(), 'remesher-firefox-'));
   const browser = spawn(findFirefox(thisSystem()) ?? 'firefox',
     ['--headless', '--no-remote', '--profile', profile, served.url],
@@ -81,7 +85,7 @@ export async function inFirefox(jobs) {
   const ended = new Promise((resolve) => browser.on('exit', resolve));
   const failed = new Promise((_, reject) => browser.on('error', reject));
   try {
-    return await Promise.race([served.digests, failed,
+    return await Promise.race([served.answer, failed,
       ended.then(() => Promise.reject(new Error('Firefox ended before its answer')))]);
   } finally {
     browser.kill();
@@ -90,3 +94,5 @@ export async function inFirefox(jobs) {
     rmSync(profile, { recursive: true, force: true });
   }
 }
+
+export const inFirefox = (jobs) => answerInFirefox(contentFor(jobs));
