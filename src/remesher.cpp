@@ -101,6 +101,8 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
   if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
   run.report.warnings = joined(std::move(run.report.warnings),
                                worseThanGiven({run.report.input, *run.report.output}, run.parts));
+  run.report.warnings =
+      joined(std::move(run.report.warnings), fartherThanAsked(run.report, options));
   return run;
 }
 

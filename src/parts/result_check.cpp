@@ -19,6 +19,9 @@ namespace {
 // than before is worth a word.
 constexpr double kGoodWorst = 25, kGoodMean = 50, kWorthAWord = 0.5;
 
+// What was kept may be measured as a little more.
+constexpr double kRounding = 1 + 1e-6;
+
 std::string number(double x) {
   std::array<char, 32> digits{};
   std::snprintf(digits.data(), digits.size(), "%.4g", x);
@@ -109,6 +112,17 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                        [](std::size_t triangles) { return triangles == 1; }),
          after.boundaryEdges});
   return warnings;
+}
+
+std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options) {
+  if (!options.maxError || !report.fidelity) return {};
+  const double found = report.fidelity->hausdorff;
+  if (found <= *options.maxError * kRounding) return {};
+  std::string text = "The result is " + number(found);
+  text.append(" % of the diagonal away from the original, not ").append(number(*options.maxError));
+  text.append(
+      " % at most. The bound holds for the surface as it was repaired, and in numbers more ");
+  return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
 }
 
 }  // namespace remesher

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "base/options.h"
 #include "base/report.h"
 #include "io/model/model.h"
 
@@ -20,5 +21,8 @@ struct BeforeAndAfter {
 // NON_MANIFOLD_EDGES_MADE, SURFACE_OPENED. Angles that are good all the same are no matter.
 std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result);
+
+// MAX_ERROR_EXCEEDED, where a bound was asked for and what was measured lies beyond it.
+std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);
 
 }  // namespace remesher

@@ -53,7 +53,7 @@ export function lawsOfReports(report, options) {
     }
   }
   if (options.maxError !== undefined && fidelity !== undefined) {
-    require(fidelity.hausdorff <= options.maxError * (1 + 1e-6),
+    require(fidelity.hausdorff <= options.maxError * (1 + 1e-6) || says('MAX_ERROR_EXCEEDED'),
       `${fidelity.hausdorff} % away, not ${options.maxError} % at most`);
   }
   return broken;

@@ -77,3 +77,20 @@ TEST_CASE("result check: each says where") {
   mesh.indices = {0, 2, 3};
   CHECK(messageOf(after, mesh).find("as near (0, 0, 0)") != std::string::npos);
 }
+
+TEST_CASE("result check: a bound that was asked for and is not kept is said, with both figures") {
+  Report report;
+  RemeshOptions options;
+  CHECK(fartherThanAsked(report, options).empty());
+  options.maxError = 0.5;
+  CHECK(fartherThanAsked(report, options).empty());
+  report.fidelity = FidelityReport{};
+  report.fidelity->hausdorff = 0.5;
+  CHECK(fartherThanAsked(report, options).empty());
+  report.fidelity->hausdorff = 0.75;
+  const std::vector<Warning> warnings = fartherThanAsked(report, options);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "MAX_ERROR_EXCEEDED");
+  CHECK(warnings[0].message.find("0.75 % of the diagonal") != std::string::npos);
+  CHECK(warnings[0].message.find("not 0.5 % at most") != std::string::npos);
+}
