@@ -28,7 +28,13 @@ constexpr double kMuch = 0.9;
 constexpr double kNearMaximum = 0.8;
 
 constexpr int kRounds = 4;
-constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100;
+// Triangles looked at: of a large mesh few decide, and a small one has few.
+constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
+
+std::size_t triesFor(std::size_t vertices) {
+  return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
+                  vertices / kVerticesPerTry);
+}
 
 // Lowers the distances of the triangles where they are largest, until nothing more can be done.
 class Descent {
@@ -38,7 +44,7 @@ class Descent {
         mesh_(run.mesh.mesh()),
         distances_(run),
         crossings_(run.mesh),
-        tries_(std::max(kFewTries, mesh_.vertexCount() / kVerticesPerTry)) {
+        tries_(triesFor(mesh_.vertexCount())) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
   }
