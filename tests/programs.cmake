@@ -6,6 +6,7 @@ add_executable(unit_tests
   tests/unit/accuracy/poor_regions_test.cpp
   tests/unit/accuracy/refine_excess_test.cpp
   tests/unit/attributes/chart_keeper_test.cpp
+  tests/unit/attributes/chart_needs_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/charts/unwrap_test.cpp

@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "curves/curve_simplification.h"
 #include "curves/feature_detection.h"
-#include "curves/seams.h"
 
 namespace remesher {
 
@@ -39,27 +37,33 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
   return edges;
 }
 
+void add(std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
 }  // namespace
 
-CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
-                         const RemeshOptions& options, const CurveScale& scale) {
-  const double size = scale.size;
+CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
+                                const RemeshOptions& options, double size) {
   const double angle = options.featureAngle.value_or(kFeatureAngle);
   CurveEdges edges{{}, givenEdges(built, options)};
-  const auto add = [](std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
   const bool byDefault = options.scheme == Scheme::Best;
   const bool isDetecting = options.detectFeatures && (byDefault || options.featureAngle);
   if (isDetecting) add(edges.free, detectFeatures(built.mesh, built.positions, {angle, size}));
   Seams seams = findSeams(built, input, angle);
   add(edges.free, seams.edges);
   add(edges.fixed, seams.borders);
+  return {std::move(edges), std::move(seams), isDetecting};
+}
+
+CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                         const RemeshOptions& options, const CurveScale& scale) {
+  auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
   CurveRules rules;
-  SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, size);
+  SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, scale.size);
   rules.edges = std::move(simplified.edges);
   add(rules.edges, edges.fixed);
-  rules.size = size;
+  rules.size = scale.size;
   rules.kept = scale.joints;
   rules.corners = scale.spikes.corners;
   rules.keepBoundary = options.boundary == Boundary::Keep;

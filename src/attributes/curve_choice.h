@@ -8,7 +8,9 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
+#include "curves/curve_simplification.h"
 #include "curves/feature_curves.h"
+#include "curves/seams.h"
 #include "curves/spikes.h"
 #include "mesh/joints.h"
 
@@ -19,6 +21,17 @@ struct CurveChoice {
   TransferRules transfer;  // for the attributes whose seams are not kept, or not as curves
   std::vector<Warning> warnings;
 };
+
+// What curves are chosen from.
+struct CurveCandidates {
+  CurveEdges edges;
+  Seams seams;
+  bool isDetecting;  // whether sharp edges are among them
+};
+
+// size: the target edge length, model units.
+CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
+                                const RemeshOptions& options, double size);
 
 struct CurveScale {
   double size;                          // the target edge length, model units

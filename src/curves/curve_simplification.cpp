@@ -133,8 +133,7 @@ class Simplification {
   bool isNarrow(const std::vector<Region>& regions, Index r) const {
     if (regions[r].neighbors.empty()) return false;
     const Border& border = regions[r].neighbors.at(partnerOf(regions, r));
-    const double worth = kWorthOfBends * border.bend / border.length;
-    return regions[r].width() < kNarrow * size_ * (1 - worth);
+    return regions[r].width() < narrowestWidth(size_, border.bend / border.length);
   }
 
   // The narrowest first, each into a neighbour.
@@ -231,7 +230,7 @@ class Simplification {
     while (role_[h] == Role::Free) {
       chain.push_back(h);
       sum += length(h);
-      if (sum >= kShort * size_) return {};
+      if (sum >= shortestChain(size_)) return {};
       const std::vector<Halfedge> on = curveEdges(mesh_.tip(h));
       if (on.size() != 2) return chain;
       h = on[on[0] == mesh_.twin(h) ? 1 : 0];
@@ -261,6 +260,12 @@ class Simplification {
 };
 
 }  // namespace
+
+double narrowestWidth(double size, double bend) {
+  return kNarrow * size * (1 - kWorthOfBends * bend);
+}
+
+double shortestChain(double size) { return kShort * size; }
 
 SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                 const CurveEdges& curves, double size) {

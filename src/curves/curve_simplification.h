@@ -22,6 +22,13 @@ struct SimplifiedCurves {
   FaceData<char> absorbed;      // faces in regions that a larger one has taken over
 };
 
+// What lies between curves is let go if it is narrower than this. Both in model units; size: the
+// target edge length; bend: (1 - cos) / 2 of the dihedral angle at its border.
+double narrowestWidth(double size, double bend);
+
+// And so is a chain between junctions that is shorter than this.
+double shortestChain(double size);
+
 // size: the target edge length, model units.
 SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                 const CurveEdges& curves, double size);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the caller asks of a whole file, as what is asked of each of its parts. Small parts of a
-// large scene may need more vertices than their share: they are given them, and the larger parts
-// do with fewer.
+// large scene may need more vertices than their share by area, to be there at all or to show all of
+// their charts: they are given them, and the larger parts do with fewer.
 #pragma once
 
 #include <vector>
@@ -20,18 +20,22 @@ class PartTargets {
   const std::vector<std::size_t>& order() const { return order_; }
 
   // The options of one part, asked for in this order: an absolute number of vertices is shared out
-  // by area in the world, an edge length is in units of the world.
+  // by what charts need, then by area in the world; an edge length is in units of the world.
   RemeshOptions of(std::size_t part) const;
 
   // To be told before the next part is asked about.
   void given(std::size_t part, std::size_t vertices);
 
  private:
+  void reserveForCharts();
+  double shareOf(std::size_t part) const;
+
   const std::vector<io::Part>& parts_;
   const RemeshOptions& options_;
   std::vector<double> areas_;
+  std::vector<double> reserved_;  // vertices that a part has at least, while there are so many
   std::vector<std::size_t> order_;
-  double areaLeft_ = 0;
+  std::vector<std::size_t> waiting_;  // those yet to be remeshed, in that order
   double verticesLeft_ = 0;
 };
 

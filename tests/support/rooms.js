@@ -25,7 +25,7 @@ export const coreRooms = {
   'io/stl': ['base', 'io/model', 'io/text'],
   'io/gltf': ['base', 'io/model'],
   io: ['base', 'io/model', 'io/text', 'io/ply', 'io/stl', 'io/gltf'],
-  parts: ['base', 'geometry', 'measure', 'io/model'],
+  parts: ['base', 'geometry', 'attributes', 'measure', 'io/model'],
   painting: ['base', 'mesh', 'geometry', 'io/model'],
   '': ['base', 'geometry', 'charts', 'schemes', 'measure', 'io/model', 'io', 'parts', 'painting'],
 };

@@ -3,10 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numeric>
 
+#include "attributes/chart_needs.h"
 #include "measure/mesh_report.h"
 #include "schemes/remesh.h"
+#include "support/painted.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -81,6 +84,21 @@ TEST_CASE("part_targets: small parts have what they need, and the whole its numb
   options.vertices = {};
   options.edgeLength = 0.3;
   CHECK(remeshed(parts, options)[1] >= 4);
+}
+
+TEST_CASE("part_targets: what charts need comes first, and by area all have at least a quarter") {
+  const std::vector<io::Part> parts = {partOf(shapes::paintedSheet(9, 2), 1),
+                                       partOf(shapes::torus(24, 16), 4)};
+  RemeshOptions options;
+  double need = 0;
+  for (const ChartNeed& chart : chartNeeds(parts[0].mesh, options))
+    need = std::max(need, std::ceil(chart.vertices));
+  REQUIRE(need > 0);
+  options.vertices = Index(2 * need);
+  CHECK(*PartTargets(parts, options).of(0).vertices == Index(need));
+  CHECK(sum(remeshed(parts, options)) == *options.vertices);
+  options.vertices = Index(1.2 * need);
+  CHECK(*PartTargets(parts, options).of(0).vertices < Index(need) / 4);
 }
 
 TEST_CASE("part_targets: a number that is asked for and too small for the whole is refused") {
