@@ -68,7 +68,7 @@ export function remesh(mesh, options) {
 
 /**
  * Remeshes the meshes of a scene, which share what is asked for as those of one file do: vertices
- * by area in the world.
+ * by what charts need, then by area in the world.
  *
  * @example
  * const { meshes } = await remeshScene([{ mesh: body }, { mesh: lid, places: [matrix] }],
