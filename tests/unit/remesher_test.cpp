@@ -65,7 +65,7 @@ TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
       RemeshOptions options;
       options.scheme = scheme;
       checked(shape.mesh, options);
-      checked(shape.mesh, toVertices(200, scheme));
+      checked(shape.mesh, toVertices(130, scheme));
     }
 }
 
