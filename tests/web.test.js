@@ -148,11 +148,15 @@ test('nothing can be sent elsewhere', async () => {
   assert.deepEqual(complaints.filter((text) => !text.includes('example.com')), []);
 });
 
-test('a telephone shows all of it without scrolling sideways', async () => {
+test('a telephone shows all of it without scrolling sideways, and errors where one looks', async () => {
   const phone = await openPage(site, { viewport: { width: 390, height: 844 }, hasTouch: true });
   await settled(phone.page);
   assert.equal(await phone.page.evaluate(() => document.documentElement.scrollWidth), 390);
   assert.deepEqual(phone.complaints, []);
+  await drop(phone.page, { 'broken.glb': 'no model' });
+  const error = await phone.page.waitForSelector('#error:not([hidden])');
+  const { y, height } = await error.boundingBox();
+  assert.ok(y >= 0 && y + height <= 844, `from ${y} to ${y + height}`);
   await phone.page.close();
 });
 

@@ -13,7 +13,8 @@ export const isAbort = (/** @type {unknown} */ error) =>
   error instanceof Error && error.name === 'AbortError'
   || error instanceof DOMException && error.name === 'AbortError';
 
-/** Shows an error, or takes it away. A cancelled run is none. @param {unknown} [error] */
+/** Shows an error where one looks, or takes it away. A cancelled run is none.
+ * @param {unknown} [error] */
 export function showError(error) {
   const box = byId('error', HTMLElement);
   box.replaceChildren();
@@ -22,6 +23,7 @@ export function showError(error) {
   const { message, hint } = /** @type {{ message?: string, hint?: string }} */ (error);
   box.append(element('strong', {}, message || t('error.unknown')));
   if (hint) box.append(element('span', {}, hint));
+  box.scrollIntoView({ block: 'nearest' });
 }
 
 /** Good news in a box of its own; empty to take it away. @param {string} text */
