@@ -41,9 +41,9 @@ function partsOf(document) {
 /**
  * Remeshes the triangles of a document: evenly shaped ones, an exact number of vertices, shared out
  * among the meshes by what charts need, then by area in the scene. The primitives of a mesh are one
- * surface, their borders kept. Attributes keep their component types; skins, morph targets, instances and variants stay.
- * Positions in integers become floats where they would be too coarse. Points and lines are left
- * alone, and so are extensions.
+ * surface, their borders kept. Attributes keep their component types; skins, morph targets,
+ * instances and variants stay. Positions in integers become floats where they would be too coarse.
+ * Points and lines are left alone, and so are extensions.
  *
  * @example
  * import { remesh } from 'remesher/gltf-transform';

@@ -64,8 +64,8 @@ function replace(surfaces, replacements) {
  * Remeshes all meshes of an object and below, in place: each gets a new geometry once all are
  * there, and the old ones are disposed of. Meshes that share a geometry still do; skins, instances,
  * morph targets and materials stay. Vertices are shared out by what charts need, then by area
- * in the world. Meshes of one parent at one place, as GLTFLoader makes of several materials, are one
- * surface. Lines, points, sprites and batched meshes are left alone.
+ * in the world. Meshes of one parent at one place, as GLTFLoader makes of several materials, are
+ * one surface. Lines, points, sprites and batched meshes are left alone.
  *
  * @example
  * const { scene } = await new GLTFLoader().loadAsync('helmet.glb');
