@@ -148,7 +148,7 @@ test('nothing can be sent elsewhere', async () => {
   assert.deepEqual(complaints.filter((text) => !text.includes('example.com')), []);
 });
 
-test('a telephone shows all of it without scrolling sideways, and errors where one looks', async () => {
+test('a telephone shows all without scrolling sideways, and errors where one looks', async () => {
   const phone = await openPage(site, { viewport: { width: 390, height: 844 }, hasTouch: true });
   await settled(phone.page);
   assert.equal(await phone.page.evaluate(() => document.documentElement.scrollWidth), 390);
