@@ -2,6 +2,7 @@
 #include "painting/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -18,13 +19,39 @@ double distanceToEdge(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * (b - a)).norm();
 }
 
-double distanceTo(const TexelTriangle& t, const Vec2& p) {
-  const bool isInside = cross(t[1] - t[0], p - t[0]) >= 0 && cross(t[2] - t[1], p - t[1]) >= 0 &&
-                        cross(t[0] - t[2], p - t[2]) >= 0;
-  if (isInside) return 0;
-  return std::min({distanceToEdge(p, t[0], t[1]), distanceToEdge(p, t[1], t[2]),
-                   distanceToEdge(p, t[2], t[0])});
-}
+// Texels over a triangle's middle or no farther from it than this belong to it.
+constexpr double kReach = 1;
+
+// A triangle to measure distances from.
+class Outline {
+ public:
+  explicit Outline(const TexelTriangle& triangle) : corners_(triangle) {
+    for (std::size_t k = 0; k < 3; ++k) edges_[k] = triangle[(k + 1) % 3] - triangle[k];
+    const bool isFlat = !(cross(edges_[0], edges_[1]) > 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      beyond_[k] = isFlat ? -kFar : -kReach * 1.001 * edges_[k].norm();
+  }
+
+  // Infinite where the line of an edge tells that it is beyond the reach.
+  double distanceTo(const Vec2& p) const {
+    bool isInside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double side = cross(edges_[k], p - corners_[k]);
+      if (side < beyond_[k]) return kFar;
+      isInside &= side >= 0;
+    }
+    if (isInside) return 0;
+    return std::min({distanceToEdge(p, corners_[0], corners_[1]),
+                     distanceToEdge(p, corners_[1], corners_[2]),
+                     distanceToEdge(p, corners_[2], corners_[0])});
+  }
+
+ private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+  TexelTriangle corners_, edges_;
+  std::array<double, 3> beyond_;  // on the far side of an edge nothing is near
+};
 
 // The texels beside one, as far as there are any.
 template <class Visit>
@@ -35,19 +62,28 @@ void forEachBeside(std::size_t texel, Index size, const Visit& visit) {
       if (i != x || j != y) visit(std::size_t(j) * size + std::size_t(i));
 }
 
+void setToMean(io::Image& image, std::size_t texel, std::span<const std::size_t> others) {
+  std::array<unsigned, 4> sum{};
+  const unsigned count = unsigned(others.size());
+  for (const std::size_t j : others)
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += image.texels[4 * j + c];
+  for (std::size_t c = 0; c < 4; ++c)
+    image.texels[4 * texel + c] = std::uint8_t((sum[c] + count / 2) / count);
+}
+
 }  // namespace
 
 std::vector<Index> coveredTexels(std::span<const TexelTriangle> triangles, Index size) {
-  constexpr double kReach = 1;
   std::vector<Index> owners(std::size_t{size} * size, kNone);
   std::vector<float> distances(owners.size(), std::numeric_limits<float>::max());
   const auto clamped = [&](double x) { return Index(std::clamp(x, 0.0, double(size))); };
   for (Index t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
+    const Outline outline(triangles[t]);
     const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     for (Index y = clamped(low.y() - kReach - 0.5); y < clamped(high.y() + kReach + 0.5); ++y)
       for (Index x = clamped(low.x() - kReach - 0.5); x < clamped(high.x() + kReach + 0.5); ++x) {
-        const auto distance = float(distanceTo(triangles[t], Vec2(x + 0.5, y + 0.5)));
+        const auto distance = float(outline.distanceTo({x + 0.5, y + 0.5}));
         const std::size_t at = std::size_t{y} * size + x;
         if (distance > float(kReach) || distance >= distances[at]) continue;
         distances[at] = distance;
@@ -64,10 +100,10 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
   return {1 - b - c, b, c};
 }
 
-void fillGutters(io::Image& image, std::span<const Index> owners) {
-  const Index size = image.width;
+void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {
+  const Index size = images.front()->width;
   std::vector<std::uint8_t> isDone(owners.size());
-  std::vector<std::size_t> ring, next;
+  std::vector<std::size_t> ring, next, beside;
   for (std::size_t i = 0; i < owners.size(); ++i) isDone[i] = owners[i] != kNone;
   for (std::size_t i = 0; i < owners.size(); ++i) {
     bool isBeside = false;
@@ -78,15 +114,11 @@ void fillGutters(io::Image& image, std::span<const Index> owners) {
   for (const std::size_t i : ring) isDone[i] = kWaiting;
   while (!ring.empty()) {
     for (const std::size_t i : ring) {
-      std::array<unsigned, 4> sum{};
-      unsigned count = 0;
+      beside.clear();
       forEachBeside(i, size, [&](std::size_t j) {
-        if (isDone[j] != 1) return;
-        ++count;
-        for (std::size_t c = 0; c < 4; ++c) sum[c] += image.texels[4 * j + c];
+        if (isDone[j] == 1) beside.push_back(j);
       });
-      for (std::size_t c = 0; c < 4; ++c)
-        image.texels[4 * i + c] = std::uint8_t((sum[c] + count / 2) / count);
+      for (io::Image* image : images) setToMean(*image, i, beside);
     }
     for (const std::size_t i : ring) isDone[i] = 1;
     next.clear();

@@ -21,7 +21,8 @@ std::vector<Index> coveredTexels(std::span<const TexelTriangle> triangles, Index
 Vec3 weightsAt(const TexelTriangle& triangle, const Vec2& point);
 
 // Every texel that is nobody's becomes the mean of its neighbours that are somebody's, ring after
-// ring: what looks beyond the rim of a chart, as coarse mip levels do, finds what is within.
-void fillGutters(io::Image& image, std::span<const Index> owners);
+// ring: what looks beyond the rim of a chart, as coarse mip levels do, finds what is within. All
+// images have the same size.
+void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners);
 
 }  // namespace remesher

@@ -34,21 +34,36 @@ Vec3 vectorOf(const Attribute& attribute, Index vertex) {
 }  // namespace
 
 PaintSource::PaintSource(SourceInput input) : input_(std::move(input)) {
-  const auto texture = [&](const io::Map& map, Coding coding) {
-    return Texture(imageOf(input_.images, map), map, coding);
-  };
-  for (const io::Material& m : input_.materials)
-    maps_.push_back(
-        {texture(m.baseColorMap, Coding::Light), texture(m.metalRoughMap, Coding::Fraction),
-         texture(m.occlusionMap, Coding::Fraction), texture(m.emissiveMap, Coding::Light),
-         texture(m.normalMap, Coding::Fraction)});
+  for (const io::Material& m : input_.materials) maps_.push_back(mapsFor(m));
   for (int i = 0; i < kTexcoordSets; ++i)
     texcoords_.push_back(findAttribute(mesh(), "TEXCOORD_" + std::to_string(i)));
   colors_ = findAttribute(mesh(), "COLOR_0");
   linkTriangles();
   shade();
-  if (std::any_of(maps_.begin(), maps_.end(), [](const Maps& maps) { return bool(maps.normal); }))
+  if (std::any_of(maps_.begin(), maps_.end(),
+                  [](const Maps& maps) { return bool(maps.textures[NormalMap]); }))
     orient();
+}
+
+PaintSource::Maps PaintSource::mapsFor(const io::Material& m) const {
+  const auto texture = [&](const io::Map& map, Coding coding) {
+    return Texture(imageOf(input_.images, map), map, coding);
+  };
+  Maps maps;
+  maps.textures = {texture(m.baseColorMap, Coding::Light),
+                   texture(m.metalRoughMap, Coding::Fraction),
+                   texture(m.occlusionMap, Coding::Fraction), texture(m.emissiveMap, Coding::Light),
+                   texture(m.normalMap, Coding::Fraction)};
+  const auto isLike = [&](std::size_t i, std::size_t j) {
+    const auto& [a, b] =
+        std::pair<const Texture&, const Texture&>(maps.textures[i], maps.textures[j]);
+    return a && b && a.liesLike(b);
+  };
+  for (std::size_t i = 0; i < MapKinds; ++i) {
+    maps.like[i] = 0;
+    while (maps.like[i] < i && !isLike(maps.like[i], i)) ++maps.like[i];
+  }
+  return maps;
 }
 
 Triangle PaintSource::corners(Index triangle) const {
@@ -68,7 +83,7 @@ const io::Material& PaintSource::materialOf(Index triangle) const {
 }
 
 const PaintSource::Maps& PaintSource::mapsOf(Index triangle) const {
-  static const Maps kNoMaps;
+  static const Maps kNoMaps{};
   const Index group = mesh().groups.empty() ? 0 : mesh().groups[triangle];
   return group < maps_.size() ? maps_[group] : kNoMaps;
 }
@@ -117,7 +132,7 @@ void PaintSource::orient() {
   std::vector<Vec3> positions;
   std::vector<Vec2> texcoords;
   for (Index h = 0; h < mesh().indices.size(); ++h) {
-    const Texture& map = mapsOf(h / 3).normal;
+    const Texture& map = mapsOf(h / 3).textures[NormalMap];
     positions.push_back(mesh().positions[mesh().indices[h]]);
     texcoords.push_back(texcoord(map ? map.texcoord() : 0, mesh().indices[h]));
   }
@@ -148,9 +163,18 @@ Vec3 PaintSource::shadingNormal(const InputPlace& place) const {
   return unitOr(sum, faceNormals_[place.triangle]);
 }
 
-Eigen::Vector4d PaintSource::lookUp(const Texture& map, const InputPlace& place) const {
-  if (!map) return Eigen::Vector4d::Ones();
-  return map.at(texcoord(map.texcoord(), place));
+PaintSource::Texels PaintSource::lookUp(const InputPlace& place) const {
+  const Maps& maps = mapsOf(place.triangle);
+  Texels texels;
+  std::array<Texture::Spot, MapKinds> spots;
+  for (std::size_t i = 0; i < MapKinds; ++i) {
+    const Texture& map = maps.textures[i];
+    texels[i].setOnes();
+    if (!map) continue;
+    if (maps.like[i] == i) spots[i] = map.spotAt(texcoord(map.texcoord(), place));
+    texels[i] = map.at(spots[maps.like[i]]);
+  }
+  return texels;
 }
 
 Eigen::Vector4d PaintSource::vertexColor(const InputPlace& place) const {
@@ -167,10 +191,9 @@ Eigen::Vector4d PaintSource::vertexColor(const InputPlace& place) const {
 }
 
 // The normal as the normal map bends it.
-Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place) const {
-  const Texture& map = mapsOf(place.triangle).normal;
-  if (!map) return normal;
-  const Eigen::Vector4d texel = lookUp(map, place);
+Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place,
+                       const Eigen::Vector4d& texel) const {
+  if (!mapsOf(place.triangle).textures[NormalMap]) return normal;
   const double scale = materialOf(place.triangle).normalScale;
   Vec3 tangent = Vec3::Zero();
   for (Index k = 0; k < 3; ++k)
@@ -184,30 +207,27 @@ Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place) const {
 
 Look PaintSource::at(const InputPlace& place) const {
   const io::Material& material = materialOf(place.triangle);
-  const Maps& maps = mapsOf(place.triangle);
+  const Texels texels = lookUp(place);
   Look look;
-  look.baseColor = material.baseColor.cwiseProduct(lookUp(maps.baseColor, place))
-                       .cwiseProduct(vertexColor(place));
-  look.emissive = material.emissive.cwiseProduct(lookUp(maps.emissive, place).head<3>());
-  const Eigen::Vector4d metalRough = lookUp(maps.metalRough, place);
-  const double occlusion = lookUp(maps.occlusion, place)[0];
-  look.surface = {1 + material.occlusionStrength * (occlusion - 1),
-                  material.roughness * metalRough[1], material.metallic * metalRough[2]};
-  look.normal = bent(shadingNormal(place), place);
+  look.baseColor =
+      material.baseColor.cwiseProduct(texels[BaseColorMap]).cwiseProduct(vertexColor(place));
+  look.emissive = material.emissive.cwiseProduct(texels[EmissiveMap].head<3>());
+  look.surface = {1 + material.occlusionStrength * (texels[OcclusionMap][0] - 1),
+                  material.roughness * texels[MetalRoughMap][1],
+                  material.metallic * texels[MetalRoughMap][2]};
+  look.normal = bent(shadingNormal(place), place, texels[NormalMap]);
   return look;
 }
 
 double PaintSource::texels(Index triangle) const {
-  const Maps& maps = mapsOf(triangle);
   double most = 0;
-  for (const Texture* map :
-       {&maps.baseColor, &maps.metalRough, &maps.occlusion, &maps.emissive, &maps.normal}) {
-    if (!*map) continue;
+  for (const Texture& map : mapsOf(triangle).textures) {
+    if (!map) continue;
     std::array<Vec2, 3> uv;
     for (Index k = 0; k < 3; ++k)
-      uv[k] = texcoord(map->texcoord(), mesh().indices[3 * triangle + k]);
+      uv[k] = texcoord(map.texcoord(), mesh().indices[3 * triangle + k]);
     const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
-    most = std::max(most, 0.5 * std::abs(a.x() * b.y() - a.y() * b.x()) * map->texels());
+    most = std::max(most, 0.5 * std::abs(a.x() * b.y() - a.y() * b.x()) * map.texels());
   }
   return most;
 }

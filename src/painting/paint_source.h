@@ -52,9 +52,24 @@ class PaintSource {
   double texels(Index triangle) const;
 
  private:
-  struct Maps {
-    Texture baseColor, metalRough, occlusion, emissive, normal;
+  enum Kind : std::size_t {
+    BaseColorMap,
+    MetalRoughMap,
+    OcclusionMap,
+    EmissiveMap,
+    NormalMap,
+    MapKinds
   };
+
+  // A material's maps, and for each the first that it lies like.
+  struct Maps {
+    std::array<Texture, MapKinds> textures;
+    std::array<std::size_t, MapKinds> like;
+  };
+  // What the maps say at a place; 1 where there is none.
+  using Texels = std::array<Eigen::Vector4d, MapKinds>;
+
+  Maps mapsFor(const io::Material& material) const;
 
   const io::Material& materialOf(Index triangle) const;
   const Maps& mapsOf(Index triangle) const;
@@ -63,9 +78,9 @@ class PaintSource {
   void orient();
   Vec2 texcoord(int set, Index vertex) const;
   Vec2 texcoord(int set, const InputPlace& place) const;
-  Eigen::Vector4d lookUp(const Texture& map, const InputPlace& place) const;
+  Texels lookUp(const InputPlace& place) const;
   Eigen::Vector4d vertexColor(const InputPlace& place) const;
-  Vec3 bent(const Vec3& normal, const InputPlace& place) const;
+  Vec3 bent(const Vec3& normal, const InputPlace& place, const Eigen::Vector4d& texel) const;
 
   SourceInput input_;
   io::Material plain_;

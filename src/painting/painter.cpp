@@ -2,6 +2,7 @@
 #include "painting/painter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -9,8 +10,10 @@ namespace remesher {
 
 namespace {
 
-// Points of a texel along a side.
+// Points of a texel along a side: as many as texels of the original.
 constexpr double kFewest = 2, kMost = 8;
+// Texels of the original up to so much finer are mixed well enough by looking up once.
+constexpr double kAlike = 1.25;
 
 // What the points of a texel come to.
 struct Mixture {
@@ -19,19 +22,36 @@ struct Mixture {
   Vec3 emissive = Vec3::Zero(), surface = Vec3::Zero(), normal = Vec3::Zero();
   int count = 0;
 
-  void add(const Look& look, const Vec3& bent) {
+  void add(const Look& look) {
     baseColor += look.baseColor;
     weighted += look.baseColor[3] * look.baseColor.head<3>();
     emissive += look.emissive;
     surface += look.surface;
-    normal += bent;
+    normal += look.normal;
     ++count;
   }
 };
 
-Vec3 mixed(const CanvasTriangle& t, const Vec3& weights, Vec3 CanvasCorner::*member) {
-  return weights[0] * t.corners[0].*member + weights[1] * t.corners[1].*member +
-         weights[2] * t.corners[2].*member;
+// A vector that is linear on the plane of texels.
+struct Sheet {
+  Vec2 from;
+  Vec3 there, perX, perY;
+
+  Vec3 at(const Vec2& texel) const {
+    const Vec2 way = texel - from;
+    return there + way.x() * perX + way.y() * perY;
+  }
+};
+
+Sheet sheetOf(const CanvasTriangle& t, const TexelTriangle& plane, Vec3 CanvasCorner::*member) {
+  const auto at = [&](const Vec2& texel) -> Vec3 {
+    const Vec3 weights = weightsAt(plane, texel);
+    return weights[0] * t.corners[0].*member + weights[1] * t.corners[1].*member +
+           weights[2] * t.corners[2].*member;
+  };
+  const Vec3 there = at(plane[0]);
+  return {plane[0], there, at(plane[0] + Vec2::UnitX()) - there,
+          at(plane[0] + Vec2::UnitY()) - there};
 }
 
 // A direction in the frame that whoever draws the triangle will have there.
@@ -71,12 +91,7 @@ class Painter {
   }
 
   Painting run(const Progress& progress) {
-    // Triangle after triangle, for each has its own part of the original.
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < owners_.size(); ++i)
-      if (owners_[i] != kNone) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return owners_[a] < owners_[b]; });
+    const std::vector<std::size_t> order = texelsByOwner();
     Index current = kNone;
     for (std::size_t i = 0; i < order.size(); ++i) {
       if (owners_[order[i]] != current) {
@@ -84,40 +99,76 @@ class Painter {
         enter(current);
         if (current % 64 == 0) progress.at(double(i) / double(order.size()));
       }
-      put(order[i], mixtureAt(order[i], current));
+      put(order[i], mixtureAt(order[i]));
     }
-    for (io::Image* image :
-         {&result_.baseColor, &result_.surface, &result_.emissive, &result_.normal})
-      fillGutters(*image, owners_);
+    const std::array<io::Image*, 4> images = {&result_.baseColor, &result_.surface,
+                                              &result_.emissive, &result_.normal};
+    fillGutters(images, owners_);
     return std::move(result_);
   }
 
  private:
-  void enter(Index t) {
-    const auto& c = triangles_[t].corners;
-    finders_[triangles_[t].source].enter(
-        {{c[0].position, c[1].position, c[2].position}, {c[0].place, c[1].place, c[2].place}});
+  // Triangle after triangle, for each has its own part of the original.
+  std::vector<std::size_t> texelsByOwner() const {
+    std::vector<std::size_t> starts(triangles_.size() + 1);
+    for (const Index owner : owners_)
+      if (owner != kNone) ++starts[owner + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<std::size_t> order(starts.back());
+    for (std::size_t i = 0; i < owners_.size(); ++i)
+      if (owners_[i] != kNone) order[starts[owners_[i]]++] = i;
+    return order;
   }
 
-  Mixture mixtureAt(std::size_t texel, Index t) {
-    const int side = int(std::clamp(std::ceil(rules_.finer - 1e-6), kFewest, kMost));
-    const std::size_t column = texel % rules_.size, row = texel / rules_.size;
-    const Vec2 corner{double(column), double(row)};
+  void enter(Index t) {
+    triangle_ = &triangles_[t];
+    finder_ = &finders_[triangle_->source];
+    source_ = sources_[triangle_->source];
+    const auto& c = triangle_->corners;
+    finder_->enter(
+        {{c[0].position, c[1].position, c[2].position}, {c[0].place, c[1].place, c[2].place}});
+    points_ = sheetOf(*triangle_, plane_[t], &CanvasCorner::position);
+    normals_ = sheetOf(*triangle_, plane_[t], &CanvasCorner::normal);
+  }
+
+  Mixture mixtureAt(std::size_t texel) {
+    findPlaces(texel);
     Mixture mixture;
-    for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i)
-        addPoint(mixture, t, corner + Vec2((i + 0.5) / side, (j + 0.5) / side));
+    const bool isOnOne = std::all_of(places_.begin(), places_.end(), [&](const InputPlace& place) {
+      return place.triangle == places_.front().triangle;
+    });
+    if (isOnOne && rules_.finer <= kAlike) {
+      Vec3 sum = Vec3::Zero();
+      for (const InputPlace& place : places_) sum += place.weights;
+      mixture.add(source_->at({places_.front().triangle, sum / double(places_.size())}));
+    } else {
+      for (const InputPlace& place : places_) mixture.add(source_->at(place));
+    }
     return mixture;
   }
 
-  void addPoint(Mixture& mixture, Index t, const Vec2& texel) {
-    const CanvasTriangle& triangle = triangles_[t];
-    const Vec3 weights = weightsAt(plane_[t], texel);
-    const Vec3 point = mixed(triangle, weights, &CanvasCorner::position);
-    const Vec3 normal = mixed(triangle, weights, &CanvasCorner::normal).normalized();
-    const InputPlace place = finders_[triangle.source].find(point, normal);
-    const Look look = sources_[triangle.source]->at(place);
-    mixture.add(look, inFrame(triangle, weights, normal, look.normal));
+  // Those of the points of a texel.
+  void findPlaces(std::size_t texel) {
+    const int side = int(std::clamp(std::round(rules_.finer), kFewest, kMost));
+    const Vec2 corner = cornerOf(texel);
+    places_.clear();
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const Vec2 at = corner + Vec2((i + 0.5) / side, (j + 0.5) / side);
+        places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
+      }
+  }
+
+  Vec2 cornerOf(std::size_t texel) const {
+    const std::size_t column = texel % rules_.size, row = texel / rules_.size;
+    return {double(column), double(row)};
+  }
+
+  // A direction as it is written at the middle of a texel.
+  Vec3 written(std::size_t texel, const Vec3& direction) const {
+    const Vec2 middle = cornerOf(texel) + Vec2::Constant(0.5);
+    const Vec3 weights = weightsAt(plane_[owners_[texel]], middle);
+    return inFrame(*triangle_, weights, normals_.at(middle).normalized(), direction);
   }
 
   void put(std::size_t texel, const Mixture& mixture) {
@@ -125,7 +176,7 @@ class Painter {
     const double alpha = share * mixture.baseColor[3];
     Vec3 color = share * mixture.baseColor.head<3>();
     if (!rules_.isOpaque && alpha > 0) color = mixture.weighted / mixture.baseColor[3];
-    const Vec3 normal = mixture.normal.normalized();
+    const Vec3 normal = written(texel, mixture.normal.normalized());
     for (std::size_t c = 0; c < 3; ++c) {
       const auto k = Eigen::Index(c);
       result_.baseColor.texels[4 * texel + c] = srgbOf(color[k]);
@@ -143,6 +194,12 @@ class Painter {
   std::vector<TexelTriangle> plane_;
   std::vector<Index> owners_;
   Painting result_;
+  // The triangle that is painted.
+  const CanvasTriangle* triangle_ = nullptr;
+  const PaintSource* source_ = nullptr;
+  SideFinder* finder_ = nullptr;
+  Sheet points_, normals_;
+  std::vector<InputPlace> places_;
 };
 
 }  // namespace

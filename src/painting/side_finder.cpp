@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace remesher {
 
@@ -45,41 +44,47 @@ void SideFinder::enter(const NewTriangle& triangle) {
     for (Index k = 0; k < 3; ++k)
       for (const Index t : source_.around(3 * near_[i] + k)) add(t);
   }
-  last_ = kNone;
+  facets_.clear();
+  for (const Index t : near_) facets_.push_back(facetOf(t));
+  last_ = 0;
 }
 
-bool SideFinder::faces(Index triangle, const Vec3& normal) const {
-  return source_.faceNormal(triangle).dot(normal) > kLeastAgreement;
-}
-
-SideFinder::Hit SideFinder::meet(Index triangle, const Vec3& point, const Vec3& normal) const {
+SideFinder::Facet SideFinder::facetOf(Index triangle) const {
   const Triangle c = source_.corners(triangle);
-  const Vec3& own = source_.faceNormal(triangle);
-  const double t = (c[0] - point).dot(own) / normal.dot(own);
-  const Vec3 met = point + t * normal;
   const Vec3 area = areaVector(c[0], c[1], c[2]);
   const double squared = area.squaredNorm();
-  Vec3 weights;
-  weights[0] = areaVector(met, c[1], c[2]).dot(area) / squared;
-  weights[1] = areaVector(met, c[2], c[0]).dot(area) / squared;
-  weights[2] = 1 - weights[0] - weights[1];
-  if (!(weights.minCoeff() >= -kEdge) || !(std::abs(t) <= reach_)) return {{}, kFar};
-  return {{triangle, weights}, std::abs(t)};
+  return {triangle,
+          c[2],
+          source_.faceNormal(triangle),
+          {(c[1] - c[2]).cross(area) / squared, (c[2] - c[0]).cross(area) / squared}};
+}
+
+SideFinder::Hit SideFinder::meet(const Facet& facet, const Vec3& point, const Vec3& normal,
+                                 double limit) {
+  const double agreement = facet.normal.dot(normal);
+  if (!(agreement > kLeastAgreement)) return {};
+  const Vec3 offset = point - facet.origin;
+  const double t = -offset.dot(facet.normal) / agreement;
+  if (!(std::abs(t) < limit)) return {};
+  const Vec3 met = offset + t * normal;
+  const double a = met.dot(facet.gradients[0]), b = met.dot(facet.gradients[1]), c = 1 - a - b;
+  if (!(a >= -kEdge && b >= -kEdge && c >= -kEdge)) return {};
+  return {{facet.triangle, {a, b, c}}, std::abs(t)};
 }
 
 InputPlace SideFinder::nearest(const Vec3& point, const Vec3& normal) const {
   InputPlace best;
   double least = kFar;
   for (const bool mustFace : {true, false}) {
-    for (const Index t : near_) {
-      if (mustFace && !faces(t, normal)) continue;
-      const Triangle c = source_.corners(t);
+    for (const Facet& facet : facets_) {
+      if (mustFace && !(facet.normal.dot(normal) > kLeastAgreement)) continue;
+      const Triangle c = source_.corners(facet.triangle);
       const Vec3 weights = closestBarycentric(point, c[0], c[1], c[2]);
       const Vec3 place = weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
       const double distance = (place - point).squaredNorm();
       if (distance >= least) continue;
       least = distance;
-      best = {t, weights};
+      best = {facet.triangle, weights};
     }
     if (least < kFar) break;
   }
@@ -87,17 +92,16 @@ InputPlace SideFinder::nearest(const Vec3& point, const Vec3& normal) const {
 }
 
 InputPlace SideFinder::find(const Vec3& point, const Vec3& normal) {
-  if (last_ != kNone && faces(last_, normal))
-    if (const Hit hit = meet(last_, point, normal); hit.distance < kFar) return hit.place;
-  Hit best{{}, kFar};
-  for (const Index t : near_) {
-    if (!faces(t, normal)) continue;
-    const Hit hit = meet(t, point, normal);
-    if (hit.distance < best.distance) best = hit;
+  if (const Hit hit = meet(facets_[last_], point, normal, reach_); hit.distance < kFar)
+    return hit.place;
+  Hit best;
+  for (std::size_t i = 0; i < facets_.size(); ++i) {
+    const Hit hit = meet(facets_[i], point, normal, std::min(best.distance, reach_));
+    if (hit.distance >= best.distance) continue;
+    best = hit;
+    last_ = i;
   }
-  const InputPlace place = best.distance < kFar ? best.place : nearest(point, normal);
-  last_ = place.triangle;
-  return place;
+  return best.distance < kFar ? best.place : nearest(point, normal);
 }
 
 }  // namespace remesher

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "painting/paint_source.h"
@@ -28,22 +30,30 @@ class SideFinder {
   InputPlace find(const Vec3& point, const Vec3& normal);
 
  private:
+  // A triangle looked at, with what a line is met by.
+  struct Facet {
+    Index triangle;
+    Vec3 origin, normal;
+    std::array<Vec3, 2> gradients;  // of the first two weights, which are 0 at the origin
+  };
   struct Hit {
     InputPlace place;
-    double distance;
+    double distance = std::numeric_limits<double>::infinity();
   };
 
-  bool faces(Index triangle, const Vec3& normal) const;
-  // Where the line meets the triangle; the distance is infinite where it does not.
-  Hit meet(Index triangle, const Vec3& point, const Vec3& normal) const;
+  Facet facetOf(Index triangle) const;
+  // Where the line meets the facet, if that faces the same way; the distance is infinite if the
+  // line does not, or no nearer than `limit`.
+  static Hit meet(const Facet& facet, const Vec3& point, const Vec3& normal, double limit);
   InputPlace nearest(const Vec3& point, const Vec3& normal) const;
 
   const PaintSource& source_;
   std::vector<Index> near_;    // the triangles looked at
+  std::vector<Facet> facets_;  // the same
   std::vector<Index> stamps_;  // by triangle: when it was last entered
   Index stamp_ = 0;
   double reach_ = 0;
-  Index last_ = kNone;  // the last answer's triangle: most often the next one's
+  std::size_t last_ = 0;  // the facet that was met last: most often the next one's
 };
 
 }  // namespace remesher

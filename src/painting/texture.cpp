@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace remesher {
 
@@ -14,12 +15,18 @@ double decoded(double srgb) {
 }
 
 struct Tables {
+  static constexpr int kSteps = 4096;  // of light; a byte is wider than one nearly everywhere
   std::array<double, 256> light;
-  std::array<double, 255> bounds;  // from which light on the next byte is nearer
+  std::array<double, 256> bounds;              // from which light on the next byte is nearer
+  std::array<std::uint8_t, kSteps + 1> bytes;  // for the light at which a step begins
 
   Tables() {
     for (int i = 0; i < 256; ++i) light[i] = decoded(i / 255.0);
     for (int i = 0; i < 255; ++i) bounds[i] = decoded((i + 0.5) / 255);
+    bounds[255] = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kSteps; ++i)
+      bytes[i] = std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), double(i) / kSteps) -
+                              bounds.begin());
   }
 };
 
@@ -27,6 +34,8 @@ const Tables& tables() {
   static const Tables kTables;
   return kTables;
 }
+
+double clamped(double x) { return x > 0 ? std::min(x, 1.0) : 0; }
 
 // Coordinates that are huge or no number are somewhere, too.
 double wrapped(double x, io::Wrap wrap) {
@@ -37,9 +46,27 @@ double wrapped(double x, io::Wrap wrap) {
   return twice > 1 ? 2 - twice : twice;
 }
 
+// i: at most one too small or too large.
 long neighbour(long i, long size, io::Wrap wrap) {
-  if (wrap == io::Wrap::Repeat) return (i + size) % size;
+  if (wrap == io::Wrap::Repeat) return i < 0 ? i + size : i < size ? i : i - size;
   return std::clamp(i, 0L, size - 1);
+}
+
+// The texels' bytes as numbers: of the colours, and of alpha.
+struct Decoders {
+  std::array<float, 256> light, fraction;
+
+  Decoders() {
+    for (int i = 0; i < 256; ++i) {
+      light[i] = float(lightOf(std::uint8_t(i)));
+      fraction[i] = float(i) / 255;
+    }
+  }
+};
+
+const Decoders& decoders() {
+  static const Decoders kDecoders;
+  return kDecoders;
 }
 
 }  // namespace
@@ -47,32 +74,51 @@ long neighbour(long i, long size, io::Wrap wrap) {
 double lightOf(std::uint8_t srgb) { return tables().light[srgb]; }
 
 std::uint8_t srgbOf(double light) {
-  const auto& bounds = tables().bounds;
-  return std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), light) - bounds.begin());
+  const Tables& t = tables();
+  const double inside = clamped(light);
+  std::uint8_t byte = t.bytes[std::size_t(inside * Tables::kSteps)];
+  while (inside >= t.bounds[byte]) ++byte;
+  return byte;
 }
 
-std::uint8_t byteOf(double fraction) {
-  return std::uint8_t(std::lround(255 * std::clamp(fraction, 0.0, 1.0)));
+std::uint8_t byteOf(double fraction) { return std::uint8_t(std::lround(255 * clamped(fraction))); }
+
+Texture::Texture(const io::Image* image, const io::Map& map, Coding coding)
+    : image_(image),
+      map_(&map),
+      colors_(coding == Coding::Light ? decoders().light.data() : decoders().fraction.data()),
+      alphas_(decoders().fraction.data()) {}
+
+bool Texture::liesLike(const Texture& other) const {
+  return image_->width == other.image_->width && image_->height == other.image_->height &&
+         map_->texcoord == other.map_->texcoord && map_->wrap == other.map_->wrap &&
+         map_->transform == other.map_->transform;
 }
 
-Eigen::Vector4d Texture::texel(long x, long y) const {
-  const std::uint8_t* t = &image_->texels[4 * (std::size_t(y) * image_->width + std::size_t(x))];
-  if (coding_ == Coding::Light) return {lightOf(t[0]), lightOf(t[1]), lightOf(t[2]), t[3] / 255.0};
-  return Eigen::Vector4d(t[0], t[1], t[2], t[3]) / 255;
-}
-
-Eigen::Vector4d Texture::at(const Vec2& texcoord) const {
+Texture::Spot Texture::spotAt(const Vec2& texcoord) const {
   const Vec2 uv = map_->transform.leftCols<2>() * texcoord + map_->transform.col(2);
   const auto [wrapS, wrapT] = map_->wrap;
   const long width = long(image_->width), height = long(image_->height);
   const double x = wrapped(uv.x(), wrapS) * double(width) - 0.5;
   const double y = wrapped(uv.y(), wrapT) * double(height) - 0.5;
   const long x0 = long(std::floor(x)), y0 = long(std::floor(y));
-  const long left = neighbour(x0, width, wrapS), right = neighbour(x0 + 1, width, wrapS);
-  const long top = neighbour(y0, height, wrapT), bottom = neighbour(y0 + 1, height, wrapT);
-  const double s = x - double(x0), t = y - double(y0);
-  return (1 - t) * ((1 - s) * texel(left, top) + s * texel(right, top)) +
-         t * ((1 - s) * texel(left, bottom) + s * texel(right, bottom));
+  const std::size_t left = std::size_t(neighbour(x0, width, wrapS));
+  const std::size_t right = std::size_t(neighbour(x0 + 1, width, wrapS));
+  const std::size_t top = std::size_t(neighbour(y0, height, wrapT)) * std::size_t(width);
+  const std::size_t bottom = std::size_t(neighbour(y0 + 1, height, wrapT)) * std::size_t(width);
+  const float s = float(x - double(x0)), t = float(y - double(y0));
+  return {{top + left, top + right, bottom + left, bottom + right},
+          {(1 - t) * (1 - s), (1 - t) * s, t * (1 - s), t * s}};
+}
+
+Eigen::Vector4d Texture::at(const Spot& spot) const {
+  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint8_t* t = &image_->texels[4 * spot.texels[k]];
+    sum += spot.weights[k] *
+           Eigen::Vector4f(colors_[t[0]], colors_[t[1]], colors_[t[2]], alphas_[t[3]]);
+  }
+  return sum.cast<double>();
 }
 
 }  // namespace remesher

@@ -2,6 +2,7 @@
 // Texels between which there is none: a map as a function on the plane of texture coordinates.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "io/model/material.h"
@@ -19,8 +20,7 @@ class Texture {
  public:
   Texture() = default;
   // image: null where the map has none. Both must outlive the object.
-  Texture(const io::Image* image, const io::Map& map, Coding coding)
-      : image_(image), map_(&map), coding_(coding) {}
+  Texture(const io::Image* image, const io::Map& map, Coding coding);
 
   explicit operator bool() const { return image_ != nullptr; }
   int texcoord() const { return map_->texcoord; }
@@ -30,15 +30,24 @@ class Texture {
            std::abs(map_->transform.leftCols<2>().determinant());
   }
 
+  // The four texels around a point, and how much each of them counts there.
+  struct Spot {
+    std::array<std::size_t, 4> texels;
+    std::array<float, 4> weights;
+  };
+  Spot spotAt(const Vec2& texcoord) const;
+  // Whether the spots of one are those of the other; neither may be empty.
+  bool liesLike(const Texture& other) const;
+
   // Mixed from the four texels around; alpha is a fraction always.
-  Eigen::Vector4d at(const Vec2& texcoord) const;
+  Eigen::Vector4d at(const Spot& spot) const;
+  Eigen::Vector4d at(const Vec2& texcoord) const { return at(spotAt(texcoord)); }
 
  private:
-  Eigen::Vector4d texel(long x, long y) const;
-
   const io::Image* image_ = nullptr;
   const io::Map* map_ = nullptr;
-  Coding coding_ = Coding::Fraction;
+  const float* colors_ = nullptr;  // what a byte means
+  const float* alphas_ = nullptr;
 };
 
 }  // namespace remesher

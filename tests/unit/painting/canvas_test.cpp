@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace remesher;
 
@@ -21,6 +22,7 @@ TEST_CASE("canvas: texels belong to what lies over their middles, and gutters ar
   io::Image image{16, 16, std::vector<std::uint8_t>(4 * 256, 0)};
   for (std::size_t i = 0; i < 256; ++i)
     if (owners[i] != kNone) std::fill_n(&image.texels[4 * i], 4, std::uint8_t(200));
-  fillGutters(image, owners);
+  const std::array<io::Image*, 1> images = {&image};
+  fillGutters(images, owners);
   CHECK(std::count(image.texels.begin(), image.texels.end(), 200) == 4 * 256);
 }

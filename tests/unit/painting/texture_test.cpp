@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 using namespace remesher;
 
@@ -14,6 +16,31 @@ TEST_CASE("texture: bytes of colours survive the way to light and back") {
   CHECK(byteOf(0.5) == 128);
   // Half the light is not half the byte.
   CHECK(lightOf(188) == doctest::Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("texture: any light becomes a byte that no other is nearer to") {
+  const auto srgb = [](double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  };
+  for (int i = 0; i <= 100000; ++i) {
+    const double light = i / 1e5;
+    REQUIRE(std::abs(srgbOf(light) - 255 * srgb(light)) < 0.501);
+  }
+}
+
+TEST_CASE("texture: maps are looked up together only where they lie alike") {
+  const io::Image small{2, 1, std::vector<std::uint8_t>(8)};
+  const io::Image large{2, 2, std::vector<std::uint8_t>(16)};
+  const io::Map map;
+  io::Map turned, clamped, other;
+  turned.transform(0, 1) = 0.5;
+  clamped.wrap[1] = io::Wrap::Clamp;
+  other.texcoord = 1;
+  const Texture texture(&small, map, Coding::Light);
+  CHECK(texture.liesLike(Texture(&small, map, Coding::Fraction)));
+  CHECK_FALSE(texture.liesLike(Texture(&large, map, Coding::Light)));
+  for (const io::Map& m : {turned, clamped, other})
+    CHECK_FALSE(texture.liesLike(Texture(&small, m, Coding::Light)));
 }
 
 TEST_CASE("texture: texels at their middles, mixed between, wrapped as asked") {
