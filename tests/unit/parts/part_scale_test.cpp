@@ -81,11 +81,11 @@ TEST_CASE("part_scale: a mesh of any size is remeshed as one of size one is") {
   RemeshOptions options;
   for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
     options.scheme = scheme;
-    options.edgeLength = 0.8;
+    options.edgeLength = 1.2;
     const RemeshResult one = remesh(torus, options);
     for (const int power : {-900, -40, 100, 900}) {
       const double size = std::ldexp(1, power);
-      options.edgeLength = 0.8 * size;
+      options.edgeLength = 1.2 * size;
       const RemeshResult other = remesh(scaled(torus, size), options);
       CAPTURE(power);
       CHECK(other.mesh.indices == one.mesh.indices);
