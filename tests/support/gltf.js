@@ -103,17 +103,22 @@ export class GltfMaker {
   }
 }
 
-/** What the validator calls an error, in words; and how many of each severity. */
-export async function validate({ bytes, files = [] }) {
+/** All that the validator says of a file, with those beside it. */
+export async function issuesOf({ bytes, files = [] }) {
   const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
-    maxIssues: 50,
+    maxIssues: 0,
     externalResourceFunction: async (uri) => {
       const file = files.find(({ name }) => name === decodeURIComponent(uri));
       if (!file) throw new Error(`${uri} is missing`);
       return file.bytes;
     },
   });
-  return issues.messages.filter(({ severity }) => severity === 0)
+  return issues.messages;
+}
+
+/** What the validator calls an error, in words. */
+export async function validate(file) {
+  return (await issuesOf(file)).filter(({ severity }) => severity === 0)
     .map(({ code, message, pointer }) => `${pointer}: ${code}: ${message}`);
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What must hold of every run, whatever came in: of its error, of its report, of its mesh, of its
 // files. Each function returns the broken laws in words.
-import validator from 'gltf-validator';
 
 import { errorCodes } from '../../dist/base/errors.js';
-import { openGltf, valuesOf } from './gltf.js';
+import { issuesOf, openGltf, valuesOf } from './gltf.js';
 
 /** Repairs after which other parts, holes and handles than before are to be expected. */
 const repairs = new Set(['BACK_TO_BACK_TRIANGLES_REMOVED', 'DEGENERATE_TRIANGLES_REMOVED',
@@ -99,17 +98,9 @@ const isGltf = ({ name }) => /\.gl(b|tf)$/.test(name);
 /**
  * What the validator complains about, by code; errors and warnings. It does not survive every file.
  */
-export async function complaints({ bytes, files = [] }) {
+export async function complaints(file) {
   try {
-    const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
-      maxIssues: 0,
-      externalResourceFunction: async (uri) => {
-        const file = files.find(({ name }) => name === decodeURIComponent(uri));
-        if (!file) throw new Error(`${uri} is missing`);
-        return file.bytes;
-      },
-    });
-    return new Map(issues.messages.filter(({ severity }) => severity < 2)
+    return new Map((await issuesOf(file)).filter(({ severity }) => severity < 2)
       .map(({ code, message, pointer }) => [code, `${code} at ${pointer}: ${message}`]));
   } catch (error) {
     return new Map([['VALIDATOR_FAILED', `the validator fails: ${error}`]]);

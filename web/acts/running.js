@@ -33,7 +33,6 @@ export function showReport(page) {
   });
   byId('result', HTMLElement).replaceChildren(
     ...reportView(shown.report, (warning) => visitorOf(page, warning)),
-    
     ...(shown.number ? [takeawayView(session, savingActs(page))] : []),
     ...(history ? [history] : []));
   byId('result', HTMLElement).hidden = false;

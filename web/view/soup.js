@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // All triangles of a scene in the world, as two arrays that can travel to a worker.
 import { Vector3 } from 'three';
-import { allCorners } from './thinning.js';
+import { allCorners, cornerCount } from './thinning.js';
 
 /** Three coordinates a vertex, three vertices a triangle.
  * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
 
 /** @param {import('three').Mesh[]} meshes @returns {Soup} */
 export function soupOf(meshes) {
-  const counts = meshes.map(({ geometry }) => {
-    const vertices = geometry.attributes.position.count;
-    return { vertices, corners: allCorners(geometry)?.length ?? vertices };
-  });
+  const counts = meshes.map(({ geometry }) =>
+    ({ vertices: geometry.attributes.position.count, corners: cornerCount(geometry) }));
   const sum = (/** @type {'vertices' | 'corners'} */ key) =>
     counts.reduce((total, count) => total + count[key], 0);
   const positions = new Float32Array(3 * sum('vertices'));

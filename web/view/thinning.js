@@ -13,12 +13,13 @@ const mostShown = 1_000_000;
  * @param {BufferGeometry} geometry @returns {ArrayLike<number> | null} */
 export const allCorners = ({ index, userData }) => userData.allCorners ?? index?.array ?? null;
 
+/** How many they are. @param {BufferGeometry} geometry */
+export const cornerCount = (geometry) =>
+  allCorners(geometry)?.length ?? geometry.attributes.position.count;
+
 /** @param {BufferGeometry} geometry @returns {Uint32Array} */
-function cornersOf(geometry) {
-  const corners = allCorners(geometry);
-  return corners ? Uint32Array.from(corners)
-    : Uint32Array.from({ length: geometry.attributes.position.count }, (_, i) => i);
-}
+const cornersOf = (geometry) => (geometry.index ? Uint32Array.from(geometry.index.array)
+  : Uint32Array.from({ length: cornerCount(geometry) }, (_, i) => i));
 
 /** @param {BufferGeometry} geometry @returns {Float32Array} three a vertex */
 function positionsOf({ attributes: { position } }) {
@@ -29,30 +30,30 @@ function positionsOf({ attributes: { position } }) {
   return positions;
 }
 
-/** @param {BufferGeometry} geometry */
-const triangleCount = (geometry) =>
-  (allCorners(geometry)?.length ?? geometry.attributes.position.count) / 3;
+/** @param {BufferGeometry} geometry @param {number} share of its triangles
+ * @param {typeof import('meshoptimizer/simplifier').MeshoptSimplifier} simplifier */
+function thinOne(geometry, share, simplifier) {
+  const corners = cornersOf(geometry);
+  const wanted = 3 * Math.ceil((corners.length / 3) * share);
+  if (!geometry.getAttribute('normal')) geometry.computeVertexNormals();
+  const [drawn] = simplifier.simplifySloppy(corners, positionsOf(geometry), 3, null, wanted, 1);
+  geometry.userData.allCorners = corners;
+  geometry.setIndex(new BufferAttribute(drawn, 1));
+}
 
 /**
- * @param {BufferGeometry[]} geometries whose index is replaced where there are too many triangles
+ * @param {BufferGeometry[]} geometries whose index is replaced where there are too many triangles;
+ *   one that is shown in several places is there as often
  * @param {number} [most] triangles in all
  * @returns {Promise<Thinned | null>} null if all are drawn
  */
 export async function thin(geometries, most = mostShown) {
-  const all = geometries.reduce((sum, geometry) => sum + triangleCount(geometry), 0);
+  const sum = (/** @type {(geometry: BufferGeometry) => number} */ count) =>
+    geometries.reduce((total, geometry) => total + count(geometry) / 3, 0);
+  const all = sum(cornerCount);
   if (all <= most) return null;
   const { MeshoptSimplifier } = await import('meshoptimizer/simplifier');
   await MeshoptSimplifier.ready;
-  let shown = 0;
-  for (const geometry of geometries) {
-    const corners = cornersOf(geometry);
-    const wanted = 3 * Math.ceil((corners.length / 3) * (most / all));
-    if (!geometry.getAttribute('normal')) geometry.computeVertexNormals();
-    const [drawn] = MeshoptSimplifier.simplifySloppy(
-      corners, positionsOf(geometry), 3, null, wanted, 1);
-    geometry.userData.allCorners = corners;
-    geometry.setIndex(new BufferAttribute(drawn, 1));
-    shown += drawn.length / 3;
-  }
-  return { shown, all };
+  for (const geometry of new Set(geometries)) thinOne(geometry, most / all, MeshoptSimplifier);
+  return { shown: sum(({ index }) => index?.count ?? 0), all };
 }
