@@ -7,6 +7,8 @@ import { pathToFileURL } from 'node:url';
 
 import { optionTable } from 'remesher/options';
 
+import { errorCodes } from '../bindings/package/base/errors.js';
+
 import en from '../web/texts/en.js';
 import { withWords } from '../web/words_in_place.js';
 import { filesUnder, readText, root } from './support/tree.js';
@@ -22,6 +24,15 @@ const ofOptions = [
   ...new Set(inForm.flatMap(({ unit }) => (unit ? [`unit.${unit}`] : []))),
 ];
 
+const coreText = filesUnder('src', /\.(h|cpp)$/).map(readText).join('\n');
+const found = (pattern) => [...new Set([...coreText.matchAll(pattern)].map(([, name]) => name))];
+
+/** Of what the core says in English: codes of warnings have two words, attributes end in digits. */
+const warnings = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["a-zA-Z]/g)
+  .filter((code) => !errorCodes.includes(code));
+const ofMessages = [...warnings.map((code) => `warning.${code}`),
+  ...errorCodes.map((code) => `fault.${code}`)];
+
 /** The names in braces. */
 const gaps = (text) => [...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name).sort();
 
@@ -32,7 +43,8 @@ test('there are other languages than English', () => {
 for (const file of others) {
   test(`${file} has every text and every option, and nothing else`, async () => {
     const texts = await textsOf(file);
-    assert.deepEqual(Object.keys(texts).sort(), [...Object.keys(en), ...ofOptions].sort());
+    assert.deepEqual(Object.keys(texts).sort(), 
+      [...Object.keys(en), ...ofOptions, ...ofMessages].sort());
     for (const [key, text] of Object.entries(texts)) assert.ok(text.trim(), key);
   });
 
@@ -41,6 +53,16 @@ for (const file of others) {
     for (const key of Object.keys(en)) assert.deepEqual(gaps(texts[key]), gaps(en[key]), key);
   });
 }
+
+test('codes are found, and every phase of a run has a name', () => {
+  assert.ok(warnings.includes('NON_MANIFOLD_EDGES_SPLIT') && warnings.includes('PARTS_MERGED'));
+  const made = filesUnder('bindings/package/textures', /\.js$/).map(readText).join('\n');
+  const phases = [...found(/\bphase\("([^"]+)"/g),
+    ...[...made.matchAll(/#tell\('([^']+)'/g)].map(([, name]) => name)];
+  assert.ok(phases.includes('lower Hausdorff') && phases.includes('encode images'));
+  assert.deepEqual(Object.keys(en).filter((key) => key.startsWith('phase.')).sort(),
+    phases.map((phase) => `phase.${phase}`).sort());
+});
 
 test('every text of the page itself is there, and every text is used', () => {
   withWords(readText('web/index.html'));  // throws for one that is not

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The page as a visitor meets it: built, served, and used in Chromium.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 
-import { drop, openPage, reportRow, saved, settled, startSite } from './support/browser_page.js';
+import { drop, openPage, reportRow, saved, settled, visit } from './support/browser_page.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 
 const shape = torus(24, 12);
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
 /** One page that most tests share, each leaving it idle. */
-let page;
-let complaints;
-
-before(async () => {
-  site = await startSite();
-  ({ page, complaints } = await openPage(site, { hash: '#model=bunny&vertices=1200' }));
-  await settled(page);
-});
-
-after(() => site?.close());
+const { site, page, complaints } = await visit({ hash: '#model=bunny&vertices=1200' });
 
 /** Asks for a number of vertices and waits for the result. */
 async function remeshTo(vertices) {

@@ -3,35 +3,22 @@
 // list of those opened before, and the samples.
 import assert from 'node:assert/strict';
 import { gzipSync } from 'node:zlib';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 
 import { unzipSync, zipSync } from 'fflate';
 
-import { drop, openPage, saved, settled, startSite } from './support/browser_page.js';
+import { drop, opened, saved, settled, visit } from './support/browser_page.js';
 import { gltfParts, objText, torus } from './support/shape_files.js';
 
 const ring = objText(torus(16, 8));
 const text = (content) => new TextEncoder().encode(content);
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
-let page;
-let complaints;
+const { page, complaints } = await visit(
+  { hash: '#model=bunny&vertices=400', viewport: { width: 800, height: 500 } });
 
-before(async () => {
-  site = await startSite();
-  ({ page, complaints } = await openPage(site, {
-    hash: '#model=bunny&vertices=400', viewport: { width: 800, height: 500 } }));
-  await settled(page);
-});
-
-after(() => site?.close());
-
-/** Waits for a model of that name, and until it is remeshed. */
-async function opened(name) {
-  await page.waitForFunction((wanted) =>
-    document.getElementById('model-name').textContent === wanted, name);
-  await settled(page);
+/** Waits for a model of that name, remeshed without an error. */
+async function arrived(name) {
+  await opened(page, name);
   assert.equal(await page.isVisible('#error'), false);
 }
 
@@ -44,7 +31,7 @@ test('a zipped glTF is found with its buffer, whatever lies beside it', async ()
     'ring/scene.gltf': text(JSON.stringify(json)), 'ring/data/Ring one.bin': buffer,
     '__MACOSX/ring/._scene.gltf': text('nothing'), 'ring/readme.txt': text('hello'),
   }) });
-  await opened('scene.gltf');
+  await arrived('scene.gltf');
   assert.equal(await shownVertices(), '128');
 });
 
@@ -54,7 +41,7 @@ test('of several models one is chosen by name and size', async () => {
   assert.deepEqual(await page.locator('#chooser-list button').allTextContents(),
     [`one.obj${sizeOf(ring)}`, `two.obj${sizeOf(objText(torus(20, 10)))}`]);
   await page.click('#chooser-list >> text=two.obj');
-  await opened('two.obj');
+  await arrived('two.obj');
   assert.equal(await shownVertices(), '200');
 });
 
@@ -66,7 +53,7 @@ test('closing the chooser leaves all as it was', async () => {
   await drop(page, { 'one.obj': ring, 'two.obj': ring });
   await page.waitForSelector('#chooser[open]');
   await page.keyboard.press('Escape');
-  await opened('two.obj');
+  await arrived('two.obj');
   assert.equal(await shownVertices(), '200');
 });
 
@@ -103,14 +90,14 @@ test('a folder is walked through', async () => {
     input.dispatchEvent(new Event('change'));
     delete input.files;
   }, [JSON.stringify(json), Buffer.from(buffer).toString('base64')]);
-  await opened('deep.gltf');
+  await arrived('deep.gltf');
   assert.equal(await shownVertices(), '72');
 });
 
 test('the file input takes what is picked', async () => {
   await page.setInputFiles('#file-input',
     { name: 'picked.obj.gz', mimeType: '', buffer: gzipSync(ring) });
-  await opened('picked.obj');
+  await arrived('picked.obj');
   assert.equal(await shownVertices(), '128');
 });
 
@@ -124,11 +111,11 @@ const paste = (content) => page.evaluate((pasted) => {
 
 test('files and text are pasted', async () => {
   await paste({ name: 'copied.obj', content: ring });
-  await opened('copied.obj');
+  await arrived('copied.obj');
   await paste({ content: ring });
-  await opened('pasted.obj');
+  await arrived('pasted.obj');
   await paste({ content: 'a shopping list' });
-  await opened('pasted.obj');
+  await arrived('pasted.obj');
 });
 
 test('an archive that unfolds too far, and one that is none, are refused', async () => {
@@ -155,11 +142,11 @@ test('names of opened files are listed, files kept only when that is asked for',
   await page.check('#keep-files');
   await page.click('#settings-close');
   await drop(page, { 'kept.obj': ring });
-  await opened('kept.obj');
+  await arrived('kept.obj');
   await page.reload();
   await settled(page);
   await page.selectOption('#samples', 'recent:kept.obj');
-  await opened('kept.obj');
+  await arrived('kept.obj');
   await page.click('[data-do=settings]');
   await page.click('#forget');
   await page.uncheck('#keep-files');
@@ -169,7 +156,7 @@ test('names of opened files are listed, files kept only when that is asked for',
 
 test('an address opens a file beside the page, and nothing elsewhere', async () => {
   await page.evaluate(() => { location.hash = '#model=samples/scan.obj&vertices=600'; });
-  await opened('scan.obj');
+  await arrived('scan.obj');
   assert.equal(await page.textContent('#result-count'), '600');
   for (const [address, complaint] of [['samples/none.obj', /none\.obj does not lie beside/],
     ['https://example.com/a.glb', /another server/]]) {

@@ -2,23 +2,12 @@
 // Density painted on the original: where more is painted, more vertices come; strokes are undone,
 // mirrored, wiped, and there again when the model is.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 
-import { openPage, saved, settled, startSite } from './support/browser_page.js';
+import { saved, settled, visit } from './support/browser_page.js';
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
-let page;
-let complaints;
-
-before(async () => {
-  site = await startSite();
-  ({ page, complaints } = await openPage(site,
-    { hash: '#model=bunny&vertices=800', viewport: { width: 800, height: 480 } }));
-  await settled(page);
-});
-
-after(() => site?.close());
+const { page, complaints } = await visit(
+  { hash: '#model=bunny&vertices=800', viewport: { width: 800, height: 480 } });
 
 /** What the browser keeps of the strokes. */
 const dabs = () => page.evaluate(() =>

@@ -2,33 +2,20 @@
 // What the page shows beside the surfaces: distances, creases, borders and faults, the triangle
 // under the pointer, and the places that warnings speak of.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 
-import { drop, openPage, reportRow, settled, startSite } from './support/browser_page.js';
+import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
-let page;
-let complaints;
-
-before(async () => {
-  site = await startSite();
-  ({ page, complaints } = await openPage(site,
-    { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } }));
-  await settled(page);
-});
-
-after(() => site?.close());
+const { page, complaints } = await visit(
+  { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } });
 
 const picture = () => page.locator('#canvas').screenshot();
 
 /** Opens a shape from its text. */
 async function open(name, text) {
   await drop(page, { [name]: text });
-  await page.waitForFunction((wanted) =>
-    document.getElementById('model-name').textContent === wanted, name);
-  await settled(page);
+  await opened(page, name);
 }
 
 const number = (text) => Number(text.replace(/[^\d.].*/, ''));

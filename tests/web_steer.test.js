@@ -2,30 +2,18 @@
 // Trying on the page: drafts follow a slider, purposes set options, steps are undone, results so
 // far are shown again and compared.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { before, test } from 'node:test';
 
-import { drop, openPage, reportRow, settled, startSite } from './support/browser_page.js';
+import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
-let page;
-let complaints;
-
-const small = { width: 800, height: 480 };
+const { page, complaints } = await visit({ hash: '#model=gear&vertices=500',
+  viewport: { width: 800, height: 480 }, prepare: noteStates });
 
 before(async () => {
-  site = await startSite();
-  ({ page, complaints } = await openPage(site,
-    { hash: '#model=gear&vertices=500', viewport: small, prepare: noteStates }));
-  await settled(page);
   await drop(page, { 'ring.obj': objText(torus(24, 12)) });
-  await page.waitForFunction(() => document.getElementById('model-name').textContent
-    === 'ring.obj');
-  await settled(page);
+  await opened(page, 'ring.obj');
 });
-
-after(() => site?.close());
 
 /** Notes in the page what it was doing, one after the other. */
 function noteStates() {
@@ -116,9 +104,7 @@ test('results so far are shown again, and any two compared', async () => {
 
 test('a new model begins anew', async () => {
   await drop(page, { 'other.obj': objText(torus(16, 8)) });
-  await page.waitForFunction(() => document.getElementById('model-name').textContent
-    === 'other.obj');
-  await settled(page);
+  await opened(page, 'other.obj');
   assert.equal(await page.isDisabled('#undo'), true);
   assert.equal(await page.locator('.history-entry').count(), 0);
   assert.deepEqual(complaints, []);

@@ -5,34 +5,24 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
 
 import { BufferAttribute, BufferGeometry } from 'three';
 
 import { timeLeft } from '../web/base/format.js';
 import { allCorners, thin } from '../web/view/thinning.js';
-import { drop, openPage, settled, startSite } from './support/browser_page.js';
+import { drop, opened, settled, visit } from './support/browser_page.js';
 import { builtPage } from './support/built_page.js';
 import { objText, torus } from './support/shape_files.js';
 import { stl, torus as ring } from './support/shapes.js';
 import { filesUnder } from './support/tree.js';
 
-/** @type {Awaited<ReturnType<typeof startSite>>} */
-let site;
-let page;
-let folder;
-
-before(async () => {
-  site = await startSite();
-  folder = await builtPage();
-  ({ page } = await openPage(site,
-    { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } }));
-  await settled(page);
-});
+const folder = await builtPage();
+const { site, page } = await visit(
+  { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } });
 
 const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
-after(() => site?.close());
 after(() => rmSync(scratch, { recursive: true }));
 
 test('the page’s script has at most 300 kB, packed with brotli', () => {
@@ -77,9 +67,7 @@ test('leaving asks when a result of one’s own file was not taken home', async 
   });
   assert.equal(await asks(), false, 'a sample');
   await drop(page, { 'mine.obj': objText(torus(16, 8)) });
-  await page.waitForFunction(() => document.getElementById('model-name').textContent
-    === 'mine.obj');
-  await settled(page);
+  await opened(page, 'mine.obj');
   assert.equal(await asks(), true);
   await Promise.all([page.waitForEvent('download'),
     page.click('.takeaway button:text-is("Download GLB")')]);
@@ -91,9 +79,7 @@ test('of a million triangles and more a part is drawn, and said so; none is lost
   const path = join(scratch, 'large.stl');
   writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
   await page.setInputFiles('#file-input', path);
-  await page.waitForFunction(() => document.getElementById('model-name').textContent
-    === 'large.stl');
-  await settled(page);
+  await opened(page, 'large.stl');
   assert.match(await page.textContent('#left-thinned'),
     /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
   assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);

@@ -44,6 +44,7 @@ onLanguage(() => {
   page.panel.build();
   fillMenu();
   showFacts(page);
+  page.surveying.retell();
   showReport(page);
 });
 wireIntake(take);

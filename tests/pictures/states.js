@@ -15,6 +15,14 @@ export const states = {
   mechanical: { hash: '#model=gear', enter: (page) => click(page, '#features') },
   scan: { hash: '#model=scan', enter: (page) => click(page, '#landmark-boundary') },
   textured: { hash: '#model=vase' },
+  baked: { hash: '#model=vase&textures=bake', enter: (page) =>
+    page.locator('.maps').scrollIntoViewIfNeeded() },
+  map: { hash: '#model=vase&textures=bake', enter: (page) => click(page, '.map >> nth=0') },
+  german: { hash: '#model=scan&vertices=20', enter: async (page) => {
+    await click(page, '[data-do=settings]');
+    await page.selectOption('#language', 'de');
+    await click(page, '#settings-close');
+  } },
   parts: { hash: '#model=teapot' },
   angles: { hash: '#model=bunny', enter: (page) => click(page, '[data-shading=angles]') },
   normals: { hash: '#model=bunny', enter: (page) => click(page, '[data-shading=normals]') },

@@ -2,6 +2,7 @@
 // The built page in Chromium, for tests: served from a folder of its own, with the handful of
 // gestures that a visitor makes.
 import { readFileSync } from 'node:fs';
+import { after } from 'node:test';
 
 import { preview } from 'vite';
 
@@ -45,6 +46,28 @@ export async function openPage(site, { hash = '', prepare = () => {}, ...options
   await page.addInitScript(prepare);
   await page.goto(site.url + hash);
   return { page, complaints };
+}
+
+/** The page that most tests of a file share, idle with its sample; closed behind the last of them.
+ * @param {Parameters<typeof openPage>[1]} options */
+export async function visit(options) {
+  const site = await startSite();
+  after(() => site.close());
+  try {
+    const arrived = await openPage(site, options);
+    await settled(arrived.page);
+    return { site, ...arrived };
+  } catch (error) {
+    await site.close();
+    throw error;
+  }
+}
+
+/** Waits for a model of that name, and until it is remeshed. */
+export async function opened(page, name) {
+  await page.waitForFunction((wanted) =>
+    document.getElementById('model-name').textContent === wanted, name);
+  await settled(page);
 }
 
 /** Waits until no job runs. */

@@ -35,7 +35,7 @@ export function showFacts({ session: { model, inspection, source } }) {
 
 /** The file itself where the viewer can read it, for it keeps what a conversion may not.
  * @param {Page} page */
-async function showOriginal({ session, stage, surveying, painting }) {
+async function showOriginal({ session, stage, surveying, painting, panel }) {
   try {
     await stage.show('original', await session.originalAsGltf('direct'));
   } catch (error) {
@@ -44,6 +44,7 @@ async function showOriginal({ session, stage, surveying, painting }) {
   }
   await surveying.shown('original');
   painting.begin();
+  panel.setPaintable(session.isGltf || (stage.viewer?.isTextured ?? true));
 }
 
 /** @param {Page} page @param {Values} wished what an address asked for */

@@ -3,7 +3,7 @@
 // earlier one.
 import { byId } from '../base/dom.js';
 import { timeLeft, words } from '../base/format.js';
-import { t } from '../base/i18n.js';
+import { t, textIfAny } from '../base/i18n.js';
 import { Session } from '../model/session.js';
 import { announce, isAbort, showError, showNews, showProgress } from '../panel/messages.js';
 import { Panel } from '../panel/panel.js';
@@ -37,7 +37,7 @@ export class Page {
   #onProgress(event) {
     if (this.#state !== 'busy') return;
     const { phase, fraction } = event;
-    showProgress({ phase: words(phase), fraction },
+    showProgress({ phase: textIfAny(`phase.${phase}`) ?? words(phase), fraction },
       timeLeft(performance.now() - this.#begun, fraction));
   }
 

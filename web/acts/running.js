@@ -7,6 +7,7 @@ import { writeAddress } from '../model/address.js';
 import { distanceView } from '../report/distance_view.js';
 import { historyView, resultName } from '../report/history_view.js';
 import { landmarkOf, placeIn } from '../report/landmarks.js';
+import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
 import { reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
@@ -33,10 +34,17 @@ export function showReport(page) {
   });
   byId('result', HTMLElement).replaceChildren(
     ...reportView(shown.report, (warning) => visitorOf(page, warning)),
-    ...(shown.number ? [takeawayView(session, savingActs(page))] : []),
+    ...(shown.number ? homeViews(page, shown) : []),
     ...(history ? [history] : []));
   byId('result', HTMLElement).hidden = false;
   showDistances(page);
+}
+
+/** What can be taken home of a result. @param {Page} page @param {Result} result */
+function homeViews(page, result) {
+  const acts = savingActs(page);
+  const maps = mapsView(result, acts.onFile);
+  return [...(maps ? [maps] : []), takeawayView(page.session, acts)];
 }
 
 /** What shows the place that a warning speaks of, if it is known.

@@ -12,6 +12,12 @@ import { announce, showNews } from '../panel/messages.js';
 /** How many levels of detail are made. */
 const levelCount = 4;
 
+/** @param {NamedBytes} file */
+function save(file) {
+  download(file);
+  announce(t('saved', { name: file.name }));
+}
+
 /** One file as it is, several (an OBJ with its materials) as one ZIP.
  * @param {NamedBytes[]} files */
 async function hand(files) {
@@ -42,9 +48,9 @@ export function savingActs(page) {
     onReport: () => {
       const text = `${JSON.stringify(session.shown?.report, null, 2)}\n`;
       const name = withExtension(session.model?.name ?? 'model', 'report.json');
-      download({ name, bytes: new TextEncoder().encode(text) });
-      announce(t('saved', { name }));
+      save({ name, bytes: new TextEncoder().encode(text) });
     },
+    onFile: save,
     onPicture: (/** @type {boolean} */ hasBackground) =>
       page.busy(() => picture(page, hasBackground)),
     onCopy: (/** @type {string} */ text) => page.busy(() => copy(text)),

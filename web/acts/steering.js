@@ -13,6 +13,8 @@ import { remesh } from './running.js';
 
 /** Milliseconds without a change after which a slider is at rest. */
 const rest = 400;
+/** A draft keeps the textures: painting them takes longer than a draft may. */
+const draft = /** @type {const} */ ({ quality: 'draft', textures: 'keep' });
 /** Models with more vertices take too long to follow. */
 const largestLive = 60_000;
 
@@ -86,7 +88,7 @@ export class Steering {
     this.#isDrafting = true;
     while (this.#isStale) {
       this.#isStale = false;
-      await page.busy(() => remesh(page, { quality: 'draft' }), 'drafting');
+      await page.busy(() => remesh(page, draft), 'drafting');
     }
     this.#isDrafting = false;
   }

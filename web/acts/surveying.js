@@ -71,6 +71,17 @@ export class Surveying {
       overlays?.setLines('features', edges.sharp);
       this.showFeatures(this.#hasFeatures);
     }
+    this.#showLandmarks();
+  }
+
+  /** In the language of the day. */
+  retell() {
+    this.#showLandmarks();
+    this.#showLegend();
+  }
+
+  #showLandmarks() {
+    const edges = this.#edges;
     showLandmarks(edges && { boundary: edges.boundary.length / 6,
       nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 },
     (landmark) => this.visitLandmark(landmark));

@@ -4,6 +4,7 @@ import { formats, inWords, withoutGz } from 'remesher/formats';
 import { gunzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
+import { openGlb } from './glb.js';
 
 /** @typedef {import('./files.js').NamedBytes} NamedBytes */
 /** @typedef {import('./files.js').PathedFile} PathedFile */
@@ -27,9 +28,10 @@ export function referencesOf(extension, bytes) {
     const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
     return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
   }
-  if (extension !== 'gltf') return [];
+  if (extension !== 'gltf' && extension !== 'glb') return [];
   try {
-    const gltf = JSON.parse(new TextDecoder().decode(bytes));
+    const gltf = extension === 'glb' ? openGlb(bytes).tree
+      : JSON.parse(new TextDecoder().decode(bytes));
     const uris = [...(gltf.buffers ?? []), ...(gltf.images ?? [])].map((item) => item?.uri);
     return uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
   } catch {

@@ -2,8 +2,8 @@
 // What people remesh for, as options. Their names: preset.ID in the texts.
 
 /** @typedef {import('./address.js').Values} Values */
-/** values: what replaces all options but the target; `share`, if any, the target as a share of the
- * input's vertices.
+/** values: what replaces all options but the target and those of textures; `share`, if any, the
+ * target as a share of the input's vertices.
  * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'print' | 'simulation', values: Values,
  *   share?: number }} Preset */
 
@@ -18,9 +18,10 @@ export const presets = [
 
 /** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values
  * @returns {Values} */
-export function withPreset({ values: own, share }, { vertices, ratio, edgeLength }) {
-  if (share) return { ratio: share, ...own };
-  const target = Object.entries({ vertices, ratio, edgeLength })
+export function withPreset({ values: own, share }, values) {
+  const { vertices, ratio, edgeLength, textures, textureSize, textureFormat } = values;
+  const target = share ? { ratio: share } : { vertices, ratio, edgeLength };
+  const kept = Object.entries({ ...target, textures, textureSize, textureFormat })
     .filter(([, value]) => value !== undefined);
-  return { ...Object.fromEntries(target), ...own };
+  return { ...Object.fromEntries(kept), ...own };
 }

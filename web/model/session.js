@@ -71,9 +71,12 @@ export class Session {
   /** The model as glTF, for the viewer: the file itself, or a conversion.
    * @param {'direct' | 'converted'} way */
   async originalAsGltf(way) {
-    const model = this.#opened();
-    if (way === 'direct' && ['glb', 'gltf'].includes(extensionOf(model.name))) return model;
+    if (way === 'direct' && this.isGltf) return this.#opened();
     return { bytes: (await this.converted('glb')).bytes, resources: [] };
+  }
+
+  get isGltf() {
+    return ['glb', 'gltf'].includes(extensionOf(this.#opened().name));
   }
 
   /** The model in another format. @param {string} output */
@@ -123,12 +126,17 @@ export class Session {
 
   /** The shown result's files in a format. A format other than the shown one is made from the
    * original again, so that it keeps what only that format can say; the same input and options
-   * give the same mesh.
+   * give the same mesh. Only glTF can hold painted textures: others get the result without them.
    * @param {string} output @returns {Promise<NamedBytes[]>} */
   async filesAs(output) {
     if (!this.shown) throw new Error('There is no result');
     this.isUnsaved = false;
     if (output === 'glb') return this.shown.files;
+    if (this.shown.values.textures === 'bake' && output !== 'gltf') {
+      const { bytes, name } = this.shown;
+      const signal = this.#begin();
+      return (await convertFile(bytes, { name, output, signal })).files;
+    }
     return (await this.remeshOther(this.#opened(), { ...this.shown.options, output })).files;
   }
 

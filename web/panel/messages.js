@@ -3,6 +3,7 @@
 import { byId, element } from '../base/dom.js';
 import { count, number } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { saidAs } from '../base/said.js';
 
 /** @param {string} text heard by screen readers, not seen */
 export function announce(text) {
@@ -20,9 +21,12 @@ export function showError(error) {
   box.replaceChildren();
   box.hidden = !error || isAbort(error);
   if (box.hidden) return;
-  const { message, hint } = /** @type {{ message?: string, hint?: string }} */ (error);
-  box.append(element('strong', {}, message || t('error.unknown')));
-  if (hint) box.append(element('span', {}, hint));
+  const { code, message, hint } =
+    /** @type {{ code?: string, message?: string, hint?: string }} */ (error);
+  const { text, original } = saidAs('fault', code, message || t('error.unknown'));
+  box.append(element('strong', {}, text));
+  if (original) box.append(element('small', { lang: 'en' }, original));
+  if (hint) box.append(element('span', original ? { lang: 'en' } : {}, hint));
   box.scrollIntoView({ block: 'nearest' });
 }
 

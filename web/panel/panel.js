@@ -3,7 +3,7 @@
 // left at its default is left out of the options, so the scheme's own defaults hold.
 import { defaultOf, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
-import { t } from '../base/i18n.js';
+import { t, textIfAny } from '../base/i18n.js';
 import { presets, withPreset } from '../model/presets.js';
 import { optionHelp, optionName, optionUnit, valuesInWords } from './option_words.js';
 import { TargetField } from './target_field.js';
@@ -14,7 +14,8 @@ import { TargetField } from './target_field.js';
 /** @typedef {HTMLInputElement | HTMLSelectElement} Control */
 
 /** @param {Option} option @param {Scheme} scheme */
-const defaultText = (option, scheme) => String(defaultOf(option, scheme) ?? t('none'));
+const defaultText = (option, scheme) =>
+  String(defaultOf(option, scheme) ?? textIfAny(`default.${option.name}`) ?? t('none'));
 
 /** Whether a row is best served by a slider: both ends known, and close. @param {Option} option */
 const isShare = ({ min, max, off }) => !off && min === 0 && max === 1;
@@ -81,6 +82,13 @@ function valueOf(option, control) {
 const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
+const ofTextures = ['textures', 'textureSize', 'textureFormat'];
+
+/** How large and of which format new textures are means nothing without them.
+ * @param {string} name @param {Values} values */
+const isIdle = (name, { textures }) =>
+  name !== 'textures' && ofTextures.includes(name) && textures !== 'bake';
+
 export class Panel {
   #form;
   #target = new TargetField();
@@ -88,6 +96,8 @@ export class Panel {
   #fields = [];
   #button = element('button', { type: 'submit', className: 'primary wide', disabled: true });
 
+  /** Only where there is something to paint from. */
+  #textures = element('div', { className: 'textures', hidden: true });
   #asked = element('p', { id: 'asked', className: 'help' });
   /** Whether the result follows while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
@@ -130,8 +140,11 @@ export class Panel {
       .map((option) => ({ option, control: controlFor(option) }));
     this.#button.textContent = t('remesh');
     const live = element('label', { className: 'inline-check' }, this.#live, t('live'));
-    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#moreOptions(),
-      this.#button, live);
+    const isOfTextures = (/** @type {{ option: Option }} */ { option }) =>
+      ofTextures.includes(option.name);
+    this.#textures.replaceChildren(...this.#views(this.#fields.filter(isOfTextures)));
+    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#textures,
+      this.#moreOptions(this.#fields.filter((field) => !isOfTextures(field))), this.#button, live);
     this.setValues(values);
   }
 
@@ -150,12 +163,17 @@ export class Panel {
     this.#acts.onSettle();
   }
 
-  #moreOptions() {
-    const fields = this.#fields.map(({ option, control }) => fieldFor(option, control));
+  /** @param {{ option: Option, control: Control }[]} fields */
+  #views(fields) {
+    return fields.map(({ option, control }) => fieldFor(option, control));
+  }
+
+  /** @param {{ option: Option, control: Control }[]} fields */
+  #moreOptions(fields) {
     const reset = element('button', { type: 'button', className: 'link' }, t('defaults'));
     reset.addEventListener('click', () => this.#change(this.#target.value()));
     return element('details', { className: 'more' },
-      element('summary', {}, t('moreOptions')), ...fields, reset);
+      element('summary', {}, t('moreOptions')), ...this.#views(fields), reset);
   }
 
   /** @returns {Scheme} */
@@ -186,7 +204,9 @@ export class Panel {
     const values = this.values();
     this.#asked.textContent = valuesInWords(values);
     for (const { option, control } of this.#fields) {
-      control.closest('.field')?.classList.toggle('set', values[option.name] !== undefined);
+      const field = /** @type {HTMLElement | null} */ (control.closest('.field'));
+      field?.classList.toggle('set', values[option.name] !== undefined);
+      if (field) field.hidden = isIdle(option.name, values);
     }
   }
 
@@ -210,7 +230,7 @@ export class Panel {
     const values = this.#target.value();
     for (const { option, control } of this.#fields) {
       const value = valueOf(option, control);
-      if (value !== undefined) values[option.name] = value;
+      if (value !== undefined && !isIdle(option.name, values)) values[option.name] = value;
     }
     return values;
   }
@@ -236,6 +256,14 @@ export class Panel {
   setInput(vertices) {
     this.#target.setInput(vertices);
     this.#button.disabled = false;
+  }
+
+  /** @param {boolean} isPaintable whether new textures can be painted from the model */
+  setPaintable(isPaintable) {
+    this.#textures.hidden = !isPaintable;
+    if (isPaintable) return;
+    const others = Object.entries(this.values()).filter(([name]) => !ofTextures.includes(name));
+    this.setValues(Object.fromEntries(others));
   }
 
   /** @param {number} vertices to ask for */

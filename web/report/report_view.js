@@ -3,6 +3,7 @@
 import { element } from '../base/dom.js';
 import { count, degrees, duration, percent, share } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';
+import { saidAs } from '../base/said.js';
 import { histogram } from './histogram.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
@@ -55,10 +56,11 @@ function histogramWithKey(before, after) {
  * @param {(warning: Warning) => (() => void) | null} visitorOf what shows the place that a warning
  *   speaks of, if it is known */
 function note(warning, visitorOf) {
-  const { message, count: times } = warning;
-  const text = times > 1 ? `${message} (${count(times)}×)` : message;
+  const { code, message, count: times } = warning;
+  const { text, original } = saidAs('warning', code, message);
   const onclick = visitorOf(warning);
-  return element('p', { className: 'notice' }, text, onclick
+  return element('p', { className: 'notice' }, times > 1 ? `${text} (${count(times)}×)` : text,
+    original && element('small', { lang: 'en' }, original), onclick
     && element('button', { type: 'button', className: 'link', onclick }, t('visit')));
 }
 

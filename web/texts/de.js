@@ -148,6 +148,18 @@ export default {
   'copy': 'Kopieren',
   'copied': 'Kopiert.',
   'saved': '{name} liegt bei den Downloads.',
+
+  'maps': 'Gemalte Texturen',
+  'maps.enlarge': '{title}: größer',
+  'maps.save': '{title} speichern',
+  'save': 'Speichern',
+  'map.baseColor': 'Farben',
+  'map.surface': 'Metall und Rauheit',
+  'map.emissive': 'Licht',
+  'map.normal': 'Normalen',
+  'default.textureSize': 'wie die des Originals',
+  'default.textureFormat': 'automatisch',
+
   'key.shading.textured': 'Ansicht mit Textur',
   'key.shading.plain': 'Ansicht glatt',
   'key.shading.flat': 'Ansicht flach',
@@ -193,6 +205,32 @@ export default {
   'key.paint': 'Dichte auf das Original malen',
 
   'progress.left': 'noch {seconds} s',
+  'phase.inspect': 'Das Original wird angesehen',
+  'phase.read': 'Lesen',
+  'phase.build': 'Dreiecke werden verbunden',
+  'phase.curves': 'Knicke werden gesucht',
+  'phase.surface': 'Die Fläche wird vorbereitet',
+  'phase.adapt': 'Größen werden angepasst',
+  'phase.anneal': 'Reihen werden geordnet',
+  'phase.tips': 'Verlorene Spitzen werden gesucht',
+  'phase.refine': 'Verfeinern',
+  'phase.count': 'Die Zahl wird getroffen',
+  'phase.fit': 'Anschmiegen an das Original',
+  'phase.polish': 'Feinschliff',
+  'phase.land': 'Landen auf dem Original',
+  'phase.lower Hausdorff': 'Der größte Abstand wird verkleinert',
+  'phase.extract': 'Das Ergebnis wird gesammelt',
+  'phase.grade': 'Größen werden abgestuft',
+  'phase.rounds': 'Runden',
+  'phase.smooth': 'Glätten',
+  'phase.mend': 'Ausbessern',
+  'phase.coarsen': 'Vergröbern',
+  'phase.measure': 'Messen',
+  'phase.paint': 'Texturen werden gemalt',
+  'phase.write': 'Schreiben',
+  'phase.levels of detail': 'Detailstufen',
+  'phase.decode images': 'Bilder werden gelesen',
+  'phase.encode images': 'Bilder werden geschrieben',
   'thinned': '{shown} von {all} Dreiecken gezeichnet',
   'contextLost': 'Die Grafikkarte ist für einen Moment weg. Das Bild kommt wieder; das Rechnen '
     + 'geht weiter.',
@@ -251,4 +289,76 @@ export default {
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
+  'option.textures': 'Texturen',
+  'option.textureSize': 'Texturgröße',
+  'option.textureFormat': 'Texturformat',
+  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; bake (in glTF): neue '
+    + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
+  'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
+    + 'Originals, bis 4096',
+  'help.textureFormat': 'der neuen Texturen; ohne Angabe jpeg, aber png für Normalen und '
+    + 'Durchsichtiges',
+  'unit.texels': 'Texel',
+
+  'warning.ANGLES_WORSE': 'Manche Dreiecke sind schlechter als die des Originals. Mehr Punkte '
+    + 'helfen, wo Teile dünner sind, als Kanten lang.',
+  'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Ein Attribut springt an fast jeder Kante; es wird von der '
+    + 'nächsten Ecke übernommen.',
+  'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
+  'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
+    + 'wurden entfernt.',
+  'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
+    + 'sind zu dünn für seine Zahlen.',
+  'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
+  'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
+  'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
+    + 'weisen wie die meisten neben ihnen.',
+  'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '
+    + 'weg.',
+  'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
+    + 'mehr aneinander.',
+  'warning.MAP_NOT_PAINTED': 'Eine Textur kann nicht neu gemalt werden und geht verloren.',
+  'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
+    + 'weitergegeben werden.',
+  'warning.MAX_ERROR_EXCEEDED': 'Das Ergebnis weicht weiter ab als verlangt: die Grenze gilt für '
+    + 'die ausgebesserte Fläche.',
+  'warning.NON_FINITE_ATTRIBUTE': 'Unendliche Werte und solche, die keine Zahlen sind, gelten '
+    + 'als 0.',
+  'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '
+    + 'Ergebnisses.',
+  'warning.NON_MANIFOLD_EDGES_SPLIT': 'Kanten mit mehr als zwei Dreiecken wurden zertrennt.',
+  'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Punkte, in denen die Fläche sich selbst berührt, wurden '
+    + 'getrennt.',
+  'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite und wurde aufgeschnitten.',
+  'warning.NOTHING_TO_REMESH': 'Es gibt keine Dreiecke: die Datei wird weitergegeben, wie sie ist.',
+  'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
+  'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
+    + 'auf.',
+  'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
+  'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
+    + 'wenige Punkte.',
+  'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',
+  'warning.VERTICES_COINCIDE': 'Punkte des Ergebnisses liegen aufeinander: Teile sind näher '
+    + 'beisammen, als die Zahlen der Datei unterscheiden können.',
+
+  'fault.INTERNAL': 'Das ist unser Fehler, nicht Ihrer.',
+  'fault.CANCELLED': 'Abgebrochen.',
+  'fault.OUT_OF_MEMORY': 'Der Speicher reicht nicht. Weniger Punkte oder ein kleineres Modell '
+    + 'helfen; das letzte Ergebnis ist noch da.',
+  'fault.INVALID_OPTION': 'So geht diese Einstellung nicht.',
+  'fault.UNKNOWN_OPTION': 'Diese Einstellung gibt es nicht.',
+  'fault.UNKNOWN_FORMAT': 'Dieses Format kennt die Seite nicht.',
+  'fault.EMPTY_FILE': 'Die Datei ist leer.',
+  'fault.PARSE_ERROR': 'Die Datei ist beschädigt oder nicht, was ihr Name sagt.',
+  'fault.MISSING_RESOURCE': 'Eine Datei, auf die das Modell verweist, fehlt: legen Sie sie mit ab.',
+  'fault.UNSUPPORTED': 'Das kann die Seite mit diesem Modell nicht.',
+  'fault.INVALID_MESH': 'Die Daten ergeben kein Netz.',
+  'fault.INDEX_OUT_OF_RANGE': 'Ein Dreieck nennt einen Punkt, den es nicht gibt.',
+  'fault.NON_FINITE': 'Eine Koordinate ist keine endliche Zahl.',
+  'fault.NO_TRIANGLES': 'Das Modell hat keine Dreiecke.',
+  'fault.TARGET_TOO_SMALL': 'So wenige Punkte genügen dieser Fläche nicht.',
+  'fault.TARGET_BELOW_CURVES': 'So wenige Punkte genügen den Kanten und Nähten nicht, die erhalten '
+    + 'bleiben.',
+  'fault.INPUT_UNREADABLE': 'Die Datei lässt sich nicht öffnen.',
+  'fault.OUTPUT_UNWRITABLE': 'Das Ergebnis lässt sich nicht schreiben.',
 };

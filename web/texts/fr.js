@@ -149,6 +149,18 @@ export default {
   'copy': 'Copier',
   'copied': 'Copié.',
   'saved': '{name} est dans vos téléchargements.',
+
+  'maps': 'Textures peintes',
+  'maps.enlarge': '{title} : agrandir',
+  'maps.save': 'Enregistrer {title}',
+  'save': 'Enregistrer',
+  'map.baseColor': 'Couleurs',
+  'map.surface': 'Métal et rugosité',
+  'map.emissive': 'Lumière',
+  'map.normal': 'Normales',
+  'default.textureSize': 'comme l’original',
+  'default.textureFormat': 'automatique',
+
   'key.shading.textured': 'Vue texturée',
   'key.shading.plain': 'Vue lisse',
   'key.shading.flat': 'Vue à facettes',
@@ -194,6 +206,32 @@ export default {
   'key.paint': 'Peindre la densité sur l’original',
 
   'progress.left': 'encore {seconds} s',
+  'phase.inspect': 'Examen de l’original',
+  'phase.read': 'Lecture',
+  'phase.build': 'Liaison des triangles',
+  'phase.curves': 'Recherche des plis',
+  'phase.surface': 'Préparation de la surface',
+  'phase.adapt': 'Adaptation aux tailles',
+  'phase.anneal': 'Alignement des rangées',
+  'phase.tips': 'Recherche des pointes perdues',
+  'phase.refine': 'Affinage',
+  'phase.count': 'Ajustement du nombre',
+  'phase.fit': 'Rapprochement de l’original',
+  'phase.polish': 'Finition',
+  'phase.land': 'Retour sur l’original',
+  'phase.lower Hausdorff': 'Réduction de la plus grande distance',
+  'phase.extract': 'Collecte du résultat',
+  'phase.grade': 'Gradation des tailles',
+  'phase.rounds': 'Tours',
+  'phase.smooth': 'Lissage',
+  'phase.mend': 'Réparation',
+  'phase.coarsen': 'Simplification',
+  'phase.measure': 'Mesure',
+  'phase.paint': 'Peinture des textures',
+  'phase.write': 'Écriture',
+  'phase.levels of detail': 'Niveaux de détail',
+  'phase.decode images': 'Décodage des images',
+  'phase.encode images': 'Encodage des images',
   'thinned': '{shown} triangles dessinés sur {all}',
   'contextLost': 'La carte graphique est partie un instant. L’image reviendra ; le calcul '
     + 'continue.',
@@ -251,4 +289,77 @@ export default {
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
+  'option.textures': 'Textures',
+  'option.textureSize': 'Taille des textures',
+  'option.textureFormat': 'Format des textures',
+  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; bake (en '
+    + 'glTF) : de nouvelles textures, peintes d’après les anciennes, si bien que les coutures ne '
+    + 'coûtent aucun point',
+  'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
+    + 'l’original, jusqu’à 4096',
+  'help.textureFormat': 'des nouvelles textures ; sans indication jpeg, mais png pour les normales '
+    + 'et la transparence',
+  'unit.texels': 'texels',
+
+  'warning.ANGLES_WORSE': 'Des triangles sont moins bons que ceux de l’original. Plus de points '
+    + 'aident là où des parties sont plus minces que les arêtes ne sont longues.',
+  'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Un attribut saute à presque chaque arête ; il est repris du '
+    + 'coin le plus proche.',
+  'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
+  'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
+    + 'ont été retirés.',
+  'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
+    + 'sont trop minces pour ses nombres.',
+  'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '
+    + 'retirés.',
+  'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
+  'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
+    + 'même côté que la plupart de leurs voisins.',
+  'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
+    + 'pas ; elles disparaissent.',
+  'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
+    + 'plus.',
+  'warning.MAP_NOT_PAINTED': 'Une texture ne peut pas être repeinte et est perdue.',
+  'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
+    + 'transmises.',
+  'warning.MAX_ERROR_EXCEEDED': 'Le résultat s’écarte plus que demandé : la limite vaut pour la '
+    + 'surface réparée.',
+  'warning.NON_FINITE_ATTRIBUTE': 'Les valeurs infinies ou qui ne sont pas des nombres comptent '
+    + 'pour 0.',
+  'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '
+    + 'résultat.',
+  'warning.NON_MANIFOLD_EDGES_SPLIT': 'Des arêtes de plus de deux triangles ont été séparées.',
+  'warning.NON_MANIFOLD_VERTICES_SPLIT': 'Des points où la surface se touche elle-même ont été '
+    + 'séparés.',
+  'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté et a été ouverte.',
+  'warning.NOTHING_TO_REMESH': 'Il n’y a pas de triangles : le fichier est transmis tel quel.',
+  'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
+  'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
+  'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
+  'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
+    + 'celles-ci reçoivent peu de points.',
+  'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
+  'warning.VERTICES_COINCIDE': 'Des points du résultat se confondent : des parties sont plus '
+    + 'proches que les nombres du fichier ne peuvent le dire.',
+
+  'fault.INTERNAL': 'C’est notre faute, pas la vôtre.',
+  'fault.CANCELLED': 'Annulé.',
+  'fault.OUT_OF_MEMORY': 'La mémoire ne suffit pas. Moins de points ou un modèle plus petit '
+    + 'aident ; le dernier résultat est toujours là.',
+  'fault.INVALID_OPTION': 'Ce réglage ne va pas ainsi.',
+  'fault.UNKNOWN_OPTION': 'Ce réglage n’existe pas.',
+  'fault.UNKNOWN_FORMAT': 'La page ne connaît pas ce format.',
+  'fault.EMPTY_FILE': 'Le fichier est vide.',
+  'fault.PARSE_ERROR': 'Le fichier est abîmé, ou n’est pas ce que dit son nom.',
+  'fault.MISSING_RESOURCE': 'Un fichier auquel le modèle renvoie manque : déposez-le avec lui.',
+  'fault.UNSUPPORTED': 'La page ne peut pas cela avec ce modèle.',
+  'fault.INVALID_MESH': 'Les données ne forment pas de maillage.',
+  'fault.INDEX_OUT_OF_RANGE': 'Un triangle nomme un point qui n’existe pas.',
+  'fault.NON_FINITE': 'Une coordonnée n’est pas un nombre fini.',
+  'fault.NO_TRIANGLES': 'Le modèle n’a pas de triangles.',
+  'fault.TARGET_TOO_SMALL': 'Si peu de points ne suffisent pas à cette surface.',
+  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et aux coutures qui '
+    + 'restent.',
+  'fault.INPUT_UNREADABLE': 'Le fichier ne s’ouvre pas.',
+  'fault.OUTPUT_UNWRITABLE': 'Le résultat ne s’écrit pas.',
 };

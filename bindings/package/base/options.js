@@ -72,14 +72,14 @@ export const optionTable = [
     unit: '% of the diagonal', off: true, default: 'off',
     help: 'refuse what would leave the original by more' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
-    default: 'keep', form: false,
+    default: 'keep',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +
       'from the old, so that seams hold no vertices' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
-    unit: 'texels', form: false,
+    unit: 'texels',
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
-    choices: ['png', 'jpeg', 'webp'], form: false,
+    choices: ['png', 'jpeg', 'webp'],
     help: 'of baked textures; jpeg if not given, but png for normals and alpha' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '

@@ -2,6 +2,7 @@
 // Images to texels and back, by Squoosh's codecs in WebAssembly: the same bytes in Node and every
 // browser. They are packages of their own, loaded when they are needed.
 
+import { loadPackage } from './codec_packages.js';
 import { imageHeader } from './image_header.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -39,22 +40,6 @@ const codecs = {
     quality: { quality: 90 },
   },
 };
-
-/**
- * The two halves of a package. Bundlers are not to look for them: they would complain to all who
- * bake nothing.
- * @param {string} name
- * @returns {Promise<any[]>}
- */
-async function loadPackage(name) {
-  try {
-    return [await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/decode.js`),
-      await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/encode.js`)];
-  } catch (cause) {
-    throw new RemeshError('UNSUPPORTED', `Baking textures needs the package ${name}.`,
-      `npm install ${name}; in browsers, name it in an import map.`, { cause });
-  }
-}
 
 /**
  * What Node lacks and the decoders make.

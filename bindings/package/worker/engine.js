@@ -123,9 +123,9 @@ export class Engine {
       return this.#run(plainJob, onProgress);
     }
     const { Bakery } = await import('../textures/bake.js');
-    const bakery = new Bakery(this.#compileCodec);
+    const bakery = new Bakery(this.#compileCodec, onProgress);
     const file = await bakery.opened(plainJob.file);
-    return bakery.closed(await this.#run({ ...plainJob, file }, onProgress));
+    return bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
   }
 
   /**

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Where the codecs come from: packages that users install beside this one. A build that has them
+// can put a module in this one's place whose imports its bundler sees.
+
+import { RemeshError } from '../base/errors.js';
+
+/**
+ * The two halves of a package. Bundlers are not to look for them: they would complain to all who
+ * bake nothing.
+ * @param {string} name
+ * @returns {Promise<any[]>} to decode, to encode
+ */
+export async function loadPackage(name) {
+  try {
+    return [await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/decode.js`),
+      await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/encode.js`)];
+  } catch (cause) {
+    throw new RemeshError('UNSUPPORTED', `Baking textures needs the package ${name}.`,
+      `npm install ${name}; in browsers, name it in an import map and pass worker: false.`,
+      { cause });
+  }
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The images inside a GLB, by what they show.
+import { openGlb } from './glb.js';
+
+/** @typedef {{ name: string, type: string, bytes: Uint8Array }} Map name: what it shows, or '' */
+
+/** @param {Uint8Array} glb @returns {Map[]} in their order */
+export function mapsOf(glb) {
+  const { tree, binary } = openGlb(glb);
+  return (tree.images ?? []).map((/** @type {any} */ { name = '', mimeType, bufferView }) => {
+    const { byteOffset = 0, byteLength } = tree.bufferViews[bufferView];
+    return { name, type: mimeType, bytes: binary.subarray(byteOffset, byteOffset + byteLength) };
+  });
+}

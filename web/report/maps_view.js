@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The textures that were painted for a result: each to look at, and to save.
+import { byId, element } from '../base/dom.js';
+import { fileSize, withExtension } from '../base/format.js';
+import { t, textIfAny } from '../base/i18n.js';
+import { mapsOf } from '../model/maps.js';
+
+/** @typedef {import('../model/maps.js').Map} Map */
+/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+
+const extensions = /** @type {Record<string, string>} */ (
+  { 'image/png': 'png', 'image/jpeg': 'jpg', 'image/webp': 'webp' });
+
+/** What a map shows, in words. @param {Map} map @param {Map[]} all */
+function titleOf(map, all) {
+  const title = textIfAny(`map.${map.name}`) ?? map.name;
+  const alike = all.filter(({ name }) => name === map.name);
+  return alike.length > 1 ? `${title} ${alike.indexOf(map) + 1}` : title;
+}
+
+/** @param {Map} map @param {string} title */
+function picture({ type, bytes }, title) {
+  const url = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)], { type }));
+  const image = element('img', { alt: title, decoding: 'async' });
+  image.addEventListener('load', () => URL.revokeObjectURL(url));
+  image.src = url;
+  return image;
+}
+
+/** Shows a map as large as the window allows. @param {Map} map @param {string} title */
+function enlarge(map, title) {
+  const dialog = byId('map', HTMLDialogElement);
+  const image = picture(map, title);
+  const facts = byId('map-facts', HTMLElement);
+  facts.textContent = '';
+  image.addEventListener('load', () => {
+    facts.textContent = `${image.naturalWidth} × ${image.naturalHeight} · ${fileSize(
+      map.bytes.length)}`;
+  });
+  byId('map-title', HTMLElement).textContent = title;
+  byId('map-picture', HTMLElement).replaceChildren(image);
+  byId('map-close', HTMLButtonElement).onclick = () => dialog.close();
+  dialog.showModal();
+}
+
+/**
+ * @param {import('../model/session.js').Result} result
+ * @param {(file: NamedBytes) => void} onSave
+ */
+export function mapsView({ name, bytes, values }, onSave) {
+  if (values.textures !== 'bake') return null;
+  const maps = mapsOf(bytes);
+  const entries = maps.map((map) => {
+    const title = titleOf(map, maps);
+    const extension = extensions[map.type];
+    const words = title.replaceAll(' ', '-').toLowerCase();
+    const file = { name: withExtension(name, `${words}.${extension}`), bytes: map.bytes };
+    return element('li', {},
+      element('button', { type: 'button', className: 'map', 'aria-label':
+        t('maps.enlarge', { title }), onclick: () => enlarge(map, title) }, picture(map, '')),
+      element('span', {}, title, element('span', { className: 'quiet' },
+        `${extension.toUpperCase()} · ${fileSize(map.bytes.length)}`)),
+      element('button', { type: 'button', className: 'link', 'aria-label':
+        t('maps.save', { title }), onclick: () => onSave(file) }, t('save')));
+  });
+  return element('section', { className: 'maps', 'aria-label': t('maps') },
+    element('h2', {}, t('maps')), element('ul', {}, ...entries));
+}
