@@ -40,6 +40,27 @@ struct Offset {
 // Where the samples of a triangle were found on the original: the next search begins there.
 using NearFaces = std::array<Face, kSamples.size()>;
 
+// A draft looks at the middle alone. Where the original bends evenly, the mean distance of a
+// triangle whose corners lie on it is so much of that.
+constexpr double kMeanOfMiddle = 0.75;
+
+// The signed distance from the middle of a triangle to the original, for its corners.
+void addMiddle(const WorkingMesh& mesh, Face f, VertexData<Offset>& offsets) {
+  const auto corners = mesh.mesh().vertices(f);
+  const Triangle p = mesh.corners(f);
+  const Vec3 n = areaVector(p[0], p[1], p[2]), middle = (p[0] + p[1] + p[2]) / 3;
+  const double area = n.norm();
+  if (!(area > 0)) return;
+  const OriginalSurface& surface = mesh.surface();
+  const SurfacePoint near =
+      closestPointFrom(surface, mesh.cornerPoint(HalfedgeMesh::halfedge(f)), middle);
+  const double distance = kMeanOfMiddle * (surface.position(near) - middle).dot(n);
+  for (const Vertex v : corners) {
+    offsets[v].sum += distance;
+    offsets[v].weight += area;
+  }
+}
+
 // The signed distances from the samples of a triangle to the original, shared out to its corners.
 void addOffsets(const WorkingMesh& mesh, Face f, NearFaces& near, VertexData<Offset>& offsets) {
   const auto corners = mesh.mesh().vertices(f);
@@ -98,7 +119,8 @@ int passesOf(const Run& run) {
 
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  FaceData<NearFaces> near(mesh.faceCapacity());
+  const bool isDraft = run.quality == Quality::Draft;
+  FaceData<NearFaces> near(isDraft ? 0 : mesh.faceCapacity());
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
@@ -106,9 +128,14 @@ void fit(Run& run, const Progress& progress) {
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());
-    for (Index f = 0; f < mesh.faceCapacity(); ++f)
-      if (mesh.isAlive(Face(f)) && anyOf(moves, mesh.vertices(Face(f))))
-        addOffsets(run.mesh, Face(f), near[Face(f)], offsets);
+    for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+      const Face f(i);
+      if (!mesh.isAlive(f) || !anyOf(moves, mesh.vertices(f))) continue;
+      if (isDraft)
+        addMiddle(run.mesh, f, offsets);
+      else
+        addOffsets(run.mesh, f, near[f], offsets);
+    }
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (!mesh.isAlive(v) || !moves[v] || offsets[v].weight == 0) continue;

@@ -16,6 +16,12 @@ class Projector {
   // reach: the longest edge that will be projected, model units; patches overlap accordingly.
   Projector(const OriginalSurface& surface, Projection mode, double reach);
 
+  // By the shortest way alone: patches take time to build.
+  explicit Projector(const OriginalSurface& surface) : surface_(&surface) {}
+
+  // Whether it goes by the shortest way alone.
+  bool walks() const { return !atlas_; }
+
   // Onto another surface from now on, by the shortest way: for what is near it already.
   void moveOnto(const OriginalSurface& surface);
 
@@ -27,7 +33,7 @@ class Projector {
                           const Vec3& weights);
 
   const OriginalSurface* surface_;
-  Projection mode_;
+  Projection mode_ = Projection::Patches;
   std::optional<PatchAtlas> atlas_;
 };
 

@@ -24,9 +24,12 @@ namespace {
 
 // Irregular vertices of a larger mesh are fewer for its size, and what one round cannot reach costs
 // less: rounds are saved there.
-constexpr int kAnnealRounds = 20, kFewestRounds = 12, kDraftRounds = 4;
+constexpr int kAnnealRounds = 20, kFewestRounds = 12;
+// A draft that is subdivided needs fewer still.
+constexpr int kDraftRounds = 4, kSketchRounds = 2;
 constexpr double kManyToAnneal = 6000;
 constexpr int kPasses = 4, kDraftPasses = 2;
+constexpr int kSmoothings = 2, kDraftSmoothings = 1;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
@@ -59,15 +62,16 @@ Levels planLevels(const Run& run, std::size_t vertices) {
   return {levels, vertices >> (2 * levels), vertices};
 }
 
-int annealRounds(const Run& run, std::size_t vertices) {
-  if (run.quality == Quality::Draft) return kDraftRounds;
+int annealRounds(const Run& run, const Levels& levels, std::size_t vertices) {
+  if (run.quality == Quality::Draft) return levels.count > 0 ? kSketchRounds : kDraftRounds;
   const double share = std::sqrt(kManyToAnneal / double(std::max<std::size_t>(vertices, 1)));
   return std::clamp(int(kAnnealRounds * share), kFewestRounds, kAnnealRounds);
 }
 
 void smooth(Run& run) {
-  const int passes = run.quality == Quality::Draft ? kDraftPasses : kPasses;
-  for (int i = 0; i < 2; ++i) {
+  const bool isDraft = run.quality == Quality::Draft;
+  const int passes = isDraft ? kDraftPasses : kPasses;
+  for (int i = 0; i < (isDraft ? kDraftSmoothings : kSmoothings); ++i) {
     relax(run, passes);
     delaunayFlips(run.mesh, run.rule);
   }
@@ -110,7 +114,7 @@ void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
   const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
   matchCount(run, coarse);
-  annealValences(run, annealRounds(run, coarse), progress.phase("anneal", 0.55, 1));
+  annealValences(run, annealRounds(run, levels, coarse), progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);
   progress.phase("tips", 1, 1);
   smoothOntoTips(run);

@@ -76,9 +76,17 @@ bool matchPositions(Run& run, std::size_t vertices) {
   return distinctPositions(run.mesh) == vertices;
 }
 
+// A draft does without patches.
+Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+  const bool walks = options.scheme == Scheme::Best && options.quality == Quality::Draft &&
+                     options.projection == Projection::Patches;
+  if (walks) return Projector(original.ground());
+  return Projector(original.ground(), options.projection, original.longestEdges());
+}
+
 Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options, double stagger,
                         const Progress& progress) {
-  Projector projector(original.ground(), options.projection, original.longestEdges());
+  Projector projector = projectorFor(original, options);
   WorkingMesh mesh(original.ground());
   SizeField sizes = original.sizes();
   Run run{mesh, projector, sizes, fidelityRule(options)};

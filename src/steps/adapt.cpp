@@ -18,12 +18,13 @@ namespace {
 
 // So short an edge goes even at the price of a fold.
 constexpr double kMustGo = 0.4;
-constexpr int kRounds = 5;
+constexpr int kRounds = 5, kSweeps = 2;
+constexpr int kSketchRounds = 3, kSketchSweeps = 1;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Of so many times the vertices that are wanted most are thinned out rather than adapted, until
 // edges have this share of the sizes.
 constexpr std::size_t kFarTooMany = 7;
-constexpr double kThinned = 0.5;
+constexpr double kThinned = 0.5, kThinnedSketch = 0.85;
 
 // Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
 // Returns the number of splits.
@@ -84,12 +85,15 @@ void collapseShort(Run& run) {
   }
 }
 
+// The coarse level of a draft: each vertex is one of four, and those between them come out regular.
+bool isSketch(const Run& run) { return run.quality == Quality::Draft && run.scale > 1; }
+
 void thinOut(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double share = (isSketch(run) ? kThinnedSketch : kThinned) * run.scale;
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isAlive(Vertex(i)))
-      spacing[Vertex(i)] = kThinned * run.scale * run.sizes.at(run.mesh.at(Vertex(i)));
+    if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
   decimate(run.mesh, run.rule, spacing);
 }
 
@@ -128,13 +132,15 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
   if (run.mesh.mesh().vertexCount() > kFarTooMany * vertices) thinOut(run);
   // Slivers can ask for splits for ever, and not give the vertices back.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
-  for (int i = 0; i < kRounds; ++i) {
-    progress.at(double(i) / kRounds);
+  const int rounds = isSketch(run) ? kSketchRounds : kRounds;
+  const int sweeps = isSketch(run) ? kSketchSweeps : kSweeps;
+  for (int i = 0; i < rounds; ++i) {
+    progress.at(double(i) / rounds);
     refine(run, most);
     collapseShort(run);
     valenceFlips(run);
-    if (i == 0 || i + 1 == kRounds) delaunayFlips(run.mesh, run.rule);
-    for (int k = 0; k < 2; ++k) laplacianSweep(run);
+    if (i == 0 || i + 1 == rounds) delaunayFlips(run.mesh, run.rule);
+    for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
     if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
   }

@@ -8,8 +8,8 @@ namespace remesher {
 namespace {
 
 // A vertex whose neighbours' mean has moved by less than this share of its target length stays; in
-// large meshes, where a pass costs and few triangles are near any limit, sooner.
-constexpr double kStillMoves = 0.003, kStillMovesInLarge = 0.01;
+// large meshes, where a pass costs and few triangles are near any limit, and in drafts, sooner.
+constexpr double kStillMoves = 0.003, kStillMovesMuch = 0.01;
 constexpr double kNeighbors = 6;  // of most vertices
 
 bool isAtRest(const Run& run, Vertex v, double share) {
@@ -21,7 +21,8 @@ bool isAtRest(const Run& run, Vertex v, double share) {
 
 void relax(Run& run, int passes) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double share = isLarge(run) ? kStillMovesInLarge : kStillMoves;
+  const bool isHasty = isLarge(run) || run.quality == Quality::Draft;
+  const double share = isHasty ? kStillMovesMuch : kStillMoves;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass)
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {

@@ -2,8 +2,10 @@
 #include "steps/sweeps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "operators/smoothing.h"
+#include "surface/surface_walk.h"
 
 namespace remesher {
 
@@ -106,6 +108,24 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
   return areaBasedTarget(star, mu);
 }
 
+// Towards the mean of v's neighbours, each laid into the plane that touches the surface at v at
+// its distance from v; and from there to the surface by the shortest way.
+bool walkToMean(Run& run, Vertex v) {
+  const Vec3 &at = run.mesh.position(v), &normal = run.mesh.normal(v);
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
+    const Vec3 spoke = run.mesh.position(w) - at;
+    const Vec3 flat = spoke - normal * normal.dot(spoke);
+    const double squared = flat.squaredNorm();
+    if (squared > 0) sum += flat * std::sqrt(spoke.squaredNorm() / squared);
+    ++count;
+  });
+  const SurfacePoint to = closestPointFrom(run.mesh.surface(), run.mesh.at(v), at + sum / count);
+  proposePlacement(run.mesh, v, run.mesh.onSurface(to), run.change);
+  return commit(run);
+}
+
 }  // namespace
 
 void areaBasedSweep(Run& run) {
@@ -121,6 +141,7 @@ void areaBasedSweep(Run& run) {
 bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
   if (run.mesh.kind(v) == VertexKind::Corner || run.mesh.isPinned(v)) return false;
   if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
+  if (run.projector.walks()) return walkToMean(run, v);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   return relocateTo(run, star, v, laplacianTarget(star));
 }

@@ -31,17 +31,20 @@ TEST_CASE("projection: the point is on the original, near the triangle it came f
     CAPTURE(shape.name);
     const OriginalSurface surface = shapes::surfaceOf(shape.mesh);
     const WorkingMesh mesh(surface);
-    Projector projector(surface, Projection::Patches, 0.3 * surface.diagonal());
-    forManyPoints(mesh, [&](Halfedge h, const Vec3& weights) {
-      const Placement place = projector.project(mesh, h, weights);
-      const HalfedgeMesh& m = mesh.mesh();
-      const double size = (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).norm() +
-                          (mesh.position(m.opposite(h)) - mesh.position(m.origin(h))).norm();
-      CHECK((place.position - surface.position(place.at)).norm() < 1e-12);
-      CHECK((place.position - flatPoint(mesh, h, weights)).norm() < size);
-      CHECK(place.normal.norm() == doctest::Approx(1));
-      CHECK(place.kind == VertexKind::Interior);
-    });
+    Projector byPatches(surface, Projection::Patches, 0.3 * surface.diagonal()), byWalks(surface);
+    CHECK(!byPatches.walks());
+    CHECK(byWalks.walks());
+    for (Projector* projector : {&byPatches, &byWalks})
+      forManyPoints(mesh, [&](Halfedge h, const Vec3& weights) {
+        const Placement place = projector->project(mesh, h, weights);
+        const HalfedgeMesh& m = mesh.mesh();
+        const double size = (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).norm() +
+                            (mesh.position(m.opposite(h)) - mesh.position(m.origin(h))).norm();
+        CHECK((place.position - surface.position(place.at)).norm() < 1e-12);
+        CHECK((place.position - flatPoint(mesh, h, weights)).norm() < size);
+        CHECK(place.normal.norm() == doctest::Approx(1));
+        CHECK(place.kind == VertexKind::Interior);
+      });
   }
 }
 
