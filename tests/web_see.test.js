@@ -4,6 +4,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { BufferAttribute, BufferGeometry } from 'three';
+
+import { withNormals } from '../web/view/normals.js';
 import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 
@@ -112,6 +115,39 @@ test('dragging on the distances sets the largest error', async () => {
   const asked = Number(await page.inputValue('#option-maxError'));
   const told = number((await reportRow(page, 'Largest distance'))[1]);
   assert.ok(asked > 0 && told <= asked, `${told} % within ${asked} %`);
+});
+
+/** A geometry of three.js. */
+function geometryOf({ positions, triangles }) {
+  const geometry = new BufferGeometry().setIndex(triangles.flat());
+  return geometry.setAttribute('position',
+    new BufferAttribute(Float32Array.from(positions.flat()), 3));
+}
+
+/** A box of twelve triangles over eight corners. */
+const box = { positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
+  triangles: [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7],
+    [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]] };
+
+test('normals follow bends, and break at creases', async () => {
+  const { attributes: { position, normal } } = await withNormals(geometryOf(box));
+  assert.equal(normal.count, 36);
+  for (let i = 0; i < 36; i += 1) {
+    const own = [normal.getX(i), normal.getY(i), normal.getZ(i)];
+    const axis = own.findIndex((value) => Math.abs(value) === 1);
+    assert.deepEqual(own.filter((_, k) => k !== axis).map(Math.abs), [0, 0]);
+    assert.equal(own[axis], 2 * position.getComponent(i, axis) - 1, 'outwards');
+  }
+  const ring = torus(80, 60);
+  const smooth = await withNormals(geometryOf(ring));
+  assert.equal(smooth.attributes.normal.count, ring.positions.length);
+  ring.positions.forEach(([x, y, z], i) => {
+    const share = 1 - 2 / Math.hypot(x, z);  // from the middle of the tube outwards
+    const exact = [share * x / 0.8, y / 0.8, share * z / 0.8];
+    const cosine = exact.reduce((sum, value, k) =>
+      sum + value * smooth.attributes.normal.getComponent(i, k), 0);
+    assert.ok(cosine > 0.999, `${cosine}`);
+  });
 });
 
 test('turning the model draws two meshes with their lines and nothing else', async () => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page's wiring: which act follows which event.
+import { init } from 'remesher';
 import { open, showFacts } from './acts/opening.js';
 import { Page } from './acts/page.js';
 import { remesh, showReport } from './acts/running.js';
@@ -8,8 +9,15 @@ import { addCommand, wireCommands } from './base/commands.js';
 import { firstLanguage, onLanguage, setLanguage } from './base/i18n.js';
 import { readAddress } from './model/address.js';
 import { samples } from './model/samples.js';
-import { fillMenu, openNamed, wireIntake } from './panel/intake.js';
+import { fillMenu, namedFiles, wireIntake } from './panel/intake.js';
 import { wireSettings } from './panel/settings.js';
+
+let wished = readAddress(location.hash);
+const first = wished.model ?? samples[0].id;
+// On their way while the page is still being made. What is wrong is told where it is needed.
+const coming = namedFiles(first);
+coming.catch(() => {});
+init().catch(() => {});
 
 await setLanguage(firstLanguage());
 const steering = new Steering();
@@ -28,8 +36,6 @@ function move() {
 }
 
 const run = () => page.busy(() => remesh(page));
-
-let wished = readAddress(location.hash);
 
 /** The address speaks for the next model only.
  * @param {Promise<import('./model/files.js').PathedFile[]>} items @param {string | null} source */
@@ -52,7 +58,7 @@ wireSettings(fillMenu);
 addCommand('cancel', () => page.session.cancel());
 wireCommands();
 fillMenu();
-openNamed(wished.model ?? samples[0].id, take);
+take(coming, first);
 
 addEventListener('beforeunload', (event) => {
   if (page.session.isUnsaved) event.preventDefault();  // the browser asks
@@ -69,7 +75,7 @@ function keepOffline() {
 addEventListener('hashchange', () => {  // typed by hand: the page's own changes do not tell
   wished = readAddress(location.hash);
   if (wished.model && wished.model !== page.session.source) {
-    openNamed(wished.model, take);
+    take(namedFiles(wished.model), wished.model);
     return;
   }
   page.panel.setValues(wished.values);

@@ -16,6 +16,22 @@ export function withoutEngine() {
   };
 }
 
+/** The WebAssembly is on its way before any script has run.
+ * @returns {import('vite').Plugin} for the page */
+export function earlyWasm() {
+  return {
+    name: 'early-wasm',
+    transformIndexHtml: {
+      order: 'post',
+      handler(_html, { bundle = {} }) {
+        const file = Object.keys(bundle).find((name) => /remesher-[\w-]+\.wasm$/.test(name));
+        return file ? [{ tag: 'link', injectTo: 'head', attrs: { rel: 'preload', as: 'fetch',
+          type: 'application/wasm', crossorigin: true, href: `./${file}` } }] : [];
+      },
+    },
+  };
+}
+
 /** @returns {import('vite').Plugin} for the worker */
 export function withCodecs() {
   return {

@@ -4,7 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { installable } from './installable.js';
-import { withCodecs, withoutEngine } from './package_in_page.js';
+import { earlyWasm, withCodecs, withoutEngine } from './package_in_page.js';
 import { sampleFiles } from './sample_files.js';
 import { wordsInPlace } from './words_in_place.js';
 
@@ -12,7 +12,7 @@ export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   publicDir: false,
-  plugins: [sampleFiles(), wordsInPlace(), installable(), withoutEngine()],
+  plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutEngine()],
   worker: { format: 'es', plugins: () => [withCodecs()] },
   build: {
     outDir: fileURLToPath(new URL('../build/web', import.meta.url)),

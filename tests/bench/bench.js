@@ -4,6 +4,7 @@
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
+//   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only those from npm packages are run. The status is 1 when a limit is broken.
@@ -12,6 +13,7 @@ import { parseArgs } from 'node:util';
 
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
+import { runPage } from './page.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
 import { runWait } from './wait.js';
@@ -33,6 +35,8 @@ function run() {
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
+    case 'page':
+      return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
     case 'wait':
       return runWait(limits.wait,
         { folder: values.models, names: rest, runs: Number(values.runs) });

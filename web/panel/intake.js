@@ -102,17 +102,17 @@ function wireMenu(onFiles) {
     if (menu.value.startsWith(recentPrefix)) {
       onFiles(recentFiles(menu.value.slice(recentPrefix.length)), null);
     } else {
-      openNamed(menu.value, onFiles);
+      onFiles(namedFiles(menu.value), menu.value);
     }
   });
 }
 
-/** Opens what an address names: a sample, or files beside the page with commas between them.
- * @param {string} source @param {OnFiles} onFiles */
-export function openNamed(source, onFiles) {
+/** What an address names: a sample, or files beside the page with commas between them.
+ * @param {string} source @returns {Promise<PathedFile[]>} */
+export async function namedFiles(source) {
   const sample = sampleOf(source);
   const paths = sample ? [`samples/${sample.file}`] : source.split(',');
-  onFiles(Promise.all(paths.map(servedFiles)).then((lists) => lists.flat()), source);
+  return (await Promise.all(paths.map(servedFiles))).flat();
 }
 
 /** @param {OnFiles} onFiles */

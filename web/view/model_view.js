@@ -2,11 +2,9 @@
 // One model on the stage: its own materials, plain clay, flat, its normals, or coloured by a value,
 // with or without its wireframe. Owns what it puts on the graphics card, and frees it.
 import {
-  Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial,
   MeshNormalMaterial, MeshStandardMaterial,
 } from 'three';
-import { openSide } from './facing.js';
-import { withNormals } from './normals.js';
 import { soupOf } from './soup.js';
 import { colorByAngle } from './triangle_angles.js';
 
@@ -14,11 +12,36 @@ import { colorByAngle } from './triangle_angles.js';
  *   } Shading */
 /** @typedef {Mesh<BufferGeometry, MeshStandardMaterial>} Surface */
 /** The same triangles several times: as the file has them, as lines, and coloured when asked for.
- * @typedef {{ surface: Surface, own: import('three').Material | null, wire: Mesh,
+ * @typedef {{ surface: Surface, own: import('three').Material | null, lines: Mesh,
  *   colored: Partial<Record<Shading, Mesh>> }} Part */
+
+/** A scene and what must be known of it. front: where it is open, if it is.
+ * @typedef {{ scene: import('three').Group, bounds: import('three').Box3,
+ *   front: import('three').Vector3 | null }} Prepared */
 
 /** Pushes surfaces back a little, so that lines on them are drawn whole. */
 const behindLines = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
+// What all models are shown with: no model takes along what the card compiled for it.
+const normals = new MeshNormalMaterial({ side: DoubleSide, ...behindLines });
+const painted = new MeshStandardMaterial({ roughness: 0.85, metalness: 0, side: DoubleSide,
+  vertexColors: true, ...behindLines });
+const paintedFlat = new MeshStandardMaterial({ roughness: 0.85, metalness: 0, side: DoubleSide,
+  vertexColors: true, flatShading: true, ...behindLines });
+const wire = new MeshBasicMaterial({
+  wireframe: true, transparent: true, depthWrite: false, color: 0x0b1f22,
+});
+/** @type {Map<string, { clay: MeshStandardMaterial, flat: MeshStandardMaterial }>} */
+const clays = new Map();
+
+/** @param {string} color */
+function clayOf(color) {
+  const look = { color, roughness: 0.62, metalness: 0, side: DoubleSide, ...behindLines };
+  const made = clays.get(color) ?? { clay: new MeshStandardMaterial(look),
+    flat: new MeshStandardMaterial({ ...look, flatShading: true }) };
+  clays.set(color, made);
+  return made;
+}
 
 /** Whether a file gave the surface a look of its own; else clay shows the shape better.
  * @param {Surface} surface */
@@ -58,6 +81,7 @@ function recolored(geometry) {
   }
   copy.setIndex(geometry.index);
   copy.morphAttributes = geometry.morphAttributes;
+  copy.boundingSphere = geometry.boundingSphere;
   const { count } = geometry.attributes.position;
   return copy.setAttribute('color', new BufferAttribute(new Float32Array(3 * count).fill(1), 3));
 }
@@ -69,37 +93,26 @@ export class ModelView {
   /** @type {Part[]} */
   #parts;
   #clay;
-  #flat;
-  #normals = new MeshNormalMaterial({ side: DoubleSide, ...behindLines });
-  #painted = new MeshStandardMaterial({ roughness: 0.85, metalness: 0, side: DoubleSide,
-    vertexColors: true, ...behindLines });
-  #wire = new MeshBasicMaterial({
-    wireframe: true, transparent: true, depthWrite: false, color: 0x0b1f22,
-  });
 
-  /** @param {import('three').Group} scene as loaded @param {string} color of the clay
+  /** @param {Prepared} prepared @param {string} color of the clay
    * @param {import('./thinning.js').Thinned | null} thinned */
-  constructor(scene, color, thinned) {
+  constructor({ scene, bounds, front }, color, thinned) {
     this.thinned = thinned;
-    const clay = { color, roughness: 0.62, metalness: 0, side: DoubleSide, ...behindLines };
-    this.#clay = new MeshStandardMaterial(clay);
-    this.#flat = new MeshStandardMaterial({ ...clay, flatShading: true });
+    this.#clay = clayOf(color);
     this.group = scene;
-    scene.updateMatrixWorld(true);
-    this.bounds = new Box3().setFromObject(scene);
+    this.bounds = bounds;
+    this.front = front;
     this.#parts = surfacesOf(scene).map((surface) => this.#prepare(surface));
     this.isTextured = this.#parts.some(({ own }) => own);
     this.edgeLength = this.#typicalEdgeLength();
-    this.front = openSide(this.#surfaces);
   }
 
   /** @param {Surface} surface @returns {Part} */
   #prepare(surface) {
-    surface.geometry = withNormals(surface.geometry);
     const own = hasOwnLook(surface) ? Object.assign(surface.material, behindLines) : null;
-    const wire = companion(surface, surface.geometry, this.#wire);
-    wire.renderOrder = 1;
-    return { surface, own, wire, colored: {} };
+    const lines = companion(surface, surface.geometry, wire);
+    lines.renderOrder = 1;
+    return { surface, own, lines, colored: {} };
   }
 
   get #surfaces() {
@@ -124,9 +137,7 @@ export class ModelView {
     const { geometry } = surface;
     const corners = geometry.index ? geometry.toNonIndexed() : geometry.clone();
     colorByAngle(corners);
-    const material = this.#painted.clone();
-    material.flatShading = true;
-    return companion(surface, corners, material);
+    return companion(surface, corners, paintedFlat);
   }
 
   /** Colours the vertices, in the order of the soup.
@@ -137,7 +148,7 @@ export class ModelView {
     let vertex = 0;
     for (const part of this.#parts) {
       part.colored[shading] ??=
-        companion(part.surface, recolored(part.surface.geometry), this.#painted);
+        companion(part.surface, recolored(part.surface.geometry), painted);
       const attribute = part.colored[shading].geometry.getAttribute('color');
       for (let i = 0; i < attribute.count; ++i) {
         paint(vertex++, color);
@@ -150,7 +161,7 @@ export class ModelView {
   /** What cannot be shown, colours that are not known or materials that are not there, is shown
    * plain. @param {Shading} shading */
   setShading(shading) {
-    const materials = { flat: this.#flat, normals: this.#normals };
+    const materials = { flat: this.#clay.flat, normals };
     for (const part of this.#parts) {
       const { surface, colored, own } = part;
       // Those of a part that stands for the whole would be no triangle's.
@@ -158,27 +169,25 @@ export class ModelView {
       surface.visible = !colored[shading];
       for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
       surface.material = /** @type {MeshStandardMaterial} */ (shading === 'textured' && own
-        || materials[/** @type {'flat'} */ (shading)] || this.#clay);
+        || materials[/** @type {'flat'} */ (shading)] || this.#clay.clay);
     }
   }
 
   /** @param {boolean} isVisible */
   setWireframe(isVisible) {
-    for (const { wire } of this.#parts) wire.visible = isVisible;
+    for (const { lines } of this.#parts) lines.visible = isVisible;
   }
 
-  /** @param {number} pixels the length of a typical edge on the screen */
+  /** For the picture that comes next. @param {number} pixels the length of a typical edge there */
   setEdgePixels(pixels) {
-    this.#wire.opacity = 0.5 * Math.min(1, Math.max(0.06, (pixels - 1) / 11));
+    wire.opacity = 0.5 * Math.min(1, Math.max(0.06, (pixels - 1) / 11));
   }
 
   dispose() {
-    const owns = this.#parts.map(({ own }) => own);
     for (const mesh of surfacesOf(this.group)) mesh.geometry.dispose();
-    for (const material of [this.#clay, this.#flat, this.#normals, this.#painted, this.#wire,
-      ...owns]) {
-      for (const value of Object.values(material ?? {})) if (value?.isTexture) value.dispose();
-      material?.dispose();
+    for (const { own } of this.#parts) {
+      for (const value of Object.values(own ?? {})) if (value?.isTexture) value.dispose();
+      own?.dispose();
     }
   }
 }

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: MIT
 // Normals for a geometry that came without: smooth over bends, broken at creases, so that a cube
 // looks like a cube and a sphere like a sphere.
-import { BufferAttribute, Vector3 } from 'three';
+import { BufferAttribute } from 'three';
+import { breath } from '../base/breath.js';
+import { positionsOf } from './positions.js';
 
 /** @typedef {import('three').BufferGeometry} BufferGeometry */
+/** faces: area-weighted normals, three numbers a face; sizes: their lengths; list: the corners of
+ * vertex v from start[v] to start[v + 1]; normals: three numbers a corner, found one by one.
+ * @typedef {{ corners: ArrayLike<number>, faces: Float32Array, sizes: Float32Array,
+ *   start: Uint32Array, list: Uint32Array, normals: Float32Array }} Work */
 
 const creaseCosine = Math.cos(40 * Math.PI / 180);
+/** Corners between two breaths. */
+const portion = 60_000;
 
-/** Area-weighted face normals, three numbers a face.
- * @param {import('three').BufferAttribute | import('three').InterleavedBufferAttribute} position
- * @param {ArrayLike<number>} corners */
-function faceNormals(position, corners) {
-  const normals = new Float32Array(corners.length);
-  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+/** @param {Float32Array} p three a vertex @param {ArrayLike<number>} corners */
+function faceNormals(p, corners) {
+  const faces = new Float32Array(corners.length);
+  const sizes = new Float32Array(corners.length / 3);
   for (let f = 0; f < corners.length; f += 3) {
-    a.fromBufferAttribute(position, corners[f]);
-    b.fromBufferAttribute(position, corners[f + 1]).sub(a);
-    c.fromBufferAttribute(position, corners[f + 2]).sub(a);
-    b.cross(c).toArray(normals, f);
+    const [a, b, c] = [3 * corners[f], 3 * corners[f + 1], 3 * corners[f + 2]];
+    const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+    faces[f] = uy * vz - uz * vy;
+    faces[f + 1] = uz * vx - ux * vz;
+    faces[f + 2] = ux * vy - uy * vx;
+    sizes[f / 3] = Math.hypot(faces[f], faces[f + 1], faces[f + 2]);
   }
-  return normals;
+  return { faces, sizes };
 }
 
 /** The corners around each vertex, as one list with offsets.
@@ -34,46 +43,62 @@ function cornersByVertex(corners, vertices) {
   return { start, list };
 }
 
-/** A corner's normal: the faces around its vertex that do not bend away from its own by a crease.
- * @param {Uint32Array} around @param {number} corner @param {Float32Array} normals */
-function cornerNormal(around, corner, normals) {
-  const own = new Vector3().fromArray(normals, corner - corner % 3);
-  const sum = own.clone(), other = new Vector3();
-  let isCrease = false;
-  for (const neighbor of around) {
-    other.fromArray(normals, neighbor - neighbor % 3);
-    const cosine = own.dot(other) / (own.length() * other.length() || 1);
-    if (neighbor === corner) continue;
-    if (cosine >= creaseCosine) sum.add(other);
-    else isCrease = true;
+/** The normals of some corners: each of the faces around its vertex that do not bend away from its
+ * own by a crease. @param {Work} work @param {number} first @param {number} end
+ * @returns {boolean} whether there are creases */
+function smooth({ corners, faces, sizes, start, list, normals }, first, end) {
+  let hasCreases = false;
+  for (let corner = first; corner < end; ++corner) {
+    const own = corner - corner % 3, vertex = corners[corner];
+    let x = faces[own], y = faces[own + 1], z = faces[own + 2];
+    for (let k = start[vertex]; k < start[vertex + 1]; ++k) {
+      const other = list[k] - list[k] % 3;
+      if (list[k] === corner) continue;
+      const dot = faces[own] * faces[other] + faces[own + 1] * faces[other + 1]
+        + faces[own + 2] * faces[other + 2];
+      const isCrease = dot < creaseCosine * sizes[own / 3] * sizes[other / 3];
+      hasCreases ||= isCrease;
+      if (isCrease) continue;
+      x += faces[other];
+      y += faces[other + 1];
+      z += faces[other + 2];
+    }
+    const length = Math.hypot(x, y, z) || 1;
+    normals.set([x / length, y / length, z / length], 3 * corner);
   }
-  return { normal: sum.normalize(), isCrease };
+  return hasCreases;
 }
 
-/** Returns the geometry itself with normals, or, where it has creases, one with a vertex a corner.
- * @param {BufferGeometry} geometry @returns {BufferGeometry} */
-export function withNormals(geometry) {
+/** One normal a vertex, where all its corners have the same. @param {Work} work
+ * @param {number} vertices */
+function perVertex({ start, list, normals }, vertices) {
+  const result = new Float32Array(3 * vertices);
+  for (let v = 0; v < vertices; ++v) {
+    if (start[v] === start[v + 1]) continue;
+    const at = 3 * list[start[v]];
+    for (let k = 0; k < 3; ++k) result[3 * v + k] = normals[at + k];
+  }
+  return result;
+}
+
+/** The geometry itself with normals, or, where it has creases, one with a vertex a corner.
+ * @param {BufferGeometry} geometry @returns {Promise<BufferGeometry>} */
+export async function withNormals(geometry) {
   if (geometry.getAttribute('normal') || !geometry.index) {
     if (!geometry.getAttribute('normal')) geometry.computeVertexNormals();
     return geometry;
   }
-  const position = geometry.getAttribute('position');
   const corners = geometry.index.array;
-  const normals = faceNormals(position, corners);
-  const { start, list } = cornersByVertex(corners, position.count);
-  const result = new Float32Array(3 * corners.length);
+  const { count } = geometry.attributes.position;
+  const work = { corners, normals: new Float32Array(3 * corners.length),
+    ...faceNormals(positionsOf(geometry), corners), ...cornersByVertex(corners, count) };
   let hasCreases = false;
-  for (let corner = 0; corner < corners.length; ++corner) {
-    const around = list.subarray(start[corners[corner]], start[corners[corner] + 1]);
-    const { normal, isCrease } = cornerNormal(around, corner, normals);
-    normal.toArray(result, 3 * corner);
-    hasCreases ||= isCrease;
+  for (let first = 0; first < corners.length; first += portion) {
+    await breath();
+    hasCreases = smooth(work, first, Math.min(corners.length, first + portion)) || hasCreases;
   }
-  if (!hasCreases) {
-    geometry.computeVertexNormals();
-    return geometry;
-  }
-  const split = geometry.toNonIndexed();
-  split.setAttribute('normal', new BufferAttribute(result, 3));
-  return split;
+  await breath();
+  const result = hasCreases ? geometry.toNonIndexed() : geometry;
+  const normals = hasCreases ? work.normals : perVertex(work, count);
+  return result.setAttribute('normal', new BufferAttribute(normals, 3));
 }

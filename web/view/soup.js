@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT
 // All triangles of a scene in the world, as two arrays that can travel to a worker.
-import { Vector3 } from 'three';
+import { positionsOf } from './positions.js';
 import { allCorners, cornerCount } from './thinning.js';
 
 /** Three coordinates a vertex, three vertices a triangle.
  * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
+
+/** Points where a matrix moves them. @param {Float32Array} from @param {Float32Array} to
+ * @param {number[]} matrix three.js's sixteen numbers, of which the last row says nothing */
+function move(from, to, [a, b, c, , d, e, f, , g, h, i, , x, y, z]) {
+  for (let k = 0; k < from.length; k += 3) {
+    const [u, v, w] = [from[k], from[k + 1], from[k + 2]];
+    to[k] = a * u + d * v + g * w + x;
+    to[k + 1] = b * u + e * v + h * w + y;
+    to[k + 2] = c * u + f * v + i * w + z;
+  }
+}
 
 /** @param {import('three').Mesh[]} meshes @returns {Soup} */
 export function soupOf(meshes) {
@@ -14,16 +25,15 @@ export function soupOf(meshes) {
     counts.reduce((total, count) => total + count[key], 0);
   const positions = new Float32Array(3 * sum('vertices'));
   const indices = new Uint32Array(sum('corners'));
-  const point = new Vector3();
   let vertex = 0, corner = 0;
   for (const [i, { geometry, matrixWorld }] of meshes.entries()) {
-    const { position } = geometry.attributes;
+    const { vertices, corners } = counts[i];
     const own = allCorners(geometry);
-    for (let k = 0; k < counts[i].corners; ++k) indices[corner++] = vertex + (own ? own[k] : k);
-    for (let k = 0; k < counts[i].vertices; ++k) {
-      point.fromBufferAttribute(position, k).applyMatrix4(matrixWorld);
-      point.toArray(positions, 3 * vertex++);
-    }
+    for (let k = 0; k < corners; ++k) indices[corner + k] = vertex + (own ? own[k] : k);
+    move(positionsOf(geometry), positions.subarray(3 * vertex, 3 * (vertex + vertices)),
+      matrixWorld.elements);
+    vertex += vertices;
+    corner += corners;
   }
   return { positions, indices };
 }

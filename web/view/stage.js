@@ -6,6 +6,7 @@ import { byId } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { surfacesOf } from './model_view.js';
+import { prepare } from './preparation.js';
 import { loadScene } from './scene_loader.js';
 import { thin } from './thinning.js';
 import { Viewer } from './viewer.js';
@@ -31,6 +32,8 @@ export class Stage {
   #wireframe = byId('wireframe', HTMLButtonElement);
   /** Wires suit bare shapes and hide textures, until the visitor says otherwise. */
   #chosenWireframe = /** @type {boolean | null} */ (null);
+  /** What was asked for later is shown, though it was ready sooner. @type {Record<Side, number>} */
+  #turns = { original: 0, baseline: 0, result: 0 };
   /** @type {import('./viewer.js').Compare} */
   #compare = 'side';
   /** @type {Shading} */
@@ -158,9 +161,12 @@ export class Stage {
   /** @param {Side} side @param {{ bytes: Uint8Array, resources: NamedBytes[] }} gltf */
   async show(side, { bytes, resources }) {
     if (!this.viewer) return;
+    const turn = ++this.#turns[side];
     const scene = await loadScene(bytes, resources);
     const thinned = await thin(surfacesOf(scene).map(({ geometry }) => geometry));
-    this.viewer.show(side, scene, thinned);
+    const prepared = await prepare(scene);
+    if (turn !== this.#turns[side]) return;
+    this.viewer.show(side, prepared, thinned);
     this.#root.classList.toggle(`has-${side}`, true);
     this.#tellThinned();
     if (side === 'original') this.#suit(this.viewer.isTextured);
@@ -216,6 +222,7 @@ export class Stage {
 
   /** @param {Side} side */
   clear(side) {
+    ++this.#turns[side];
     this.viewer?.show(side, null);
     this.#root.classList.toggle(`has-${side}`, false);
     this.#tellThinned();

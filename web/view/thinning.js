@@ -2,6 +2,7 @@
 // Of a very large model a part of the triangles is drawn, spread evenly over the surface: more than
 // that no screen shows. All vertices stay, and whoever asks for the surface gets all its triangles.
 import { BufferAttribute } from 'three';
+import { positionsOf } from './positions.js';
 
 /** @typedef {import('three').BufferGeometry} BufferGeometry */
 /** How many triangles are drawn, of how many.
@@ -20,15 +21,6 @@ export const cornerCount = (geometry) =>
 /** @param {BufferGeometry} geometry @returns {Uint32Array} */
 const cornersOf = (geometry) => (geometry.index ? Uint32Array.from(geometry.index.array)
   : Uint32Array.from({ length: cornerCount(geometry) }, (_, i) => i));
-
-/** @param {BufferGeometry} geometry @returns {Float32Array} three a vertex */
-function positionsOf({ attributes: { position } }) {
-  const positions = new Float32Array(3 * position.count);
-  for (let i = 0; i < position.count; ++i) {
-    positions.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
-  }
-  return positions;
-}
 
 /** @param {BufferGeometry} geometry @param {number} share of its triangles
  * @param {typeof import('meshoptimizer/simplifier').MeshoptSimplifier} simplifier */

@@ -49,6 +49,7 @@ export class Viewer {
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.setScissorTest(true);
     this.#renderer.info.autoReset = false;
+    this.#renderer.debug.checkShaderErrors = false;  // asking makes the page wait for the card
     this.eye = new Eye(canvas, () => this.draw());
     this.#light();
     canvas.addEventListener('webglcontextrestored', () => this.#restore());
@@ -187,16 +188,16 @@ export class Viewer {
   }
 
   /** Shows a model on its side, or nothing there; the eye moves only for a new original.
-   * @param {Side} side @param {import('three').Group | null} group
+   * @param {Side} side @param {import('./model_view.js').Prepared | null} prepared
    * @param {import('./thinning.js').Thinned | null} [thinned] if not all its triangles are there */
-  show(side, group, thinned = null) {
+  show(side, prepared, thinned = null) {
     const old = this.#views[side];
     if (old) {
       this.#scene.remove(old.group);
       old.dispose();
       this.overlays[side].clear();
     }
-    const view = group && new ModelView(group, clayColors[side], thinned);
+    const view = prepared && new ModelView(prepared, clayColors[side], thinned);
     this.#views[side] = view;
     if (view) {
       view.setShading(this.#shading);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What must be known of a scene before it is shown, found in portions between which the page
+// answers.
+import { Box3, Sphere } from 'three';
+import { breath } from '../base/breath.js';
+import { openSide } from './facing.js';
+import { surfacesOf } from './model_view.js';
+import { withNormals } from './normals.js';
+import { soupOf } from './soup.js';
+
+/** @param {import('three').Group} scene as loaded
+ * @returns {Promise<import('./model_view.js').Prepared>} */
+export async function prepare(scene) {
+  const surfaces = surfacesOf(scene);
+  scene.updateMatrixWorld(true);
+  const shaded = new Map();  // a geometry can be shown in several places
+  for (const surface of surfaces) {
+    const { geometry } = surface;
+    if (!shaded.has(geometry)) shaded.set(geometry, await withNormals(geometry));
+    surface.geometry = shaded.get(geometry);
+  }
+  await breath();
+  const bounds = new Box3().setFromObject(scene);
+  for (const { geometry } of surfaces) {
+    // Good enough to tell what is in view, and known already.
+    geometry.boundingSphere ??= geometry.boundingBox?.getBoundingSphere(new Sphere()) ?? null;
+  }
+  await breath();
+  return { scene, bounds, front: openSide(soupOf(surfaces)) };
+}
