@@ -17,6 +17,9 @@ constexpr double kFewAround = 8;
 // Tips are a few vertices most of whose edges are so much longer than most of the surface's.
 constexpr double kFar = 4;
 constexpr std::size_t kMostTips = 16;
+// An outline may come to a point as slender as that: on a boundary a spike is so many times as long
+// as all the rest is wide.
+constexpr double kWild = 10;
 // Where more than half of the vertices belong to spikes, before or after, they are what the surface
 // is.
 constexpr double kMostOfAll = 2;
@@ -66,10 +69,12 @@ class Search {
     const double usual = median(lengths);
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (!mesh_.isAlive(v) || mesh_.isBoundary(v)) continue;
+      if (!mesh_.isAlive(v)) continue;
       lengths.clear();
       mesh_.forEachNeighbor(v, [&](Vertex w) { lengths.push_back(distance(v, w)); });
-      isFar_[v] = median(lengths) > kFar * usual;
+      isFar_[v] = (mesh_.isBoundary(v) ? *std::min_element(lengths.begin(), lengths.end())
+                                       : median(lengths)) > kFar * usual;
+      if (!isFar_[v]) rest_.extend(positions_[v]);
     }
   }
 
@@ -99,7 +104,11 @@ class Search {
         if (!isTip(a)) shortest = std::min(shortest, distance(v, a));
         if (!isTip(a) && !isTip(b)) around += distance(a, b);
       });
-    return shortest > kSlender * around && around < kFewAround * rules_.size ? shortest : 0;
+    const bool isOutline =
+        std::any_of(tips.begin(), tips.end(), [&](Vertex v) { return mesh_.isBoundary(v); });
+    const double least =
+        isOutline ? kWild * (rest_.max() - rest_.min()).maxCoeff() : kSlender * around;
+    return shortest > least && around < kFewAround * rules_.size ? shortest : 0;
   }
 
   void findCorners(Spikes& spikes) const {
@@ -127,6 +136,7 @@ class Search {
   const VertexData<Vec3>& positions_;
   const SpikeRules rules_;
   VertexData<char> isFar_;
+  Eigen::AlignedBox3d rest_;  // of what is not far
   double whole_ = 0;
 };
 

@@ -50,6 +50,20 @@ TEST_CASE("spikes: one far vertex is one, its length the way out, its skin not c
   }
 }
 
+TEST_CASE("spikes: on a boundary only what is far beyond all else is one") {
+  for (const double out : {3.0, 9.0, 20.0, 1e30}) {
+    CAPTURE(out);
+    TriangleMesh sheet = shapes::grid(10, 10);
+    for (Vec3& p : sheet.positions)
+      if (p == Vec3(10, 5, 0)) p.x() = 10 * out;
+    const Spikes spikes = spikesOf(sheet);
+    CHECK(spikes.count == (out > 11 ? 1 : 0));
+    if (spikes.empty()) continue;
+    CHECK(spikes.lengths[spikes.longest] == doctest::Approx(10 * out - 10).epsilon(0.02));
+    CHECK(spikes.restOfArea == doctest::Approx(97).epsilon(0.02));
+  }
+}
+
 TEST_CASE("spikes: none where they would take most of the vertices") {
   const BuiltMesh built = buildMesh(shapes::spikedSphere(12, 100));
   CHECK(findSpikes(built.mesh, built.positions, {0.2, 12}).empty());
