@@ -43,7 +43,14 @@ test('a broken law is noticed', async () => {
 
 const [first, last] = [179, 239];
 
-for (let seed = first; seed <= last; seed += 1) {
+/** Cases that broke a law once, one of each kind. */
+const found = [
+  202327, // joints whose weights are too small for a number
+  209975, // colours beyond 1, read where nothing checks them
+];
+
+const seeds = [...found, ...Array.from({ length: last - first + 1 }, (_, i) => first + i)];
+for (const seed of seeds) {
   const input = makeCase(seed);
   test(`case ${seed}: ${input.description}`, async () => {
     const { broken } = await runCase(input, { repeats: seed % 8 === 0 });

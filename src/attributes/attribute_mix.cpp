@@ -78,7 +78,7 @@ void AttributeMix::appendTangent(std::size_t a, const Corners& corners, const Ve
 }
 
 // Weight per joint over the three corners; the strongest four, scaled to sum to one. The first set
-// holds them and further sets are zero.
+// holds them and further sets are zero, as are joints whose weight is too small for a number.
 void AttributeMix::appendSkin(const Corners& corners, std::vector<Attribute>& values) const {
   std::vector<std::pair<float, double>> influences;
   for (const SkinSet& set : skin_)
@@ -104,8 +104,9 @@ void AttributeMix::appendSkin(const Corners& corners, std::vector<Attribute>& va
   for (std::size_t n = 0; n < skin_.size(); ++n)
     for (std::size_t k = 0; k < kInfluences; ++k) {
       const bool held = n == 0 && sum > 0;
-      values[skin_[n].joints].values.push_back(held ? influences[k].first : 0.0F);
-      values[skin_[n].weights].values.push_back(held ? float(influences[k].second / sum) : 0.0F);
+      const float weight = held ? float(influences[k].second / sum) : 0.0F;
+      values[skin_[n].joints].values.push_back(weight > 0 ? influences[k].first : 0.0F);
+      values[skin_[n].weights].values.push_back(weight);
     }
 }
 

@@ -23,6 +23,7 @@ class PoolEncoder {
   void encodePositions();
   void encodeAttribute(const std::string& semantic);
   void encodeWeights();
+  void releaseJoints(const std::string& number, const Table& before, const Table& after);
   Table tableOf(const Attribute& attribute, int width) const;
   void add(const std::string& semantic, const Table& table, const Encoding& encoding);
 
@@ -109,10 +110,19 @@ void PoolEncoder::encodeAttribute(const std::string& semantic) {
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
   Table table = tableOf(*attribute, encoding.components);
   if (semantic == "NORMAL" || semantic == "TANGENT") makeUnitLength(table);
-  // Other formats have colours of any size.
-  if (document_ == nullptr && semantic.starts_with("COLOR_"))
+  // Other formats have colours of any size, and so have broken files.
+  if (semantic.starts_with("COLOR_"))
     for (float& value : table.values) value = std::clamp(value, 0.0F, 1.0F);
   add(semantic, table, encoding);
+}
+
+// Shares of one are floating point or parts of the largest integer, whatever a broken file has.
+Encoding fitForWeights(Encoding encoding) {
+  const bool isInteger = encoding.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                         encoding.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  encoding.normalized = isInteger;
+  if (!isInteger) encoding.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
+  return encoding;
 }
 
 void PoolEncoder::encodeWeights() {
@@ -123,12 +133,30 @@ void PoolEncoder::encodeWeights() {
     const Attribute* const attribute = findAttribute(mesh_, semantic);
     if (attribute == nullptr || !semantic.starts_with("WEIGHTS_")) continue;
     semantics.push_back(semantic);
-    encodings.push_back(encodingOf(semantic, attribute->itemSize));
+    encodings.push_back(fitForWeights(encodingOf(semantic, attribute->itemSize)));
     sets.push_back(tableOf(*attribute, encodings.back().components));
   }
   if (sets.empty()) return;
+  const std::vector<Table> before = sets;
   normalizeWeights(sets, encodings[0].componentType);
-  for (std::size_t i = 0; i < sets.size(); ++i) add(semantics[i], sets[i], encodings[i]);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    add(semantics[i], sets[i], encodings[i]);
+    releaseJoints(semantics[i].substr(semantics[i].find('_')), before[i], sets[i]);
+  }
+}
+
+// A joint whose weight has been rounded to nothing is none.
+void PoolEncoder::releaseJoints(const std::string& number, const Table& before,
+                                const Table& after) {
+  const std::string semantic = "JOINTS" + number;
+  const Attribute* const attribute = findAttribute(mesh_, semantic);
+  if (attribute == nullptr || pool_.accessors.count(semantic) == 0) return;
+  const Encoding encoding = encodingOf(semantic, attribute->itemSize);
+  Table joints = tableOf(*attribute, encoding.components);
+  if (joints.width != after.width) return;
+  for (std::size_t i = 0; i < joints.values.size(); ++i)
+    if (before.values[i] > 0 && after.values[i] == 0) joints.values[i] = 0;
+  add(semantic, joints, encoding);
 }
 
 EncodedPool PoolEncoder::encode() {

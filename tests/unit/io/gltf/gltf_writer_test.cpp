@@ -221,6 +221,19 @@ TEST_CASE("gltf: rounded weights still sum to one") {
                                                 0.0F)) == 255);
 }
 
+TEST_CASE("gltf: a joint whose weight is rounded to nothing is none") {
+  io::Model model = io::read(squareOfAllKinds().glb());
+  replaceMesh(model.parts[0]);
+  for (Attribute& attribute : model.parts[0].mesh.attributes)
+    if (attribute.semantic == "WEIGHTS_0")
+      for (std::size_t i = 0; i < 16; ++i) attribute.values[i] = i % 4 == 1 ? 1e-3F : 0.333F;
+  const io::Model again = io::read(io::write(model, "out.glb").files[0]);
+  const TriangleMesh& mesh = again.parts[0].mesh;
+  CHECK(findAttribute(mesh, "WEIGHTS_0")->values[1] == 0);
+  CHECK(findAttribute(mesh, "JOINTS_0")->values ==
+        std::vector<float>{0, 0, 2, 3, 0, 0, 2, 3, 0, 0, 2, 3, 0, 0, 2, 3});
+}
+
 TEST_CASE("gltf: quantised positions go back to integers only where these are fine enough") {
   const auto componentType = [](std::uint16_t size) {
     GltfMaker maker;
