@@ -25,7 +25,7 @@ constexpr int kTries = 3;  // per triangle and round of topological changes
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
 // few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
 // vain.
-constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 20;
+constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 19;
 // Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
 // pieces to each of the mesh, of needles as many as there are places to try.
 constexpr std::size_t kMostPieces = 2000, kLeastPieces = 1 << 16;

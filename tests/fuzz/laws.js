@@ -11,6 +11,7 @@ import { runCase } from './run_case.js';
 
 const longestRun = 60; // seconds of the processor
 const everyRepeated = 8;
+const timedAgain = 8;
 
 /** A signal that aborts when the process has worked for so long; `stop` ends the watch. */
 function watch() {
@@ -28,7 +29,7 @@ function watch() {
 
 /** @typedef {{ seed: number, size: number, seconds: number }} Timing */
 
-/** The case that took longest beside others of its size. @param {Timing[]} timings */
+/** The cases that took longest beside others of their size. @param {Timing[]} timings */
 function slowest(timings) {
   const classOf = (/** @type {number} */ size) => Math.floor(Math.log2(size));
   /** @type {Map<number, number[]>} */
@@ -41,7 +42,15 @@ function slowest(timings) {
   const medians = new Map([...bySize].map(([key, list]) => [key, median(list)]));
   return timings.map((timing) =>
     ({ ...timing, ratio: timing.seconds / medians.get(classOf(timing.size)) }))
-    .sort((a, b) => b.ratio - a.ratio)[0];
+    .sort((a, b) => b.ratio - a.ratio).slice(0, timedAgain);
+}
+
+/** Once more: at first the engine's compilers may have been at work. @param {Timing} timing */
+async function timeAgain({ seed, size, seconds }) {
+  const { signal, seconds: again, stop } = watch();
+  await runCase(makeCase(seed), { how: { signal } });
+  stop();
+  return { seed, size, seconds: Math.min(seconds, again()) };
 }
 
 /** @param {number} seed */
@@ -73,7 +82,12 @@ async function runLaws() {
   for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
   const failures = outcomes.filter(({ broken }) => broken.length > 0).length;
   console.log(`${count} cases, ${failures} break a law; ${JSON.stringify(codes)}`);
-  const worst = slowest(outcomes.filter(({ size }) => size > 0));
+  const timed = outcomes.filter(({ size }) => size > 0);
+  for (const { seed } of slowest(timed)) {
+    const at = timed.findIndex((timing) => timing.seed === seed);
+    timed[at] = await timeAgain(timed[at]);
+  }
+  const [worst] = slowest(timed);
   if (worst) {
     console.log(`slowest for its size: ${worst.seed}, ${worst.size} vertices, `
       + `${worst.seconds.toFixed(2)} s, ${worst.ratio.toFixed(1)} × the median`);
