@@ -89,18 +89,39 @@ Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const Fi
   return Verdict::Accepted;
 }
 
-// Whether two corners of a coming triangle would be at one place: projections of different points
-// may end in one corner of the original. In a file both would be one vertex, and sheets grown
-// together.
-bool merges(const WorkingMesh& mesh, const LocalChange& change) {
-  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
-  return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& t) {
-    const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
-    return a == b || b == c || c == a;
-  });
+// A little more than what is measured as a line, whichever corner it is measured from.
+constexpr double kLine = 2 * kFlattest;
+
+Vec3 written(const Vec3& p, double grain) {
+  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
+}
+
+bool isLine(const Vec3& a, const Vec3& b, const Vec3& c, double grain) {
+  // Far above all rounding; the third edge is no longer than the other two together.
+  constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
+  const double longest = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
+  const double plain = longest * (kPlain * longest + kPlainGrains * grain * grain);
+  if (areaVector(a, b, c).squaredNorm() > plain) return false;
+  return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
 }
 
 }  // namespace
+
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain) {
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
+  std::ptrdiff_t coming = 0;
+  for (const auto& t : change.coming) {
+    const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
+    if (!isLine(a, b, c, grain)) continue;
+    if (a == b || b == c || c == a) return true;
+    ++coming;
+  }
+  return coming > 0 &&
+         coming > std::count_if(change.going.begin(), change.going.end(), [&](Face f) {
+           const auto [a, b, c] = mesh.corners(f);
+           return isLine(a, b, c, grain);
+         });
+}
 
 FidelityRule fidelityRule(const RemeshOptions& options) {
   const Fidelity byScheme = options.scheme == Scheme::Rounds ? Fidelity::Loose : Fidelity::Fold;
@@ -109,7 +130,7 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
 }
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
-  if (merges(mesh, change)) return Verdict::FoldsOver;
+  if (flattens(mesh, change, rule.grain)) return Verdict::FoldsOver;
   const Verdict byNormals = rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
                                                         : judgeAngles(mesh, change, rule);
   if (byNormals != Verdict::Accepted || !rule.bound) return byNormals;

@@ -8,6 +8,8 @@
 //   fold    every  N_i·N_T > fold, or the worst of them is no worse than it was before: than the
 //           worst of the triangles that the operation replaces
 //
+// Besides, no mode lets through more triangles without area than there are.
+//
 // With angles below 90° no triangle that turns over passes strict or loose.
 #pragma once
 
@@ -30,10 +32,16 @@ struct FidelityRule {
   double cosVertexAngle = 0;
   double cosTriangleAngle = 0;
   double fold = kFold;                // smallest N_i·N_T that is not a fold
+  double grain = 0;                   // by which writing in single precision moves a coordinate
   const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
 };
 
 FidelityRule fidelityRule(const RemeshOptions& options);
+
+// Whether more triangles would be lines, in the numbers that are written, than are; or one have two
+// corners at one place, which in a file would be one vertex, and sheets grown together. Projections
+// of different points may end in one corner of the original, or on one edge.
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain);
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule);
 

@@ -13,6 +13,12 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? Vec3(n / length) : Vec3::Zero();
 }
 
+double flatness(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return longest > 0 ? areaVector(a, b, c).norm() / longest : 0;
+}
+
 std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double twiceArea = areaVector(a, b, c).norm();
   return {angleOf(twiceArea, (b - a).dot(c - a)), angleOf(twiceArea, (c - b).dot(a - b)),

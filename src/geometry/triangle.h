@@ -19,6 +19,11 @@ inline double area(const Vec3& a, const Vec3& b, const Vec3& c) {
 // The unit normal; zero for a triangle without area.
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);
 
+// Twice the area over the longest edge squared: 0.87 at most, and of a line 0.
+double flatness(const Vec3& a, const Vec3& b, const Vec3& c);
+// Up to this flatness a triangle is a line: a few hundred roundings of double.
+inline constexpr double kFlattest = 1e-13;
+
 // The angles at a, b and c. A triangle without area has angles 0 and π.
 std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c);
 double minAngle(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -13,9 +13,6 @@ namespace remesher {
 
 namespace {
 
-// Twice the area over the longest edge squared, below which a triangle is a line: a few hundred
-// roundings of double.
-constexpr double kFlattest = 1e-13;
 // How far beyond 180° two opposite angles may go by rounding (radians).
 constexpr double kAngleRounding = 1e-7;
 
@@ -78,12 +75,6 @@ void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
     report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
 }
 
-bool isDegenerate(const Triangle& t) {
-  const double longest = std::max(
-      {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
-  return areaVector(t[0], t[1], t[2]).norm() <= kFlattest * longest;
-}
-
 void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   const std::size_t n = mesh.triangleCount();
   if (n == 0) return;
@@ -91,7 +82,7 @@ void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   double sum = 0, worst = std::numbers::pi, largest = 0;
   for (std::size_t t = 0; t < n; ++t) {
     const Triangle corners = cornersOf(mesh, t);
-    report.degenerateTriangles += isDegenerate(corners);
+    report.degenerateTriangles += flatness(corners[0], corners[1], corners[2]) <= kFlattest;
     const double smallest = minAngle(corners[0], corners[1], corners[2]);
     worst = std::min(worst, smallest);
     largest = std::max(largest, maxAngle(corners[0], corners[1], corners[2]));

@@ -33,6 +33,20 @@ struct Remeshed {
   Stopped stopped;
 };
 
+// What of the input decides how the mesh is treated.
+struct Manner {
+  double stagger;  // see Run
+  double grain;    // see FidelityRule
+};
+
+Manner mannerFor(const TriangleMesh& input) {
+  constexpr double kHalfUlp = 0x1p-24;
+  double farthest = 0;
+  if (input.isSingle)
+    for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return {input.attributes.empty() ? 0 : kStagger, kHalfUlp * farthest};
+}
+
 bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,
                const Progress& progress) {
   if (options.scheme == Scheme::Rounds) {
@@ -71,7 +85,8 @@ bool matchPositions(Run& run, std::size_t vertices) {
   for (int i = 0; i < kTries; ++i) {
     const std::size_t now = distinctPositions(run.mesh);
     if (now == vertices) return true;
-    if (!matchCount(run, run.mesh.mesh().vertexCount() + vertices - now)) return false;
+    const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
+    if (!matchCount(run, aim) && !fillUp(run, aim)) return false;
   }
   return distinctPositions(run.mesh) == vertices;
 }
@@ -84,19 +99,21 @@ Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 
-Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options, double stagger,
-                        const Progress& progress) {
+Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
+                        const Manner& manner, const Progress& progress) {
   Projector projector = projectorFor(original, options);
   WorkingMesh mesh(original.ground());
   SizeField sizes = original.sizes();
   Run run{mesh, projector, sizes, fidelityRule(options)};
+  run.rule.grain = manner.grain;
   run.standIn = original.standIn();
-  run.stagger = stagger;
+  run.stagger = manner.stagger;
   run.quality = options.quality;
   const std::size_t vertices = original.vertices();
   bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)
                                   : runScheme(run, vertices, options, progress);
-  if (reached && !options.splitObtuse) reached = matchPositions(run, vertices);
+  if (!options.splitObtuse && (reached || distinctPositions(mesh) < vertices))
+    reached = matchPositions(run, vertices);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh), reached   ? Stopped::Target
                            : byBound ? Stopped::MaxError
@@ -121,9 +138,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
                             const Progress& progress) {
   checkOptions(options, input.positions.size());
   const Prepared original(planRun(input, options, progress), options, progress);
-  const double stagger = input.attributes.empty() ? 0 : kStagger;
   const Remeshed remeshed =
-      orFollowing(remeshOriginal(original, options, stagger, progress), original, options);
+      orFollowing(remeshOriginal(original, options, mannerFor(input), progress), original, options);
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);

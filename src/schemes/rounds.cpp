@@ -113,6 +113,7 @@ std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t t
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
     if (!proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    if (flattens(run.mesh, run.change, run.rule.grain)) continue;
     const Vertex made = apply(run.mesh, run.change);
     ++splits;
     touched.resize(m.faceCapacity(), 1);

@@ -114,16 +114,42 @@ std::vector<Ranked> edgesLongestFirst(const Run& run) {
   return edges;
 }
 
+// Where the new vertex of an edge goes: onto the original, or on the edge itself.
+enum class Middle { Projected, Straight };
+
+// The surface stays as it is, to the last point, so that nothing can fold over.
+bool commitStraight(Run& run, const Ranked& edge) {
+  run.change.place.position = 0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
+  if (run.rule.mode != Fidelity::Fold) return commit(run);
+  if (flattens(run.mesh, run.change, run.rule.grain)) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
 // Returns the number of splits.
-std::size_t splitLongest(Run& run, std::size_t vertices) {
+std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
   for (const Ranked& edge : edgesLongestFirst(run)) {
     if (mesh.vertexCount() >= vertices) break;
     const Halfedge h = mesh.find(edge.from, edge.to);
-    if (h && proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    if (middle == Middle::Straight && !run.mesh.isCurve(h))
+      splits += commitStraight(run, edge);
+    else
+      splits += commit(run);
   }
   return splits;
+}
+
+bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Patience patience;
+  while (mesh.vertexCount() < vertices) {
+    const std::size_t splits = splitLongest(run, vertices, middle);
+    if (!patience.after(splits, vertices - mesh.vertexCount())) break;
+  }
+  return mesh.vertexCount() == vertices;
 }
 
 }  // namespace
@@ -147,14 +173,10 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
 }
 
 bool matchCount(Run& run, std::size_t vertices) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
   coarsen(run, vertices, MeetingPlace::Middle);
-  Patience patience;
-  while (mesh.vertexCount() < vertices) {
-    const std::size_t splits = splitLongest(run, vertices);
-    if (!patience.after(splits, vertices - mesh.vertexCount())) break;
-  }
-  return mesh.vertexCount() == vertices;
+  return splitUpTo(run, vertices, Middle::Projected);
 }
+
+bool fillUp(Run& run, std::size_t vertices) { return splitUpTo(run, vertices, Middle::Straight); }
 
 }  // namespace remesher

@@ -15,4 +15,8 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress);
 // exactly `vertices`. Returns whether that was possible.
 bool matchCount(Run& run, std::size_t vertices);
 
+// The same where matchCount has not found enough edges to split: new vertices stay on the edges,
+// for what has no volume is projected onto its own rim.
+bool fillUp(Run& run, std::size_t vertices);
+
 }  // namespace remesher

@@ -26,6 +26,7 @@ void splitObtuse(Run& run) {
   const ErrorBound* bound = run.rule.bound;
   for (const auto& [from, to] : edges)
     if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change) &&
+        !flattens(run.mesh, run.change, run.rule.grain) &&
         (!bound || bound->allows(run.mesh, run.change)))
       apply(run.mesh, run.change);
 }

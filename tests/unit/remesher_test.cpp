@@ -97,6 +97,22 @@ TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
   }
 }
 
+TEST_CASE("hostile: a body without a volume gets its vertices, and no triangle without area") {
+  // Three squares around a triangular hole, each with both its sides: at the edges between them
+  // four triangles meet, and each is a tetrahedron.
+  TriangleMesh ring;
+  shapes::addSheet(ring, 3, 2, [](int i, int k) {
+    return Vec3((k == 1 ? 1 : 2.5) * shapes::onCircle(i % 3, 3));
+  });
+  for (const Index vertices : {12U, 13U, 40U}) {
+    CAPTURE(vertices);
+    const Report report = checked(ring, toVertices(vertices)).report;
+    CHECK(report.input.degenerateTriangles == 0);
+    CHECK(report.output->degenerateTriangles == 0);
+    CHECK(report.output->vertices == vertices);
+  }
+}
+
 TEST_CASE("hostile: parts that touch touch still, and nothing opens") {
   struct Case {
     const char* name;

@@ -96,6 +96,35 @@ TEST_CASE("fidelity: a fold that is there may be mended and not made worse") {
   CHECK(judgeMove(mesh, v, {3.2, 2.1, 0.4}, fold) == Verdict::FoldsOver);
 }
 
+TEST_CASE("fidelity: no triangle becomes a line, even where normals say nothing") {
+  // A square with both its sides is a flat tetrahedron.
+  TriangleMesh square;
+  square.positions = {{0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  square.indices = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
+  const OriginalSurface surface = shapes::surfaceOf(square, shapes::Features::None);
+  constexpr double kSingle = 2 * 0x1p-24;
+  for (const double height : {0.0, 1e-9}) {
+    CAPTURE(height);
+    WorkingMesh mesh(surface);
+    const Halfedge bottom = mesh.mesh().find(Vertex(0), Vertex(1));
+    Placement middle = mesh.onSurface({HalfedgeMesh::face(bottom), {0.5, 0.5, 0}});
+    middle.position = {0.5, 1 + height, 0};
+    const Vertex m = mesh.split(bottom, middle).vertex;
+    LocalChange change;
+    REQUIRE(proposeFlip(mesh, mesh.mesh().find(m, Vertex(3)), change));
+    if (height == 0) CHECK(judge(mesh, change, rule(Fidelity::Fold, 20, 20)) != Verdict::Accepted);
+    // What double precision tells apart is one line when written in single precision.
+    CHECK(flattens(mesh, change, 0) == (height == 0));
+    CHECK(flattens(mesh, change, kSingle));
+    apply(mesh, change);
+    // A line that is there may stay, and go.
+    proposePlacement(mesh, m, mesh.placement(m), change);
+    CHECK_FALSE(flattens(mesh, change, kSingle));
+    REQUIRE(proposeFlip(mesh, mesh.mesh().find(Vertex(0), Vertex(1)), change));
+    CHECK_FALSE(flattens(mesh, change, kSingle));
+  }
+}
+
 TEST_CASE("fidelity: the triangles on both sides of a sharp edge are each measured on their own") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::cube(3));
   const WorkingMesh mesh(surface);
