@@ -46,12 +46,15 @@ test('a stroke brings more vertices where it is, and as many as before in all', 
   await page.waitForFunction(() => document.querySelectorAll('.history-entry').length === 2);
   const [dab] = await dabs();
   const more = await verticesWithin(dab);
+  // A link cannot hold it, nor can a line to type: that is said where they are.
+  assert.match(await page.textContent('#no-density'), /density .* none of these/);
   assert.equal(await page.textContent('#result-count'), '800');
   await page.focus('#canvas');
   await page.keyboard.press('Control+z');
   await page.waitForFunction(() => document.querySelectorAll('.history-entry').length === 3);
   await settled(page);
   assert.deepEqual(await dabs(), []);
+  assert.equal(await page.locator('#no-density').count(), 0);
   const even = await verticesWithin(dab);
   assert.ok(more > 1.5 * even, `${more} where there were ${even}`);
 });

@@ -12,11 +12,12 @@ import { BufferAttribute, BufferGeometry } from 'three';
 
 import { timeLeft } from '../web/base/format.js';
 import { allCorners, thin } from '../web/view/thinning.js';
-import { drop, opened, settled, visit } from './support/browser_page.js';
+import { drop, openPage, opened, settled, visit } from './support/browser_page.js';
 import { builtPage } from './support/built_page.js';
 import { objText, torus } from './support/shape_files.js';
 import { stl, torus as ring } from './support/shapes.js';
-import { filesUnder } from './support/tree.js';
+import { withMemory } from './support/small_memory.js';
+import { filesUnder, root } from './support/tree.js';
 
 const folder = await builtPage();
 const { site, page } = await visit(
@@ -57,6 +58,51 @@ test('a graphics card that is lost comes back', async () => {
   await page.evaluate(() => globalThis.card.restoreContext());
   await message.waitFor({ state: 'hidden' });
   await page.waitForFunction(() => Number(document.getElementById('canvas').dataset.calls) > 0);
+});
+
+test('in the background, without frames, the page goes on and shows its result later', async () => {
+  await page.evaluate(() => {
+    globalThis.frames = [];
+    globalThis.shownFrames = globalThis.requestAnimationFrame;
+    globalThis.requestAnimationFrame = (callback) => globalThis.frames.push(callback);
+  });
+  const triangles = () => page.getAttribute('#canvas', 'data-triangles');
+  const earlier = await triangles();
+  await page.fill('#target', '700');
+  await page.click('form button[type=submit]');
+  await page.waitForSelector('#result-count:text-is("700")');
+  await settled(page);
+  assert.equal(await triangles(), earlier);
+  await page.evaluate(() => {
+    globalThis.requestAnimationFrame = globalThis.shownFrames;
+    for (const callback of globalThis.frames) callback(performance.now());
+  });
+  await page.waitForFunction((old) =>
+    document.getElementById('canvas').dataset.triangles !== old, earlier);
+});
+
+test('where memory ends that is said, the last result stays, and the page goes on', async () => {
+  const { page: small } = await openPage(site, { hash: '#model=gear&vertices=500',
+    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 24) });
+  await settled(small);
+  const refused = async () => {
+    await small.waitForSelector('#error:visible');
+    await settled(small);
+    assert.match(await small.textContent('#error'), /needs more memory than/);
+    assert.equal(await small.textContent('#model-name'), 'gear.obj');
+    assert.equal(await small.textContent('#result-count'), '500');
+    assert.equal(await small.isVisible('.takeaway'), true);
+  };
+  await small.fill('#target', '200000');
+  await small.click('form button[type=submit]');
+  await refused();
+  await drop(small, { 'large.stl': stl(ring({ columns: 400, rows: 250 })) });
+  await refused();
+  await small.fill('#target', '400');
+  await small.click('form button[type=submit]');
+  await small.waitForSelector('#result-count:text-is("400")');
+  assert.equal(await small.isVisible('#error'), false);
+  await small.close();
 });
 
 test('leaving asks when a result of one’s own file was not taken home', async () => {

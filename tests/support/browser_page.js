@@ -32,8 +32,9 @@ export async function startSite() {
   };
 }
 
-/** A page with its complaints: whatever it wrote to the console as an error, or threw. */
-export async function openPage(site, { hash = '', prepare = () => {}, ...options } = {}) {
+/** A page with its complaints: whatever it wrote to the console as an error, or threw.
+ * `wasm`: served instead of the package's own. */
+export async function openPage(site, { hash = '', prepare = () => {}, wasm, ...options } = {}) {
   const page = await site.browser.newPage({
     viewport: { width: 1200, height: 760 }, locale: 'en-US', ...options });
   page.setDefaultTimeout(patience);
@@ -44,6 +45,10 @@ export async function openPage(site, { hash = '', prepare = () => {}, ...options
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
   await page.addInitScript(prepare);
+  if (wasm) {
+    await page.route(/remesher-[\w-]+\.wasm$/, (route) =>
+      route.fulfill({ body: Buffer.from(wasm), contentType: 'application/wasm' }));
+  }
   await page.goto(site.url + hash);
   return { page, complaints };
 }

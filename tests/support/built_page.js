@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page as the build makes it, once for all test files that look at the same sources.
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync } from 'node:fs';
+import {
+  existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync,
+} from 'node:fs';
 import { join } from 'node:path';
 
 import { build } from 'vite';
@@ -23,11 +25,15 @@ function fingerprint() {
 /** @returns {Promise<string>} the folder */
 export async function builtPage() {
   const pages = join(root, 'build/pages');
-  const folder = join(pages, fingerprint());
+  const print = fingerprint();
+  const folder = join(pages, print);
   if (existsSync(folder)) return folder;
-  rmSync(pages, { recursive: true, force: true });  // of earlier sources
   mkdirSync(pages, { recursive: true });
-  const outDir = mkdtempSync(join(pages, 'new-'));
+  // Those of earlier sources go; another test file may be at work on the same as this one.
+  for (const name of readdirSync(pages).filter((other) => !other.includes(print))) {
+    rmSync(join(pages, name), { recursive: true, force: true });
+  }
+  const outDir = mkdtempSync(join(pages, `new-${print}-`));
   await build({ configFile, logLevel: 'error', build: { outDir, emptyOutDir: true } });
   try {
     renameSync(outDir, folder);

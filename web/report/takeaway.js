@@ -44,6 +44,8 @@ export function takeawayView({ model, shown }, acts) {
       button(t('download.cutout'), () => acts.onPicture(false))),
     element('details', { className: 'command' },
       element('summary', {}, t('elsewhere')),
+      shown?.options.density && element('p', { className: 'notice', id: 'no-density' },
+        t('elsewhere.noDensity')),
       snippet(t('elsewhere.command'), commandLine(name, values), acts.onCopy),
       snippet('JavaScript', javaScript(name, values), acts.onCopy),
       snippet(t('elsewhere.link'), location.href, acts.onCopy)));

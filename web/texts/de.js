@@ -144,6 +144,8 @@ export default {
   'download.cutout': 'Bild ohne Hintergrund',
   'elsewhere': 'Dasselbe anderswo',
   'elsewhere.command': 'Kommandozeile',
+  'elsewhere.noDensity': 'Die auf das Original gemalte Dichte ist in nichts davon: sie ist '
+    + 'so groß wie das Modell. Dieser Browser behält sie für das Modell.',
   'elsewhere.link': 'Link auf diese Seite',
   'copy': 'Kopieren',
   'copied': 'Kopiert.',

@@ -144,6 +144,8 @@ export default {
   'download.cutout': 'Picture, no background',
   'elsewhere': 'The same elsewhere',
   'elsewhere.command': 'Command line',
+  'elsewhere.noDensity': 'The density painted on the original is in none of these: it is as '
+    + 'large as the model. This browser keeps it for the model.',
   'elsewhere.link': 'Link to this page',
   'copy': 'Copy',
   'copied': 'Copied.',

@@ -145,6 +145,8 @@ export default {
   'download.cutout': 'Image sans fond',
   'elsewhere': 'La même chose ailleurs',
   'elsewhere.command': 'Ligne de commande',
+  'elsewhere.noDensity': 'La densité peinte sur l’original n’est dans rien de cela : elle '
+    + 'est aussi grande que le modèle. Ce navigateur la garde pour le modèle.',
   'elsewhere.link': 'Lien vers cette page',
   'copy': 'Copier',
   'copied': 'Copié.',
