@@ -124,11 +124,16 @@ test('leaving asks when a result of one’s own file was not taken home', async 
 test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
   const path = join(scratch, 'large.stl');
   writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
-  await page.setInputFiles('#file-input', path);
-  await opened(page, 'large.stl');
-  assert.match(await page.textContent('#left-thinned'),
+  const { page: own } = await openPage(site,
+    { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } });
+  await settled(own);
+  await own.setInputFiles('#file-input', path);
+  await opened(own, 'large.stl');
+  assert.match(await own.textContent('#left-thinned'),
     /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
-  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
+  assert.match(await own.textContent('#model-facts'), /1,025,000 triangles/);
+  assert.equal(await own.getAttribute('#wireframe', 'aria-pressed'), 'false');
+  await own.close();
 });
 
 test('what is drawn is a part of the triangles, spread over all of them', async () => {

@@ -6,52 +6,73 @@
 /** Three coordinates a vertex, three vertices a triangle.
  * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
 
-/** The number of the first vertex at each vertex's place. @param {Float32Array} positions */
+/** The number of the first vertex at each vertex's place, by a table that is at most half full.
+ * @param {Float32Array} positions */
 function welded(positions) {
-  /** @type {Map<string, number>} */
-  const first = new Map();
-  const result = new Uint32Array(positions.length / 3);
-  for (let v = 0; v < result.length; ++v) {
-    // Adding 0 makes one of both zeros.
-    const key = `${positions[3 * v] + 0},${positions[3 * v + 1] + 0},${positions[3 * v + 2] + 0}`;
-    const known = first.get(key);
-    if (known === undefined) first.set(key, v);
-    result[v] = known ?? v;
+  const places = new Uint32Array(positions.map((x) => x + 0).buffer);  // one of both zeros
+  const count = positions.length / 3;
+  const mask = 2 ** Math.ceil(Math.log2(2 * count + 2)) - 1;
+  const table = new Int32Array(mask + 1).fill(-1);
+  const result = new Uint32Array(count);
+  const isSame = (/** @type {number} */ a, /** @type {number} */ b) => places[a] === places[b]
+    && places[a + 1] === places[b + 1] && places[a + 2] === places[b + 2];
+  for (let v = 0; v < count; ++v) {
+    let hash = Math.imul(places[3 * v], 0x9e3779b1) ^ Math.imul(places[3 * v + 1], 0x85ebca6b)
+      ^ Math.imul(places[3 * v + 2], 0xc2b2ae35);
+    hash = Math.imul(hash ^ (hash >>> 15), 0x2c1b3c6d);
+    let at = (hash ^ (hash >>> 13)) & mask;
+    while (table[at] >= 0 && !isSame(3 * table[at], 3 * v)) at = (at + 1) & mask;
+    if (table[at] < 0) table[at] = v;
+    result[v] = table[at];
   }
   return result;
 }
 
 /** A unit normal for each triangle. @param {Soup} soup */
-function normalsOf({ positions, indices }) {
+function normalsOf({ positions: p, indices }) {
   const normals = new Float32Array(indices.length);
-  const at = (/** @type {number} */ corner, /** @type {number} */ axis) =>
-    positions[3 * indices[corner] + axis];
   for (let i = 0; i < indices.length; i += 3) {
-    const [ux, uy, uz] = [0, 1, 2].map((axis) => at(i + 1, axis) - at(i, axis));
-    const [vx, vy, vz] = [0, 1, 2].map((axis) => at(i + 2, axis) - at(i, axis));
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const size = Math.hypot(...normal) || 1;
-    normals.set(normal.map((x) => x / size), i);
+    const [a, b, c] = [3 * indices[i], 3 * indices[i + 1], 3 * indices[i + 2]];
+    const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    const size = Math.hypot(x, y, z) || 1;
+    normals[i] = x / size;
+    normals[i + 1] = y / size;
+    normals[i + 2] = z / size;
   }
   return normals;
 }
 
-/** The corners from which each edge starts, by its two vertices.
- * @param {Soup} soup @param {Uint32Array} vertices */
-function edgesOf({ indices }, vertices) {
-  const count = vertices.length;
-  /** @type {Map<number, number[]>} */
-  const edges = new Map();
+/** In the order of their keys below `count`; those of one key stay in the order that they had.
+ * @param {Uint32Array} corners @param {Uint32Array} keys of each corner @param {number} count */
+function orderedBy(corners, keys, count) {
+  const start = new Uint32Array(count + 1);
+  for (const corner of corners) ++start[keys[corner] + 1];
+  for (let key = 0; key < count; ++key) start[key + 1] += start[key];
+  const result = new Uint32Array(corners.length);
+  for (const corner of corners) result[start[keys[corner]]++] = corner;
+  return result;
+}
+
+/** Calls back with the corners from which each edge starts, in their order.
+ * @param {Uint32Array} indices @param {Uint32Array} vertices
+ * @param {(corners: Uint32Array) => void} visit */
+function forEachEdge(indices, vertices, visit) {
+  const low = new Uint32Array(indices.length), high = new Uint32Array(indices.length);
   for (let corner = 0; corner < indices.length; ++corner) {
     const next = corner % 3 === 2 ? corner - 2 : corner + 1;
     const [a, b] = [vertices[indices[corner]], vertices[indices[next]]];
-    if (a === b) continue;
-    const key = Math.min(a, b) * count + Math.max(a, b);
-    const corners = edges.get(key);
-    if (corners) corners.push(corner);
-    else edges.set(key, [corner]);
+    low[corner] = Math.min(a, b);
+    high[corner] = Math.max(a, b);
   }
-  return edges;
+  const edges = Uint32Array.from(indices.keys()).filter((corner) => low[corner] < high[corner]);
+  const order = orderedBy(orderedBy(edges, high, vertices.length), low, vertices.length);
+  for (let first = 0, end = 0; first < order.length; first = end) {
+    const [a, b] = [low[order[first]], high[order[first]]];
+    while (end < order.length && low[order[end]] === a && high[order[end]] === b) ++end;
+    visit(order.subarray(first, end));
+  }
 }
 
 /** Pairs of points, six numbers each.
@@ -86,7 +107,7 @@ export function findEdges(soup) {
   const found = { boundary: [], nonManifold: [], flipped: [] };
   /** @type {{ corner: number, bend: number }[]} */
   const bent = [];
-  for (const [corner, other, third] of edgesOf(soup, vertices).values()) {
+  forEachEdge(soup.indices, vertices, ([corner, other, third]) => {
     if (third !== undefined) found.nonManifold.push(corner);
     else if (other === undefined) found.boundary.push(corner);
     else if (start(corner) === start(other)) found.flipped.push(corner);
@@ -97,7 +118,7 @@ export function findEdges(soup) {
       const bend = Math.acos(Math.max(-1, Math.min(1, cosine))) * 180 / Math.PI;
       if (bend >= leastBend) bent.push({ corner, bend });
     }
-  }
+  });
   bent.sort((a, b) => b.bend - a.bend);
   return {
     boundary: segments(soup, found.boundary),

@@ -169,12 +169,13 @@ export class Stage {
     this.viewer.show(side, prepared, thinned);
     this.#root.classList.toggle(`has-${side}`, true);
     this.#tellThinned();
-    if (side === 'original') this.#suit(this.viewer.isTextured);
+    if (side === 'original') this.#suit(this.viewer.isTextured, Boolean(thinned));
   }
 
-  /** What suits the model, where the visitor did not choose. @param {boolean} isTextured */
-  #suit(isTextured) {
-    this.#setWireframe(this.#chosenWireframe ?? !isTextured);
+  /** What suits the model, where the visitor did not choose: so many lines that not all triangles
+   * are drawn would only be grey. @param {boolean} isTextured @param {boolean} isThinned */
+  #suit(isTextured, isThinned) {
+    this.#setWireframe(this.#chosenWireframe ?? !(isTextured || isThinned));
     const button = this.#root.querySelector('[data-shading=textured]');
     if (button instanceof HTMLButtonElement) button.disabled = !isTextured;
     const isPlain = this.#shading === 'plain' || this.#shading === 'textured';
