@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/gltf_editor.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -167,6 +168,23 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
   for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
     primitives.erase(*number);
   tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
+  dropForeignWeights(meshNumber);
+}
+
+// Weights that are not one for each morph target mean nothing: the targets may have gone with the
+// only primitive that had them.
+void GltfEditor::dropForeignWeights(std::size_t meshNumber) {
+  Json& mesh = tree_["meshes"][meshNumber];
+  std::size_t targets = 0;
+  for (const Json& primitive : mesh["primitives"])
+    if (primitive.contains("targets")) targets = std::max(targets, primitive["targets"].size());
+  const auto drop = [&](Json& holder) {
+    if (holder.contains("weights") && holder["weights"].size() != targets) holder.erase("weights");
+  };
+  drop(mesh);
+  if (!tree_.contains("nodes")) return;
+  for (Json& node : tree_["nodes"])
+    if (node.contains("mesh") && node["mesh"] == meshNumber) drop(node);
 }
 
 }  // namespace remesher::io

@@ -40,6 +40,7 @@ class GltfEditor {
                          std::size_t vertexCount);
   void abandon(const Json& primitive);
   std::size_t addStill(const Json& positions);
+  void dropForeignWeights(std::size_t meshNumber);
   void rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors, std::size_t indices);
 
   Json tree_;

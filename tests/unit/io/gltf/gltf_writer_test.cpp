@@ -234,6 +234,17 @@ TEST_CASE("gltf: a joint whose weight is rounded to nothing is none") {
         std::vector<float>{0, 0, 2, 3, 0, 0, 2, 3, 0, 0, 2, 3, 0, 0, 2, 3});
 }
 
+TEST_CASE("gltf: weights that are not one for each morph target go") {
+  for (const Json& weights : {Json::array({0.5}), Json::array({0.5, 0.5})}) {
+    GltfMaker maker = squareOfAllKinds();
+    maker.tree["meshes"][0]["weights"] = weights;
+    maker.tree["nodes"] = Json::array({{{"mesh", 0}, {"weights", weights}}});
+    const Json tree = treeOf(rewritten(maker));
+    CHECK(tree["meshes"][0].contains("weights") == (weights.size() == 1));
+    CHECK(tree["nodes"][0].contains("weights") == (weights.size() == 1));
+  }
+}
+
 TEST_CASE("gltf: quantised positions go back to integers only where these are fine enough") {
   const auto componentType = [](std::uint16_t size) {
     GltfMaker maker;
