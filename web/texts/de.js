@@ -159,8 +159,8 @@ export default {
   'map.surface': 'Metall und Rauheit',
   'map.emissive': 'Licht',
   'map.normal': 'Normalen',
-  'default.textureSize': 'wie die des Originals',
-  'default.textureFormat': 'automatisch',
+  'default.textureSize': 'wie im Original',
+  'default.textureFormat': 'auto',
 
   'key.shading.textured': 'Ansicht mit Textur',
   'key.shading.plain': 'Ansicht glatt',

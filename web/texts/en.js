@@ -160,7 +160,7 @@ export default {
   'map.emissive': 'Light',
   'map.normal': 'Normals',
   'default.textureSize': 'as the original’s',
-  'default.textureFormat': 'automatic',
+  'default.textureFormat': 'auto',
 
   'key.shading.textured': 'View with its textures',
   'key.shading.plain': 'View smooth',

@@ -161,7 +161,7 @@ export default {
   'map.emissive': 'Lumière',
   'map.normal': 'Normales',
   'default.textureSize': 'comme l’original',
-  'default.textureFormat': 'automatique',
+  'default.textureFormat': 'auto',
 
   'key.shading.textured': 'Vue texturée',
   'key.shading.plain': 'Vue lisse',
