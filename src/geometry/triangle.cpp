@@ -32,12 +32,6 @@ double minAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * shortest));
 }
 
-double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double longest = std::max({ab, bc, ca});
-  return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * longest));
-}
-
 namespace {
 
 double squaredDistance(const Vec3& p, const Vec3& w, const Triangle& t) {

@@ -27,7 +27,6 @@ inline constexpr double kFlattest = 1e-13;
 // The angles at a, b and c. A triangle without area has angles 0 and π.
 std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c);
 double minAngle(const Vec3& a, const Vec3& b, const Vec3& c);
-double maxAngle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // Barycentric coordinates of the point of the closed triangle nearest to p [Ericson, Real-Time
 // Collision Detection, §5.1.5]. Works for triangles without area.

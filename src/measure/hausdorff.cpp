@@ -91,8 +91,12 @@ class Measurement {
         diagonal_(diagonal) {}
 
   Deviation run(Maximum maximum) {
-    sample(maximum);
-    if (maximum != Maximum::Glimpsed) search();
+    if (maximum == Maximum::Glimpsed) {
+      glimpse();
+    } else {
+      sample(maximum);
+      search();
+    }
     if (maximum == Maximum::Proven)
       squaredMaximum_ = provenSquaredMaximum(
           {from_.tree, to_.tree, starts_, kTolerance * diagonal_}, squaredMaximum_);
@@ -123,14 +127,29 @@ class Measurement {
     return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_, region_));
   }
 
-  void sample(Maximum maximum) {
-    const Spread& spread = maximum == Maximum::Glimpsed  ? kGlimpsed
-                           : maximum == Maximum::Sampled ? kSampled
-                                                         : kProven;
-    if (maximum == Maximum::Glimpsed) isSampled_.assign(isSampled_.size(), 1);
-    const std::size_t wanted = spread.points(from_.mesh.triangleCount());
+  // How many points lie on a unit of area.
+  double density(const Spread& spread) const {
     const double total = from_.area();
-    const double perArea = total > 0 ? static_cast<double>(wanted) / total : 0;
+    return total > 0 ? static_cast<double>(spread.points(from_.mesh.triangleCount())) / total : 0;
+  }
+
+  void count(double squaredDistance) {
+    sumOfSquares_ += squaredDistance;
+    ++sampleCount_;
+  }
+
+  // The points lie too far apart for a look around to serve several.
+  void glimpse() {
+    const double perArea = density(kGlimpsed);
+    for (const Index t : from_.tree.order()) {
+      const Triangle corners = from_.tree.corners(t);
+      for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1)
+        count(look(at(points_.next(), corners)));
+    }
+  }
+
+  void sample(Maximum maximum) {
+    const double perArea = density(maximum == Maximum::Sampled ? kSampled : kProven);
     const std::span<const Index> order = from_.tree.order();
     for (std::size_t i = 0; i < order.size(); i += kBatch)
       sampleTogether(order.subspan(i, std::min(kBatch, order.size() - i)), perArea);
@@ -156,8 +175,7 @@ class Measurement {
       for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1) {
         const double squaredDistance = lookAround(at(points_.next(), corners));
         largest = std::max(largest, squaredDistance);
-        sumOfSquares_ += squaredDistance;
-        ++sampleCount_;
+        count(squaredDistance);
       }
       largest_[t] = static_cast<float>(largest);
       starts_[t] = last_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
 #include "measure/edge_table.h"
 
@@ -75,17 +76,36 @@ void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
     report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
 }
 
+// What the angles of a triangle follow from.
+struct Sides {
+  double shortest, longest, all;  // squared lengths, and their sum
+  double twiceArea;
+
+  explicit Sides(const Triangle& t) : twiceArea(areaVector(t[0], t[1], t[2]).norm()) {
+    const double a = (t[1] - t[0]).squaredNorm(), b = (t[2] - t[1]).squaredNorm();
+    const double c = (t[0] - t[2]).squaredNorm();
+    shortest = std::min({a, b, c});
+    longest = std::max({a, b, c});
+    all = a + b + c;
+  }
+
+  bool areALine() const { return !(longest > 0) || twiceArea / longest <= kFlattest; }
+  bool areObtuse() const { return all < 2 * longest; }
+  double angleOpposite(double side) const { return angleOf(twiceArea, 0.5 * (all - 2 * side)); }
+};
+
 void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   const std::size_t n = mesh.triangleCount();
   if (n == 0) return;
   std::array<std::size_t, 6> counts{};
   double sum = 0, worst = std::numbers::pi, largest = 0;
   for (std::size_t t = 0; t < n; ++t) {
-    const Triangle corners = cornersOf(mesh, t);
-    report.degenerateTriangles += flatness(corners[0], corners[1], corners[2]) <= kFlattest;
-    const double smallest = minAngle(corners[0], corners[1], corners[2]);
+    const Sides sides(cornersOf(mesh, t));
+    report.degenerateTriangles += sides.areALine();
+    const double smallest = sides.angleOpposite(sides.shortest);
     worst = std::min(worst, smallest);
-    largest = std::max(largest, maxAngle(corners[0], corners[1], corners[2]));
+    if (sides.areObtuse() || largest < std::numbers::pi / 2)
+      largest = std::max(largest, sides.angleOpposite(sides.longest));
     sum += smallest;
     ++counts[static_cast<std::size_t>(std::clamp(degrees(smallest) / 10, 0.0, 5.0))];
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "operators/shift.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <vector>
 
 #include "geometry/triangle.h"
 
@@ -11,28 +9,32 @@ namespace remesher {
 
 namespace {
 
-double squaredDistance(const Vec3& p, const std::vector<Triangle>& triangles) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : triangles)
-    nearest = std::min(nearest, (closestPoint(p, t[0], t[1], t[2]) - p).squaredNorm());
-  return nearest;
+// Whether one of the triangles is as near to p as the limit; the n-th is likely to be.
+bool isNear(const Vec3& p, const std::vector<Triangle>& triangles, std::size_t n,
+            double squaredLimit) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[(n + i) % triangles.size()];
+    if ((closestPoint(p, t[0], t[1], t[2]) - p).squaredNorm() <= squaredLimit) return true;
+  }
+  return false;
 }
 
-double farthest(const std::vector<Triangle>& from, const std::vector<Triangle>& to) {
-  double result = 0;
-  for (const Triangle& t : from) {
-    result = std::max(result, squaredDistance((t[0] + t[1] + t[2]) / 3, to));
-    for (std::size_t i = 0; i < 3; ++i) {
-      result = std::max(result, squaredDistance(t[i], to));
-      result = std::max(result, squaredDistance(0.5 * (t[i] + t[(i + 1) % 3]), to));
-    }
+bool isAnyFar(const std::vector<Triangle>& from, const std::vector<Triangle>& to,
+              double squaredLimit) {
+  for (std::size_t n = 0; n < from.size(); ++n) {
+    const Triangle& t = from[n];
+    if (!isNear((t[0] + t[1] + t[2]) / 3, to, n, squaredLimit)) return true;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!isNear(t[i], to, n, squaredLimit) ||
+          !isNear(0.5 * (t[i] + t[(i + 1) % 3]), to, n, squaredLimit))
+        return true;
   }
-  return std::sqrt(result);
+  return false;
 }
 
 }  // namespace
 
-double shiftOf(const WorkingMesh& mesh, const LocalChange& change) {
+bool shiftsBeyond(double limit, const WorkingMesh& mesh, const LocalChange& change) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   std::vector<Triangle> coming, going;
   for (const auto& [a, b, c] : change.coming) coming.push_back({at(a), at(b), at(c)});
@@ -40,7 +42,7 @@ double shiftOf(const WorkingMesh& mesh, const LocalChange& change) {
     const auto [a, b, c] = mesh.mesh().vertices(f);
     going.push_back({mesh.position(a), mesh.position(b), mesh.position(c)});
   }
-  return std::max(farthest(coming, going), farthest(going, coming));
+  return isAnyFar(coming, going, limit * limit) || isAnyFar(going, coming, limit * limit);
 }
 
 }  // namespace remesher

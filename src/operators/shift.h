@@ -6,8 +6,8 @@
 
 namespace remesher {
 
-// The largest distance between the triangles that go and those that come, in both directions, from
-// their corners and the middles of their edges and of themselves; model units.
-double shiftOf(const WorkingMesh& mesh, const LocalChange& change);
+// Whether the triangles that go and those that come are farther apart than the limit, in either
+// direction: their corners and the middles of their edges and of themselves are looked at.
+bool shiftsBeyond(double limit, const WorkingMesh& mesh, const LocalChange& change);
 
 }  // namespace remesher

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace remesher {
 namespace {
@@ -24,12 +26,14 @@ using HalfBox = Eigen::AlignedBox3d;
 HalfBox halfBox(const io::Part& part, const Transform& place) {
   HalfBox box;
   const std::vector<Vec3>& positions = part.mesh.positions;
+  std::vector<char> isIn(positions.size(), 0);
   for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
     const Index* const t = &part.mesh.indices[i];
     if (std::max({t[0], t[1], t[2]}) >= positions.size()) continue;
     const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
     if (a == b || b == c || c == a) continue;
-    for (const Vec3& p : {a, b, c}) box.extend(0.5 * (place * p));
+    for (const Index v : {t[0], t[1], t[2]})
+      if (!std::exchange(isIn[v], 1)) box.extend(0.5 * (place * positions[v]));
   }
   return box;
 }

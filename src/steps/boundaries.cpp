@@ -35,6 +35,9 @@ using Row = std::vector<Station>;
 
 // The vertices of the boundaries that are resampled, along each chain from corner to corner.
 std::vector<Row> rowsOf(const Run& run) {
+  const auto& chains = run.mesh.surface().curves().chains();
+  const auto isResampled = [](const Chain& chain) { return chain.boundary && !chain.kept; };
+  if (std::none_of(chains.begin(), chains.end(), isResampled)) return {};
   const HalfedgeMesh& mesh = run.mesh.mesh();
   Row all;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {

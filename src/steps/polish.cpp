@@ -50,7 +50,7 @@ struct Best {
     const double better =
         smallestComingAngle(run.mesh, run.change) - smallestGoingAngle(run.mesh, run.change);
     if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
-    if (std::isfinite(shift) && shiftOf(run.mesh, run.change) > shift) return;
+    if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
     gain = better;
     change = run.change;
   }
