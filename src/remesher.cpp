@@ -70,10 +70,11 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   }
   progress.phase("measure", 1 - kMeasureShare, 1);
   run.report.output = inspectParts(run.parts);
+  // Whether a bound is kept shows from both sides only.
+  const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
-    run.report.fidelity =
-        measureFidelity(gathered(originals), gathered(run.parts),
-                        options.quality == Quality::Draft ? Maximum::Glimpsed : Maximum::Sampled);
+    run.report.fidelity = measureFidelity(gathered(originals), gathered(run.parts),
+                                          isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled);
   return run;
 }
 

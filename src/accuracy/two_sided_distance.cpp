@@ -22,6 +22,8 @@ constexpr double kSlope = 0.1, kAlongIt = 0.97;
 // A walk from one corner may end in a local minimum: what is farther than this is tried from the
 // others too.
 constexpr double kMayBeLocal = 0.2;  // of the mean target edge length
+// An edge whose middle is nearer than this share of the farthest so far decides nothing.
+constexpr double kDecides = 0.4;
 
 }  // namespace
 
@@ -94,11 +96,14 @@ void TwoSidedDistance::raise(Face f, double distance) {
 void TwoSidedDistance::measureFaces() {
   const HalfedgeMesh& m = mesh_.mesh();
   FaceData<char> bent(m.faceCapacity(), 0);
+  double farthest = 0;
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!m.isEdge(h) || followsOriginal(h)) continue;
-    const double distance =
-        fromOriginal(mesh_.position(m.origin(h)), mesh_.position(m.tip(h)), m.face(h));
+    const Vec3 &from = mesh_.position(m.origin(h)), &to = mesh_.position(m.tip(h));
+    double distance = fromOriginal(0.5 * (from + to), m.face(h));
+    if (distance > kDecides * farthest) distance = fromOriginal(from, to, m.face(h));
+    farthest = std::max(farthest, distance);
     for (const Halfedge side : {h, m.twin(h)}) {
       if (!side) continue;
       raise(m.face(side), distance);

@@ -45,16 +45,20 @@ struct Surface {
   TriangleTree tree;
 
   explicit Surface(const TriangleMesh& m) : mesh(m), tree(m.positions, m.indices) {}
-
-  double area() const {
-    double sum = 0;
-    for (Index t = 0; t < mesh.triangleCount(); ++t) {
-      const auto [a, b, c] = tree.corners(t);
-      sum += remesher::area(a, b, c);
-    }
-    return sum;
-  }
 };
+
+Triangle cornersOf(const TriangleMesh& mesh, Index t) {
+  const Index* const v = &mesh.indices[std::size_t{3} * t];
+  return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+}
+
+double areaOf(const Triangle& t) { return area(t[0], t[1], t[2]); }
+
+double pointsPerArea(const TriangleMesh& mesh, const Spread& spread) {
+  double total = 0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t) total += areaOf(cornersOf(mesh, t));
+  return total > 0 ? static_cast<double>(spread.points(mesh.triangleCount())) / total : 0;
+}
 
 // The points of the R2 sequence, which fill the unit square evenly whatever their number, folded
 // onto the triangle below its diagonal.
@@ -91,12 +95,8 @@ class Measurement {
         diagonal_(diagonal) {}
 
   Deviation run(Maximum maximum) {
-    if (maximum == Maximum::Glimpsed) {
-      glimpse();
-    } else {
-      sample(maximum);
-      search();
-    }
+    sample(maximum);
+    search();
     if (maximum == Maximum::Proven)
       squaredMaximum_ = provenSquaredMaximum(
           {from_.tree, to_.tree, starts_, kTolerance * diagonal_}, squaredMaximum_);
@@ -127,29 +127,9 @@ class Measurement {
     return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_, region_));
   }
 
-  // How many points lie on a unit of area.
-  double density(const Spread& spread) const {
-    const double total = from_.area();
-    return total > 0 ? static_cast<double>(spread.points(from_.mesh.triangleCount())) / total : 0;
-  }
-
-  void count(double squaredDistance) {
-    sumOfSquares_ += squaredDistance;
-    ++sampleCount_;
-  }
-
-  // The points lie too far apart for a look around to serve several.
-  void glimpse() {
-    const double perArea = density(kGlimpsed);
-    for (const Index t : from_.tree.order()) {
-      const Triangle corners = from_.tree.corners(t);
-      for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1)
-        count(look(at(points_.next(), corners)));
-    }
-  }
-
   void sample(Maximum maximum) {
-    const double perArea = density(maximum == Maximum::Sampled ? kSampled : kProven);
+    const double perArea =
+        pointsPerArea(from_.mesh, maximum == Maximum::Sampled ? kSampled : kProven);
     const std::span<const Index> order = from_.tree.order();
     for (std::size_t i = 0; i < order.size(); i += kBatch)
       sampleTogether(order.subspan(i, std::min(kBatch, order.size() - i)), perArea);
@@ -175,7 +155,8 @@ class Measurement {
       for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1) {
         const double squaredDistance = lookAround(at(points_.next(), corners));
         largest = std::max(largest, squaredDistance);
-        count(squaredDistance);
+        sumOfSquares_ += squaredDistance;
+        ++sampleCount_;
       }
       largest_[t] = static_cast<float>(largest);
       starts_[t] = last_;
@@ -233,6 +214,26 @@ class Measurement {
   std::size_t sampleCount_ = 0;
 };
 
+// From a few points, which lie too far apart for a look around to serve several. The surface they
+// are on needs no tree.
+Deviation glimpse(const TriangleMesh& from, const TriangleTree& to) {
+  const double perArea = pointsPerArea(from, kGlimpsed);
+  EvenPoints points;
+  TriangleTree::Nearest last;
+  double due = 0, largest = 0, sum = 0, count = 0;
+  for (Index t = 0; t < from.triangleCount(); ++t) {
+    const Triangle corners = cornersOf(from, t);
+    for (due += areaOf(corners) * perArea; due >= 1; due -= 1) {
+      const Vec3 p = at(points.next(), corners);
+      last = last.triangle == kNone ? to.nearest(p) : to.nearest(p, last.triangle);
+      largest = std::max(largest, last.squaredDistance);
+      sum += last.squaredDistance;
+      ++count;
+    }
+  }
+  return {std::sqrt(largest), count > 0 ? std::sqrt(sum / count) : 0};
+}
+
 double diagonalOf(const TriangleMesh& mesh) {
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
@@ -243,8 +244,10 @@ double diagonalOf(const TriangleMesh& mesh) {
 
 DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result,
                                    Maximum maximum) {
-  const Surface first(original), second(result);
   const double diagonal = diagonalOf(original);
+  if (maximum == Maximum::Glimpsed)
+    return {glimpse(original, TriangleTree(result.positions, result.indices)), {}, diagonal};
+  const Surface first(original), second(result);
   return {Measurement(first, second, diagonal).run(maximum),
           Measurement(second, first, diagonal).run(maximum), diagonal};
 }

@@ -113,8 +113,12 @@ bool EulerOperators::canCollapse(const HalfedgeMesh& mesh, Halfedge h) {
     if (mesh.valence(third) <= (mesh.isBoundary(third) ? 2 : 3)) return false;
     ++sides;
   }
+  // Every edge of a vertex inside leaves it.
+  const bool allLeave = !mesh.isBoundary(b);
   int common = 0;
-  mesh.forEachNeighbor(a, [&](Vertex n) { common += mesh.adjacent(n, b) && n != b; });
+  mesh.forEachNeighbor(a, [&](Vertex n) {
+    common += n != b && (mesh.find(b, n) || (!allLeave && mesh.find(n, b)));
+  });
   return common == sides;
 }
 

@@ -17,8 +17,8 @@ namespace remesher {
 namespace {
 
 constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6;
-// Where so large a share of the bad triangles outlasts two rounds, the surface allows no better:
-// the rest is around handles no larger than a triangle.
+// Where so large a share of the bad triangles outlasts two rounds, or one of a draft, the surface
+// allows no better: the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kMany = 200;
 constexpr int kTries = 3;  // per triangle and round of topological changes
@@ -208,7 +208,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     progress.at(double(round) / rounds);
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
-    if (round % 2 == 1) before = double(bad.size());
+    if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
     const Means means = meansOf(round, rounds);
     for (const Face f : bad)
       for (int i = 0; i < kTries && isBad(run, f, goal.angle) && mayTry(f); ++i)

@@ -100,6 +100,14 @@ TEST_CASE("hausdorff: what is sampled is found, and little less than what is pro
   CHECK(glimpsed.hausdorff >= 0.9 * sampled);
 }
 
+TEST_CASE("hausdorff: a glimpse sees what the result lacks, not what juts out of it") {
+  TriangleMesh fin = soups::square(5);
+  soups::addTriangle(fin, {0.2, 0.2, 0}, {0.8, 0.8, 0}, {0.5, 0.5, 1});
+  CHECK(measureFidelity(fin, soups::square(5), Maximum::Glimpsed).hausdorff > 30);
+  CHECK(measureFidelity(soups::square(5), fin, Maximum::Glimpsed).hausdorff < 1e-10);
+  CHECK(measureFidelity(soups::square(5), fin, Maximum::Sampled).hausdorff > 30);
+}
+
 TEST_CASE("hausdorff: fewer points change the root mean square by no more than a few percent") {
   for (const int n : {6, 9, 30}) {
     const TriangleMesh a = soups::sphere(n), b = soups::sphere(16);
