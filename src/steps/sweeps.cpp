@@ -141,7 +141,7 @@ void areaBasedSweep(Run& run) {
 bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
   if (run.mesh.kind(v) == VertexKind::Corner || run.mesh.isPinned(v)) return false;
   if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
-  if (run.projector.walks()) return walkToMean(run, v);
+  if (run.quality == Quality::Draft && run.projector.walks()) return walkToMean(run, v);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   return relocateTo(run, star, v, laplacianTarget(star));
 }
