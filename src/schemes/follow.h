@@ -5,23 +5,32 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "gate/fidelity.h"
-#include "surface/original_surface.h"
+#include "base/input_place.h"
+#include "base/triangle_mesh.h"
+#include "mesh/mesh_builder.h"
+#include "operators/working_mesh.h"
 
 namespace remesher {
 
 // How many different places the vertices have: fewer than there are vertices where the builder cut
 // the input apart.
-std::size_t distinctPositions(const WorkingMesh& mesh);
+std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+struct Followed {
+  TriangleMesh mesh;
+  std::vector<InputPlace> places;  // per corner of its triangles
+  double distance;                 // of the original from it, rms
+};
 
 // With exactly so many distinct positions; none where the original has no more, so many more that
 // its triangles are not what it shows, or where nothing else goes.
-std::optional<WorkingMesh> follow(const OriginalSurface& surface, const FidelityRule& rule,
-                                  std::size_t positions);
+std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
+                               std::size_t positions);
 
-// Whether the even mesh is visibly away from the original, and the other much nearer.
-bool isMuchNearer(const OriginalSurface& surface, const WorkingMesh& other,
-                  const WorkingMesh& even);
+// The root of the mean square, over the original's area, of its distance to a mesh.
+double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                  const BuiltMesh& original);
 
 }  // namespace remesher

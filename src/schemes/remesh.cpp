@@ -26,6 +26,10 @@ namespace {
 constexpr double kStagger = 0.8;
 constexpr double kBoundShare = 0.7;    // of a run's time, about, to keep an error bound
 constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
+// Of the diagonal: half a pixel in a picture a thousand pixels wide.
+constexpr double kSeen = 5e-4;
+constexpr double kMuchNearer = 2;     // times, or
+constexpr double kNearerSeen = 1e-3;  // of the diagonal: a pixel there
 
 // What a run leaves of the original.
 struct Remeshed {
@@ -78,17 +82,21 @@ bool runWithin(Run& run, const BoundGoal& goal, const RemeshOptions& options,
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
 }
 
+std::size_t countDistinct(const WorkingMesh& mesh) {
+  return distinctPositions(mesh.mesh(), mesh.positions());
+}
+
 // Where the builder cut the input apart, several vertices may share a place; what was promised is a
 // number of places.
 bool matchPositions(Run& run, std::size_t vertices) {
   constexpr int kTries = 4;
   for (int i = 0; i < kTries; ++i) {
-    const std::size_t now = distinctPositions(run.mesh);
+    const std::size_t now = countDistinct(run.mesh);
     if (now == vertices) return true;
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
     if (!matchCount(run, aim) && !fillUp(run, aim)) return false;
   }
-  return distinctPositions(run.mesh) == vertices;
+  return countDistinct(run.mesh) == vertices;
 }
 
 // A draft does without patches.
@@ -112,7 +120,7 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
   const std::size_t vertices = original.vertices();
   bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)
                                   : runScheme(run, vertices, options, progress);
-  if (!options.splitObtuse && (reached || distinctPositions(mesh) < vertices))
+  if (!options.splitObtuse && (reached || countDistinct(mesh) < vertices))
     reached = matchPositions(run, vertices);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh), reached   ? Stopped::Target
@@ -122,14 +130,30 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
 
 // Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
 // even triangles are too large for.
-Remeshed orFollowing(Remeshed even, const Prepared& original, const RemeshOptions& options) {
-  const bool isFree = options.textures == Textures::Bake && options.scheme == Scheme::Best &&
-                      options.density.empty() && !options.maxError && !options.splitObtuse;
-  if (!isFree) return even;
-  const std::optional<WorkingMesh> followed =
-      follow(original.surface(), fidelityRule(options), original.vertices());
-  if (!followed || !isMuchNearer(original.surface(), *followed, even.mesh)) return even;
-  return {*followed, Stopped::Target};
+bool mayFollow(const RemeshOptions& options) {
+  return options.textures == Textures::Bake && options.scheme == Scheme::Best &&
+         options.density.empty() && !options.maxError && !options.splitObtuse;
+}
+
+// Those vertices of the original that its shape needs, where even triangles are visibly away from
+// it and these much nearer, or where even triangles cannot be so few.
+std::optional<Followed> nearer(const Remeshed& even, const Prepared& original,
+                               const TriangleMesh& input) {
+  const BuiltMesh& built = original.surface().built();
+  const bool isReached = even.stopped == Stopped::Target;
+  const double distance = distanceTo(even.mesh.mesh(), even.mesh.positions(), built);
+  if (isReached && distance <= kSeen * original.surface().diagonal()) return {};
+  std::optional<Followed> followed = follow(built, input, original.vertices());
+  if (!isReached || !followed) return followed;
+  const bool isMuchNearer =
+      distance > kMuchNearer * followed->distance ||
+      distance - followed->distance > kNearerSeen * original.surface().diagonal();
+  return isMuchNearer ? std::move(followed) : std::nullopt;
+}
+
+RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {
+  return {std::move(followed.mesh), std::move(followed.places), Stopped::Target, vertices,
+          std::move(warnings)};
 }
 
 }  // namespace
@@ -137,14 +161,20 @@ Remeshed orFollowing(Remeshed even, const Prepared& original, const RemeshOption
 RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
                             const Progress& progress) {
   checkOptions(options, input.positions.size());
-  const Prepared original(planRun(input, options, progress), options, progress);
-  const Remeshed remeshed =
-      orFollowing(remeshOriginal(original, options, mannerFor(input), progress), original, options);
+  Plan plan = planRun(input, options, progress);
+  if (mayFollow(options) && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
+    if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))
+      return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
+  const Prepared original(std::move(plan), options, progress);
+  const Remeshed remeshed = remeshOriginal(original, options, mannerFor(input), progress);
+  if (mayFollow(options))
+    if (std::optional<Followed> followed = nearer(remeshed, original, input))
+      return outcomeOf(std::move(*followed), original.vertices(), original.warnings());
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
-      options.splitObtuse ? original.vertices() : distinctPositions(remeshed.mesh);
+      options.splitObtuse ? original.vertices() : countDistinct(remeshed.mesh);
   return {extractMesh(remeshed.mesh, input, original.transfer()), std::move(places),
           remeshed.stopped, vertices, original.warnings()};
 }

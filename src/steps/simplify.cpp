@@ -1,28 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "steps/simplify.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <vector>
 
 #include "geometry/triangle.h"
-#include "operators/local_operators.h"
+#include "mesh/euler_operators.h"
 
 namespace remesher {
 
 namespace {
 
-// A way along the surface counts as a thirtieth of one away from it: on what is flat triangles stay
-// even.
-constexpr double kSideways = 1e-3;
+// A way along the surface counts as a three hundredth of one away from it: on what is flat
+// triangles stay even.
+constexpr double kSideways = 1e-5;
 // The cosine of what a triangle may turn by at once: 75°, and 90° where nothing else goes.
 constexpr double kTurned = 0.25, kFarTurned = 0;
+// In lengths of the edge: no vertex goes farther from the end that remains.
+constexpr double kFarthest = 2;
+constexpr double kLeast = 1e-300;  // of what is divided by
+// A look around a vertex costs as much as it has neighbours.
+constexpr int kMostNeighbors = 64;
 
 // The sum of weighted squared distances from planes and points, as a function of the place.
 struct Quadric {
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   Vec3 linear = Vec3::Zero();
   double constant = 0;
+  double area = 0;  // of the triangles
 
   void addPlane(const Vec3& normal, const Vec3& point, double weight) {
     const double offset = -normal.dot(point);
@@ -41,15 +49,18 @@ struct Quadric {
     square += other.square;
     linear += other.linear;
     constant += other.constant;
+    area += other.area;
   }
 
   double at(const Vec3& p) const { return p.dot(square * p) + 2 * linear.dot(p) + constant; }
 };
 
 struct Offer {
-  double cost;
+  double cost;  // between the sum and the mean: neither what is small nor what is large goes first
   Halfedge halfedge;
-  Index stamp;  // of both ends
+  Vertex from, into;
+  Index stamp;  // of both
+  Vec3 place;   // of what remains
 
   // The cheapest comes out of the queue first.
   bool operator<(const Offer& other) const {
@@ -57,34 +68,40 @@ struct Offer {
   }
 };
 
+// Free: on no seam, and inside. Seam: on one, or on a boundary. Fixed: where they meet.
+enum class Freedom : char { Free, Seam, Fixed };
+
 class Simplification {
  public:
-  explicit Simplification(WorkingMesh& mesh)
-      : working_(mesh),
-        mesh_(mesh.mesh()),
+  explicit Simplification(SimpleSurface& surface)
+      : surface_(surface),
+        mesh_(surface.mesh),
         quadrics_(mesh_.vertexCapacity()),
-        stamps_(mesh_.vertexCapacity(), 0) {
+        stamps_(mesh_.vertexCapacity(), 0),
+        freedom_(mesh_.vertexCapacity(), Freedom::Free) {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
-      if (mesh_.isAlive(Vertex(i))) center_ += mesh.position(Vertex(i));
+      if (mesh_.isAlive(Vertex(i))) center_ += surface.positions[Vertex(i)];
     center_ /= double(mesh_.vertexCount());
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) addFace(Face(i));
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
+      if (mesh_.isAlive(Vertex(i))) freedom_[Vertex(i)] = freedomOf(Vertex(i));
   }
 
-  void run(const FidelityRule& rule, double leastTurned, std::size_t vertices) {
-    rule_ = rule;
+  void run(double leastTurned, std::size_t vertices) {
     leastTurned_ = leastTurned;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) offer(Halfedge(i));
     while (mesh_.vertexCount() > vertices && !queue_.empty()) {
       const Offer offered = queue_.top();
       queue_.pop();
-      if (isCurrent(offered)) collapse(offered.halfedge);
+      if (isCurrent(offered) && isLegal(offered.halfedge) && !turns(offered)) collapse(offered);
     }
   }
 
  private:
   // Numbers stay small wherever the model lies.
-  Vec3 at(Vertex v) const { return working_.position(v) - center_; }
+  Vec3 at(Vertex v) const { return surface_.positions[v] - center_; }
+  bool isSeam(Halfedge h) const { return mesh_.isBoundary(h) || surface_.seams[h]; }
 
   void addFace(Face f) {
     const auto vertices = mesh_.vertices(f);
@@ -94,57 +111,100 @@ class Simplification {
     for (const Vertex v : vertices) {
       quadrics_[v].addPlane(normal, a, own);
       quadrics_[v].addPoint(at(v), kSideways * own);
+      quadrics_[v].area += own;
     }
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
-      if (mesh_.isBoundary(h)) addBoundary(h, normal);
+      if (isSeam(h)) addSeam(h, normal);
     }
   }
 
-  void addBoundary(Halfedge h, const Vec3& normal) {
+  void addSeam(Halfedge h, const Vec3& normal) {
     const Vec3 from = at(mesh_.origin(h)), way = at(mesh_.tip(h)) - from;
     const Vec3 outwards = way.cross(normal).stableNormalized();
     for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)})
       quadrics_[v].addPlane(outwards, from, way.squaredNorm());
   }
 
-  // Stamps only grow: where the sum is the same, so are both.
-  Index stampOf(Halfedge h) const { return stamps_[mesh_.origin(h)] + stamps_[mesh_.tip(h)]; }
+  Freedom freedomOf(Vertex v) const {
+    int seams = 0;
+    mesh_.forEachOutgoing(v, [&](Halfedge h) {
+      seams += isSeam(h) ? 1 : 0;
+      seams += mesh_.isBoundary(HalfedgeMesh::prev(h)) ? 1 : 0;
+    });
+    return seams == 0 ? Freedom::Free : seams == 2 ? Freedom::Seam : Freedom::Fixed;
+  }
 
+  // Stamps only grow: where the sum is the same, so are both.
   bool isCurrent(const Offer& offered) const {
-    return mesh_.isAlive(offered.halfedge) && stampOf(offered.halfedge) == offered.stamp;
+    const Halfedge h = offered.halfedge;
+    return mesh_.isAlive(h) && mesh_.origin(h) == offered.from && mesh_.tip(h) == offered.into &&
+           stamps_[offered.from] + stamps_[offered.into] == offered.stamp;
   }
 
   void offer(Halfedge h) {
     if (!mesh_.isAlive(h)) return;
-    Quadric sum = quadrics_[mesh_.origin(h)];
-    sum.add(quadrics_[mesh_.tip(h)]);
-    queue_.push({sum.at(at(mesh_.tip(h))), h, stampOf(h)});
+    const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
+    if (freedom_[from] == Freedom::Fixed || (freedom_[from] == Freedom::Seam && !isSeam(h))) return;
+    Quadric sum = quadrics_[from];
+    sum.add(quadrics_[into]);
+    Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],
+                  surface_.positions[into]};
+    if (freedom_[from] == freedom_[into]) {
+      const Vec3 best = sum.square.ldlt().solve(-sum.linear);
+      const double farthest = kFarthest * (at(into) - at(from)).norm();
+      if ((best - at(into)).norm() < farthest && sum.at(best) < offered.cost) {
+        offered.cost = sum.at(best);
+        offered.place = best + center_;
+      }
+    }
+    offered.cost = std::max(offered.cost, 0.0) / std::sqrt(std::max(sum.area, kLeast));
+    queue_.push(offered);
   }
 
-  void collapse(Halfedge h) {
-    const Vertex from = mesh_.origin(h);
-    if (!proposeCollapseInto(working_, h, change_) || turns()) return;
-    if (judge(working_, change_, rule_) != Verdict::Accepted) return;
-    const Quadric gone = quadrics_[from];
-    const Vertex into = apply(working_, change_);
+  bool isLegal(Halfedge h) const {
+    const int from = mesh_.valence(mesh_.origin(h)), into = mesh_.valence(mesh_.tip(h));
+    if (from + into - 4 > std::max({kMostNeighbors, from, into})) return false;
+    if (!EulerOperators::canCollapse(mesh_, h)) return false;
+    // Two seams of one triangle would become one.
+    for (const Halfedge side : {h, mesh_.twin(h)})
+      if (side && isSeam(HalfedgeMesh::next(side)) && isSeam(HalfedgeMesh::prev(side)))
+        return false;
+    return true;
+  }
+
+  // Whether a triangle that remains would.
+  bool turns(const Offer& offered) const {
+    const Vertex from = offered.from, into = offered.into;
+    bool result = false;
+    for (const Vertex moved : {from, into})
+      mesh_.forEachOutgoing(moved, [&](Halfedge h) {
+        const Vertex b = mesh_.tip(h), c = mesh_.opposite(h);
+        if (b == from || b == into || c == from || c == into) return;
+        const auto& p = surface_.positions;
+        const Vec3 before = unitNormal(p[moved], p[b], p[c]);
+        const Vec3 now = unitNormal(offered.place, p[b], p[c]);
+        result |= !before.isZero() && !(before.dot(now) > leastTurned_);
+      });
+    return result;
+  }
+
+  void collapse(const Offer& offered) {
+    const Halfedge h = offered.halfedge;
+    const Quadric gone = quadrics_[offered.from];
+    for (const Halfedge side : {h, mesh_.twin(h)}) {
+      if (!side) continue;
+      const Halfedge second = HalfedgeMesh::next(side), third = HalfedgeMesh::prev(side);
+      const char seam = surface_.seams[second] || surface_.seams[third];
+      for (const Halfedge edge : {second, third})
+        if (mesh_.twin(edge)) surface_.seams[mesh_.twin(edge)] = seam;
+    }
+    const Vertex into = EulerOperators(surface_.mesh).collapse(h);
+    surface_.positions[into] = offered.place;
     quadrics_[into].add(gone);
     ++stamps_[into];
     mesh_.forEachNeighbor(into, [&](Vertex w) { ++stamps_[w]; });
     offerAround(into);
-  }
-
-  bool turns() const {
-    for (std::size_t i = 0; i < change_.coming.size(); ++i) {
-      const auto [a, b, c] = working_.corners(change_.going[i]);
-      const Vec3 before = unitNormal(a, b, c);
-      const auto after = [&](int k) {
-        return positionAfter(working_, change_, change_.coming[i][std::size_t(k)]);
-      };
-      const Vec3 now = unitNormal(after(0), after(1), after(2));
-      if (!before.isZero() && !(before.dot(now) > leastTurned_)) return true;
-    }
-    return false;
   }
 
   // What was refused may be possible now, all around.
@@ -163,27 +223,23 @@ class Simplification {
     for (const Halfedge h : around_) offer(h);
   }
 
-  WorkingMesh& working_;
+  SimpleSurface& surface_;
   const HalfedgeMesh& mesh_;
-  FidelityRule rule_;
   double leastTurned_ = kTurned;
   Vec3 center_ = Vec3::Zero();
   VertexData<Quadric> quadrics_;
   VertexData<Index> stamps_;
+  VertexData<Freedom> freedom_;
   std::priority_queue<Offer> queue_;
   std::vector<Halfedge> around_;
-  LocalChange change_;
 };
 
 }  // namespace
 
-void simplify(WorkingMesh& mesh, const FidelityRule& rule, std::size_t vertices) {
-  Simplification simplification(mesh);
-  simplification.run(rule, kTurned, vertices);
-  FidelityRule lenient = rule;
-  lenient.fold = kTightFold;
-  simplification.run(lenient, kFarTurned, vertices);
-  mesh.compact();
+void simplify(SimpleSurface& surface, std::size_t vertices) {
+  Simplification simplification(surface);
+  simplification.run(kTurned, vertices);
+  simplification.run(kFarTurned, vertices);
 }
 
 }  // namespace remesher

@@ -3,13 +3,20 @@
 // larger than what the original shows.
 #pragma once
 
-#include "gate/fidelity.h"
+#include "mesh/halfedge_mesh.h"
 
 namespace remesher {
 
-// Edges go into one of their ends, by the squared distances from the planes of all triangles that
-// have gone into it [Garland & Heckbert 1997], until no more than `vertices` are left or nothing
-// more goes. What remains stays where it is.
-void simplify(WorkingMesh& mesh, const FidelityRule& rule, std::size_t vertices);
+struct SimpleSurface {
+  HalfedgeMesh mesh;
+  VertexData<Vec3> positions;
+  HalfedgeData<char> seams;  // both halfedges of the edges between which triangles must remain
+};
+
+// Vertices go into their neighbours, which move to where the squared distances from the planes of
+// all triangles that have gone into them are least [Garland & Heckbert 1997], until no more than
+// `vertices` are left or nothing more goes. Boundaries and seams are only shortened along
+// themselves, and where seams meet a vertex stays.
+void simplify(SimpleSurface& surface, std::size_t vertices);
 
 }  // namespace remesher

@@ -5,54 +5,109 @@
 
 #include <algorithm>
 
+#include "mesh/check.h"
+#include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
-#include "support/working_meshes.h"
+#include "support/shapes.h"
 
 using namespace remesher;
 
-TEST_CASE("simplify: vertices that remain are where they were, and the topology is kept") {
+namespace {
+
+SimpleSurface surfaceOf(const TriangleMesh& input) {
+  BuiltMesh built = buildMesh(input);
+  const std::size_t halfedges = built.mesh.halfedgeCapacity();
+  return {std::move(built.mesh), std::move(built.positions), HalfedgeData<char>(halfedges, 0)};
+}
+
+template <class Visit>
+void forEachCorner(const SimpleSurface& surface, const Visit& visit) {
+  for (Index i = 0; i < surface.mesh.halfedgeCapacity(); ++i)
+    if (surface.mesh.isAlive(Halfedge(i)))
+      visit(Halfedge(i), surface.positions[surface.mesh.origin(Halfedge(i))]);
+}
+
+}  // namespace
+
+TEST_CASE("simplify: the topology is kept") {
   for (const shapes::Shape& shape : shapes::all()) {
     CAPTURE(shape.name);
-    const OriginalSurface surface = shapes::surfaceOf(shape.mesh);
-    WorkingMesh mesh(surface);
-    simplify(mesh, {}, mesh.mesh().vertexCount() / 2);
-    CHECK(shapes::checkWorkingMesh(mesh) == "");
-    CHECK(eulerCharacteristic(mesh.mesh()) == shape.chi);
-    for (Index v = 0; v < mesh.mesh().vertexCapacity(); ++v)
-      CHECK(mesh.position(Vertex(v)) == surface.position(mesh.at(Vertex(v))));
+    SimpleSurface surface = surfaceOf(shape.mesh);
+    simplify(surface, surface.mesh.vertexCount() / 2);
+    CHECK(check(surface.mesh) == "");
+    CHECK(eulerCharacteristic(surface.mesh) == shape.chi);
   }
 }
 
 TEST_CASE("simplify: what is flat goes first, and a cube keeps its corners, wherever it stands") {
+  const Vec3 low = shapes::cube(8).positions[0].cwiseMin(Vec3::Zero());
   for (const double away : {0.0, 1e6}) {
     TriangleMesh input = shapes::cube(8);
-    for (Vec3& p : input.positions) p += Vec3(away, -away, 2 * away);
-    const OriginalSurface surface = shapes::surfaceOf(input, shapes::Features::None);
-    WorkingMesh mesh(surface);
-    simplify(mesh, {}, 200);
-    CHECK(mesh.mesh().vertexCount() == 200);
-    Vec3 low = mesh.position(Vertex(0)), high = low;
-    for (const Vec3& p : mesh.positions().values()) {
-      low = low.cwiseMin(p);
+    const Vec3 moved(away, -away, 2 * away);
+    Vec3 high = low;
+    for (Vec3& p : input.positions) {
       high = high.cwiseMax(p);
+      p += moved;
     }
-    const auto isCorner = [&](const Vec3& p) {
-      return (p.array() == low.array() || p.array() == high.array()).all();
-    };
-    const auto& positions = mesh.positions().values();
-    CHECK(std::count_if(positions.begin(), positions.end(), isCorner) == 8);
+    SimpleSurface surface = surfaceOf(input);
+    simplify(surface, 100);
+    CHECK(surface.mesh.vertexCount() == 100);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 place =
+          Eigen::AlignedBox3d(low, high).corner(Eigen::AlignedBox3d::CornerType(corner)) + moved;
+      double nearest = 1e300;
+      forEachCorner(surface, [&](Halfedge, const Vec3& p) {
+        nearest = std::min(nearest, (p - place).norm());
+      });
+      CHECK(nearest < 0.01 * (high - low).norm());
+    }
   }
 }
 
-TEST_CASE("simplify: on what is flat triangles stay even") {
-  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(30, 30));
-  WorkingMesh mesh(surface);
-  simplify(mesh, {}, 120);
+TEST_CASE("simplify: a sphere's vertices leave it to make up for what lies within") {
+  SimpleSurface surface = surfaceOf(shapes::icosphere(12));
+  simplify(surface, 100);
+  double sum = 0, count = 0;
+  forEachCorner(surface, [&](Halfedge, const Vec3& p) {
+    sum += p.norm();
+    ++count;
+  });
+  CHECK(sum / count > 1.005);
+}
+
+TEST_CASE("simplify: on what is flat triangles stay even, and its border where it is") {
+  SimpleSurface surface = surfaceOf(shapes::grid(30, 30));
+  Eigen::AlignedBox3d before, after;
+  forEachCorner(surface, [&](Halfedge, const Vec3& p) { before.extend(p); });
+  simplify(surface, 120);
   double longest = 0;
-  for (Index i = 0; i < mesh.mesh().halfedgeCapacity(); ++i)
-    if (mesh.mesh().isAlive(Halfedge(i)) && !mesh.mesh().isBoundary(Halfedge(i)))
-      longest = std::max(longest, (mesh.position(mesh.mesh().tip(Halfedge(i))) -
-                                   mesh.position(mesh.mesh().origin(Halfedge(i))))
-                                      .norm());
+  forEachCorner(surface, [&](Halfedge h, const Vec3& p) {
+    after.extend(p);
+    if (!surface.mesh.isBoundary(h))
+      longest = std::max(longest, (surface.positions[surface.mesh.tip(h)] - p).norm());
+  });
   CHECK(longest < 12);
+  CHECK(before.diagonal().isApprox(after.diagonal(), 0.01));
+}
+
+TEST_CASE("simplify: triangles stay on their side of a seam") {
+  constexpr double kSeam = 15;
+  SimpleSurface surface = surfaceOf(shapes::grid(30, 30));
+  const auto isLeft = [&](Face f) {
+    double most = 0;
+    for (const Vertex v : surface.mesh.vertices(f)) most = std::max(most, surface.positions[v].x());
+    return most <= kSeam;
+  };
+  std::vector<char> left(surface.mesh.faceCapacity());
+  for (Index f = 0; f < left.size(); ++f) left[f] = isLeft(Face(f));
+  forEachCorner(surface, [&](Halfedge h, const Vec3&) {
+    const Halfedge twin = surface.mesh.twin(h);
+    if (twin)
+      surface.seams[h] = left[HalfedgeMesh::face(h).index] != left[HalfedgeMesh::face(twin).index];
+  });
+  simplify(surface, 60);
+  CHECK(surface.mesh.vertexCount() == 60);
+  forEachCorner(surface, [&](Halfedge h, const Vec3& p) {
+    CHECK((left[HalfedgeMesh::face(h).index] ? p.x() - kSeam : kSeam - p.x()) < 0.05);
+  });
 }
