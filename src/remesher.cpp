@@ -189,16 +189,36 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
               "Let the output's name end in .glb or .gltf.");
 }
 
-// What other formats than glTF say of materials is not read as such; what they say of vertices is.
+// What other formats than glTF and OBJ say of materials is not read; what they say of vertices is.
 void requirePaint(const io::Model& model) {
-  const bool isColoured = std::all_of(
-      model.parts.begin(), model.parts.end(),
-      [](const io::Part& part) { return findAttribute(part.mesh, "COLOR_0") != nullptr; });
-  if (isColoured || model.conventions == io::Conventions::Gltf) return;
-  throw Error(
-      ErrorCode::Unsupported,
-      "Textures are painted from glTF files and from colours of vertices, and this has none.",
-      "Convert it to .glb with its textures first.");
+  const auto isPaint = [](const io::Part& part) {
+    const auto& groups = part.groups;
+    return findAttribute(part.mesh, "COLOR_0") != nullptr ||
+           std::any_of(groups.begin(), groups.end(),
+                       [](const io::GroupInfo& group) { return !group.look.name.empty(); });
+  };
+  if (model.conventions == io::Conventions::Gltf) return;
+  if (std::all_of(model.parts.begin(), model.parts.end(), isPaint)) return;
+  throw Error(ErrorCode::Unsupported,
+              "Textures are painted from glTF files, from the materials of OBJ and from colours of "
+              "vertices, and this has none.",
+              "Give an OBJ with its material library, or convert it to .glb with its textures.");
+}
+
+// Of glTF whoever decodes them sees to that.
+void requireImages(const io::Model& model, const std::vector<Picture>& pictures) {
+  if (model.conventions == io::Conventions::Gltf) return;
+  const auto require = [&](const io::Map& map) {
+    const auto isIt = [&](const Picture& picture) { return picture.name == map.image; };
+    if (!map || std::any_of(pictures.begin(), pictures.end(), isIt)) return;
+    throw Error(ErrorCode::MissingResource, "The image " + legible(map.image) + " was not given.",
+                "Give the image with the file, or keep the textures.");
+  };
+  for (const io::Part& part : model.parts)
+    for (const io::GroupInfo& group : part.groups)
+      for (const io::Map* map :
+           {&group.look.baseColorMap, &group.look.emissiveMap, &group.look.normalMap})
+        require(*map);
 }
 
 std::vector<io::NamedImage> imagesFrom(const std::vector<Picture>& pictures) {
@@ -220,6 +240,9 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
 Run remeshBaked(io::Model& model, const std::vector<Picture>& pictures,
                 const RemeshOptions& options, const Progress& progress) {
   requirePaint(model);
+  requireImages(model, pictures);
+  std::erase_if(model.warnings,
+                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
   const Repaint repaint(model, imagesFrom(pictures));
   Run run = remeshScaled(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
   model.parts = std::move(run.parts);

@@ -306,10 +306,10 @@ class Repainting {
 // A warning for each kind of map that is lost.
 std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
   std::map<std::string, std::size_t> counts;
-  std::set<int> seen;
+  std::set<std::pair<int, std::string>> seen;
   for (const io::Part& part : parts)
     for (const io::GroupInfo& group : part.groups) {
-      if (!seen.insert(group.look.number).second) continue;
+      if (!seen.insert({group.look.number, group.look.name}).second) continue;
       for (const std::string& name : group.look.unpaintable) ++counts[name];
     }
   std::vector<Warning> warnings;

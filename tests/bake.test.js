@@ -19,17 +19,23 @@ const colourOf = (i, j) => [
   Math.round(127 + 100 * Math.cos((2 * Math.PI * i) / columns)),
   Math.round(127 + 100 * Math.cos((2 * Math.PI * j) / rows)), 90];
 
-/** A torus of scraps, its colours continuous over every seam; `change` has a say in it. */
-function paintedTorus(change = () => {}) {
+/** The texture of a torus of scraps. */
+const torusTexture = () => {
   const charts = layOut(scraps);
-  const mesh = { positions: [], texcoords: [], indices: [] };
-  charts.forEach((chart) => addChart(mesh, chart));
-  const texture = png(texels, texels, (x, y) => {
+  return png(texels, texels, (x, y) => {
     const on = charts.find(({ left, top, width, height }) => x >= left - 4 && x < left + width + 4
       && y >= top - 4 && y < top + height + 4) ?? charts[0];
     return colourOf(on.i0 + ((on.i1 - on.i0) * (x + 0.5 - on.left)) / on.width,
       on.j0 + ((on.j1 - on.j0) * (y + 0.5 - on.top)) / on.height);
   });
+};
+
+/** A torus of scraps, its colours continuous over every seam; `change` has a say in it. */
+function paintedTorus(change = () => {}) {
+  const charts = layOut(scraps);
+  const mesh = { positions: [], texcoords: [], indices: [] };
+  charts.forEach((chart) => addChart(mesh, chart));
+  const texture = torusTexture();
   const maker = new GltfMaker();
   Object.assign(maker.tree, {
     images: [{ bufferView: maker.addView(texture), mimeType: 'image/png' }],
@@ -64,6 +70,18 @@ function onTorus([x, y, z]) {
   return [columns * turn(Math.atan2(y, x)), rows * turn(Math.atan2(z, Math.hypot(x, y) - 2))];
 }
 
+/** Whether the colours on a painted torus are where they were. */
+function lookRight(model) {
+  let [sum, count] = [0, 0];
+  forEachTexel(model, ({ position, colour }) => {
+    const expected = colourOf(...onTorus(position));
+    for (let k = 0; k < 3; k += 1) sum += Math.abs(colour[k] - expected[k]);
+    count += 3;
+  });
+  assert.ok(count > 10_000);
+  assert.ok(sum / count / 255 < 0.01, `${(100 * sum) / count / 255} % off`);
+}
+
 test('colours are where they were, in one atlas, and the old image is gone', async () => {
   const result = await bakedTorus;
   assert.deepEqual(await validate(result), []);
@@ -73,14 +91,7 @@ test('colours are where they were, in one atlas, and the old image is gone', asy
   const [material] = model.tree.materials;
   assert.equal(material.name, 'paint');
   assert.equal(material.pbrMetallicRoughness.metallicFactor, 0.25);
-  let [sum, count] = [0, 0];
-  forEachTexel(model, ({ position, colour }) => {
-    const expected = colourOf(...onTorus(position));
-    for (let k = 0; k < 3; k += 1) sum += Math.abs(colour[k] - expected[k]);
-    count += 3;
-  });
-  assert.ok(count > 10_000);
-  assert.ok(sum / count / 255 < 0.01, `${(100 * sum) / count / 255} % off`);
+  lookRight(model);
 });
 
 test('seams hold no vertices: angles are as on a surface without any', async () => {
@@ -277,6 +288,9 @@ test('what cannot be painted from is said in a sentence', async () => {
   await rejectsWith(bake(withBytes(huge)), 'UNSUPPORTED', /10000 × 10000/);
   await rejectsWith(bake(withBytes([0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb])),
     'UNSUPPORTED', /KTX2/);
+  const animated = new Uint8Array(30);
+  animated.set(Buffer.from('RIFF\0\0\0\0WEBPVP8X\n\0\0\0\x02'));
+  await rejectsWith(bake(withBytes(animated)), 'UNSUPPORTED', /animated/);
   await rejectsWith(bake(withBytes([1, 2, 3, 4])), 'UNSUPPORTED', /neither PNG/);
   await rejectsWith(bake(torusFile, { output: 'obj' }), 'UNSUPPORTED', /glTF/);
   await rejectsWith(bake(torusFile, { textureSize: 16, vertices: 2000 }), 'INVALID_OPTION',
@@ -304,15 +318,68 @@ test('a scan with coloured vertices becomes a textured model', async () => {
   const result = await bake({ name: 'scan.ply', bytes },
     { vertices: 300, textureFormat: 'png', textureSize: 256, output: 'glb' });
   assert.deepEqual(await validate(result), []);
-  let [sum, count] = [0, 0];
-  forEachTexel(await baked(result), ({ position, colour }) => {
-    colourOf(...onTorus(position)).forEach((value, k) => {
-      sum += Math.abs(colour[k] - value) / 255;
-      count += 1;
+  const model = await baked(result);
+  lookRight(model);
+  // Nothing says that it is of metal.
+  assert.equal(model.tree.materials[0].pbrMetallicRoughness.metallicFactor, 0);
+});
+
+/** The torus as an OBJ; its library names the texture, and one that nobody paints from. */
+function objOfTorus() {
+  const charts = layOut(scraps);
+  const mesh = { positions: [], texcoords: [], indices: [] };
+  charts.forEach((chart) => addChart(mesh, chart));
+  const lines = ['mtllib paint.mtl', 'usemtl paint'];
+  for (let v = 0; v < mesh.positions.length / 3; v += 1) {
+    lines.push(`v ${mesh.positions.slice(3 * v, 3 * v + 3).join(' ')}`,
+      `vt ${mesh.texcoords[2 * v]} ${1 - mesh.texcoords[2 * v + 1]}`);
+  }
+  for (let t = 0; t < mesh.indices.length; t += 3) {
+    lines.push(`f ${mesh.indices.slice(t, t + 3).map((v) => `${v + 1}/${v + 1}`).join(' ')}`);
+  }
+  const library = 'newmtl paint\nmap_Kd -s 1 1 1 the paint.png\nmap_Bump bumps.png\n';
+  const encode = (text) => new TextEncoder().encode(text);
+  return { name: 'torus.obj', bytes: encode(`${lines.join('\n')}\n`),
+    resources: { 'paint.mtl': encode(library), 'the paint.png': torusTexture() } };
+}
+
+test('an OBJ is painted from what its material library says', async () => {
+  const file = objOfTorus();
+  const options = { vertices: 300, textureFormat: 'png', textureSize: 512, output: 'glb' };
+  const result = await bake(file, options);
+  assert.deepEqual(await validate(result), []);
+  const model = await baked(result);
+  lookRight(model);
+  assert.equal(model.tree.materials[0].name, 'paint');
+  assert.equal(model.tree.materials[0].pbrMetallicRoughness.metallicFactor, 0);
+  const codes = result.report.warnings.map(({ code }) => code);
+  assert.ok(codes.includes('MAP_NOT_PAINTED') && !codes.includes('MATERIAL_IMAGES_NOT_READ'));
+  delete file.resources['the paint.png'];
+  await rejectsWith(bake(file, options), 'MISSING_RESOURCE', /the paint\.png/);
+});
+
+test('coordinates beyond the square, and a texture of two materials', async () => {
+  const file = paintedTorus((maker, primitive) => {
+    const { bufferView } = maker.tree.accessors[primitive.attributes.TEXCOORD_0];
+    const bytes = maker.views[bufferView];
+    const coordinates = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+    coordinates.forEach((value, i) => {
+      coordinates[i] = value + (i % 2 ? -2 : 3);
     });
+    const all = maker.views[maker.tree.accessors[primitive.indices].bufferView];
+    const indices = new Uint32Array(all.buffer, all.byteOffset, all.length / 4);
+    const [paint] = maker.tree.materials;
+    maker.tree.materials.push({ ...paint, name: 'more' });
+    const half = indices.length / 2;
+    primitive.indices = maker.addIndices(indices.slice(0, half));
+    maker.tree.meshes[0].primitives.push(
+      { ...primitive, indices: maker.addIndices(indices.slice(half)), material: 1 });
   });
-  assert.ok(count > 10_000);
-  assert.ok(sum / count < 0.01, `${(100 * sum) / count} % off`);
+  const result = await bake(file, { vertices: 300, textureFormat: 'png', textureSize: 512 });
+  assert.deepEqual(await validate(result), []);
+  const model = await baked(result);
+  assert.equal(model.tree.meshes[0].primitives.length, 1);
+  lookRight(model);
 });
 
 test('a texture without coordinates, and coordinates far outside, are no hindrance', async () => {

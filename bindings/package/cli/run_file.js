@@ -34,13 +34,21 @@ import { requireOutput, writeOutput } from '../files/output.js';
  * @property {{ warnings: Warning[] } & Record<string, any>} report
  */
 
-/** @param {string} name @param {Uint8Array} bytes @param {Gate} gate */
-async function readResources(name, bytes, gate) {
+/**
+ * What the file refers to; where it is painted from, the images of its material libraries, too.
+ * @param {{ name: string, bytes: Uint8Array, isPainted: boolean }} file
+ * @param {Gate} gate
+ */
+async function readResources({ name, bytes, isPainted }, gate) {
   /** @type {Record<string, Uint8Array>} */
   const resources = Object.create(null);
-  for (const reference of new Set(referencesOf(name, bytes))) {
+  const references = new Set(referencesOf(name, bytes));
+  for (const reference of references) {
     const content = await gate.read(reference);
-    if (content) resources[reference] = content;
+    if (!content) continue;
+    resources[reference] = content;
+    if (!isPainted || !/\.mtl$/i.test(reference)) continue;
+    for (const image of referencesOf(reference, content)) references.add(image);
   }
   return resources;
 }
@@ -92,7 +100,8 @@ export async function runFile(task, api, run) {
     await gunzip({ name: basename(input), bytes: await readInput(input) });
   if (output) requireOutput({ path: output, inputs: [input], force });
   const gate = await Gate.of(input, task.root);
-  const resources = await readResources(name, bytes, gate);
+  const isPainted = task.options.textures === 'bake';
+  const resources = await readResources({ name, bytes, isPainted }, gate);
   const refused = refusals(gate, task);
   const result = await work(task, api, bytes, { ...run, name, resources }).catch((error) => {
     throw withRefusals(error, refused);

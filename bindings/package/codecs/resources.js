@@ -30,6 +30,37 @@ function objReferences(bytes) {
   return Array.from(references, ([, rest]) => trimmed(rest)).filter(Boolean);
 }
 
+/** The images that textures are painted from. @param {Uint8Array} bytes @returns {string[]} */
+function mtlReferences(bytes) {
+  const maps = new TextDecoder().decode(bytes)
+    .matchAll(/^[ \t]*(?:map_Kd|map_Ke|map_Kn|norm)[ \t](.*)$/gm);
+  return Array.from(maps, ([, rest]) => behindOptions(rest)).filter(Boolean);
+}
+
+/**
+ * Offset, scale and turbulence have one to three numbers, -mm two words, other options one.
+ * @param {string} statement
+ */
+function behindOptions(statement) {
+  const isNumber = (/** @type {string | undefined} */ word) => /^[-+]*[.\d]/.test(word ?? '');
+  let rest = trimmed(statement);
+  const next = () => {
+    const [word] = rest.split(/[ \t]/, 1);
+    rest = trimmed(rest.slice(word.length));
+    return word;
+  };
+  while (/^-[^ \t]/.test(rest)) {
+    const option = next();
+    if (!['-o', '-s', '-t'].includes(option)) {
+      next();
+      if (option === '-mm') next();
+      continue;
+    }
+    for (let i = 0; i < 3 && isNumber(rest); i += 1) next();
+  }
+  return rest;
+}
+
 /**
  * @param {string} name
  * @param {Uint8Array} bytes
@@ -39,6 +70,7 @@ export function referencesOf(name, bytes) {
   try {
     if (/\.gl(b|tf)$/i.test(name)) return gltfReferences(bytes);
     if (/\.obj$/i.test(name)) return objReferences(bytes);
+    if (/\.mtl$/i.test(name)) return mtlReferences(bytes);
   } catch {
     return [];
   }

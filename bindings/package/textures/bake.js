@@ -2,6 +2,8 @@
 // Around a run that bakes textures: images are decoded before, and encoded behind it.
 
 import { RemeshError } from '../base/errors.js';
+import { legible } from '../base/legible.js';
+import { referencesOf } from '../codecs/resources.js';
 import { ImageCodecs } from './image_codecs.js';
 import { imagesOf, withImages } from './gltf_images.js';
 
@@ -11,6 +13,15 @@ import { imagesOf, withImages } from './gltf_images.js';
 
 /** What decoding and encoding take of the whole run. */
 const shares = { decoding: 0.04, encoding: 0.16 };
+
+/** Those that an OBJ's material libraries name; the core says which are missing.
+ * @param {FileRequest} file */
+function imagesBeside({ name: model, resources }) {
+  const named = new Set(resources.flatMap(({ name, bytes }) =>
+    (/\.mtl$/i.test(name) ? referencesOf(name, bytes) : [])));
+  return resources.filter(({ name }) => named.has(name)).map(({ name, bytes }) =>
+    ({ name, label: `${legible(model)}: Image ${legible(name)}`, bytes }));
+}
 
 export class Bakery {
   #codecs;
@@ -40,9 +51,8 @@ export class Bakery {
 
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
-    if (!/\.gl(b|tf)$/i.test(file.name)) return file;
+    const images = /\.gl(b|tf)$/i.test(file.name) ? imagesOf(file) : imagesBeside(file);
     const pictures = [];
-    const images = imagesOf(file);
     for (const [i, { name, label, bytes }] of images.entries()) {
       this.#tell('decode images', shares.decoding * i / images.length);
       pictures.push({ name, type: '', ...await this.#codecs.decode({ name: label, bytes }) });

@@ -73,6 +73,10 @@ function typeOf({ name, bytes }) {
     throw new RemeshError('UNSUPPORTED', `${name} is neither PNG nor JPEG nor WebP.`,
       'Convert it first, or keep the textures.');
   }
+  if (header.isAnimated) {
+    throw new RemeshError('UNSUPPORTED', `${name} is animated, which cannot be painted from.`,
+      'Give one of its frames, or keep the textures.');
+  }
   if ((header.width ?? 0) * (header.height ?? 0) > largestImage) {
     throw new RemeshError('UNSUPPORTED',
       `${name} has ${header.width} × ${header.height} texels; ${largestImage} are the most.`,

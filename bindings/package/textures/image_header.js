@@ -6,6 +6,7 @@
  * @property {string} type A media type.
  * @property {number} [width] Texels; unknown where the header is cut short.
  * @property {number} [height] Texels.
+ * @property {boolean} [isAnimated] Shows nothing but in its frames.
  */
 
 /** @param {Uint8Array} bytes @param {number} at @param {string} letters */
@@ -49,9 +50,11 @@ function webpSize(view, bytes) {
     return { width: (bits & low14) + 1, height: ((bits >> 14) & low14) + 1 };
   }
   const low24 = 0xffffff;
+  const animation = 2;
   return {
     width: (view.getUint32(24, true) & low24) + 1,
     height: (view.getUint32(26, true) >>> 8) + 1,
+    isAnimated: (bytes[20] & animation) !== 0,
   };
 }
 

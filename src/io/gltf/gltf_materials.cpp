@@ -146,6 +146,7 @@ Json paintedMaterial(Json& tree, const Model& model, const Material& painting) {
   material = restOf(std::move(material));
   removeMaps(material);
   if (!name.empty()) material["name"] = name;
+  if (painting.number < 0 && !painting.isOpaque) material["alphaMode"] = "BLEND";
   Json pbr = Json::object();
   if (!painting.baseColor.isOnes()) pbr["baseColorFactor"] = listOf<4>(painting.baseColor);
   if (painting.baseColorMap)

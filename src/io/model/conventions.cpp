@@ -8,11 +8,6 @@
 namespace remesher::io {
 namespace {
 
-// The transfer function of sRGB, IEC 61966-2-1, and its inverse.
-double linearFromSrgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 double srgbFromLinear(double value) {
   return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
 }
@@ -33,6 +28,10 @@ void recode(Attribute& colors, double (*transfer)(double)) {
 }
 
 }  // namespace
+
+double linearFromSrgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
 
 TriangleMesh converted(TriangleMesh mesh, Conventions from, Conventions to) {
   if (from == to) return mesh;

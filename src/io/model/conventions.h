@@ -10,6 +10,9 @@ namespace remesher::io {
 // OFF and PLY: from the bottom left corner, and colours are sRGB, as bytes of pictures are.
 enum class Conventions { Gltf, Classic };
 
+// The transfer function of sRGB, IEC 61966-2-1.
+double linearFromSrgb(double value);
+
 // The same mesh under other conventions. A byte of an sRGB colour survives the way there and back.
 TriangleMesh converted(TriangleMesh mesh, Conventions from, Conventions to);
 

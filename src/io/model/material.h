@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a surface looks, as glTF says it: factors, and maps that they are multiplied with.
+// How a surface looks, as glTF says it: factors, and maps that they are multiplied with. What no
+// file says is that of a dull surface that is no metal.
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ struct Material {
   std::string name;
   int number = -1;                                      // in its file
   Eigen::Vector4d baseColor = Eigen::Vector4d::Ones();  // linear, and alpha
-  double metallic = 1, roughness = 1;
+  double metallic = 0, roughness = 1;
   Vec3 emissive = Vec3::Zero();
   double normalScale = 1, occlusionStrength = 1;
   Map baseColorMap, metalRoughMap, occlusionMap, emissiveMap, normalMap;

@@ -282,10 +282,14 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
   return mesh;
 }
 
-std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const std::vector<ObjGroup>& groups) {
+std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const ObjSource& source) {
+  std::map<std::string, Material> materials;
+  for (const File& library : source.libraryFiles) materials.merge(materialsOf(library));
   std::vector<GroupInfo> infos;
-  for (const ObjGroup& group : groups) {
+  for (const ObjGroup& group : source.groups) {
     GroupInfo info{group.material, {}};
+    const auto look = materials.find(group.material);
+    if (look != materials.end()) info.look = look->second;
     for (const Attribute& attribute : mesh.attributes)
       if ((attribute.semantic == "NORMAL" && !group.hasNormals) ||
           (attribute.semantic == "TEXCOORD_0" && !group.hasTexcoords))
@@ -344,7 +348,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points or lines.");
   TriangleMesh mesh = meshOf(std::move(content), source->groups);
-  std::vector<GroupInfo> groups = groupInfos(mesh, source->groups);
+  std::vector<GroupInfo> groups = groupInfos(mesh, *source);
   model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}, std::move(groups)});
   model.source = source;
   return model;

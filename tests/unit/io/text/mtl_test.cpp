@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "io/model/conventions.h"
+
 using namespace remesher;
 using namespace remesher::io;
 
@@ -29,4 +31,34 @@ TEST_CASE("mtl: options before the name are passed over") {
 
 TEST_CASE("mtl: options without end have no name behind them") {
   CHECK(imagesIn("map_Kd -s\nmap_Kd -bm\nmap_Kd -mm 1\nmap_Kd\n").empty());
+}
+
+TEST_CASE("mtl: materials as glTF says them") {
+  const std::string text =
+      "newmtl dark red\nKd 0.5 0.25 0\nNs 250\nPm 0.5\nKe 0 0 1\nmap_Kd -s 2 3 -o 0.1 0.2 -clamp "
+      "on "
+      "a b.png\nmap_Bump x.png\nnorm n.png\nnewmtl glass\nd 0.25\nmap_Ke e.png\n"
+      "newmtl broken\nKd red\nd\nNs nan\n";
+  const auto materials = materialsOf({"m.mtl", {text.begin(), text.end()}});
+  REQUIRE(materials.size() == 3);
+  const Material& red = materials.at("dark red");
+  CHECK(red.baseColor == Eigen::Vector4d(linearFromSrgb(0.5), linearFromSrgb(0.25), 0, 1));
+  CHECK(red.roughness == 0.5);
+  CHECK(red.metallic == 0.5);
+  CHECK(red.emissive == Vec3(0, 0, 1));
+  CHECK(red.baseColorMap.image == "a b.png");
+  CHECK(red.baseColorMap.wrap[0] == Wrap::Clamp);
+  // At (x, y) from the bottom lies what OBJ looks up at (2 x + 0.1, 3 y + 0.2).
+  const Vec2 at(0.3, 0.1), fromTop(at.x(), 1 - at.y());
+  const Vec2 looked =
+      red.baseColorMap.transform.leftCols<2>() * fromTop + red.baseColorMap.transform.col(2);
+  CHECK(looked.isApprox(Vec2(0.7, 1 - 0.5)));
+  CHECK(red.normalMap.image == "n.png");
+  CHECK(red.unpaintable == std::vector<std::string>{"map_Bump"});
+  const Material& glass = materials.at("glass");
+  CHECK(glass.baseColor[3] == 0.25);
+  CHECK(!glass.isOpaque);
+  CHECK(glass.rest != red.rest);
+  CHECK(glass.emissive == Vec3(1, 1, 1));
+  CHECK(materials.at("broken").baseColor == Eigen::Vector4d::Ones());
 }
