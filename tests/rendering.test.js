@@ -12,9 +12,12 @@ import { remesh } from 'remesher/gltf-transform';
 import {
   addChart, columns, layOut, narrow, rows, texels, wide,
 } from './support/atlas_torus.js';
+import { openContainer, packGlb } from '../bindings/package/codecs/gltf_container.js';
 import { GltfMaker } from './support/gltf.js';
+import { lookAlikes } from './support/look_alikes.js';
 import { openGallery } from './support/pictures.js';
 import { png } from './support/png.js';
+import { simplified } from './support/simplified.js';
 import { skinnedTorus } from './support/skinned_torus.js';
 
 const strange = [255, 0, 255];
@@ -113,3 +116,37 @@ test('two materials and a skin look as they did, through glTF-Transform', async 
     assert.ok(difference < 0.02, `view ${n} differs by ${difference}`);
   }
 });
+
+/** The file with its right joint bent. */
+function posed(bytes) {
+  const { text, chunk } = openContainer(bytes);
+  const tree = JSON.parse(text);
+  tree.nodes.find(({ name }) => name === 'right').rotation = [0, 0, 0.3, Math.sqrt(1 - 0.3 ** 2)];
+  return packGlb(tree, chunk);
+}
+
+/** How alike and how different two files look, over some views. */
+async function likeness(original, result, isPosed) {
+  const [a, b] = isPosed ? [posed(original), posed(result)] : [original, result];
+  const views = await gallery.compare(a, b, { views: [0, 7] });
+  const mean = (key) => views.reduce((sum, view) => sum + view[key], 0) / views.length;
+  return { ssim: mean('ssim'), difference: mean('difference') };
+}
+
+for (const [what, { make, isPosed }] of Object.entries(lookAlikes)) {
+  test(`${what} looks like itself at a tenth of its vertices, if its textures are baked`,
+    async () => {
+      const { name, bytes } = make();
+      const options = { name, ratio: 0.1 };
+      const baked = await remeshFile(bytes, { ...options, textures: 'bake' });
+      const own = await likeness(bytes, baked.bytes, isPosed);
+      for (const rival of [
+        await simplified(bytes, baked.report.output.triangles),
+        (await remeshFile(bytes, options)).bytes,
+      ]) {
+        const other = await likeness(bytes, rival, isPosed);
+        assert.ok(own.ssim > other.ssim, `${own.ssim}, ${other.ssim}`);
+        assert.ok(own.difference < other.difference, `${own.difference}, ${other.difference}`);
+      }
+    });
+}

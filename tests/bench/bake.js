@@ -4,28 +4,13 @@
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
-import { NodeIO } from '@gltf-transform/core';
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
-import { dedup, simplify, weld } from '@gltf-transform/functions';
-import { MeshoptSimplifier } from 'meshoptimizer';
 import { remeshFile } from 'remesher';
 
 import { openGallery } from '../support/pictures.js';
+import { simplified } from '../support/simplified.js';
 
 const model = 'DamagedHelmet.glb';
 const counts = [2900, 1450, 870];
-
-/** As many triangles as asked for, or as near as it comes. */
-async function simplified(bytes, triangles) {
-  const io = new NodeIO().registerExtensions(ALL_EXTENSIONS);
-  const document = await io.readBinary(bytes);
-  await MeshoptSimplifier.ready;
-  const before = document.getRoot().listMeshes().flatMap((mesh) => mesh.listPrimitives())
-    .reduce((sum, primitive) => sum + primitive.getIndices().getCount() / 3, 0);
-  await document.transform(weld(), dedup(),
-    simplify({ simplifier: MeshoptSimplifier, ratio: triangles / before, error: 1 }));
-  return io.writeBinary(document);
-}
 
 const mean = (views, key) => views.reduce((sum, view) => sum + view[key], 0) / views.length;
 

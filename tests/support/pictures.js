@@ -42,7 +42,8 @@ export async function openGallery() {
   await tab.waitForFunction('window.compare');
   return {
     /**
-     * For each of 12 views what the two pictures have in common, see pictures_page.js.
+     * For each of 12 views, or of those of `options`, what the two pictures have in common, see
+     * pictures_page.js.
      * @returns {Promise<{ difference: number, pixels: number, strange: number, ssim: number }[]>}
      */
     async compare(original, result, options = {}) {

@@ -112,11 +112,13 @@ window.picture = async (url, view) => {
   return renderer.domElement.toDataURL('image/png');
 };
 
-window.compare = async (first, second, { forbidden } = {}) => {
+/** views: the numbers of the directions; all twelve if none are given. */
+window.compare = async (first, second, { forbidden, views } = {}) => {
   const [before, after] = await Promise.all([sceneOf(first), sceneOf(second)]);
   const { center, radius } = new Box3().setFromObject(before).getBoundingSphere(new Sphere());
   const camera = new PerspectiveCamera(40, 1, radius, 5 * radius);
-  return directions().map((direction) => {
+  const from = directions();
+  return (views?.map((view) => from[view]) ?? from).map((direction) => {
     camera.position.copy(center).addScaledVector(direction, 3.1 * radius);
     camera.lookAt(center);
     return difference(picture(before, camera), picture(after, camera), forbidden);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Models whose looks few vertices cannot carry: the colours of a scan lie in scraps of an atlas or
+// in its vertices, sheets touch, alpha is in a map, a skin bends.
+import { addChart, columns, layOut, rows, texels } from './atlas_torus.js';
+import { GltfMaker } from './gltf.js';
+import { png } from './png.js';
+import { skinnedTorus } from './skinned_torus.js';
+
+const unlit = { KHR_materials_unlit: {} };
+
+/** Spots that no few triangles can follow. */
+const spots = (i, j) => [
+  Math.round(127 + 100 * Math.cos((2 * Math.PI * i) / columns)),
+  Math.round(127 + 100 * Math.cos((2 * Math.PI * j) / rows)),
+  Math.round(127 + 100 * Math.tanh(6 * Math.sin((16 * Math.PI * i) / columns)
+    * Math.sin((8 * Math.PI * j) / rows)))];
+
+const every = (step, count) => Array.from({ length: count / step + 1 }, (_, i) => step * i);
+
+/** Where a texel lies on the torus: on a chart or the few texels around it. */
+function onChart(charts, x, y) {
+  const chart = charts.find(({ left, top, width, height }) => x >= left - 3 && x <= left + width + 3
+    && y >= top - 3 && y <= top + height + 3);
+  return chart && [
+    chart.i0 + ((chart.i1 - chart.i0) * (x + 0.5 - chart.left)) / chart.width,
+    chart.j0 + ((chart.j1 - chart.j0) * (y + 0.5 - chart.top)) / chart.height];
+}
+
+function addTexture(maker, colour) {
+  Object.assign(maker.tree, {
+    extensionsUsed: ['KHR_materials_unlit'],
+    images: [{ bufferView: maker.addView(png(texels, texels, colour)), mimeType: 'image/png' }],
+    textures: [{ source: 0 }],
+  });
+}
+
+function addPrimitive(maker, charts, material) {
+  const mesh = { positions: [], texcoords: [], indices: [] };
+  for (const chart of charts) addChart(mesh, chart);
+  return {
+    attributes: {
+      POSITION: maker.add(Float32Array.from(mesh.positions), 'VEC3'),
+      TEXCOORD_0: maker.add(Float32Array.from(mesh.texcoords), 'VEC2'),
+    },
+    indices: maker.addIndices(Uint32Array.from(mesh.indices)),
+    material,
+  };
+}
+
+const paint = (factor, rest) => ({
+  pbrMetallicRoughness: { baseColorTexture: { index: 0 }, baseColorFactor: factor },
+  extensions: unlit,
+  ...rest,
+});
+
+/** A torus in 128 scraps of an atlas; nothing is between them. */
+function scrappyScan() {
+  const maker = new GltfMaker();
+  const charts = layOut({ around: every(4, columns), across: every(4, rows) });
+  addTexture(maker, (x, y) => spots(...onChart(charts, x, y) ?? [0, 0]));
+  maker.tree.materials = [paint([1, 1, 1, 1])];
+  return maker.show([addPrimitive(maker, charts, 0)]).glb();
+}
+
+/** One half of a torus can be seen through. */
+function halfGlass() {
+  const maker = new GltfMaker();
+  const charts = layOut({ around: every(8, columns), across: every(8, rows) });
+  addTexture(maker, (x, y) => spots(...onChart(charts, x, y) ?? [0, 0]));
+  maker.tree.materials = [paint([1, 1, 1, 1]), paint([1, 1, 1, 0.5], { alphaMode: 'BLEND' })];
+  const isFront = ({ i0 }) => i0 < columns / 2;
+  return maker.show([
+    addPrimitive(maker, charts.filter(isFront), 0),
+    addPrimitive(maker, charts.filter((chart) => !isFront(chart)), 1),
+  ]).glb();
+}
+
+/** A strip folded over itself: checks of one colour lie close upon those of another. */
+function foldedSheet() {
+  const [long, wide, gap] = [96, 24, 0.02];
+  const positions = [];
+  const colours = [];
+  const indices = [];
+  for (let i = 0; i <= long; i += 1) {
+    for (let j = 0; j <= wide; j += 1) {
+      const along = (2 * i) / long - 1;
+      const isUpper = i > long / 2;
+      positions.push(1 - Math.abs(along), j / wide, i === long / 2 ? 0 : isUpper ? gap : -gap);
+      const check = (Math.floor(i / 6) + Math.floor(j / 6)) % 2 ? 0.9 : 0.3;
+      colours.push(...(isUpper ? [check, 0.1, 0.1] : [0.1, 0.1, check]));
+      if (i === long || j === wide) continue;
+      const at = (a, b) => (i + a) * (wide + 1) + j + b;
+      indices.push(at(0, 0), at(0, 1), at(1, 1), at(0, 0), at(1, 1), at(1, 0));
+    }
+  }
+  const maker = new GltfMaker();
+  Object.assign(maker.tree, { extensionsUsed: ['KHR_materials_unlit'],
+    materials: [{ extensions: unlit }] });
+  return maker.show([{
+    attributes: {
+      POSITION: maker.add(Float32Array.from(positions), 'VEC3'),
+      COLOR_0: maker.add(Float32Array.from(colours), 'VEC3'),
+    },
+    indices: maker.addIndices(Uint32Array.from(indices)),
+    material: 0,
+  }]).glb();
+}
+
+/** By name: how a file is made, and whether its joints are bent before it is looked at. */
+export const lookAlikes = {
+  'a scan in scraps': { make: scrappyScan },
+  'a folded sheet': { make: foldedSheet },
+  'a body half of glass': { make: halfGlass },
+  'a body with a skin': { make: skinnedTorus, isPosed: true },
+};
