@@ -22,7 +22,7 @@ after(() => rmSync(top, { recursive: true }));
 const at = (...parts) => join(top, ...parts);
 
 writeFileSync(at('old.obj'), objText(torus(30, 20)));
-writeFileSync(at('new.obj'), objText(torus(150, 60)));
+writeFileSync(at('new.obj'), objText(torus(80, 40)));
 writeFileSync(at('small.obj'), objText(torus(6, 5)));
 
 /** A folder with the results of the old model; and what those of the newer one will be. */

@@ -17,7 +17,7 @@ import { includeFolders, packageManager } from './system.js';
 export function commonDefinitions(system) {
   return [
     `-DREMESHER_INCLUDE=${includeFolders(system).join(';')}`,
-    '-DREMESHER_UNITY=ON',
+    '-DREMESHER_UNITY=ON', '-DREMESHER_PRECOMPILE=ON',
     ...(packageManager(system) === 'apt' ? [] : ['-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF']),
   ];
 }
@@ -30,7 +30,7 @@ export function wasmDefinitions(system) {
 /** @param {System} system */
 export function testDefinitions(system) {
   const clang = findSanitizingClang(system);
-  return ['-DCMAKE_BUILD_TYPE=Debug', '-DREMESHER_SANITIZE=ON', '-DREMESHER_PRECOMPILE=ON',
+  return ['-DCMAKE_BUILD_TYPE=Debug', '-DREMESHER_SANITIZE=ON',
     '-DCMAKE_CXX_FLAGS_DEBUG=-gline-tables-only',
     ...(clang ? [`-DCMAKE_CXX_COMPILER=${clang}`] : [])];
 }
@@ -41,6 +41,7 @@ export function testDefinitions(system) {
  * @property {string} folder
  * @property {readonly string[]} names
  * @property {readonly string[]} definitions
+ * @property {boolean} [givesWay]
  */
 
 /**
@@ -61,7 +62,7 @@ async function buildTarget(target) {
   await configure(target);
   if (ask('ninja', ['-C', target.folder, '-n', ...target.names]).includes('no work to do')) return;
   say(`Building ${target.what}`);
-  await run('ninja', ['-C', target.folder, ...target.names]);
+  await run('ninja', ['-C', target.folder, ...target.names], { givesWay: target.givesWay });
 }
 
 /** @param {System} system */
@@ -70,10 +71,14 @@ export const buildWebAssembly = (system) => buildTarget({
   definitions: [...commonDefinitions(system), ...wasmDefinitions(system)],
 });
 
-/** @param {System} system */
+/**
+ * What comes after the module, its linking and the package's types, uses one core: it begins as
+ * early as it can, and the tests fill the other.
+ * @param {System} system
+ */
 const unitTests = (system) => ({
   what: 'the unit tests, with sanitizers', folder: 'build/test',
-  names: ['unit_tests', 'fuzz_replay'],
+  names: ['unit_tests', 'fuzz_replay'], givesWay: true,
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
 

@@ -2,6 +2,7 @@
 // How the build speaks and starts other programs: a line per step on standard error, and what a
 // program printed only if it failed.
 import { spawn, spawnSync } from 'node:child_process';
+import { constants, getPriority, setPriority } from 'node:os';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -18,12 +19,17 @@ export function say(text) {
 /**
  * @param {string} command
  * @param {readonly string[]} words
+ * @param {{ givesWay?: boolean }} [options] to others that want the same cores
  * @returns {Promise<string>} what it printed
  */
-export function run(command, words) {
+export function run(command, words, { givesWay = false } = {}) {
   return new Promise((resolve, reject) => {
     // On Windows npm and the like are scripts, which only a shell starts.
     const child = spawn(command, words, { cwd: root, shell: process.platform === 'win32' });
+    if (givesWay && child.pid) {
+      const { PRIORITY_LOW, PRIORITY_BELOW_NORMAL } = constants.priority;
+      setPriority(child.pid, Math.min(getPriority() + PRIORITY_BELOW_NORMAL, PRIORITY_LOW));
+    }
     let printed = '';
     for (const stream of [child.stdout, child.stderr]) {
       stream.setEncoding('utf8').on('data', (text) => { printed += text; });

@@ -54,9 +54,9 @@ TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
   for (const Hostile& shape : {Hostile{"flat triangle", shapes::flatTriangle(1e-12)},
                                Hostile{"tube", shapes::tube(12, 2, 1e-3, 1e4)},
                                Hostile{"sheet", shapes::stretchedSheet(4, 1e9)},
-                               Hostile{"on a line", shapes::nearlyOnALine(30, 1e-9)},
-                               Hostile{"on a line", shapes::nearlyOnALine(30, 1e-15)},
-                               Hostile{"needles", shapes::needles(40, 1e-9)},
+                               Hostile{"on a line", shapes::nearlyOnALine(20, 1e-9)},
+                               Hostile{"on a line", shapes::nearlyOnALine(20, 1e-15)},
+                               Hostile{"needles", shapes::needles(16, 1e-9)},
                                Hostile{"mixed", shapes::mixedScales(3, 1e30)},
                                Hostile{"mixed", shapes::mixedScales(3, 1e-30)}})
     for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
@@ -65,7 +65,7 @@ TEST_CASE("hostile: shapes without a sane triangle end in a mesh") {
       RemeshOptions options;
       options.scheme = scheme;
       checked(shape.mesh, options);
-      checked(shape.mesh, toVertices(130, scheme));
+      checked(shape.mesh, toVertices(60, scheme));
     }
 }
 

@@ -43,7 +43,7 @@ void collapseAll(WorkingMesh& mesh, Judge judge) {
 }  // namespace
 
 TEST_CASE("error bound: no chain of allowed changes leaves it, in either direction") {
-  for (const TriangleMesh& shape : {shapes::icosphere(5), shapes::torus(20, 10), shapes::grid(6, 6),
+  for (const TriangleMesh& shape : {shapes::icosphere(4), shapes::torus(16, 8), shapes::grid(6, 6),
                                     shapes::cylinder(16, 5), shapes::boxWithHole()}) {
     const OriginalSurface surface = shapes::surfaceOf(shape, shapes::Features::None);
     for (const double share : {0.002, 0.03}) {

@@ -136,7 +136,7 @@ TEST_CASE("curves: features of bodies survive, none is lost, none is invented") 
         Case{shapes::boxWithHole(), 3 * std::sqrt(3.0), {}},
         Case{shapes::cylinder(96, 24), std::sqrt(12.0), {}},
         Case{shapes::cone(96), std::sqrt(8.0), {Vec3(0, 0, 2)}}})
-    for (const Index vertices : {600, 2500}) {
+    for (const Index vertices : {600, 1600}) {
       CAPTURE(vertices);
       const RemeshOutcome outcome = run(body, vertices);
       const std::vector<Segment> before = edgesOf(body, Which::Sharp);
@@ -180,7 +180,7 @@ TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices 
   RemeshOptions options;
   options.boundary = Boundary::Keep;
   for (const Scheme scheme : {Scheme::Best, Scheme::Rounds})
-    for (const Index vertices : {300, 1500}) {
+    for (const Index vertices : {300, 900}) {
       CAPTURE(vertices);
       options.scheme = scheme;
       const RemeshOutcome outcome = run(mesh, vertices, options);
@@ -193,7 +193,7 @@ TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices 
 TEST_CASE("curves: beside a kept boundary of long edges triangles grow to match") {
   RemeshOptions options;
   options.boundary = Boundary::Keep;
-  const RemeshOutcome outcome = run(hills(), 6000, options);
+  const RemeshOutcome outcome = run(hills(), 4000, options);
   CHECK(inspectMesh(outcome.mesh).minAngle.worst > 25);
 }
 
@@ -201,7 +201,7 @@ TEST_CASE("curves: a resampled boundary follows the one it had, corners included
   const TriangleMesh mesh = hills();
   const double diagonal = 24 * std::sqrt(2.0);
   const std::vector<Segment> before = edgesOf(mesh, Which::Open);
-  for (const Index vertices : {700, 3000}) {
+  for (const Index vertices : {700, 1800}) {
     const RemeshOutcome outcome = run(mesh, vertices);
     const std::vector<Segment> after = edgesOf(outcome.mesh, Which::Open);
     CHECK(farthest(before, after) < 0.01 * diagonal);
