@@ -62,80 +62,74 @@ val objectFrom(const Timings& timings) {
   return result;
 }
 
-val objectFrom(const std::vector<Phase>& phases) {
+val objectFrom(const Phase& phase) {
+  val result = val::object();
+  result.set("name", phase.name);
+  result.set("milliseconds", phase.milliseconds);
+  return result;
+}
+
+val objectFrom(const Attribute& attribute) {
+  val result = val::object();
+  result.set("semantic", attribute.semantic);
+  result.set("itemSize", attribute.itemSize);
+  result.set("array", arrayFrom(attribute.values));
+  return result;
+}
+
+val objectFrom(const File& file) {
+  val result = val::object();
+  result.set("name", file.name);
+  result.set("bytes", arrayFrom(file.bytes));
+  return result;
+}
+
+val objectFrom(const Picture& picture) {
+  val result = val::object();
+  result.set("name", picture.name);
+  result.set("type", picture.type);
+  result.set("width", double(picture.width));
+  result.set("height", double(picture.height));
+  result.set("texels", arrayFrom(picture.texels));
+  return result;
+}
+
+val objectFrom(const Warning& warning) {
+  val result = val::object();
+  result.set("code", warning.code);
+  result.set("message", warning.message);
+  result.set("count", double(warning.count));
+  return result;
+}
+
+// Of what there is an object of, each.
+template <class T>
+val listFrom(const std::vector<T>& values) {
   val result = val::array();
-  for (const Phase& phase : phases) {
-    val object = val::object();
-    object.set("name", phase.name);
-    object.set("milliseconds", phase.milliseconds);
-    result.call<void>("push", object);
-  }
+  for (const T& value : values) result.call<void>("push", objectFrom(value));
   return result;
 }
 
 }  // namespace
 
 val objectFrom(const TriangleMesh& mesh) {
-  val attributes = val::array();
-  for (const Attribute& attribute : mesh.attributes) {
-    val object = val::object();
-    object.set("semantic", attribute.semantic);
-    object.set("itemSize", attribute.itemSize);
-    object.set("array", arrayFrom(attribute.values));
-    attributes.call<void>("push", object);
-  }
   val result = val::object();
   const double* positions = mesh.positions.empty() ? nullptr : mesh.positions.front().data();
   result.set("positions",
              val(typed_memory_view(3 * mesh.positions.size(), positions)).call<val>("slice"));
   result.set("indices", arrayFrom(mesh.indices));
-  result.set("attributes", attributes);
+  result.set("attributes", listFrom(mesh.attributes));
   if (!mesh.groups.empty()) result.set("groups", arrayFrom(mesh.groups));
   return result;
 }
 
-val objectFrom(const std::vector<TriangleMesh>& meshes) {
-  val result = val::array();
-  for (const TriangleMesh& mesh : meshes) result.call<void>("push", objectFrom(mesh));
-  return result;
-}
+val objectFrom(const std::vector<TriangleMesh>& meshes) { return listFrom(meshes); }
 
-val objectFrom(const std::vector<File>& files) {
-  val result = val::array();
-  for (const File& file : files) {
-    val object = val::object();
-    object.set("name", file.name);
-    object.set("bytes", arrayFrom(file.bytes));
-    result.call<void>("push", object);
-  }
-  return result;
-}
+val objectFrom(const std::vector<File>& files) { return listFrom(files); }
 
-val objectFrom(const std::vector<Picture>& pictures) {
-  val result = val::array();
-  for (const Picture& picture : pictures) {
-    val object = val::object();
-    object.set("name", picture.name);
-    object.set("type", picture.type);
-    object.set("width", double(picture.width));
-    object.set("height", double(picture.height));
-    object.set("texels", arrayFrom(picture.texels));
-    result.call<void>("push", object);
-  }
-  return result;
-}
+val objectFrom(const std::vector<Picture>& pictures) { return listFrom(pictures); }
 
-val objectFrom(const std::vector<Warning>& warnings) {
-  val result = val::array();
-  for (const Warning& warning : warnings) {
-    val object = val::object();
-    object.set("code", warning.code);
-    object.set("message", warning.message);
-    object.set("count", double(warning.count));
-    result.call<void>("push", object);
-  }
-  return result;
-}
+val objectFrom(const std::vector<Warning>& warnings) { return listFrom(warnings); }
 
 // WebAssembly's memory only grows: its size now is the peak.
 val objectFrom(const Report& report) {
@@ -148,14 +142,10 @@ val objectFrom(const Report& report) {
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
-  result.set("phases", objectFrom(report.phases));
-  result.set("warnings", objectFrom(report.warnings));
+  result.set("phases", listFrom(report.phases));
+  result.set("warnings", listFrom(report.warnings));
   if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
-  if (!report.lods.empty()) {
-    val lods = val::array();
-    for (const Report& lod : report.lods) lods.call<void>("push", objectFrom(lod));
-    result.set("lods", lods);
-  }
+  if (!report.lods.empty()) result.set("lods", listFrom(report.lods));
   return result;
 }
 
