@@ -99,10 +99,11 @@ bool matchPositions(Run& run, std::size_t vertices) {
   return countDistinct(run.mesh) == vertices;
 }
 
-// A draft does without patches.
+// A draft of many vertices does without patches: where edges are short, the shortest way is as good.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+  constexpr std::size_t kMany = 8000;
   const bool walks = options.scheme == Scheme::Best && options.quality == Quality::Draft &&
-                     options.projection == Projection::Patches;
+                     options.projection == Projection::Patches && original.vertices() >= kMany;
   if (walks) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
 }

@@ -193,8 +193,16 @@ TEST_CASE("curves: a kept boundary comes out bit for bit, however many vertices 
 TEST_CASE("curves: beside a kept boundary of long edges triangles grow to match") {
   RemeshOptions options;
   options.boundary = Boundary::Keep;
-  const RemeshOutcome outcome = run(hills(), 4000, options);
-  CHECK(inspectMesh(outcome.mesh).minAngle.worst > 25);
+  const TriangleMesh mesh = run(hills(), 4000, options).mesh;
+  std::vector<int> faces(mesh.positions.size(), 0);
+  for (const Index v : mesh.indices) ++faces[v];
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto corner = [&](std::size_t k) { return mesh.indices[3 * t + k]; };
+    // The outline alone decides the shape of a triangle that has a corner of it to itself.
+    if (faces[corner(0)] == 1 || faces[corner(1)] == 1 || faces[corner(2)] == 1) continue;
+    const auto at = [&](std::size_t k) { return mesh.positions[corner(k)]; };
+    CHECK(minAngle(at(0), at(1), at(2)) > radians(25));
+  }
 }
 
 TEST_CASE("curves: a resampled boundary follows the one it had, corners included") {
