@@ -109,6 +109,22 @@ const paste = (content) => page.evaluate((pasted) => {
   document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
 }, content);
 
+test('a model is shown even when its run is cancelled at once', async () => {
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      document.getElementById('cancel').click();
+    });
+    observer.observe(document.getElementById('original-count'), { childList: true });
+  });
+  await drop(page, { 'large.obj': objText(torus(60, 40)) });
+  await arrived('large.obj');
+  assert.equal(await shownVertices(), '2,400');
+  await page.waitForFunction(() =>
+    Number(document.getElementById('canvas').dataset.triangles) >= 4800);
+  assert.equal(await page.isVisible('#result'), false);
+});
+
 test('files and text are pasted', async () => {
   await paste({ name: 'copied.obj', content: ring });
   await arrived('copied.obj');

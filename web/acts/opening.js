@@ -92,7 +92,7 @@ export function open(page, coming, { source, wished, onForm }) {
     }
     const model = await modelFrom(chosen, items);
     announce(t('opening', { name: model.name }));
-    const report = await session.open(model, source);
+    const { report, signal } = await session.open(model, source);
     if (!source) await addRecent(model.name, items);
     fillMenu();
     showInMenu(source);
@@ -103,6 +103,7 @@ export function open(page, coming, { source, wished, onForm }) {
     await showOriginal(page);
     onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
-    if (report.input.vertices <= largestAutomatic) await remesh(page);
+    const isQuick = report.input.vertices <= largestAutomatic;
+    if (isQuick && !signal.aborted) await remesh(page);
   });
 }

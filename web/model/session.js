@@ -24,6 +24,8 @@ const describe = ({ name, resources }) => ({
 
 export class Session {
   #controller = new AbortController();
+  /** Ends when another model comes: a cancelled run leaves the model, which is still to be seen. */
+  #stay = new AbortController();
   /** @type {(event: ProgressEvent) => void} */
   #onProgress;
   #runs = 0;
@@ -58,14 +60,17 @@ export class Session {
   }
 
   /** Makes this the model, and reports on it; a file that cannot be read leaves the old one.
-   * @param {Model} model @param {string | null} source */
+   * @param {Model} model @param {string | null} source
+   * @returns a report, and a signal that is aborted when the opening is cancelled or overtaken */
   async open(model, source) {
     const signal = this.#begin();
     const report = await inspect(model.bytes, { ...describe(model), signal });
     Object.assign(this, { model, source, inspection: report, results: [], shown: null,
       baseline: null, isUnsaved: false });
     this.#runs = 0;
-    return report;
+    this.#stay.abort();
+    this.#stay = new AbortController();
+    return { report, signal };
   }
 
   /** The model as glTF, for the viewer: the file itself, or a conversion.
@@ -82,8 +87,7 @@ export class Session {
   /** The model in another format. @param {string} output */
   converted(output) {
     const model = this.#opened();
-    const { signal } = this.#controller.signal.aborted ? new AbortController() : this.#controller;
-    return convertFile(model.bytes, { ...describe(model), output, signal });
+    return convertFile(model.bytes, { ...describe(model), output, signal: this.#stay.signal });
   }
 
   #opened() {
