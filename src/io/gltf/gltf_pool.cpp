@@ -4,12 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "base/error.h"
 
 namespace remesher::io {
 namespace {
+
+// The weights of a set that rounding left nothing of.
+struct Lost {
+  int width = 0;
+  std::vector<bool> places;
+};
 
 class PoolEncoder {
  public:
@@ -23,14 +30,15 @@ class PoolEncoder {
   void encodePositions();
   void encodeAttribute(const std::string& semantic);
   void encodeWeights();
-  void releaseJoints(const std::string& number, const Table& before, const Table& after);
+  void releaseJoints(const std::string& semantic, Table& joints) const;
   Table tableOf(const Attribute& attribute, int width) const;
   void add(const std::string& semantic, const Table& table, const Encoding& encoding);
 
   const TriangleMesh& mesh_;
   const VertexPool& pool_;
   const GltfDocument* document_;
-  std::vector<Index> vertices_;  // numbers in the mesh, ascending
+  std::vector<Index> vertices_;       // numbers in the mesh, ascending
+  std::map<std::string, Lost> lost_;  // by the number of the set: "_0"
   EncodedPool result_;
 };
 
@@ -100,22 +108,6 @@ Table PoolEncoder::tableOf(const Attribute& attribute, int width) const {
   return table;
 }
 
-void PoolEncoder::encodeAttribute(const std::string& semantic) {
-  const Attribute* const attribute = findAttribute(mesh_, semantic);
-  if (attribute == nullptr) {
-    if (semantic.starts_with("TARGET_"))
-      result_.attributes[semantic] = {encodingOf(semantic, 3), {}};
-    return;
-  }
-  const Encoding encoding = encodingOf(semantic, attribute->itemSize);
-  Table table = tableOf(*attribute, encoding.components);
-  if (semantic == "NORMAL" || semantic == "TANGENT") makeUnitLength(table);
-  // Other formats have colours of any size, and so have broken files.
-  if (semantic.starts_with("COLOR_"))
-    for (float& value : table.values) value = std::clamp(value, 0.0F, 1.0F);
-  add(semantic, table, encoding);
-}
-
 // Shares of one are floating point or parts of the largest integer, whatever a broken file has.
 Encoding fitForWeights(Encoding encoding) {
   const bool isInteger = encoding.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
@@ -141,34 +133,48 @@ void PoolEncoder::encodeWeights() {
   normalizeWeights(sets, encodings[0].componentType);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     add(semantics[i], sets[i], encodings[i]);
-    releaseJoints(semantics[i].substr(semantics[i].find('_')), before[i], sets[i]);
+    Lost& lost = lost_[semantics[i].substr(semantics[i].find('_'))];
+    lost.width = sets[i].width;
+    for (std::size_t k = 0; k < sets[i].values.size(); ++k)
+      lost.places.push_back(before[i].values[k] > 0 && sets[i].values[k] == 0);
   }
 }
 
 // A joint whose weight has been rounded to nothing is none.
-void PoolEncoder::releaseJoints(const std::string& number, const Table& before,
-                                const Table& after) {
-  const std::string semantic = "JOINTS" + number;
+void PoolEncoder::releaseJoints(const std::string& semantic, Table& joints) const {
+  const auto lost = lost_.find(semantic.substr(semantic.find('_')));
+  if (lost == lost_.end() || lost->second.width != joints.width) return;
+  for (std::size_t k = 0; k < joints.values.size(); ++k)
+    if (lost->second.places[k]) joints.values[k] = 0;
+}
+
+void PoolEncoder::encodeAttribute(const std::string& semantic) {
   const Attribute* const attribute = findAttribute(mesh_, semantic);
-  if (attribute == nullptr || pool_.accessors.count(semantic) == 0) return;
+  if (attribute == nullptr) {
+    if (semantic.starts_with("TARGET_"))
+      result_.attributes[semantic] = {encodingOf(semantic, 3), {}};
+    return;
+  }
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
-  Table joints = tableOf(*attribute, encoding.components);
-  if (joints.width != after.width) return;
-  for (std::size_t i = 0; i < joints.values.size(); ++i)
-    if (before.values[i] > 0 && after.values[i] == 0) joints.values[i] = 0;
-  add(semantic, joints, encoding);
+  Table table = tableOf(*attribute, encoding.components);
+  if (semantic == "NORMAL" || semantic == "TANGENT") makeUnitLength(table);
+  // Other formats have colours of any size, and so have broken files.
+  if (semantic.starts_with("COLOR_"))
+    for (float& value : table.values) value = std::clamp(value, 0.0F, 1.0F);
+  if (semantic.starts_with("JOINTS_")) releaseJoints(semantic, table);
+  add(semantic, table, encoding);
 }
 
 EncodedPool PoolEncoder::encode() {
   collectTriangles();
   if (vertices_.empty()) return std::move(result_);
+  encodeWeights();
   for (const auto& [semantic, accessor] : pool_.accessors) {
     if (semantic == "POSITION")
       encodePositions();
     else if (!semantic.starts_with("WEIGHTS_"))
       encodeAttribute(semantic);
   }
-  encodeWeights();
   return std::move(result_);
 }
 
