@@ -89,7 +89,6 @@ struct Sides {
     all = a + b + c;
   }
 
-  bool areALine() const { return !(longest > 0) || twiceArea / longest <= kFlattest; }
   bool areObtuse() const { return all < 2 * longest; }
   double angleOpposite(double side) const { return angleOf(twiceArea, 0.5 * (all - 2 * side)); }
 };
@@ -100,8 +99,9 @@ void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   std::array<std::size_t, 6> counts{};
   double sum = 0, worst = std::numbers::pi, largest = 0;
   for (std::size_t t = 0; t < n; ++t) {
-    const Sides sides(cornersOf(mesh, t));
-    report.degenerateTriangles += sides.areALine();
+    const Triangle corners = cornersOf(mesh, t);
+    const Sides sides(corners);
+    report.degenerateTriangles += flatness(corners[0], corners[1], corners[2]) <= kFlattest;
     const double smallest = sides.angleOpposite(sides.shortest);
     worst = std::min(worst, smallest);
     if (sides.areObtuse() || largest < std::numbers::pi / 2)
