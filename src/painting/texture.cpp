@@ -6,13 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "io/model/conventions.h"
+
 namespace remesher {
 
 namespace {
-
-double decoded(double srgb) {
-  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
 
 struct Tables {
   static constexpr int kSteps = 4096;  // of light; a byte is wider than one nearly everywhere
@@ -21,8 +19,8 @@ struct Tables {
   std::array<std::uint8_t, kSteps + 1> bytes;  // for the light at which a step begins
 
   Tables() {
-    for (int i = 0; i < 256; ++i) light[i] = decoded(i / 255.0);
-    for (int i = 0; i < 255; ++i) bounds[i] = decoded((i + 0.5) / 255);
+    for (int i = 0; i < 256; ++i) light[i] = io::linearFromSrgb(i / 255.0);
+    for (int i = 0; i < 255; ++i) bounds[i] = io::linearFromSrgb((i + 0.5) / 255);
     bounds[255] = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kSteps; ++i)
       bytes[i] = std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), double(i) / kSteps) -

@@ -99,8 +99,7 @@ bool matchPositions(Run& run, std::size_t vertices) {
   return countDistinct(run.mesh) == vertices;
 }
 
-// A draft of many vertices does without patches: where edges are short, the shortest way is as
-// good.
+// A draft of many vertices walks: over short edges the straight way leads to where patches do.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   constexpr std::size_t kMany = 8000;
   const bool walks = options.scheme == Scheme::Best && options.quality == Quality::Draft &&
