@@ -132,6 +132,36 @@ test('360 pixels are wide enough, from right to left, too', async () => {
   await page.evaluate(() => { document.documentElement.dir = 'ltr'; });
 });
 
+/** Where an element is in the window. */
+const box = (selector) => page.locator(selector).evaluate((element) => {
+  const { left, right, top, bottom } = element.getBoundingClientRect();
+  return { left, right, top, bottom };
+});
+
+test('what explains the picture covers no tools, on how many lines they ever stand', async () => {
+  await page.click('[data-shading=distance]');
+  await page.waitForSelector('#legend:not([hidden])');
+  for (const width of [1300, 1024, 800, 390]) {
+    await page.setViewportSize({ width, height: 768 });
+    assert.ok((await box('#legend')).bottom <= (await box('.toolbar')).top, `at ${width}`);
+  }
+});
+
+test('a run is in view, and can be cancelled, however short the window', async () => {
+  for (const [width, height] of [[1024, 420], [390, 560]]) {
+    await page.setViewportSize({ width, height });
+    await page.fill('#target', '100000');
+    await page.press('#target', 'Enter');
+    await page.waitForSelector('#progress:not([hidden])');
+    await page.evaluate(() => scrollTo(0, 0));
+    const { top, bottom } = await box('#cancel');
+    await page.locator('#cancel').dispatchEvent('click');
+    await settled(page);
+    assert.ok(top >= 0 && bottom <= height, `${top} to ${bottom} of ${height}`);
+  }
+  await page.setViewportSize({ width: 900, height: 560 });
+});
+
 test('colours of the visitor’s own, dark ones, and no motion', async () => {
   await page.emulateMedia({ forcedColors: 'active' });
   assert.deepEqual(await barriers(page), []);

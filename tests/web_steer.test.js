@@ -102,6 +102,23 @@ test('results so far are shown again, and any two compared', async () => {
   assert.match(await page.textContent('.tag-left'), /Original\s+288/);
 });
 
+test('Enter asks once, and what is cancelled does not begin again', async () => {
+  const rest = () => page.waitForTimeout(700);  // longer than a slider has to rest
+  const entries = await page.locator('.history-entry').count();
+  await page.fill('#target', '450');
+  await page.press('#target', 'Enter');
+  await rest();
+  await best('450');
+  assert.equal(await page.locator('.history-entry').count(), entries + 1);
+  await page.fill('#target', '100000');
+  await page.press('#target', 'Enter');
+  await page.click('#cancel');
+  await settled(page);
+  await page.evaluate(() => { globalThis.states = []; });
+  await rest();
+  assert.deepEqual(await page.evaluate(() => globalThis.states), []);
+});
+
 test('a new model begins anew', async () => {
   await drop(page, { 'other.obj': objText(torus(16, 8)) });
   await opened(page, 'other.obj');

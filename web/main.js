@@ -35,7 +35,15 @@ function move() {
   steering.move();
 }
 
-const run = () => page.busy(() => remesh(page));
+function run() {
+  steering.stop();
+  return page.busy(() => remesh(page));
+}
+
+function cancel() {
+  steering.stop();
+  page.session.cancel();
+}
 
 /** The address speaks for the next model only.
  * @param {Promise<import('./model/files.js').PathedFile[]>} items @param {string | null} source */
@@ -55,7 +63,7 @@ onLanguage(() => {
 });
 wireIntake(take);
 wireSettings(fillMenu);
-addCommand('cancel', () => page.session.cancel());
+addCommand('cancel', cancel);
 wireCommands();
 fillMenu();
 take(coming, first);

@@ -55,7 +55,7 @@ export class Steering {
     this.#showSteps();
   }
 
-  /** Another model is coming: nothing more is asked of this one. */
+  /** What the last moves asked for is no longer wanted: something else is, or nothing. */
   stop() {
     clearTimeout(this.#timer);
     this.#isStale = false;
@@ -108,6 +108,7 @@ export class Steering {
     this.#showSteps();
     if (!state || !this.#page) return;
     const page = this.#page;
+    this.stop();
     page.panel.setValues(state.values);
     page.painting.set(state.dabs);
     if (this.#isLive) void page.busy(() => remesh(page));

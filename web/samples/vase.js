@@ -3,11 +3,15 @@
 import { Document, NodeIO } from '@gltf-transform/core';
 import { encode } from 'fast-png';
 
-const [columns, rows, texels] = [48, 40, 512];
+const [columns, rows, texels, height] = [48, 40, 512, 1.5];
 
 /** The outside's radius over its height from 0 to 1. @param {number} v */
 const radius = (v) => 0.34 + 0.26 * Math.sin(Math.PI * (1.12 * v + 0.08)) ** 2
   + 0.1 * Math.max(0, v - 0.8) * 5 * Math.max(0, v - 0.8) * 5 - 0.05 * v;
+
+/** How much wider it gets with v. @param {number} v */
+const slope = (v) => 0.26 * 1.12 * Math.PI * Math.sin(2 * Math.PI * (1.12 * v + 0.08))
+  + 5 * Math.max(0, v - 0.8) - 0.05;
 
 /** Red, green and blue of the glaze: bands of diamonds over a blue ground.
  * @param {number} u @param {number} v in turns and heights */
@@ -30,33 +34,37 @@ function picture() {
 
 /** A seam from bottom to top: the first column is there twice, with both its u. */
 function surface() {
-  const positions = [], texcoords = [], indices = [];
+  const positions = [], normals = [], texcoords = [], indices = [];
   for (let j = 0; j <= rows; ++j) {
     for (let i = 0; i <= columns; ++i) {
       const [u, v] = [i / columns, j / rows];
       const turn = 2 * Math.PI * (i % columns) / columns;
-      positions.push(radius(v) * Math.cos(turn), 1.5 * v, -radius(v) * Math.sin(turn));
+      positions.push(radius(v) * Math.cos(turn), height * v, -radius(v) * Math.sin(turn));
+      const steep = Math.hypot(height, slope(v));
+      normals.push(height * Math.cos(turn) / steep, -slope(v) / steep,
+        -height * Math.sin(turn) / steep);
       texcoords.push(u, 1 - v);
       if (i === columns || j === rows) continue;
       const [a, b] = [j * (columns + 1) + i, (j + 1) * (columns + 1) + i];
       indices.push(a, a + 1, b + 1, a, b + 1, b);
     }
   }
-  return { positions: Float32Array.from(positions), texcoords: Float32Array.from(texcoords),
-    indices: Uint16Array.from(indices) };
+  return { positions: Float32Array.from(positions), normals: Float32Array.from(normals),
+    texcoords: Float32Array.from(texcoords), indices: Uint16Array.from(indices) };
 }
 
 /** @returns {Promise<Uint8Array>} a GLB */
 export async function vase() {
   const document = new Document();
   const buffer = document.createBuffer();
-  const { positions, texcoords, indices } = surface();
+  const { positions, normals, texcoords, indices } = surface();
   const accessor = () => document.createAccessor().setBuffer(buffer);
   const texture = document.createTexture('glaze').setMimeType('image/png').setImage(picture());
   const material = document.createMaterial('glaze').setBaseColorTexture(texture)
     .setRoughnessFactor(0.35).setMetallicFactor(0).setDoubleSided(true);
   const primitive = document.createPrimitive().setMaterial(material)
     .setAttribute('POSITION', accessor().setType('VEC3').setArray(positions))
+    .setAttribute('NORMAL', accessor().setType('VEC3').setArray(normals))
     .setAttribute('TEXCOORD_0', accessor().setType('VEC2').setArray(texcoords))
     .setIndices(accessor().setType('SCALAR').setArray(indices));
   const mesh = document.createMesh('vase').addPrimitive(primitive);
