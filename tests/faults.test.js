@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
-  cpSync, linkSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync,
+  cpSync, linkSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, statSync,
   symlinkSync, utimesSync, writeFileSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,7 +12,8 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 
 import {
-  interrupted, killedBefore, makeReadOnly, mountSmall, randomFrom, run, runLimited, snapshot, start,
+  interrupted, makeReadOnly, mountSmall, randomFrom, run, runHere, runLimited, snapshot, start,
+  statesDuring,
 } from './support/faults.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 import { root } from './support/tree.js';
@@ -26,12 +27,10 @@ writeFileSync(at('new.obj'), objText(torus(80, 40)));
 writeFileSync(at('small.obj'), objText(torus(6, 5)));
 
 /** A folder with the results of the old model; and what those of the newer one will be. */
-function prepared(name, format, newer = 'new') {
+async function prepared(name, format, newer = 'new') {
   for (const [folder, model] of [['old', 'old'], ['new', newer]]) {
     mkdirSync(at(name, folder), { recursive: true });
-    const output = `${name}/${folder}/x.${format}`;
-    const { status, stderr } = run(top, 'convert', `${model}.obj`, '-o', output);
-    assert.equal(status, 0, stderr);
+    await runHere(top, 'convert', `${model}.obj`, '-o', `${name}/${folder}/x.${format}`);
   }
   const [before, wanted] = [snapshot(at(name, 'old')), snapshot(at(name, 'new'))];
   const restore = () => {
@@ -56,7 +55,7 @@ function* moments(count, { folder, words }, seed) {
 }
 
 test('SIGKILL at 20 moments: the output is the old one or the new one', async (t) => {
-  const work = prepared('kill', 'glb');
+  const work = await prepared('kill', 'glb');
   const { folder, before, wanted, restore, words } = work;
   const seen = { old: 0, new: 0 };
   for (const moment of moments(20, work, 20161216)) {
@@ -84,7 +83,7 @@ function wholeObj(files) {
 
 test('SIGKILL at 12 moments: an output of two files is whole, the old one or the new one',
   async (t) => {
-    const work = prepared('pair', 'gltf');
+    const work = await prepared('pair', 'gltf');
     const { folder, before, wanted, restore, words } = work;
     const seen = { old: 0, new: 0 };
     for (const moment of moments(12, work, 20161217)) {
@@ -99,7 +98,7 @@ test('SIGKILL at 12 moments: an output of two files is whole, the old one or the
   });
 
 /** A model and its library, converted from others of the same name. */
-function preparedWithLibrary() {
+async function preparedWithLibrary() {
   for (const [model, shape, color] of [['one', torus(5, 4), 1], ['two', torus(6, 5), 0]]) {
     mkdirSync(at(model));
     writeFileSync(at(model, 'm.obj'), `mtllib x.mtl\nusemtl paint\n${objText(shape)}`);
@@ -107,9 +106,7 @@ function preparedWithLibrary() {
   }
   for (const [model, name] of [['one', 'old'], ['two', 'new']]) {
     mkdirSync(at('library', name), { recursive: true });
-    const { status, stderr } =
-      run(top, 'convert', `${model}/m.obj`, '-o', `library/${name}/x.obj`);
-    assert.equal(status, 0, stderr);
+    await runHere(top, 'convert', `${model}/m.obj`, '-o', `library/${name}/x.obj`);
   }
   return { folder: at('library/old'), before: snapshot(at('library/old')),
     wanted: snapshot(at('library/new')),
@@ -120,28 +117,22 @@ const pairs = { '.gltf': [() => prepared('steps', 'gltf', 'small'), wholeGltf],
   '.obj': [preparedWithLibrary, wholeObj] };
 
 for (const [format, [prepare, wholeOf]] of Object.entries(pairs)) {
-  test(`SIGKILL before each change to a folder: the ${format} is whole`, (t) => {
-    const { folder, before, wanted, words } = prepare();
-    const put = () => {
-      rmSync(folder, { recursive: true });
-      mkdirSync(folder);
-      for (const [file, text] of Object.entries(before)) {
-        writeFileSync(join(folder, file), text, 'latin1');
-      }
-    };
+  test(`a SIGKILL before any change to a folder leaves the ${format} whole`, async (t) => {
+    const { folder, before, wanted, words } = await prepare();
+    const states = statesDuring(top, words, folder);
+    assert.deepEqual(snapshot(folder), wanted);
     const seen = { old: 0, new: 0 };
-    let step = 1;
-    for (put(); killedBefore(step, top, words); put()) {
+    for (const [step, left] of states.entries()) {
+      rmSync(folder, { recursive: true });
+      renameSync(left, folder);
       const found = wholeOf(snapshot(folder));
       const isOld = found === wholeOf(before);
       assert.ok(isOld || found === wholeOf(wanted), `step ${step}`);
       seen[isOld ? 'old' : 'new'] += 1;
-      assert.equal(run(top, ...words).status, 0, `what step ${step} left is in nobody’s way`);
+      await runHere(top, ...words);  // what was left is in nobody’s way
       const mended = snapshot(folder);
       for (const name of Object.keys(wanted)) assert.equal(mended[name], wanted[name]);
-      step += 1;
     }
-    assert.deepEqual(snapshot(folder), wanted);
     t.diagnostic(JSON.stringify(seen));
     assert.ok(seen.old > 4 && seen.new > 4, JSON.stringify(seen));
   });
@@ -149,7 +140,7 @@ for (const [format, [prepare, wholeOf]] of Object.entries(pairs)) {
 
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
   test(`${signal} leaves nothing behind`, async () => {
-    const { folder, before, wanted, restore, words } = prepared(signal, 'gltf');
+    const { folder, before, wanted, restore, words } = await prepared(signal, 'gltf');
     const random = randomFrom(signal.length * 7919);
     for (let i = 0; i < 5; i += 1) {
       restore();
@@ -164,7 +155,7 @@ for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
 }
 
 test('two runs, and four, to one output do not mix', async () => {
-  const { folder, before, wanted, words } = prepared('race', 'gltf');
+  const { folder, before, wanted, words } = await prepared('race', 'gltf');
   const others = ['convert', 'old.obj', ...words.slice(2)];
   for (const count of [2, 4]) {
     const runs = Array.from({ length: count }, (_, i) =>
@@ -175,8 +166,8 @@ test('two runs, and four, to one output do not mix', async () => {
   }
 });
 
-test('a full disk leaves the old output, and nothing else', (t) => {
-  const { folder, before, words } = prepared('full', 'gltf');
+test('a full disk leaves the old output, and nothing else', async (t) => {
+  const { folder, before, words } = await prepared('full', 'gltf');
   const limited = runLimited(top, 64, words);
   assert.equal(limited.status, 2, limited.stderr);
   assert.match(limited.stderr, /^remesher: .*x\.gltf cannot be written: it is larger[^\n]*\n$/);
@@ -252,8 +243,8 @@ test('a companion never takes the place of one that was read', () => {
   assert.deepEqual(readFileSync(at('resource/y.bin')), buffer);
 });
 
-test('a companion that is there already stays, unless it is the same or --force is given', () => {
-  const { folder, wanted, words } = prepared('there', 'gltf');
+test('a companion that is there already stays, unless it is the same or --force is given', async () => {
+  const { folder, wanted, words } = await prepared('there', 'gltf');
   rmSync(join(folder, 'x.gltf'));
   writeFileSync(join(folder, 'x.bin'), 'mine');
   const { status, stderr } = run(top, ...words);
@@ -269,8 +260,8 @@ test('a companion that is there already stays, unless it is the same or --force 
   assert.equal(statSync(join(folder, 'x.bin')).mtimeMs, mtimeMs);
 });
 
-test('a .gltf that is replaced takes its own data with it', () => {
-  const { folder, wanted, words } = prepared('own', 'gltf');
+test('a .gltf that is replaced takes its own data with it', async () => {
+  const { folder, wanted, words } = await prepared('own', 'gltf');
   assert.equal(run(top, ...words).status, 0);
   assert.deepEqual(snapshot(folder), wanted);
 });

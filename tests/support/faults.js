@@ -3,10 +3,14 @@
 // killed at any moment.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { chmodSync, mkdirSync, readdirSync, readFileSync, watch } from 'node:fs';
-import { join } from 'node:path';
+import { chmodSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, watch } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 
+import * as api from 'remesher';
+
+import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
+import { runFile } from '../../dist/cli/run_file.js';
 import { root } from './tree.js';
 
 const cli = join(root, 'dist/cli/cli.js');
@@ -23,6 +27,13 @@ export function runLimited(folder, kibibytes, words) {
     { cwd: folder, encoding: 'utf8' });
 }
 
+/** The same in this process, where the outcome alone matters. */
+export function runHere(folder, ...words) {
+  const { inputs: [input], output, ...line } = parseCommandLine(words);
+  return runFile({ ...line, input: join(folder, input), output: join(folder, output),
+    outputName: basename(output) }, api, { worker: false });
+}
+
 export function start(folder, ...words) {
   const child = spawn(process.execPath, [cli, ...words], { cwd: folder, stdio: 'ignore' });
   const ended = new Promise((resolve) =>
@@ -30,30 +41,35 @@ export function start(folder, ...words) {
   return { child, ended };
 }
 
-/** What kills its process before the nth change to the names in a folder, told by a variable. */
-const killer = `data:text/javascript,${encodeURIComponent(`
+/** What copies a folder before each change to the names in one; both are told by variables. */
+const witness = `data:text/javascript,${encodeURIComponent(`
+  import { execFileSync } from 'node:child_process';
   import fs from 'node:fs';
   import { syncBuiltinESMExports } from 'node:module';
-  let left = Number(process.env.KILL_BEFORE);
+  let count = 0;
   for (const name of ['linkSync', 'renameSync', 'rmSync', 'openSync']) {
     const whole = fs[name];
     fs[name] = (...words) => {
-      left -= 1;
-      if (left === 0) process.kill(process.pid, 'SIGKILL');
+      execFileSync('cp', ['-a', process.env.WITNESSED, process.env.COPIES + '/' + count]);
+      count += 1;
       return whole(...words);
     };
   }
   syncBuiltinESMExports();
 `)}`;
 
-/** @returns whether it was killed before its nth change */
-export function killedBefore(step, folder, words) {
-  const { signal, status, stderr } = spawnSync(process.execPath,
-    ['--import', killer, cli, ...words],
-    { cwd: folder, encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'ignore', 'pipe'],
-      env: { ...process.env, KILL_BEFORE: String(step) } });
-  assert.ok(signal === 'SIGKILL' || status === 0, stderr);
-  return signal === 'SIGKILL';
+/**
+ * One run, and what a SIGKILL would leave of a folder before each of the changes to it: that kills
+ * between two of them and lets the process do nothing more.
+ * @returns {string[]} folders, in the order of the changes; that folder itself is as at the end
+ */
+export function statesDuring(cwd, words, folder) {
+  const copies = mkdtempSync(join(dirname(folder), 'states-'));
+  const { status, stderr } = spawnSync(process.execPath, ['--import', witness, cli, ...words],
+    { cwd, encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'ignore', 'pipe'],
+      env: { ...process.env, WITNESSED: folder, COPIES: copies } });
+  assert.equal(status, 0, stderr);
+  return Array.from(readdirSync(copies), (_, i) => join(copies, String(i)));
 }
 
 /**
