@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { definedNames, inCompany } from './support/company.js';
+import { definedNames, inCompany, innerConstants } from './support/company.js';
 
 const text = `#include "a.h"
 namespace remesher {
@@ -24,7 +24,17 @@ void Pot::stir(int times) {}
 `;
 
 test('the names are those outside of functions and classes', () => {
-  assert.deepEqual(definedNames(text), ['kGood', 'Soup', 'Row', 'boil', 'kBad', 'kWorst']);
+  assert.deepEqual(definedNames(text),
+    ['kGood', 'Soup', 'Row', 'boil(const Soup&,int)', 'kBad', 'kWorst']);
+});
+
+test('functions of one name are one if their parameters have the same types', () => {
+  const own = (parameters) => definedNames(`int stir(${parameters}) {}\n`).join();
+  assert.equal(own('const Pot& pot,\n         std::map<int, int> times = {}'),
+    own('const Pot& other, std::map<int, int> many'));
+  assert.equal(own('std::string_view text'), own('const std::string& bytes'));
+  assert.notEqual(own('Pot pot'), own('Pot& pot'));
+  assert.notEqual(own('int times'), own(''));
 });
 
 test('files that define one name are apart, those with macros alone', () => {
@@ -41,6 +51,11 @@ test('a file that defines what a header of another does is apart, in either orde
     inCompany(files, (file) => texts[file], (file) => types[file]);
   assert.deepEqual(groups(['a', 'b', 'c']), [['a', 'b'], ['c']]);
   assert.deepEqual(groups(['c', 'b', 'a']), [['c'], ['b', 'a']]);
+});
+
+test('constants within functions are found, and no others', () => {
+  const inner = 'void stir() {\n  constexpr double kSpeed = 2;\n  int times = kSpeed;\n}\n';
+  assert.deepEqual(innerConstants(text + inner), ['kSpeed']);
 });
 
 test('no company is too large, and each file is in one', () => {

@@ -243,7 +243,7 @@ test('a companion never takes the place of one that was read', () => {
   assert.deepEqual(readFileSync(at('resource/y.bin')), buffer);
 });
 
-test('a companion that is there already stays, unless it is the same or --force is given', async () => {
+test('a companion that is there already stays, if it is not the same or --force given', async () => {
   const { folder, wanted, words } = await prepared('there', 'gltf');
   rmSync(join(folder, 'x.gltf'));
   writeFileSync(join(folder, 'x.bin'), 'mine');

@@ -9,7 +9,7 @@ import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 
-import { inCompany } from './company.js';
+import { inCompany, innerConstants, typesInHeaders } from './company.js';
 import { includeFolders, withIncludes } from './cpp_sources.js';
 import { readText, root } from './tree.js';
 
@@ -28,12 +28,14 @@ const warnings = () => readText('CMakeLists.txt').match(/-Wall[^)]*/)[0].trim().
  * @property {string} command
  * @property {string[]} rules files that say what it looks for
  * @property {(file: string) => string[]} words how it is called
+ * @property {(file: string) => string[]} within names in a file that are not its company's
  */
 
 /** @type {Tool} */
 export const clangTidy = {
   command: 'clang-tidy', rules: ['.clang-tidy'],
   words: (file) => ['--quiet', file, '--', '-std=c++20', ...includes],
+  within: typesInHeaders,
 };
 
 /**
@@ -45,6 +47,7 @@ export const gcc = {
   command: 'g++', rules: [],
   words: (file) => ['-std=c++20', '-fsyntax-only', '-Werror', ...warnings(),
     '-Wno-subobject-linkage', ...includes, file],
+  within: (file) => [...typesInHeaders(file), ...innerConstants(readText(file))],
 };
 
 /** What all files have in common that a tool reads. @param {Tool} tool */
@@ -104,7 +107,8 @@ export async function complaintsOf(tool, files) {
   mkdirSync(folder, { recursive: true });
   const common = surroundings(tool);
   const keys = new Map(files.map((file) => [file, keyOf(file, common)]));
-  const groups = inCompany(files.filter((file) => !existsSync(keys.get(file))));
+  const groups = inCompany(files.filter((file) => !existsSync(keys.get(file))), readText,
+    tool.within);
   const complaints = [];
   const worker = async () => {
     for (let group = groups.shift(); group; group = groups.shift()) {

@@ -10,8 +10,6 @@
 namespace remesher::fuzz {
 namespace {
 
-using soups::Random;
-
 // Every value below `tree` for which `isWanted` holds.
 std::vector<Json*> valuesIn(Json& tree, const std::function<bool(const Json&)>& isWanted) {
   std::vector<Json*> found;
@@ -25,7 +23,7 @@ std::vector<Json*> valuesIn(Json& tree, const std::function<bool(const Json&)>& 
 }
 
 // One of the list `name`; null if there is none.
-Json* oneOf(Json& tree, const char* name, Random& random) {
+Json* oneOf(Json& tree, const char* name, soups::Random& random) {
   const auto list = tree.find(name);
   if (list == tree.end() || !list->is_array() || list->empty()) return nullptr;
   Json& one = (*list)[pick(random, list->size())];
@@ -38,22 +36,22 @@ std::size_t lengthOf(const Json& tree, const char* name) {
 }
 
 // A number of the list, or the first beyond it.
-Json indexInto(const Json& tree, const char* name, Random& random) {
+Json indexInto(const Json& tree, const char* name, soups::Random& random) {
   return pick(random, lengthOf(tree, name) + 1);
 }
 
-Json wholeNumber(Random& random) {
+Json wholeNumber(soups::Random& random) {
   constexpr std::array<std::int64_t, 15> kNumbers = {
       0, 1, 2, 3, 4, 7, 16, -1, 255, 256, 65535, 65536, 2147483647, 4294967295, 9007199254740992};
   return kNumbers[pick(random, kNumbers.size())];
 }
 
-Json componentType(Random& random) {
+Json componentType(soups::Random& random) {
   constexpr std::array<int, 7> kTypes = {5120, 5121, 5122, 5123, 5125, 5126, 5130};
   return kTypes[pick(random, kTypes.size())];
 }
 
-void changeNumber(Json& tree, Random& random) {
+void changeNumber(Json& tree, soups::Random& random) {
   const std::vector<Json*> all =
       valuesIn(tree, [](const Json& value) { return value.is_number(); });
   if (all.empty()) return;
@@ -70,14 +68,14 @@ void changeNumber(Json& tree, Random& random) {
   }
 }
 
-void changeType(Json& tree, Random& random) {
+void changeType(Json& tree, soups::Random& random) {
   const std::vector<Json*> all = valuesIn(tree, [](const Json&) { return true; });
   if (all.empty()) return;
   const std::array<Json, 6> others = {nullptr, "text", Json::array(), Json::object(), true, 5};
   *all[pick(random, all.size())] = others[pick(random, others.size())];
 }
 
-void loseMember(Json& tree, Random& random) {
+void loseMember(Json& tree, soups::Random& random) {
   std::vector<Json*> all =
       valuesIn(tree, [](const Json& value) { return value.is_structured() && !value.empty(); });
   all.push_back(&tree);
@@ -87,7 +85,7 @@ void loseMember(Json& tree, Random& random) {
   holder.erase(holder.begin() + place);
 }
 
-void repeatMember(Json& tree, Random& random) {
+void repeatMember(Json& tree, soups::Random& random) {
   const std::vector<Json*> all =
       valuesIn(tree, [](const Json& value) { return value.is_array() && !value.empty(); });
   if (all.empty()) return;
@@ -96,7 +94,7 @@ void repeatMember(Json& tree, Random& random) {
   list.push_back(copy);
 }
 
-void changeAccessor(Json& tree, Random& random) {
+void changeAccessor(Json& tree, soups::Random& random) {
   constexpr std::array kTypes = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4", "VEC5"};
   Json* const accessor = oneOf(tree, "accessors", random);
   if (accessor == nullptr) return;
@@ -115,13 +113,13 @@ void changeAccessor(Json& tree, Random& random) {
   }
 }
 
-void changeView(Json& tree, Random& random) {
+void changeView(Json& tree, soups::Random& random) {
   constexpr std::array kFields = {"byteOffset", "byteLength", "byteStride", "buffer"};
   if (Json* const view = oneOf(tree, "bufferViews", random))
     (*view)[kFields[pick(random, kFields.size())]] = wholeNumber(random);
 }
 
-void addSparse(Json& tree, Random& random) {
+void addSparse(Json& tree, soups::Random& random) {
   Json* const accessor = oneOf(tree, "accessors", random);
   if (accessor == nullptr) return;
   Json& sparse = (*accessor)["sparse"];
@@ -132,7 +130,7 @@ void addSparse(Json& tree, Random& random) {
 }
 
 // As KHR_mesh_quantization allows it, and beyond.
-void quantise(Json& tree, Random& random) {
+void quantise(Json& tree, soups::Random& random) {
   Json* const accessor = oneOf(tree, "accessors", random);
   if (accessor == nullptr) return;
   (*accessor)["componentType"] = componentType(random);
@@ -141,12 +139,12 @@ void quantise(Json& tree, Random& random) {
 }
 
 // Null if there is none.
-Json* onePrimitive(Json& tree, Random& random) {
+Json* onePrimitive(Json& tree, soups::Random& random) {
   Json* const mesh = oneOf(tree, "meshes", random);
   return mesh == nullptr ? nullptr : oneOf(*mesh, "primitives", random);
 }
 
-void changePrimitive(Json& tree, Random& random) {
+void changePrimitive(Json& tree, soups::Random& random) {
   constexpr std::array kNames = {"POSITION", "NORMAL",   "TANGENT",   "TEXCOORD_0", "COLOR_0",
                                  "JOINTS_0", "JOINTS_1", "WEIGHTS_0", "WEIGHTS_1",  "_EXTRA"};
   Json* const primitive = onePrimitive(tree, random);
@@ -168,7 +166,7 @@ void changePrimitive(Json& tree, Random& random) {
   }
 }
 
-void addSkin(Json& tree, Random& random) {
+void addSkin(Json& tree, soups::Random& random) {
   tree["skins"] = Json::array();
   tree["skins"].push_back({{"joints", Json::array({indexInto(tree, "nodes", random)})},
                            {"inverseBindMatrices", indexInto(tree, "accessors", random)}});
@@ -176,7 +174,7 @@ void addSkin(Json& tree, Random& random) {
   if (Json* const node = oneOf(tree, "nodes", random)) (*node)["skin"] = 0;
 }
 
-void changeNode(Json& tree, Random& random) {
+void changeNode(Json& tree, soups::Random& random) {
   Json* const node = oneOf(tree, "nodes", random);
   if (node == nullptr) return;
   const auto numbers = [&](std::size_t count) {
@@ -194,7 +192,7 @@ void changeNode(Json& tree, Random& random) {
 }
 
 // Compressed ranges reach the core only where what unpacks them was left out.
-void pretendCompression(Json& tree, Random& random) {
+void pretendCompression(Json& tree, soups::Random& random) {
   const Json view = indexInto(tree, "bufferViews", random);
   if (random.number() < 0.5) {
     if (Json* const primitive = onePrimitive(tree, random))
@@ -211,7 +209,7 @@ void pretendCompression(Json& tree, Random& random) {
 
 }  // namespace
 
-void changeTree(Json& tree, Random& random) {
+void changeTree(Json& tree, soups::Random& random) {
   constexpr std::array kChanges = {changeNumber,      changeNumber,    changeType, loseMember,
                                    repeatMember,      changeAccessor,  changeView, addSparse,
                                    quantise,          changePrimitive, addSkin,    changeNode,
