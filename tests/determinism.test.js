@@ -3,7 +3,6 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -33,7 +32,7 @@ if (shape) {
       await remesh(shapes.torus({ columns: 20, rows: 10 }), { vertices: 77 });
       assert.equal(await digest(run), first, 'again, after other work');
       const other = execFileSync(process.execPath, [self, run.shape, run.scheme],
-        { cwd: join(root, 'tests'), encoding: 'utf8' });
+        { cwd: root, encoding: 'utf8' });
       assert.equal(other, first, 'in another process');
     });
   }

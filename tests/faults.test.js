@@ -243,22 +243,23 @@ test('a companion never takes the place of one that was read', () => {
   assert.deepEqual(readFileSync(at('resource/y.bin')), buffer);
 });
 
-test('a companion that is there already stays, if it is not the same or --force given', async () => {
-  const { folder, wanted, words } = await prepared('there', 'gltf');
-  rmSync(join(folder, 'x.gltf'));
-  writeFileSync(join(folder, 'x.bin'), 'mine');
-  const { status, stderr } = run(top, ...words);
-  assert.equal(status, 2);
-  assert.match(stderr, /x\.bin cannot be written: it is there already.*--force/);
-  assert.deepEqual(snapshot(folder), { 'x.bin': 'mine' });
-  assert.equal(run(top, ...words, '--force').status, 0);
-  assert.deepEqual(snapshot(folder), wanted);
+test('a companion that is there already stays, unless it is the same or --force is given',
+  async () => {
+    const { folder, wanted, words } = await prepared('there', 'gltf');
+    rmSync(join(folder, 'x.gltf'));
+    writeFileSync(join(folder, 'x.bin'), 'mine');
+    const { status, stderr } = run(top, ...words);
+    assert.equal(status, 2);
+    assert.match(stderr, /x\.bin cannot be written: it is there already.*--force/);
+    assert.deepEqual(snapshot(folder), { 'x.bin': 'mine' });
+    assert.equal(run(top, ...words, '--force').status, 0);
+    assert.deepEqual(snapshot(folder), wanted);
 
-  const { mtimeMs } = statSync(join(folder, 'x.bin'));
-  rmSync(join(folder, 'x.gltf'));
-  assert.equal(run(top, ...words).status, 0, 'the same bytes are in nobody’s way');
-  assert.equal(statSync(join(folder, 'x.bin')).mtimeMs, mtimeMs);
-});
+    const { mtimeMs } = statSync(join(folder, 'x.bin'));
+    rmSync(join(folder, 'x.gltf'));
+    assert.equal(run(top, ...words).status, 0, 'the same bytes are in nobody’s way');
+    assert.equal(statSync(join(folder, 'x.bin')).mtimeMs, mtimeMs);
+  });
 
 test('a .gltf that is replaced takes its own data with it', async () => {
   const { folder, wanted, words } = await prepared('own', 'gltf');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which test files have passed before, on the very same checkout, packages and programs: nothing
-// that they read has changed, so they are not run again.
+// Which test files have passed before, with the very same files to read and the same programs: they
+// are not run again.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -8,18 +8,22 @@ import { join } from 'node:path';
 
 import { findChromium } from '../../bindings/build/needs.js';
 import { thisSystem } from '../../bindings/build/system.js';
-import { filesUnder, root } from './tree.js';
+import { readings } from './readings.js';
+import { filesUnder, readText, root } from './tree.js';
 
 const memory = join(root, 'build/checks');
-/** What is not the checkout, but is made of it or is found on the machine. */
-const made = ['dist', 'build/test/unit_tests', 'build/test/fuzz_replay',
-  'node_modules/.package-lock.json'];
+/** Programs that are made of the checkout. */
+const made = ['build/test/unit_tests', 'build/test/fuzz_replay'];
+/** All other packages, which anybody may import. */
+const packages = 'node_modules/.package-lock.json';
+
+const isThere = (/** @type {string} */ file) => existsSync(join(root, file));
 
 /** Every file of the checkout, by git, which knows what is ignored. */
 function checkout() {
   const words = ['ls-files', '-z', '--cached', '--others', '--exclude-standard'];
   const { stdout } = spawnSync('git', words, { cwd: root, encoding: 'utf8' });
-  return stdout.split('\0').filter((file) => file && existsSync(join(root, file)));
+  return stdout.split('\0').filter((file) => file && isThere(file));
 }
 
 /** The programs that tests start, by what tells one version from another. */
@@ -30,22 +34,31 @@ function programs() {
 }
 
 /**
- * Where it is remembered that a test file has passed. Other test files have no part in it.
+ * Where it is remembered that a test file has passed.
  * @param {readonly string[]} files
  * @returns {Map<string, string> | undefined} nothing where git is not there to ask
  */
 function memories(files) {
-  const common = createHash('sha256').update(programs().join('\n'));
   const parts = checkout();
   if (parts.length === 0) return undefined;
-  const isTest = (/** @type {string} */ file) => /^tests\/\w+\.test\.js$/.test(file);
-  const found = made.flatMap((path) => (existsSync(join(root, path)) ? [path] : []))
-    .flatMap((path) => (statSync(join(root, path)).isDirectory() ? filesUnder(path, /./) : [path]));
-  for (const file of [...parts.filter((part) => !isTest(part)), ...found]) {
-    common.update(`\n${file}\n`).update(readFileSync(join(root, file)));
-  }
-  return new Map(files.map((file) => [file, join(memory, `passed-${
-    common.copy().update(`\n${file}\n`).update(readFileSync(join(root, file))).digest('hex')}`)]));
+  const common = [packages].filter(isThere);
+  const readingsOf =
+    readings([...parts, ...filesUnder('dist', /./), ...made.filter(isThere)], readText);
+  /** @type {Map<string, string>} */
+  const prints = new Map();
+  const printOf = (/** @type {string} */ file) => {
+    if (!prints.has(file)) {
+      const bytes = readFileSync(join(root, file));
+      prints.set(file, createHash('sha256').update(bytes).digest('hex'));
+    }
+    return `${file} ${prints.get(file)}`;
+  };
+  const place = (/** @type {string} */ file) => {
+    const read = [...common, ...readingsOf(file)].map(printOf);
+    const whole = [...programs(), file, ...read].join('\n');
+    return join(memory, `passed-${createHash('sha256').update(whole).digest('hex')}`);
+  };
+  return new Map(files.map((file) => [file, place(file)]));
 }
 
 /**
