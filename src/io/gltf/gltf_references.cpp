@@ -45,18 +45,24 @@ NumberVisitor requiredBelow(const GltfDocument& document, std::size_t end,
   };
 }
 
-// tinygltf passes over targets that are none, and counts those behind them differently.
-void requireTargets(GltfDocument& document) {
+bool areObjects(const Json& list) {
+  return list.is_array() && std::all_of(list.begin(), list.end(),
+                                        [](const Json& element) { return element.is_object(); });
+}
+
+// tinygltf passes over primitives and targets that are none, and counts those behind them
+// differently.
+void requirePrimitives(GltfDocument& document) {
+  const auto require = [&](bool isSo, const char* message) {
+    if (!isSo)
+      document.fail(ErrorCode::ParseError, message, "The file is damaged: export it again.");
+  };
   visitEach(document.tree, "meshes", [&](Json& mesh) {
-    visitEach(mesh, "primitives", [&](Json& primitive) {
-      visitMember(primitive, "targets", [&](const Json& targets) {
-        const bool areTargets = targets.is_array() &&
-                                std::all_of(targets.begin(), targets.end(),
-                                            [](const Json& target) { return target.is_object(); });
-        if (!areTargets)
-          document.fail(ErrorCode::ParseError, "its morph targets are no list of attributes.",
-                        "The file is damaged: export it again.");
-      });
+    visitEach(mesh, "primitives", [&](const Json& primitive) {
+      require(primitive.is_object() && primitive.value("attributes", Json()).is_object(),
+              "a primitive of it has no attributes.");
+      require(areObjects(primitive.value("targets", Json::array())),
+              "its morph targets are no list of attributes.");
     });
   });
 }
@@ -103,7 +109,7 @@ bool isWholeNumber(const Json& value) {
 }
 
 void requireReferences(GltfDocument& document) {
-  requireTargets(document);
+  requirePrimitives(document);
   Json& tree = document.tree;
   forEachAccessorNumber(tree, requiredBelow(document, countOf(tree, "accessors"), "accessor"));
   forEachBufferViewNumber(tree,

@@ -106,6 +106,15 @@ TEST_CASE("gltf: whatever refers to accessors or buffer views that are not there
                 "morph targets are no list of attributes");
 }
 
+TEST_CASE("gltf: primitives that are none are refused, for those behind them have their numbers") {
+  for (const Json& bad : {Json{{"attributes", true}}, Json{{"mode", 4}}, Json(7)})
+    checkContains(failureAfter([&](Json& t) {
+                    Json& primitives = t["meshes"][0]["primitives"];
+                    primitives.insert(primitives.begin(), bad);
+                  }),
+                  "a primitive of it has no attributes");
+}
+
 TEST_CASE("gltf: what the JSON library finds wrong is said in a sentence") {
   checkContains(failureAfter([](Json& t) { t["accessors"][0]["bufferView"] = -5; }), ". | ");
   checkContains(failureAfter([](Json& t) { t["meshes"] = 5; }), ". | ");
