@@ -103,6 +103,8 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
   run.report.warnings = joined(std::move(run.report.warnings),
                                worseThanGiven({run.report.input, *run.report.output}, run.parts));
   run.report.warnings =
+      joined(std::move(run.report.warnings), fartherThanLarge(run.report, run.parts));
+  run.report.warnings =
       joined(std::move(run.report.warnings), fartherThanAsked(run.report, options));
   return run;
 }

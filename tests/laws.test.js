@@ -27,6 +27,7 @@ test('a broken law is noticed', async () => {
   assert.deepEqual(lawsOfReports({ ...report, output, warnings: said }, {}), []);
   assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(1) }, {}).length, 2);
   assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(0, 1) }, {}).length, 2);
+  assert.match(lawsOfReports({ ...report, fidelity: { hausdorff: 101 } }, {})[0], /101 % of/);
   assert.match(lawsOfErrors({ code: 'INTERNAL', message: 'Oh.' })[0], /INTERNAL/);
   assert.match(lawsOfErrors({ code: 'PARSE_ERROR', message: 'Oh' })[0], /not a sentence/);
   assert.match(lawsOfErrors(new TypeError('Oh'))[0], /not a RemeshError/);
@@ -45,6 +46,7 @@ const [first, last] = [179, 239];
 
 /** Cases that broke a law once, one of each kind. */
 const found = [
+  1620, // a body that is smaller than what its coordinates are rounded to
   200066, 200344, // triangles without area in bodies without a volume, in either scheme
   202327, // joints whose weights are too small for a number
   209975, // colours beyond 1, read where nothing checks them

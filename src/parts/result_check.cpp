@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "geometry/triangle.h"
@@ -18,6 +19,13 @@ namespace {
 // Degrees: smallest angles that are good, of the worst triangle and on average, and how much less
 // than before is worth a word.
 constexpr double kGoodWorst = 25, kGoodMean = 50, kWorthAWord = 0.5;
+
+// Nothing lies farther from a surface than this within its box, in percent of the diagonal.
+constexpr double kWholeDiagonal = 100;
+
+// A surface all of which is rounded to places this near to each other, relative to its coordinates,
+// is no larger than four of them.
+constexpr double kSinglePrecision = std::numeric_limits<float>::epsilon(), kPlaces = 4;
 
 // What was kept may be measured as a little more.
 constexpr double kRounding = 1 + 1e-6;
@@ -50,6 +58,20 @@ std::string place(const Vec3& p) {
   std::string text = number(p.x());
   for (const double x : {p.y(), p.z()}) text.append(", ").append(number(x));
   return text;
+}
+
+// Where all vertices lie, if that is no larger than what single precision rounds it to.
+std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const io::Part& part : parts)
+    for (const Vec3& p : part.mesh.positions) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  const double size = (high - low).maxCoeff();  // of nothing it is below 0
+  if (size < 0 || size > kPlaces * kSinglePrecision * largest) return {};
+  return (low + high) / 2;
 }
 
 // "message, the first near (…).", of the edges with as many triangles as wanted.
@@ -112,6 +134,16 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                        [](std::size_t triangles) { return triangles == 1; }),
          after.boundaryEdges});
   return warnings;
+}
+
+std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io::Part>& result) {
+  if (!report.fidelity || report.fidelity->hausdorff <= kWholeDiagonal) return {};
+  const std::optional<Vec3> where = placeOfRounding(result);
+  if (!where) return {};
+  std::string text = "The result is " + number(report.fidelity->hausdorff);
+  text.append(" % of the diagonal away from the original, near (").append(place(*where));
+  text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
+  return {{"SHAPE_LOST_TO_ROUNDING", text.append("to. Move it to the origin first.")}};
 }
 
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options) {

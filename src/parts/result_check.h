@@ -22,6 +22,10 @@ struct BeforeAndAfter {
 std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result);
 
+// SHAPE_LOST_TO_ROUNDING, where what was measured is farther than the original is large, and the
+// result no larger than what rounding leaves.
+std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io::Part>& result);
+
 // MAX_ERROR_EXCEEDED, where a bound was asked for and what was measured lies beyond it.
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);
 

@@ -51,6 +51,9 @@ export function lawsOfReports(report, options) {
       require(output[name] === input[name], `${name} ${output[name]}, was ${input[name]}`);
     }
   }
+  // It is made of points of the surface, or lies next to them.
+  require(fidelity === undefined || fidelity.hausdorff <= 100 || says('SHAPE_LOST_TO_ROUNDING'),
+    `${fidelity?.hausdorff} % of the diagonal away`);
   if (options.maxError !== undefined && fidelity !== undefined) {
     const isSaid = warnings.some((/** @type {any} */ { code }) => code === 'MAX_ERROR_EXCEEDED');
     require(fidelity.hausdorff <= options.maxError * (1 + 1e-6) || isSaid,

@@ -337,6 +337,8 @@ export default {
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
+  'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
+    + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',

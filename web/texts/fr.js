@@ -338,6 +338,8 @@ export default {
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
+  'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
+    + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

@@ -78,6 +78,26 @@ TEST_CASE("result check: each says where") {
   CHECK(messageOf(after, mesh).find("as near (0, 0, 0)") != std::string::npos);
 }
 
+TEST_CASE("result check: a model smaller than what it is rounded to is said, with the place") {
+  TriangleMesh far = shapes::sliverFan(3);
+  for (Vec3& p : far.positions) p = Vec3(1, 1e-30 * p.y(), 1e-30 * p.z());
+  const std::vector<io::Part> speck = {io::Part{"", far, {}}};
+  Report report;
+  CHECK(fartherThanLarge(report, speck).empty());
+  report.fidelity = FidelityReport{};
+  report.fidelity->hausdorff = 100;
+  CHECK(fartherThanLarge(report, speck).empty());
+  report.fidelity->hausdorff = 250;
+  const std::vector<Warning> warnings = fartherThanLarge(report, speck);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "SHAPE_LOST_TO_ROUNDING");
+  CHECK(warnings[0].message.find("250 % of the diagonal") != std::string::npos);
+  CHECK(warnings[0].message.find(" near (1, ") != std::string::npos);
+  // Of anything else rounding is not the reason.
+  CHECK(fartherThanLarge(report, kParts).empty());
+  CHECK(fartherThanLarge(report, {io::Part{}}).empty());
+}
+
 TEST_CASE("result check: a bound that was asked for and is not kept is said, with both figures") {
   Report report;
   RemeshOptions options;
