@@ -44,27 +44,70 @@ double worstBefore(const WorkingMesh& mesh, const LocalChange& change) {
   return worst;
 }
 
-// Whether no corner's normal leans by more than `fold` allows: all that most proposals need asking.
-bool isFlat(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
-            double fold) {
+// A little more than what is measured as a line, whichever corner it is measured from.
+constexpr double kLine = 2 * kFlattest;
+
+Vec3 written(const Vec3& p, double grain) {
+  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
+}
+
+// Whether a triangle is surely no line, by the squares of the longer of two sides and of twice its
+// area: far above all rounding; the third side is no longer than the other two together.
+bool isPlain(double longer, double area, double grain) {
+  constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
+  return area > longer * (kPlain * longer + kPlainGrains * grain * grain);
+}
+
+bool isLine(const Vec3& a, const Vec3& b, const Vec3& c, double grain) {
+  const double longer = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
+  if (isPlain(longer, areaVector(a, b, c).squaredNorm(), grain)) return false;
+  return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
+}
+
+// Whether a triangle is far from a line and from a fold, by a look at what is at hand, which is all
+// that most proposals need: of a corner on a curve the normal of one side, beside which that of the
+// side that the triangle faces can only be better.
+bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
+            const FidelityRule& rule) {
+  constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
   std::array<const Vec3*, 3> p, n;
   for (int i = 0; i < 3; ++i) {
     const bool isMoved = triangle[i] == kMoved;
-    const VertexKind kind = isMoved ? moved.kind : mesh.kind(triangle[i]);
-    if (kind != VertexKind::Interior) return false;
     p[i] = isMoved ? &moved.position : &mesh.position(triangle[i]);
     n[i] = isMoved ? &moved.normal : &mesh.normal(triangle[i]);
   }
-  const Vec3 normal = areaVector(*p[0], *p[1], *p[2]);
-  return std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])}) > fold * normal.norm();
+  const Vec3 ab = *p[1] - *p[0], ac = *p[2] - *p[0], normal = ab.cross(ac);
+  const double squared = normal.squaredNorm();
+  const double lean = std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])});
+  return lean > 0 && lean * lean > kSurely * rule.fold * rule.fold * squared &&
+         isPlain(std::max(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
 }
 
-Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, double fold) {
+// The smallest N_i·N_T of a triangle, or any that is no fold where none is: the normal of the other
+// side of a curve is asked for only where it matters.
+double worstLean(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
+                 const Placement& moved, double fold) {
+  std::array<Vec3, 3> p;
+  for (int i = 0; i < 3; ++i)
+    p[i] = triangle[i] == kMoved ? moved.position : mesh.position(triangle[i]);
+  const Vec3 normal = unitNormal(p[0], p[1], p[2]);
+  double worst = 1;
+  for (const Vertex v : triangle) {
+    const bool isMoved = v == kMoved;
+    double lean = normal.dot(isMoved ? moved.normal : mesh.normal(v));
+    if (lean <= fold)
+      lean = normal.dot(isMoved ? mesh.normalFacing(moved, normal) : mesh.normalFacing(v, normal));
+    worst = std::min(worst, lean);
+  }
+  return worst;
+}
+
+Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
   double worst = 1;
   for (const auto& triangle : change.coming)
-    if (!isFlat(mesh, triangle, change.place, fold))
-      worst = std::min(worst, cornersOf(mesh, triangle, change.place).worst());
-  if (worst > fold) return Verdict::Accepted;
+    if (!isFine(mesh, triangle, change.place, rule))
+      worst = std::min(worst, worstLean(mesh, triangle, change.place, rule.fold));
+  if (worst > rule.fold) return Verdict::Accepted;
   return worst > -1 && worst >= worstBefore(mesh, change) ? Verdict::Accepted : Verdict::FoldsOver;
 }
 
@@ -89,20 +132,16 @@ Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const Fi
   return Verdict::Accepted;
 }
 
-// A little more than what is measured as a line, whichever corner it is measured from.
-constexpr double kLine = 2 * kFlattest;
-
-Vec3 written(const Vec3& p, double grain) {
-  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
-}
-
-bool isLine(const Vec3& a, const Vec3& b, const Vec3& c, double grain) {
-  // Far above all rounding; the third edge is no longer than the other two together.
-  constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
-  const double longest = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
-  const double plain = longest * (kPlain * longest + kPlainGrains * grain * grain);
-  if (areaVector(a, b, c).squaredNorm() > plain) return false;
-  return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
+// By what the triangles are, whatever they are far from.
+Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
+  const bool isFold = rule.mode == Fidelity::Fold;
+  const auto isFineOne = [&](const std::array<Vertex, 3>& triangle) {
+    return isFine(mesh, triangle, change.place, rule);
+  };
+  if (isFold && std::all_of(change.coming.begin(), change.coming.end(), isFineOne))
+    return Verdict::Accepted;
+  if (flattens(mesh, change, rule.grain)) return Verdict::FoldsOver;
+  return isFold ? judgeFold(mesh, change, rule) : judgeAngles(mesh, change, rule);
 }
 
 }  // namespace
@@ -130,10 +169,8 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
 }
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
-  if (flattens(mesh, change, rule.grain)) return Verdict::FoldsOver;
-  const Verdict byNormals = rule.mode == Fidelity::Fold ? judgeFold(mesh, change, rule.fold)
-                                                        : judgeAngles(mesh, change, rule);
-  if (byNormals != Verdict::Accepted || !rule.bound) return byNormals;
+  const Verdict byShape = judgeShape(mesh, change, rule);
+  if (byShape != Verdict::Accepted || !rule.bound) return byShape;
   return rule.bound->allows(mesh, change) ? Verdict::Accepted : Verdict::MaxError;
 }
 
