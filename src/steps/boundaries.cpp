@@ -214,8 +214,9 @@ bool mendStars(Run& run) {
 void followBoundaries(Run& run) {
   bool changed = true;
   for (int i = 0; i < kMostRounds && changed; ++i) {
-    changed = split(run, planFor(run).tooLong);
-    const Plan plan = planFor(run);
+    Plan plan = planFor(run);
+    changed = split(run, plan.tooLong);
+    if (changed) plan = planFor(run);
     changed = slide(run, plan.moves) || changed || split(run, plan.far);
   }
   pinNeeded(run);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/triangle.h"
-
 namespace remesher {
 
 namespace {
@@ -21,6 +19,15 @@ struct Site {
   double arc;
   Vec3 position;
 };
+
+Vec3 closestOnChord(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 chord = b - a, fromA = p - a, fromB = p - b;
+  const double beyondA = chord.dot(fromA), beforeB = -chord.dot(fromB);
+  if (beyondA <= 0) return a;
+  if (beforeB <= 0) return b;
+  const double length2 = beyondA + beforeB;
+  return (beforeB / length2) * a + (beyondA / length2) * b;
+}
 
 class Curve {
  public:
@@ -48,8 +55,7 @@ class Curve {
   double distance(const Site& from, const Site& to, std::size_t most) const {
     double farthest = 0;
     forEachBend(from.arc, to.arc, most, [&](double, const Vec3& p) {
-      const Vec3 near = closestPoint(p, from.position, to.position, to.position);
-      farthest = std::max(farthest, (near - p).norm());
+      farthest = std::max(farthest, (closestOnChord(p, from.position, to.position) - p).norm());
     });
     return farthest;
   }
@@ -95,10 +101,15 @@ class Placing {
     return places;
   }
 
-  double edgeCost(const Site& from, const Site& to) const {
+  // Of an edge's length, and of its chord's distance from the curve.
+  double unevenness(const Site& from, const Site& to) const {
     const double uneven = std::log((to.arc - from.arc) / even_);
+    return uneven * uneven;
+  }
+
+  double farness(const Site& from, const Site& to) const {
     const double far = curve_.distance(from, to, kBends) / tolerance_;
-    return uneven * uneven + (far > 1 ? kTooFar + kFarther * far : 0);
+    return far > 1 ? kTooFar + kFarther * far : 0;
   }
 
   void addStage(std::size_t i) {
@@ -108,9 +119,11 @@ class Placing {
       const double move = (arc - arcs_[i]) / even_;
       for (std::size_t k = 0; k < stages_.back().size(); ++k) {
         const Choice& before = stages_.back()[k];
-        const double least = before.cost + move * move;
-        if (before.site.arc >= arc || least >= choice.cost) continue;
-        const double cost = least + edgeCost(before.site, choice.site);
+        const double moved = before.cost + move * move;
+        if (before.site.arc >= arc || moved >= choice.cost) continue;
+        const double uneven = unevenness(before.site, choice.site);
+        if (moved + uneven >= choice.cost) continue;
+        const double cost = moved + (uneven + farness(before.site, choice.site));
         if (cost >= choice.cost) continue;
         choice.cost = cost;
         choice.before = k;
