@@ -128,15 +128,20 @@ class Survey {
     return place.distance >= kDoubtful * run_.scale * run_.sizes.at(place.original);
   }
 
-  // Walks again from all around where the last one ended.
-  void retry(Place& place) const {
+  // Walks again from all around where the last one ended. From one start they all end alike.
+  void retry(Place& place) {
     const HalfedgeMesh& mesh = mesh_.mesh();
+    starts_.clear();
     for (int i = 0; i < kRetries; ++i) {
       if (!isDoubtful(place)) return;
       bool improved = false;
       for (const Vertex v : mesh.vertices(place.nearest))
-        mesh.forEachNeighbor(
-            v, [&](Vertex w) { improved = improve(mesh_, place, faceAt(w)) || improved; });
+        mesh.forEachNeighbor(v, [&](Vertex w) {
+          const Face start = faceAt(w);
+          if (std::find(starts_.begin(), starts_.end(), start) != starts_.end()) return;
+          starts_.push_back(start);
+          improved = improve(mesh_, place, start) || improved;
+        });
       if (!improved) return;
     }
   }
@@ -243,7 +248,8 @@ class Survey {
   // For the few places that no walk finds the nearest triangle for: those inside triangles of the
   // original far larger than the mesh's.
   std::optional<MeshTree> tree_;
-  VertexData<char> near_;  // surely
+  VertexData<char> near_;     // surely
+  std::vector<Face> starts_;  // of the walks to the place at hand
   std::vector<Place> places_;
 };
 
