@@ -79,8 +79,11 @@ bool StarSearch::isAllowed(const Placement& place) {
   return judge(mesh_, change_, rule_) == Verdict::Accepted && !crossings_.grow(change_);
 }
 
+bool StarSearch::keepsAngles(const Vec3& position) const {
+  return smallestAngleAround(mesh_, v_, position) >= lowest_;
+}
+
 bool StarSearch::offer(const Placement& place) {
-  if (smallestAngleAround(mesh_, v_, place.position) < lowest_) return false;
   const double distance = distances_.around(v_, place, distance_);
   if (distance >= distance_ || !isAllowed(place)) return false;
   distance_ = distance;
@@ -98,8 +101,10 @@ void StarSearch::move(double enough, std::span<const Vec3> directions) {
   for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
     bool better = false;
     const Vec3 from = best_.position;
-    for (const Vec3& direction : directions)
-      better = offer(at(from + step * spoke_ * direction)) || better;
+    for (const Vec3& direction : directions) {
+      const Vec3 to = from + step * spoke_ * direction;
+      better = (keepsAngles(to) && offer(at(to))) || better;
+    }
     if (!better) step /= 2;
   }
 }
@@ -116,8 +121,9 @@ void StarSearch::slide(double enough) {
     const double from = best_.on.arc;
     for (const double way : {step * spoke_, -step * spoke_}) {
       const double arc = from + way;
-      if (arc > first + room && arc < last - room)
-        better = offer(mesh_.onCurve({chain, arc})) || better;
+      if (arc <= first + room || arc >= last - room) continue;
+      const Placement place = mesh_.onCurve({chain, arc});
+      better = (keepsAngles(place.position) && offer(place)) || better;
     }
     if (!better) step /= 2;
   }

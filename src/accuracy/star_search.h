@@ -29,7 +29,8 @@ class StarSearch {
   void descend(double enough);
 
  private:
-  bool offer(const Placement& place);
+  bool keepsAngles(const Vec3& position) const;
+  bool offer(const Placement& place);  // one that keeps them
   bool isAllowed(const Placement& place);
   Placement at(const Vec3& position) const;
   void move(double enough, std::span<const Vec3> steps);

@@ -166,16 +166,26 @@ double TwoSidedDistance::distanceNear(Place place) const {
   return place.distance;
 }
 
+// Whether a place is within the distance of a triangle at hand; of its own, mostly.
+bool TwoSidedDistance::isNear(const Place& place, const Changed& own, double distance) const {
+  const auto isWithin = [&](const Changed& triangle) {
+    const auto& [a, b, c] = triangle.at;
+    return (closestPoint(place.position, a, b, c) - place.position).norm() <= distance;
+  };
+  return isWithin(own) || std::any_of(gathered_.begin(), gathered_.end(), isWithin);
+}
+
 // Of the places that belong to the triangles at hand; any larger one where it exceeds `limit`. What
 // exceeded it the last time is likely to do so again.
 double TwoSidedDistance::farthestPlace(double limit) {
-  if (tooFar_ != kNone && isGathered(places_[tooFar_].nearest)) {
-    const double distance = distanceNear(places_[tooFar_]);
-    if (distance > limit) return distance;
-  }
   double farthest = 0;
+  if (tooFar_ != kNone && isGathered(places_[tooFar_].nearest)) {
+    farthest = distanceNear(places_[tooFar_]);
+    if (farthest > limit) return farthest;
+  }
   for (const Changed& triangle : gathered_)
     for (Index i = first_[triangle.face]; i != kNone; i = next_[i]) {
+      if (isNear(places_[i], triangle, farthest)) continue;
       farthest = std::max(farthest, distanceNear(places_[i]));
       if (farthest <= limit) continue;
       tooFar_ = i;

@@ -47,6 +47,7 @@ class TwoSidedDistance {
   void gather(Vertex v, const Placement& to);
   bool isGathered(Face f) const;
   double distanceNear(Place place) const;
+  bool isNear(const Place& place, const Changed& own, double distance) const;
   double farthestPlace(double limit);
   void measureGathered();
   void measureNear(Place& place) const;
