@@ -53,6 +53,7 @@ struct PatchAtlas::Impl {
         builder(mesh, positions, barriers.values(), margin),
         patches(builder.cells().count()),
         isBuilt(patches.size(), 0),
+        ownNumber(mesh.faceCapacity(), kNoLocal),
         onDemandBudget(std::max(kMinOnDemandFaces, kOnDemandShare * mesh.faceCapacity())) {}
 
   Vec3 position(const SurfacePoint& p) const {
@@ -62,6 +63,7 @@ struct PatchAtlas::Impl {
   }
 
   const PlanarPatch& patchAt(Face f);
+  std::array<LocalIndex, 3> findIn(Index cell, const std::array<SurfacePoint, 3>& corners) const;
   const PlanarPatch* patchOnDemand(const std::array<SurfacePoint, 3>& corners,
                                    const Triangle& triangle);
   bool isThrown(const Vec3& point, const Triangle& triangle, const Vec3& weights) const;
@@ -73,6 +75,7 @@ struct PatchAtlas::Impl {
   PatchBuilder builder;
   std::vector<PlanarPatch> patches;  // of the cells; empty where no usable one was found
   std::vector<char> isBuilt;
+  FaceData<LocalIndex> ownNumber;  // of a face in the patch of its own cell, once that is built
   std::vector<PlanarPatch> extraPatches;  // on demand
   FaceData<Index> extraPatch;             // the last of them about the face, or kNone
   const std::size_t onDemandBudget;
@@ -112,8 +115,24 @@ const PlanarPatch& PatchAtlas::Impl::patchAt(Face f) {
   if (!isBuilt[cell]) {
     isBuilt[cell] = 1;
     patches[cell] = builder.aroundCell(cell);
+    const std::span<const LocalFace> faces = patches[cell].faces();
+    for (std::size_t n = 0; n < faces.size(); ++n)
+      if (builder.cells().cellOf(Face(faces[n].face)) == cell)
+        ownNumber[Face(faces[n].face)] = LocalIndex(n);
   }
   return patches[cell];
+}
+
+// Most triangles lie inside one cell.
+LocalCorners PatchAtlas::Impl::findIn(Index cell,
+                                      const std::array<SurfacePoint, 3>& corners) const {
+  LocalCorners local;
+  for (int i = 0; i < 3; ++i) {
+    const Face f = corners[i].face;
+    const bool isOwn = builder.cells().cellOf(f) == cell;
+    local[i] = isOwn ? ownNumber[f] : patches[cell].find(f.index);
+  }
+  return local;
 }
 
 // A failed attempt costs as much as a good one: both are charged to the budget.
@@ -176,9 +195,10 @@ std::optional<SurfacePoint> PatchAtlas::interpolate(const std::array<SurfacePoin
                                                     const Triangle& places, const Vec3& weights) {
   const int first = heaviest(weights);
   for (int i = 0; i < 3; ++i) {
-    const PlanarPatch& patch = impl_->patchAt(corners[(first + i) % 3].face);
+    const Face middle = corners[(first + i) % 3].face;
+    const PlanarPatch& patch = impl_->patchAt(middle);
     if (patch.isEmpty()) continue;
-    const LocalCorners local = findAll(patch, corners);
+    const LocalCorners local = impl_->findIn(impl_->builder.cells().cellOf(middle), corners);
     if (!holdsAll(local)) continue;
     const SurfacePoint point = mix(patch, local, corners, weights);
     if (!impl_->isThrown(impl_->position(point), places, weights)) return point;
