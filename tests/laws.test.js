@@ -50,6 +50,8 @@ const found = [
   200066, 200344, // triangles without area in bodies without a volume, in either scheme
   202327, // joints whose weights are too small for a number
   209975, // colours beyond 1, read where nothing checks them
+  504814, // a primitive without attributes, before others
+  511086, // a surface folded onto itself, two vertices of which came to one place
 ];
 
 const seeds = [...found, ...Array.from({ length: last - first + 1 }, (_, i) => first + i)];

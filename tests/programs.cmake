@@ -79,6 +79,7 @@ add_executable(unit_tests
   tests/unit/schemes/remesh_test.cpp
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
+  tests/unit/steps/apart_test.cpp
   tests/unit/steps/boundaries_test.cpp
   tests/unit/steps/decimate_test.cpp
   tests/unit/steps/delaunay_test.cpp

@@ -47,10 +47,6 @@ double worstBefore(const WorkingMesh& mesh, const LocalChange& change) {
 // A little more than what is measured as a line, whichever corner it is measured from.
 constexpr double kLine = 2 * kFlattest;
 
-Vec3 written(const Vec3& p, double grain) {
-  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
-}
-
 // Whether a triangle is surely no line, by the squares of the longer of two sides and of twice its
 // area: far above all rounding; the third side is no longer than the other two together.
 bool isPlain(double longer, double area, double grain) {
@@ -146,13 +142,20 @@ Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const Fid
 
 }  // namespace
 
+Vec3 written(const Vec3& p, double grain) {
+  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
+}
+
 bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
+  const auto areOne = [&](const Vec3& a, const Vec3& b) {
+    return written(a, grain) == written(b, grain);
+  };
   std::ptrdiff_t coming = 0;
   for (const auto& t : change.coming) {
     const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
     if (!isLine(a, b, c, grain)) continue;
-    if (a == b || b == c || c == a) return true;
+    if (areOne(a, b) || areOne(b, c) || areOne(c, a)) return true;
     ++coming;
   }
   return coming > 0 &&

@@ -38,6 +38,9 @@ struct FidelityRule {
 
 FidelityRule fidelityRule(const RemeshOptions& options);
 
+// A position as it is written: in single precision if that has a grain.
+Vec3 written(const Vec3& p, double grain);
+
 // Whether more triangles would be lines, in the numbers that are written, than are; or one have two
 // corners at one place, which in a file would be one vertex, and sheets grown together. Projections
 // of different points may end in one corner of the original, or on one edge.

@@ -15,6 +15,7 @@
 #include "schemes/rounds.h"
 #include "schemes/targets.h"
 #include "steps/adapt.h"
+#include "steps/apart.h"
 #include "steps/split_obtuse.h"
 
 namespace remesher {
@@ -95,6 +96,7 @@ bool matchPositions(Run& run, std::size_t vertices) {
     if (now == vertices) return true;
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
     if (!matchCount(run, aim) && !fillUp(run, aim)) return false;
+    moveApart(run);
   }
   return countDistinct(run.mesh) == vertices;
 }
@@ -121,6 +123,7 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
   const std::size_t vertices = original.vertices();
   bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)
                                   : runScheme(run, vertices, options, progress);
+  moveApart(run);
   if (!options.splitObtuse && (reached || countDistinct(mesh) < vertices))
     reached = matchPositions(run, vertices);
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "steps/apart.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <set>
+
+#include "support/runs.h"
+
+using namespace remesher;
+
+namespace {
+
+constexpr int kCells = 4;
+constexpr std::size_t kInside = (kCells - 1) * (kCells - 1), kAll = (kCells + 1) * (kCells + 1);
+
+// Two sheets nearer to each other than single precision tells apart.
+TriangleMesh nearSheets() {
+  TriangleMesh below = shapes::grid(kCells, kCells), above = below;
+  for (Vec3& p : below.positions) p.z() = 1;
+  for (Vec3& p : above.positions) p.z() = 1 + 1e-10;
+  return soups::joined({below, above});
+}
+
+std::size_t writtenPlaces(const shapes::TestRun& test) {
+  std::set<std::array<float, 3>> places;
+  for (Index i = 0; i < test.mesh.mesh().vertexCapacity(); ++i) {
+    const Vec3& p = test.mesh.position(Vertex(i));
+    places.insert({float(p.x()), float(p.y()), float(p.z())});
+  }
+  return places.size();
+}
+
+std::size_t movedSince(const VertexData<Vec3>& before, const shapes::TestRun& test) {
+  std::size_t moved = 0;
+  for (Index i = 0; i < before.size(); ++i)
+    moved += before[Vertex(i)] != test.mesh.position(Vertex(i));
+  return moved;
+}
+
+}  // namespace
+
+TEST_CASE("apart: of vertices that are written at one place all but one go, inside of boundaries") {
+  shapes::TestRun test(nearSheets());
+  test.run.rule.grain = 1e-7;
+  const VertexData<Vec3> before = test.mesh.positions();
+  CHECK(writtenPlaces(test) == kAll);
+  moveApart(test.run);
+  CHECK(writtenPlaces(test) == kAll + kInside);
+  CHECK(movedSince(before, test) == kInside);
+  CHECK(shapes::checkWorkingMesh(test.mesh) == "");
+}
+
+TEST_CASE("apart: what is written in full precision stays") {
+  shapes::TestRun test(nearSheets());
+  const VertexData<Vec3> before = test.mesh.positions();
+  moveApart(test.run);
+  CHECK(movedSince(before, test) == 0);
+}
