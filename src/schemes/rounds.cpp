@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/patience.h"
 #include "gate/angles.h"
 #include "steps/adapt.h"
 #include "steps/boundaries.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
-#include "steps/patience.h"
 #include "steps/split_obtuse.h"
 #include "steps/sweeps.h"
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/patience.h"
 #include "steps/coarsen.h"
 #include "steps/decimate.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
-#include "steps/patience.h"
 #include "steps/sweeps.h"
 #include "steps/valence.h"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "base/patience.h"
 #include "steps/lengths.h"
-#include "steps/patience.h"
 
 namespace remesher {
 
