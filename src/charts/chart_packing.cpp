@@ -2,7 +2,10 @@
 #include "charts/chart_packing.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -13,9 +16,10 @@ namespace remesher {
 
 namespace {
 
-constexpr int kTurns = 32;           // of a right angle, that are tried
-constexpr Index kColumns = 512;      // of the skyline, at most
-constexpr double kScaleStep = 0.98;  // from one try to the next
+constexpr int kTurns = 32;       // of a right angle, that are tried
+constexpr Index kCells = 512;    // of the square along a side, at most
+constexpr double kShrink = 0.9;  // from one scale to the next, until one fits
+constexpr int kTries = 4, kMostTries = 90;
 
 struct Bounds {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
@@ -56,119 +60,245 @@ PlaneChart laidOut(const PlaneChart& chart) {
   return result;
 }
 
-// How far a chart reaches down and up in each column of cells, padding included.
-struct Outline {
-  std::vector<int> low, high;
+// Turned by a right angle.
+PlaneChart upright(const PlaneChart& chart) {
+  PlaneChart result = chart;
+  const double height = Bounds(chart).high.y();
+  for (PlaneTriangle& triangle : result)
+    for (Vec2& p : triangle) p = Vec2(height - p.y(), p.x());
+  return result;
+}
+
+// Cells of a row, side by side.
+struct Run {
+  int begin, end;
+};
+
+// The cells that a chart comes into, padding included: row by row, ascending.
+using Mask = std::vector<std::vector<Run>>;
+
+// A row of the square, a bit to a cell.
+class Row {
+ public:
+  void fill(const Run& run) {
+    for (int i = run.begin; i < run.end; ++i) words_[i / kBits] |= kOne << (i % kBits);
+  }
+
+  // Where a run cannot begin, for it would come upon a bit that is set.
+  Row blocked(const Run& run) const {
+    Row result = *this;
+    const int length = run.end - run.begin;
+    int reach = 1;
+    for (; 2 * reach <= length; reach *= 2) result |= result.moved(reach);
+    if (reach < length) result |= result.moved(length - reach);
+    return result.moved(run.begin);
+  }
+
+  Row& operator|=(const Row& other) {
+    for (std::size_t i = 0; i < kWords; ++i) words_[i] |= other.words_[i];
+    return *this;
+  }
+
+  std::vector<Run> runs() const {
+    std::vector<Run> result;
+    const auto isSet = [&](int i) { return (words_[i / kBits] >> (i % kBits) & kOne) != 0; };
+    for (int i = 0; i < int(kCells); ++i) {
+      if (!isSet(i)) continue;
+      result.push_back({i, i});
+      while (i < int(kCells) && isSet(i)) ++i;
+      result.back().end = i;
+    }
+    return result;
+  }
+
+  // The first cell whose bit is not set.
+  int firstFree() const {
+    std::size_t i = 0;
+    while (i < kWords && ~words_[i] == 0) ++i;
+    return int(i) * kBits + (i < kWords ? std::countr_one(words_[i]) : 0);
+  }
+
+ private:
+  static constexpr int kBits = 64;
+  static constexpr std::size_t kWords = kCells / kBits;
+  static constexpr std::uint64_t kOne = 1;
+
+  // Each bit takes the place of the one so far below it.
+  Row moved(int distance) const {
+    Row result;
+    const std::size_t whole = distance / kBits;
+    const int rest = distance % kBits;
+    for (std::size_t i = 0; i + whole < kWords; ++i) {
+      result.words_[i] = words_[i + whole] >> rest;
+      if (rest > 0 && i + whole + 1 < kWords)
+        result.words_[i] |= words_[i + whole + 1] << (kBits - rest);
+    }
+    return result;
+  }
+
+  std::array<std::uint64_t, kWords> words_{};
+};
+
+// Where a chart has come to lie: turned by a quarter or not, its box's corner in cells.
+struct Berth {
+  int x = 0, y = 0;
+  std::size_t turn = 0;
 };
 
 class Packer {
  public:
   Packer(std::span<const PlaneChart> charts, const PackingRules& rules)
-      : rules_(rules), cell_(std::max<Index>(1, rules.size / kColumns)) {
+      : rules_(rules), cell_((rules.size + kCells - 1) / kCells), cells_(int(rules.size / cell_)) {
+    std::vector<Vec2> sizes;
     for (const PlaneChart& chart : charts) {
-      charts_.push_back(laidOut(chart));
-      sizes_.push_back(Bounds(charts_.back()).size());
+      const PlaneChart flat = laidOut(chart);
+      charts_.push_back({flat, upright(flat)});
+      sizes.push_back(Bounds(flat).size());
+      longest_ = std::max(longest_, sizes.back().maxCoeff());
     }
     order_.resize(charts_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return sizes_[a].y() > sizes_[b].y(); });
+                     [&](std::size_t a, std::size_t b) { return sizes[a].sum() > sizes[b].sum(); });
   }
 
   Packing run() {
-    double scale = largestThinkable();
-    const double least = scale * 1e-4;
-    while (scale > least) {
-      if (std::optional<std::vector<Vec2>> places = tryScale(scale)) return placed(*places, scale);
-      scale *= kScaleStep;
+    double high = largestThinkable(), low = high;
+    std::optional<std::vector<Berth>> best;
+    for (int i = 0; i < kMostTries && !best; ++i) {
+      high = low;
+      low *= kShrink;
+      best = tryScale(low);
     }
-    return {{}, 0};
+    if (!best) return {{}, 0};
+    for (int i = 0; i < kTries; ++i) {
+      const double scale = 0.5 * (low + high);
+      std::optional<std::vector<Berth>> berths = tryScale(scale);
+      (berths ? low : high) = scale;
+      if (berths) best = std::move(berths);
+    }
+    return placed(*best, low);
   }
 
  private:
   // By area, and by the longest chart.
   double largestThinkable() const {
-    double area = 0, longest = 0;
-    for (std::size_t i = 0; i < charts_.size(); ++i) {
-      longest = std::max(longest, sizes_[i].maxCoeff());
-      for (const PlaneTriangle& t : charts_[i]) {
+    double area = 0;
+    for (const auto& [chart, turned] : charts_)
+      for (const PlaneTriangle& t : chart) {
         const Vec2 a = t[1] - t[0], b = t[2] - t[0];
         area += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
       }
-    }
     const double free = std::max(1.0, double(rules_.size) - 2.0 * rules_.padding);
     return std::min(area > 0 ? free / std::sqrt(area) : 1e300,
-                    longest > 0 ? free / longest : 1e300);
+                    longest_ > 0 ? free / longest_ : 1e300);
   }
 
-  Outline outlineOf(const PlaneChart& chart, double scale) const {
-    const double pad = rules_.padding;
-    const double width = scale * Bounds(chart).high.x() + 2 * pad;
-    const int columns = int(std::ceil((width + 1) / cell_));
-    Outline outline{std::vector<int>(columns, std::numeric_limits<int>::max()),
-                    std::vector<int>(columns, 0)};
-    for (const PlaneTriangle& t : chart)
-      for (int k = 0; k < 3; ++k) addEdge(outline, scale * t[k], scale * t[(k + 1) % 3]);
-    return outline;
+  Mask maskOf(const PlaneChart& chart, double scale) const {
+    const double height = scale * Bounds(chart).high.y() + 2.0 * rules_.padding;
+    std::vector<Row> rows(std::size_t(std::ceil((height + 1) / cell_)));
+    for (const PlaneTriangle& t : chart) {
+      std::vector<Run> runs(rows.size(), {kCells, 0});
+      for (int k = 0; k < 3; ++k) addEdge(runs, scale * t[k], scale * t[(k + 1) % 3]);
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].fill(runs[i]);
+    }
+    Mask mask;
+    for (const Row& row : rows) mask.push_back(row.runs());
+    return mask;
   }
 
-  // The columns that a padded edge comes into, each with how far the edge reaches there.
-  void addEdge(Outline& outline, Vec2 a, Vec2 b) const {
-    if (a.x() > b.x()) std::swap(a, b);
+  // The rows that a padded edge comes into, each with how far the edge reaches there.
+  void addEdge(std::vector<Run>& runs, Vec2 a, Vec2 b) const {
+    if (a.y() > b.y()) std::swap(a, b);
     const double pad = rules_.padding;
-    const int first = int(std::floor(a.x() / cell_));
-    const int last = int(std::floor((b.x() + 2 * pad) / cell_));
-    const auto height = [&](double x) {
-      const double t = b.x() > a.x() ? std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) : 0;
-      return a.y() + t * (b.y() - a.y());
+    const int first = int(std::floor(a.y() / cell_));
+    const int last = std::min(int(runs.size()) - 1, int(std::floor((b.y() + 2 * pad) / cell_)));
+    const auto across = [&](double y) {
+      const double t = b.y() > a.y() ? std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) : 0;
+      return a.x() + t * (b.x() - a.x());
     };
-    for (int i = first; i <= last && i < int(outline.low.size()); ++i) {
-      const double left = i * double(cell_) - 2 * pad, right = (i + 1) * double(cell_);
-      const bool isSteep = b.x() - a.x() < 1e-9;
-      const double y0 = isSteep ? a.y() : height(left), y1 = isSteep ? b.y() : height(right);
-      const auto [low, high] = std::minmax(y0, y1);
-      outline.low[i] = std::min(outline.low[i], int(std::floor(low / cell_)));
-      outline.high[i] = std::max(outline.high[i], int(std::floor((high + 2 * pad) / cell_)) + 1);
+    for (int i = first; i <= last; ++i) {
+      const bool isLevel = b.y() - a.y() < 1e-9;
+      const double x0 = isLevel ? a.x() : across(i * double(cell_) - 2 * pad);
+      const double x1 = isLevel ? b.x() : across((i + 1) * double(cell_));
+      const auto [low, high] = std::minmax(x0, x1);
+      runs[i].begin = std::min(runs[i].begin, int(std::floor(low / cell_)));
+      runs[i].end = std::max(runs[i].end, int(std::floor((high + 2 * pad) / cell_)) + 1);
     }
   }
 
-  std::optional<std::vector<Vec2>> tryScale(double scale) const {
-    const int cells = int(rules_.size / cell_);
-    std::vector<int> skyline(cells, 0);
-    std::vector<Vec2> places(charts_.size());
-    for (const std::size_t i : order_) {
-      const Outline outline = outlineOf(charts_[i], scale);
-      const int width = int(outline.low.size());
-      int bestX = -1, bestY = 0, bestTop = std::numeric_limits<int>::max();
-      const int highest = *std::max_element(outline.high.begin(), outline.high.end());
-      for (int x = 0; x + width <= cells; ++x) {
-        int y = 0;
-        for (int k = 0; k < width; ++k) y = std::max(y, skyline[x + k] - outline.low[k]);
-        if (y + highest >= bestTop) continue;
-        bestTop = y + highest;
-        bestX = x;
-        bestY = y;
+  // The lowest place that is free, of two as low the leftmost.
+  std::optional<Berth> berthFor(const Mask& mask, std::span<const Row> square, int top) const {
+    // Most places are refused for the widest run.
+    struct Part {
+      int row;
+      Run run;
+    };
+    std::vector<Part> parts;
+    int width = 0;
+    for (int r = 0; r < int(mask.size()); ++r)
+      for (const Run& run : mask[r]) {
+        parts.push_back({r, run});
+        width = std::max(width, run.end);
       }
-      if (bestX < 0 || bestTop > cells) return std::nullopt;
-      for (int k = 0; k < width; ++k)
-        skyline[bestX + k] = std::max(skyline[bestX + k], bestY + outline.high[k]);
-      places[i] = Vec2(double(bestX) * cell_, double(bestY) * cell_);
+    std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+      return a.run.end - a.run.begin > b.run.end - b.run.begin;
+    });
+    for (int y = 0; y + int(mask.size()) <= top; ++y) {
+      Row blocked;
+      int x = 0;
+      for (const Part& part : parts) {
+        blocked |= square[y + part.row].blocked(part.run);
+        x = blocked.firstFree();
+        if (x + width > cells_) break;
+      }
+      if (x + width <= cells_) return Berth{x, y, 0};
     }
-    return places;
+    return {};
   }
 
-  Packing placed(const std::vector<Vec2>& places, double scale) {
+  std::optional<std::vector<Berth>> tryScale(double scale) const {
+    std::vector<Row> square(cells_);
+    std::vector<Berth> berths(charts_.size());
+    for (const std::size_t i : order_) {
+      std::optional<Berth> best;
+      Mask mask;
+      int top = cells_;
+      for (const std::size_t turn : {0, 1}) {
+        Mask own = maskOf(charts_[i][turn], scale);
+        const std::optional<Berth> berth = berthFor(own, square, top);
+        if (!berth) continue;
+        best = {berth->x, berth->y, turn};
+        top = berth->y + int(own.size()) - 1;
+        mask = std::move(own);
+      }
+      if (!best) return {};
+      for (std::size_t r = 0; r < mask.size(); ++r)
+        for (const Run& run : mask[r])
+          square[best->y + r].fill({best->x + run.begin, best->x + run.end});
+      berths[i] = *best;
+    }
+    return berths;
+  }
+
+  Packing placed(const std::vector<Berth>& berths, double scale) {
     const Vec2 pad = Vec2::Constant(rules_.padding);
-    for (std::size_t i = 0; i < charts_.size(); ++i)
-      for (PlaneTriangle& triangle : charts_[i])
-        for (Vec2& p : triangle) p = scale * p + places[i] + pad;
-    return {std::move(charts_), scale};
+    Packing packing{{}, scale};
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+      PlaneChart chart = std::move(charts_[i][berths[i].turn]);
+      const Vec2 corner = double(cell_) * Vec2(berths[i].x, berths[i].y) + pad;
+      for (PlaneTriangle& triangle : chart)
+        for (Vec2& p : triangle) p = scale * p + corner;
+      packing.charts.push_back(std::move(chart));
+    }
+    return packing;
   }
 
   PackingRules rules_;
   Index cell_;  // texels
-  std::vector<PlaneChart> charts_;
-  std::vector<Vec2> sizes_;
+  int cells_;   // along a side
+  std::vector<std::array<PlaneChart, 2>> charts_;
+  double longest_ = 0;
   std::vector<std::size_t> order_;
 };
 

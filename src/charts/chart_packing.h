@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Charts put into a square of texels, as large as they can all be at one scale. Each is turned to
-// where its box is smallest; the highest is placed first, and each where it comes to lie lowest on
-// the skyline of those before it: not of their boxes but of their own outlines [Lévy et al. 2002,
-// Least Squares Conformal Maps, §3].
+// where its box is smallest, or by a right angle from there; the largest is placed first, and each
+// as low as there is a free place for it, in the holes of others, too: not by boxes but by the
+// cells that they cover.
 #pragma once
 
 #include <array>
