@@ -170,14 +170,11 @@ class Repainting {
       const double scale = worldScale(model_.parts[offsets.size() - 1]);
       for (const Vec3& p : surface.positions()) positions.push_back(scale * p);
     }
-    std::vector<char> cuts;
     for (const auto& [part, t] : atlas.triangles)
-      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
         indices.push_back(offsets[part] + surfaces_[part].welded(h));
-        cuts.push_back(surfaces_[part].isHard(h) ? 1 : 0);
-      }
     const Index padding = std::max<Index>(1, atlas.size / kPaddingShare);
-    const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
+    const Unwrapped unwrapped = unwrap({positions, indices}, {atlas.size, padding});
     if (!(unwrapped.scale > 0))
       throw Error(ErrorCode::InvalidOption,
                   "Textures of " + std::to_string(atlas.size) + " texels are too small for " +

@@ -293,7 +293,7 @@ test('what cannot be painted from is said in a sentence', async () => {
   await rejectsWith(bake(withBytes(animated)), 'UNSUPPORTED', /animated/);
   await rejectsWith(bake(withBytes([1, 2, 3, 4])), 'UNSUPPORTED', /neither PNG/);
   await rejectsWith(bake(torusFile, { output: 'obj' }), 'UNSUPPORTED', /glTF/);
-  await rejectsWith(bake(torusFile, { textureSize: 16, vertices: 2000 }), 'INVALID_OPTION',
+  await rejectsWith(bake(torusFile, { textureSize: 4, vertices: 2000 }), 'INVALID_OPTION',
     /too small/);
   const { positions, indices } = torus({ columns: 16, rows: 8 });
   const off = new TextEncoder().encode(offText({ positions, indices }));

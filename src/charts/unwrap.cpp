@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "charts/unwrap.h"
 
-#include <cmath>
-
 #include "charts/chart_growth.h"
-#include "charts/plane_frame.h"
-#include "geometry/triangle.h"
+#include "charts/chart_joining.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {
 
 namespace {
 
-// Per corner the one across the edge from it, where two triangles share it and nothing cuts it.
+// Per corner the one across the edge from it, where two triangles share it.
 std::vector<Index> twinsOf(const UnwrapInput& mesh) {
   std::vector<Index> twins(mesh.indices.size(), kNone);
   const EdgeGroups groups(mesh.positions.size(), mesh.indices);
@@ -20,43 +17,21 @@ std::vector<Index> twinsOf(const UnwrapInput& mesh) {
     const auto edge = groups[e];
     if (edge.size() != 2) continue;
     const Index a = edge[0], b = edge[1];
-    if (mesh.indices[a] == mesh.indices[b] || mesh.cuts[a] || mesh.cuts[b]) continue;
+    if (mesh.indices[a] == mesh.indices[b]) continue;
     twins[a] = b;
     twins[b] = a;
   }
   return twins;
 }
 
-// Seen along its axis, and as large in the plane as on the surface.
-PlaneChart flattened(const UnwrapInput& mesh, const Chart& chart) {
-  const PlaneFrame frame(chart.axis);
-  PlaneChart result;
-  double seen = 0, real = 0;
-  for (const Index t : chart.triangles) {
-    std::array<Vec3, 3> corners;
-    PlaneTriangle triangle;
-    for (Index k = 0; k < 3; ++k) {
-      corners[k] = mesh.positions[mesh.indices[3 * t + k]];
-      triangle[k] = frame.project(corners[k]);
-    }
-    const Vec3 normal = areaVector(corners[0], corners[1], corners[2]);
-    seen += normal.dot(chart.axis);
-    real += normal.norm();
-    result.push_back(triangle);
-  }
-  const double enlarged = seen > 0 ? std::sqrt(real / seen) : 1;
-  for (PlaneTriangle& triangle : result)
-    for (Vec2& p : triangle) p *= enlarged;
-  return result;
-}
-
 }  // namespace
 
 Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
   const std::vector<Index> twins = twinsOf(mesh);
-  const std::vector<Chart> charts = growCharts({mesh.positions, mesh.indices, twins});
+  const ChartSurface surface{mesh.positions, mesh.indices, twins};
+  const std::vector<FlatChart> charts = layFlat(surface, growCharts(surface));
   std::vector<PlaneChart> flat;
-  for (const Chart& chart : charts) flat.push_back(flattened(mesh, chart));
+  for (const FlatChart& chart : charts) flat.push_back(chart.plane);
   const Packing packing = packCharts(flat, rules);
   Unwrapped result{std::vector<Vec2>(mesh.indices.size(), Vec2::Zero()),
                    std::vector<Index>(mesh.indices.size() / 3, 0), charts.size(), packing.scale};

@@ -12,7 +12,6 @@ namespace remesher {
 struct UnwrapInput {
   std::span<const Vec3> positions;
   std::span<const Index> indices;
-  std::vector<char> cuts;  // per corner: whether charts end at the edge from it
 };
 
 struct Unwrapped {

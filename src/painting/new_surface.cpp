@@ -32,9 +32,8 @@ NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> pla
   for (const Vec3& p : mesh.positions) positions_.push_back(rounded(p));
   const std::vector<Index> first = weld(mesh.positions);
   for (const Index v : mesh.indices) welded_.push_back(first[v]);
-  Shading shading = shade(positions_, welded_, places, source);
-  for (const Vec3& normal : shading.normals) normals_.push_back(rounded(normal));
-  hard_ = std::move(shading.hard);
+  for (const Vec3& normal : shade(positions_, welded_, places, source))
+    normals_.push_back(rounded(normal));
 }
 
 void NewSurface::setTexcoord(Index corner, const Vec2& texel, Index size) {

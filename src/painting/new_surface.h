@@ -20,7 +20,6 @@ class NewSurface {
   const TriangleMesh& mesh() const { return mesh_; }
   std::span<const Vec3> positions() const { return positions_; }  // per vertex
   Index welded(Index corner) const { return welded_[corner]; }
-  bool isHard(Index corner) const { return hard_[corner] != 0; }
 
   // texel: from the corner of a square of so many.
   void setTexcoord(Index corner, const Vec2& texel, Index size);
@@ -40,7 +39,6 @@ class NewSurface {
   std::vector<Vec3> positions_;
   std::vector<Index> welded_;
   std::vector<Vec3> normals_;
-  std::vector<char> hard_;
   std::vector<Vec2> texcoords_;
   std::vector<Eigen::Vector4d> tangents_;
 };

@@ -19,24 +19,20 @@ class Shader {
   Shader(std::span<const Vec3> positions, std::span<const Index> indices)
       : positions_(positions), indices_(indices), shared_(indices.size()) {}
 
-  Shading run(std::span<const InputPlace> places, const PaintSource& source) {
+  std::vector<Vec3> run(std::span<const InputPlace> places, const PaintSource& source) {
     std::vector<Vec3> original;
     for (const InputPlace& place : places) original.push_back(source.shadingNormal(place));
-    Shading result{{}, std::vector<char>(indices_.size(), 0)};
     const EdgeGroups edges(positions_.size(), indices_);
     const auto parts = [&](Index a, Index b) { return original[a].dot(original[b]) < kHard; };
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (edges[e].size() != 2) continue;
       const Index a = edges[e][0], b = edges[e][1];
       if (indices_[a] == indices_[b]) continue;
-      const bool isHard = parts(a, nextCorner(b)) || parts(nextCorner(a), b);
-      result.hard[a] = result.hard[b] = isHard;
-      if (isHard) continue;
+      if (parts(a, nextCorner(b)) || parts(nextCorner(a), b)) continue;
       shared_.unite(a, nextCorner(b));
       shared_.unite(nextCorner(a), b);
     }
-    result.normals = sharedNormals();
-    return result;
+    return sharedNormals();
   }
 
  private:
@@ -71,8 +67,8 @@ class Shader {
 
 }  // namespace
 
-Shading shade(std::span<const Vec3> positions, std::span<const Index> indices,
-              std::span<const InputPlace> places, const PaintSource& source) {
+std::vector<Vec3> shade(std::span<const Vec3> positions, std::span<const Index> indices,
+                        std::span<const InputPlace> places, const PaintSource& source) {
   return Shader(positions, indices).run(places, source);
 }
 

@@ -9,13 +9,9 @@
 
 namespace remesher {
 
-struct Shading {
-  std::vector<Vec3> normals;  // per corner, unit
-  std::vector<char> hard;     // per corner: whether normals part at the edge from it
-};
-
-// indices: of the new mesh, welded by position; places: per corner, on the original.
-Shading shade(std::span<const Vec3> positions, std::span<const Index> indices,
-              std::span<const InputPlace> places, const PaintSource& source);
+// Per corner, unit. indices: of the new mesh, welded by position; places: per corner, on the
+// original.
+std::vector<Vec3> shade(std::span<const Vec3> positions, std::span<const Index> indices,
+                        std::span<const InputPlace> places, const PaintSource& source);
 
 }  // namespace remesher
