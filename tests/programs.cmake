@@ -77,6 +77,7 @@ add_executable(unit_tests
   tests/unit/remesher_test.cpp
   tests/unit/schemes/follow_test.cpp
   tests/unit/schemes/remesh_test.cpp
+  tests/unit/schemes/rounds_test.cpp
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
   tests/unit/steps/apart_test.cpp

@@ -28,7 +28,7 @@ constexpr double kTooLong = 2;
 constexpr int kGradingRounds = 12;
 constexpr double kSettled = 0.01;
 constexpr double kGradingShare = 0.4;  // of the time
-constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+constexpr double kMostGraded = 4;      // of the vertices asked for, or there: slivers would go on
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 // In units of the size asked for there, where sizes differ.
@@ -169,9 +169,11 @@ void grade(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const FidelityRule rule = run.rule;
   if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.rule.mode = Fidelity::Fold;
+  const auto most =
+      std::size_t(kMostGraded * std::max(run.sizes.vertices(), double(mesh.vertexCount())));
   for (int i = 0; i < kGradingRounds; ++i) {
     progress.at(double(i) / kGradingRounds);
-    std::size_t changes = splitRound(run, longestFirst(run, kLong), kNoLimit);
+    std::size_t changes = splitRound(run, longestFirst(run, kLong), most);
     changes += collapseRound(run, shortestFirst(run, kShort), 0);
     areaBasedRound(run);
     if (double(changes) < kSettled * double(mesh.vertexCount())) break;

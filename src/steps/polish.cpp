@@ -24,8 +24,9 @@ constexpr std::size_t kMany = 200;
 constexpr int kTries = 3;  // per triangle and round of topological changes
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
 // few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
-// vain.
+// vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
 constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 19;
+constexpr double kFarBeyond = 2;
 // Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
 // pieces to each of the mesh, of needles as many as there are places to try.
 constexpr std::size_t kMostPieces = 2000, kLeastPieces = 1 << 16;
@@ -184,6 +185,12 @@ Means meansOf(int round, int rounds) {
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
+std::size_t mostWork(const Run& run) {
+  const double wanted = 2 * run.sizes.vertices();
+  const double counted = std::min(double(run.mesh.mesh().faceCount()), kFarBeyond * wanted);
+  return std::max(kLeastWork, kMostWork * std::size_t(counted));
+}
+
 std::size_t piecesLookedAt(const Run& run) {
   return run.rule.bound ? run.rule.bound->piecesLookedAt() : 0;
 }
@@ -194,7 +201,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
   double before = std::numeric_limits<double>::infinity();
-  std::size_t work = std::max(kLeastWork, kMostWork * run.mesh.mesh().faceCount());
+  std::size_t work = mostWork(run);
   const std::size_t mostPieces =
       piecesLookedAt(run) + std::max(kLeastPieces, kMostPieces * run.mesh.mesh().faceCount());
   const auto mayTry = [&](Face f) {
