@@ -41,12 +41,11 @@ std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
   io::Part& own = run.parts[part];
   RemeshOutcome outcome = remeshSurface(own.mesh, options, progress);
   RoundedMesh rounded = inPrecisionOf(own.mesh, std::move(outcome.mesh));
-  if (rounded.coincident > 0)
+  if (const std::size_t count = std::max(rounded.coincident, outcome.coincident); count > 0)
     outcome.warnings.push_back({"VERTICES_COINCIDE",
                                 "Vertices of the result lie where others do: parts of the surface "
-                                "are nearer to each other than coordinates of single precision, as "
-                                "they were given, can tell apart.",
-                                rounded.coincident});
+                                "are nearer to each other than its coordinates can tell apart.",
+                                count});
   own.mesh = std::move(rounded.mesh);
   run.places[part] = std::move(outcome.places);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);

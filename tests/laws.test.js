@@ -51,7 +51,7 @@ const found = [
   202327, // joints whose weights are too small for a number
   209975, // colours beyond 1, read where nothing checks them
   504814, // a primitive without attributes, before others
-  511086, // a surface folded onto itself, two vertices of which came to one place
+  511086, 511979, // vertices that came to one place: of a surface folded onto itself, of a curve
 ];
 
 const seeds = [...found, ...Array.from({ length: last - first + 1 }, (_, i) => first + i)];

@@ -36,6 +36,7 @@ constexpr double kNearerSeen = 1e-3;  // of the diagonal: a pixel there
 struct Remeshed {
   WorkingMesh mesh;
   Stopped stopped;
+  std::size_t coincident;  // see moveApart
 };
 
 // What of the input decides how the mesh is treated.
@@ -87,18 +88,24 @@ std::size_t countDistinct(const WorkingMesh& mesh) {
   return distinctPositions(mesh.mesh(), mesh.positions());
 }
 
+struct Places {
+  bool areReached;
+  std::size_t coincident;  // see moveApart
+};
+
 // Where the builder cut the input apart, several vertices may share a place; what was promised is a
 // number of places.
-bool matchPositions(Run& run, std::size_t vertices) {
+Places matchPositions(Run& run, std::size_t vertices) {
   constexpr int kTries = 4;
+  std::size_t coincident = moveApart(run);
   for (int i = 0; i < kTries; ++i) {
     const std::size_t now = countDistinct(run.mesh);
-    if (now == vertices) return true;
+    if (now == vertices) return {true, coincident};
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
-    if (!matchCount(run, aim) && !fillUp(run, aim)) return false;
-    moveApart(run);
+    if (!matchCount(run, aim) && !fillUp(run, aim)) return {false, coincident};
+    coincident = moveApart(run);
   }
-  return countDistinct(run.mesh) == vertices;
+  return {countDistinct(run.mesh) == vertices, coincident};
 }
 
 // A draft of many vertices walks: over short edges the straight way leads to where patches do.
@@ -121,15 +128,17 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
   run.stagger = manner.stagger;
   run.quality = options.quality;
   const std::size_t vertices = original.vertices();
-  bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, options, progress)
-                                  : runScheme(run, vertices, options, progress);
-  moveApart(run);
-  if (!options.splitObtuse && (reached || countDistinct(mesh) < vertices))
-    reached = matchPositions(run, vertices);
+  const bool reached = original.bound()
+                           ? runWithin(run, {*original.bound(), vertices}, options, progress)
+                           : runScheme(run, vertices, options, progress);
+  const bool mayMatch = !options.splitObtuse && (reached || countDistinct(mesh) < vertices);
+  const Places places = mayMatch ? matchPositions(run, vertices) : Places{reached, moveApart(run)};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
-  return {std::move(mesh), reached   ? Stopped::Target
-                           : byBound ? Stopped::MaxError
-                                     : Stopped::Fidelity};
+  return {std::move(mesh),
+          places.areReached ? Stopped::Target
+          : byBound         ? Stopped::MaxError
+                            : Stopped::Fidelity,
+          places.coincident};
 }
 
 // Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
@@ -179,8 +188,12 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
       options.splitObtuse ? original.vertices() : countDistinct(remeshed.mesh);
-  return {extractMesh(remeshed.mesh, input, original.transfer()), std::move(places),
-          remeshed.stopped, vertices, original.warnings()};
+  return {extractMesh(remeshed.mesh, input, original.transfer()),
+          std::move(places),
+          remeshed.stopped,
+          vertices,
+          original.warnings(),
+          remeshed.coincident};
 }
 
 }  // namespace remesher

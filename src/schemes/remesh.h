@@ -18,6 +18,7 @@ struct RemeshOutcome {
   Stopped stopped = Stopped::Target;
   std::size_t vertices = 0;  // distinct positions, but for those that splitObtuse adds
   std::vector<Warning> warnings;
+  std::size_t coincident = 0;  // vertices that would be one with others in a file; see moveApart
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

@@ -9,27 +9,34 @@ namespace remesher {
 
 namespace {
 
+// Boundaries may have been cut apart where they lie on each other, and are to be joined again.
+enum class Tie { Boundary, Curve, None };
+
+Tie tieOf(const WorkingMesh& mesh, Vertex v) {
+  if (mesh.mesh().isBoundary(v)) return Tie::Boundary;
+  return mesh.kind(v) == VertexKind::Interior ? Tie::None : Tie::Curve;
+}
+
 struct Written {
   Vec3 position;
-  bool mayMove;
+  Tie tie;
   Vertex vertex;
 
-  auto key() const {
-    return std::tuple(position[0], position[1], position[2], mayMove, vertex.index);
-  }
+  auto key() const { return std::tuple(position[0], position[1], position[2], tie, vertex.index); }
 };
 
-std::vector<Vertex> verticesOnOthers(const Run& run) {
+// Of those at one place all but the first of the least free; of boundaries none.
+std::vector<Written> onOthers(const Run& run) {
   std::vector<Written> all;
   for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index)
     if (run.mesh.mesh().isAlive(v))
-      all.push_back({written(run.mesh.position(v), run.rule.grain),
-                     run.mesh.kind(v) == VertexKind::Interior, v});
+      all.push_back({written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v});
   std::sort(all.begin(), all.end(),
             [](const Written& a, const Written& b) { return a.key() < b.key(); });
-  std::vector<Vertex> result;
+  std::vector<Written> result;
   for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i].mayMove && all[i].position == all[i - 1].position) result.push_back(all[i].vertex);
+    if (all[i].tie != Tie::Boundary && all[i].position == all[i - 1].position)
+      result.push_back(all[i]);
   return result;
 }
 
@@ -50,16 +57,18 @@ void moveInside(Run& run, Vertex v, double step) {
 
 }  // namespace
 
-void moveApart(Run& run) {
+std::size_t moveApart(Run& run) {
   // Sheets that are alike may take their vertices to one place again; steps halve, and one vertex
   // of each place stays.
   constexpr int kTries = 4;
   double step = 0.25;
-  for (int i = 0; i < kTries; ++i, step /= 2) {
-    const std::vector<Vertex> vertices = verticesOnOthers(run);
-    if (vertices.empty()) return;
-    for (const Vertex v : vertices) moveInside(run, v, step);
+  std::vector<Written> others = onOthers(run);
+  for (int i = 0; i < kTries && !others.empty(); ++i, step /= 2) {
+    for (const Written& one : others)
+      if (one.tie == Tie::None) moveInside(run, one.vertex, step);
+    others = onOthers(run);
   }
+  return others.size();
 }
 
 }  // namespace remesher

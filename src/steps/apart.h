@@ -8,8 +8,8 @@ namespace remesher {
 
 // What is written alike is one vertex in a file, and sheets that share two of them are grown
 // together. Of the vertices that are written at one place all but one go a small way into a
-// triangle of theirs, if the gate lets them. Those of curves stay, for along boundaries the surface
-// may have been cut apart that is to be joined again.
-void moveApart(Run& run);
+// triangle of theirs, if the gate lets them and they are on no curve. Returns how many still lie
+// where others do, those of boundaries apart.
+std::size_t moveApart(Run& run);
 
 }  // namespace remesher

@@ -16,8 +16,8 @@ constexpr int kCells = 4;
 constexpr std::size_t kInside = (kCells - 1) * (kCells - 1), kAll = (kCells + 1) * (kCells + 1);
 
 // Two sheets nearer to each other than single precision tells apart.
-TriangleMesh nearSheets() {
-  TriangleMesh below = shapes::grid(kCells, kCells), above = below;
+TriangleMesh nearSheets(int cells) {
+  TriangleMesh below = shapes::grid(cells, cells), above = below;
   for (Vec3& p : below.positions) p.z() = 1;
   for (Vec3& p : above.positions) p.z() = 1 + 1e-10;
   return soups::joined({below, above});
@@ -42,19 +42,31 @@ std::size_t movedSince(const VertexData<Vec3>& before, const shapes::TestRun& te
 }  // namespace
 
 TEST_CASE("apart: of vertices that are written at one place all but one go, inside of boundaries") {
-  shapes::TestRun test(nearSheets());
+  shapes::TestRun test(nearSheets(kCells));
   test.run.rule.grain = 1e-7;
   const VertexData<Vec3> before = test.mesh.positions();
   CHECK(writtenPlaces(test) == kAll);
-  moveApart(test.run);
+  CHECK(moveApart(test.run) == 0);
   CHECK(writtenPlaces(test) == kAll + kInside);
   CHECK(movedSince(before, test) == kInside);
   CHECK(shapes::checkWorkingMesh(test.mesh) == "");
 }
 
 TEST_CASE("apart: what is written in full precision stays") {
-  shapes::TestRun test(nearSheets());
+  shapes::TestRun test(nearSheets(kCells));
   const VertexData<Vec3> before = test.mesh.positions();
-  moveApart(test.run);
+  CHECK(moveApart(test.run) == 0);
   CHECK(movedSince(before, test) == 0);
+}
+
+TEST_CASE("apart: those that must stay are counted, but for boundaries") {
+  // A cube and another that begins where it ends: the corners of the faces that touch.
+  TriangleMesh below = shapes::cube(1), above = below;
+  for (Vec3& p : above.positions) p.z() += 1 + 1e-10;
+  shapes::TestRun test(soups::joined({below, above}));
+  test.run.rule.grain = 1e-7;
+  CHECK(moveApart(test.run) == 4);
+  shapes::TestRun sheets(nearSheets(1));
+  sheets.run.rule.grain = 1e-7;
+  CHECK(moveApart(sheets.run) == 0);
 }
