@@ -2,6 +2,7 @@
 #include "accuracy/lower_hausdorff.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,11 +31,20 @@ constexpr double kNearMaximum = 0.8;
 constexpr int kRounds = 4;
 // Triangles looked at: of a large mesh few decide, and a small one has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
+// Between two shells all is far off, and as near to one as to the other: a try takes twenty
+// thousand lookups there, elsewhere some hundreds.
+constexpr std::size_t kLookupsPerTry = 1000;
 
 std::size_t triesFor(std::size_t vertices) {
   return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
                   vertices / kVerticesPerTry);
 }
+
+// The angle that a move leaves, in radians, and the one that was asked of moves before, in vain.
+struct Kept {
+  double angle;
+  std::optional<double> last;
+};
 
 // Lowers the distances of the triangles where they are largest, until nothing more can be done.
 class Descent {
@@ -44,7 +54,8 @@ class Descent {
         mesh_(run.mesh.mesh()),
         distances_(run),
         crossings_(run.mesh),
-        tries_(triesFor(mesh_.vertexCount())) {
+        tries_(triesFor(mesh_.vertexCount())),
+        mostLookups_(distances_.lookups() + kLookupsPerTry * tries_) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
   }
@@ -70,11 +81,13 @@ class Descent {
     return entry;
   }
 
+  bool mayTry() const { return tries_ > 0 && distances_.lookups() < mostLookups_; }
+
   // Whether anything moved.
   bool descend() {
     bool moved = false;
     double worst = kWorthAMove * run_.sizes.mean();
-    while (!queue_.empty() && tries_ > 0 && queue_.front().first >= worst) {
+    while (!queue_.empty() && mayTry() && queue_.front().first >= worst) {
       const auto [distance, f] = pop();
       if (distance != distances_.of(f)) continue;
       --tries_;
@@ -89,11 +102,15 @@ class Descent {
   }
 
   bool lower(Face f) {
+    std::optional<double> last;
     for (const double angle : {kGoodAngle, kFairAngle, kWorstLeft}) {
-      if (moveCorner(f, angle) || flipSide(f, angle) || makeWay(f, angle)) return true;
+      const Kept kept{angle, last};
+      if (moveCorner(f, kept) || flipSide(f, angle) || makeWay(f, kept)) return true;
       if (!isBeyond(kWorthAngles, f)) return false;
+      last = angle;
     }
-    return isBeyond(kLostTip, f) && (moveCorner(f, kMendable) || makeWay(f, kMendable));
+    const Kept kept{kMendable, last};
+    return isBeyond(kLostTip, f) && (moveCorner(f, kept) || makeWay(f, kept));
   }
 
   // share: of the target edge length.
@@ -112,14 +129,22 @@ class Descent {
     return run_.mesh.kind(v) == VertexKind::Curve ? kWorstLeft : angle;
   }
 
-  bool moveCorner(Face f, double angle) {
+  // Whether a search from v would be the last one again, which was in vain: both may do to a star
+  // what its own angles allow.
+  bool wasTried(Vertex v, const Kept& kept) const {
+    if (!kept.last) return false;
+    const double own = smallestAngleAround(run_.mesh, v, run_.mesh.position(v));
+    return std::min(keptAt(v, kept.angle), own) == std::min(keptAt(v, *kept.last), own);
+  }
+
+  bool moveCorner(Face f, const Kept& kept) {
     const double before = distances_.of(f);
-    double lowest = (angle < kGoodAngle ? kMuch : kGain) * before;
+    double lowest = (kept.last ? kMuch : kGain) * before;
     Vertex mover;
     Placement to;
     for (const Vertex v : mesh_.vertices(f)) {
-      if (isFixed(v) || distances_.onRim(v) > lowest) continue;
-      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
+      if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) > lowest) continue;
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
       search.descend(kReached * before);
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
@@ -145,12 +170,12 @@ class Descent {
   }
 
   // A vertex may be held between two sides, each of which a neighbour could take over.
-  bool makeWay(Face f, double angle) {
+  bool makeWay(Face f, const Kept& kept) {
     const double before = distances_.of(f);
     bool moved = false;
     for (const Vertex v : mesh_.vertices(f)) {
-      if (isFixed(v) || distances_.onRim(v) < before) continue;
-      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, angle)});
+      if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) < before) continue;
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
       const double own = search.distance();
       if (own < kReached * before) continue;
       search.descend(kReached * before);
@@ -187,7 +212,7 @@ class Descent {
   Crossings crossings_;
   std::vector<Entry> queue_;
   std::vector<Face> stuck_;
-  std::size_t tries_;
+  std::size_t tries_, mostLookups_;
 };
 
 }  // namespace

@@ -56,6 +56,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   }
   if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
+  ++lookups_;
   return tree_->nearest(sample).distance;
 }
 

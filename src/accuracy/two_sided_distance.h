@@ -36,6 +36,9 @@ class TwoSidedDistance {
   void update(Vertex v);
   void update(Halfedge h);
 
+  // How often walks ended too far off, and all of the original was looked at.
+  std::size_t lookups() const { return lookups_; }
+
  private:
   // A triangle that changes, with its corners where it is asked about: the moved vertex comes
   // first.
@@ -68,6 +71,7 @@ class TwoSidedDistance {
   FaceData<Index> first_;    // the first place of a triangle, or kNone
   FaceData<double> distance_;
   mutable std::optional<MeshTree> tree_;  // of the original, for where walks end in a valley
+  mutable std::size_t lookups_ = 0;
   std::vector<Changed> gathered_;
   Vertex moved_;  // that they change with, if any
   Placement to_;
