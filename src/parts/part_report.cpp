@@ -55,6 +55,13 @@ std::vector<Index> withoutLines(const TriangleMesh& mesh) {
   return kept.empty() ? mesh.indices : kept;
 }
 
+// Where a part is shown as a line, or pressed flat, its distances are those it has by itself.
+Transform placeOf(const io::Part& part) {
+  const bool isSolid =
+      !part.instances.empty() && part.instances.front().linear().determinant() != 0;
+  return isSolid ? Transform(part.instances.front()) : Transform::Identity();
+}
+
 }  // namespace
 
 MeshReport inspectParts(const std::vector<io::Part>& parts) {
@@ -67,9 +74,6 @@ MeshReport inspectParts(const std::vector<io::Part>& parts) {
 }
 
 TriangleMesh gathered(const std::vector<io::Part>& parts) {
-  const auto placeOf = [](const io::Part& part) {
-    return part.instances.empty() ? Transform::Identity() : Transform(part.instances.front());
-  };
   TriangleMesh all;
   if (parts.empty()) return all;
   // A scene may lie so far away that its shape would be lost to rounding.

@@ -203,6 +203,8 @@ TEST_CASE("remesher: distances are those of the surface, wherever it is shown") 
   const Transform away(Eigen::Translation3d(1e30, 0, 1e-3));
   CHECK(remeshScene({{ball, {away}}}, options).report.fidelity->hausdorff ==
         doctest::Approx(usual).epsilon(0.1));
+  const Transform pressed(Eigen::Scaling(1.0, 0.0, 0.0));
+  CHECK(remeshScene({{ball, {pressed}}}, options).report.fidelity->hausdorff == usual);
   TriangleMesh withLine = ball;  // which is no surface
   withLine.positions.emplace_back(3, 0, 0);
   const Index far = Index(withLine.positions.size() - 1);
