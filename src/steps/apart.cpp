@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace remesher {
@@ -25,12 +26,29 @@ struct Written {
   auto key() const { return std::tuple(position[0], position[1], position[2], tie, vertex.index); }
 };
 
-// Of those at one place all but the first of the least free; of boundaries none.
-std::vector<Written> onOthers(const Run& run) {
-  std::vector<Written> all;
+Written writtenAt(const Run& run, Vertex v) {
+  return {written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v};
+}
+
+// Those beside others in one coordinate: few, mostly.
+std::vector<Written> inOnePlane(const Run& run) {
+  std::vector<std::pair<double, Vertex>> all;
   for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index)
     if (run.mesh.mesh().isAlive(v))
-      all.push_back({written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v});
+      all.emplace_back(written(run.mesh.position(v), run.rule.grain).x(), v);
+  std::sort(all.begin(), all.end());
+  std::vector<Written> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double x = all[i].first;
+    if ((i > 0 && all[i - 1].first == x) || (i + 1 < all.size() && all[i + 1].first == x))
+      result.push_back(writtenAt(run, all[i].second));
+  }
+  return result;
+}
+
+// Of those at one place all but the first of the least free; of boundaries none.
+std::vector<Written> onOthers(const Run& run) {
+  std::vector<Written> all = inOnePlane(run);
   std::sort(all.begin(), all.end(),
             [](const Written& a, const Written& b) { return a.key() < b.key(); });
   std::vector<Written> result;
