@@ -39,6 +39,8 @@ test('a broken law is noticed', async () => {
   bad.bytes = Uint8Array.from(Buffer.from(Buffer.from(bad.bytes).toString('latin1')
     .replace('"joints":[1,2,3]', '"joints":[1]    '), 'latin1'));
   assert.deepEqual(await lawsOfFiles(good, good), []);
+  const words = new TextEncoder().encode('v 0 nan 0\n');
+  assert.match((await lawsOfFiles(good, { name: 'a.obj', bytes: words }))[0], /not finite/);
   assert.match((await lawsOfFiles(good, bad))[0], /ACCESSOR_JOINTS_INDEX_OOB/);
 });
 

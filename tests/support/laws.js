@@ -2,6 +2,8 @@
 // What must hold of every run, whatever came in: of its error, of its report, of its mesh, of its
 // files. Each function returns the broken laws in words.
 
+import { convertFile } from 'remesher';
+
 import { errorCodes } from '../../dist/base/errors.js';
 import { issuesOf, openGltf, valuesOf } from './gltf.js';
 
@@ -126,13 +128,20 @@ function lawsOfColors({ bytes, files = [] }) {
   return broken;
 }
 
+/** What a file without glTF holds, in words; bytes may happen to look like some. */
+async function wordsOf({ name, bytes }) {
+  const isBinary = bytes.includes(0);
+  const words = isBinary ? (await convertFile(bytes, { name, output: 'words.obj' })).bytes : bytes;
+  return new TextDecoder().decode(words);
+}
+
 /**
  * @param {any} before the file that went in: { name, bytes, files }
  * @param {any} after the file that came out
  */
 export async function lawsOfFiles(before, after) {
   if (!isGltf(after)) {
-    const text = new TextDecoder().decode(after.bytes);
+    const text = await wordsOf(after);
     return /\b(nan|inf)/i.test(text.replace(/^\S*[a-z].*$/gm, (line) =>
       (/^(v|vt|vn) /.test(line) ? line : ''))) ? ['a number is not finite'] : [];
   }
