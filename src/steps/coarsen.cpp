@@ -26,13 +26,14 @@ class Coarsening {
       : run_(run),
         goal_(goal),
         progress_(progress),
+        proofs_(run),
         changed_(run.mesh.mesh().vertexCapacity(), 1) {}
 
   void run() {
     Patience patience;
     while (isTooMany()) {
       const std::size_t collapses = pass();
-      if (!isTooMany()) return;
+      if (!isTooMany() || proofs_.isSpent()) return;
       if (!patience.after(collapses, run_.mesh.mesh().vertexCount() - goal_.vertices)) return;
     }
   }
@@ -63,7 +64,7 @@ class Coarsening {
     const std::vector<Ranked> edges = worthATry();
     changed_.assign(mesh.vertexCapacity(), 0);
     std::size_t collapses = 0;
-    for (std::size_t i = 0; i < edges.size() && isTooMany(); ++i) {
+    for (std::size_t i = 0; i < edges.size() && isTooMany() && !proofs_.isSpent(); ++i) {
       if (i % kTick == 0)
         progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(edges.size()));
       const Halfedge h = edges[i].edge;
@@ -91,6 +92,7 @@ class Coarsening {
   Run& run_;
   Goal goal_;
   Progress progress_;
+  ProofBudget proofs_;
   double left_ = 1;  // of the work, as far as can be told
   VertexData<char> changed_;
 };

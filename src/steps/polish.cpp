@@ -27,9 +27,6 @@ constexpr int kTries = 3;  // per triangle and round of topological changes
 // vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
 constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 19;
 constexpr double kFarBeyond = 2;
-// Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
-// pieces to each of the mesh, of needles as many as there are places to try.
-constexpr std::size_t kMostPieces = 2000, kLeastPieces = 1 << 16;
 // Drastic means may make so much more of the vertices before the count is put right again.
 constexpr double kMostGrowth = 1.25;
 // A pattern search: eight directions, with steps that shrink as none of them helps.
@@ -191,10 +188,6 @@ std::size_t mostWork(const Run& run) {
   return std::max(kLeastWork, kMostWork * std::size_t(counted));
 }
 
-std::size_t piecesLookedAt(const Run& run) {
-  return run.rule.bound ? run.rule.bound->piecesLookedAt() : 0;
-}
-
 }  // namespace
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
@@ -202,12 +195,11 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = mostWork(run);
-  const std::size_t mostPieces =
-      piecesLookedAt(run) + std::max(kLeastPieces, kMostPieces * run.mesh.mesh().faceCount());
+  const ProofBudget proofs(run);
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
     const std::size_t own = isFull ? work + 1 : workOf(run, f);
-    if (own > work || piecesLookedAt(run) > mostPieces) return false;
+    if (own > work || proofs.isSpent()) return false;
     work -= own;
     return true;
   };

@@ -3,6 +3,7 @@
 // apply.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "base/progress.h"
@@ -42,6 +43,25 @@ inline bool commit(Run& run, const FidelityRule& rule) {
 }
 
 inline bool commit(Run& run) { return commit(run, run.rule); }
+
+// Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
+// pieces to each of the mesh, of needles as many as there are places to try.
+class ProofBudget {
+ public:
+  explicit ProofBudget(const Run& run)
+      : bound_(run.rule.bound),
+        most_(spent() + std::max(kLeast, kMost * run.mesh.mesh().faceCount())) {}
+
+  bool isSpent() const { return spent() > most_; }
+
+ private:
+  static constexpr std::size_t kMost = 2000, kLeast = 1 << 16;
+
+  std::size_t spent() const { return bound_ ? bound_->piecesLookedAt() : 0; }
+
+  const ErrorBound* bound_;
+  std::size_t most_;
+};
 
 // Where a step costs seconds, and a few triangles more or less near a limit are not seen.
 inline bool isLarge(const Run& run) {
