@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
@@ -196,24 +197,33 @@ class Survey {
   void addInside() {
     const Index faces = Index(mesh_.surface().mesh().faceCapacity());
     const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + faces);
-    const bool isSound = wantedPlaces(Rows::AsSteps) <= most;
-    const double coarser = isSound ? 1 : std::max(1.0, wantedPlaces(Rows::ByHeight) / most);
-    for (Index i = 0; i < faces; ++i) {
-      Grid grid = gridOf(Face(i), isSound ? Rows::AsSteps : Rows::ByHeight);
+    const Grids even = gridsOf(Rows::AsSteps);
+    if (even.places <= most) {
+      for (const auto& [f, grid] : even.grids) addEvenly(f, int(grid.along));
+      return;
+    }
+    const Grids thin = gridsOf(Rows::ByHeight);
+    const double coarser = std::max(1.0, thin.places / most);
+    for (auto [f, grid] : thin.grids) {
       grid.along = std::floor(grid.along / coarser);
-      if (grid.along < 2) continue;
-      if (isSound)
-        addEvenly(Face(i), int(grid.along));
-      else
-        addRows(Face(i), grid, std::min(grid.rows, most));
+      if (grid.along >= 2) addRows(f, grid, std::min(grid.rows, most));
     }
   }
 
-  double wantedPlaces(Rows by) const {
-    double wanted = 0;
-    for (Index i = 0; i < mesh_.surface().mesh().faceCapacity(); ++i)
-      wanted += gridOf(Face(i), by).places();
-    return wanted;
+  // Of the triangles that are to have places inside; of the others a trifle counts for each.
+  struct Grids {
+    std::vector<std::pair<Face, Grid>> grids;
+    double places = 0;
+  };
+
+  Grids gridsOf(Rows by) const {
+    Grids result;
+    for (Index i = 0; i < mesh_.surface().mesh().faceCapacity(); ++i) {
+      const Grid grid = gridOf(Face(i), by);
+      result.places += grid.places();
+      if (grid.along > 0) result.grids.emplace_back(Face(i), grid);
+    }
+    return result;
   }
 
   void addEvenly(Face f, int n) {
