@@ -32,9 +32,10 @@ std::size_t splitLong(Run& run, std::size_t limit) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
   const Index present = Index(mesh.halfedgeCapacity());
+  VertexSizes sizes(run);
   for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
     const Halfedge h(i);
-    if (!mesh.isEdge(h) || relativeLength(run, h) <= kLong) continue;
+    if (!mesh.isEdge(h) || sizes.relativeLength(h) <= kLong) continue;
     if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
   }
   return splits;
@@ -51,35 +52,33 @@ void refine(Run& run, std::size_t limit) {
 }
 
 // Whether the star of the vertex that goes would get an edge that is to be split again.
-bool makesLongEdge(const Run& run, Halfedge h) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
+bool makesLongEdge(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   const Vertex into = mesh.tip(h);
   bool found = false;
   mesh.forEachNeighbor(mesh.origin(h), [&](Vertex w) {
-    found = found || (w != into && relativeLength(run, into, w) > kLong);
+    found = found || (w != into && sizes.relativeLength(into, w) > kLong);
   });
   return found;
 }
 
 // The end where the original bends more, and sizes are smaller, had better stay: it may be a tip.
-std::array<Halfedge, 2> outermostFirst(const Run& run, Halfedge h) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double from = run.sizes.at(run.mesh.at(mesh.origin(h)));
-  const double to = run.sizes.at(run.mesh.at(mesh.tip(h)));
-  if (from < to && mesh.twin(h)) return {mesh.twin(h), h};
+std::array<Halfedge, 2> outermostFirst(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
+  if (sizes.at(mesh.origin(h)) < sizes.at(mesh.tip(h)) && mesh.twin(h)) return {mesh.twin(h), h};
   return {h, mesh.twin(h)};
 }
 
+// What remains of two vertices stays where it is.
 void collapseShort(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexSizes sizes(run);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
-    const double length = relativeLength(run, h);
+    const double length = sizes.relativeLength(h);
     if (length >= kShort) continue;
     FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
-    for (const Halfedge direction : outermostFirst(run, h)) {
-      if (!direction || makesLongEdge(run, direction)) continue;
+    for (const Halfedge direction : outermostFirst(mesh, h, sizes)) {
+      if (!direction || makesLongEdge(mesh, direction, sizes)) continue;
       if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;
     }
   }
@@ -99,18 +98,24 @@ void thinOut(Run& run) {
 
 struct Ranked {
   double length;
+  Halfedge edge;
   Vertex from, to;
+
+  bool operator<(const Ranked& other) const {
+    return length < other.length || (length == other.length && other.edge < edge);
+  }
 };
 
-std::vector<Ranked> edgesLongestFirst(const Run& run) {
+// A heap: few are asked for.
+std::vector<Ranked> edgesByLength(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexSizes sizes(run);
   std::vector<Ranked> edges;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    if (mesh.isEdge(h)) edges.push_back({relativeLength(run, h), mesh.origin(h), mesh.tip(h)});
+    if (mesh.isEdge(h)) edges.push_back({sizes.relativeLength(h), h, mesh.origin(h), mesh.tip(h)});
   }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Ranked& a, const Ranked& b) { return a.length > b.length; });
+  std::make_heap(edges.begin(), edges.end());
   return edges;
 }
 
@@ -130,8 +135,10 @@ bool commitStraight(Run& run, const Ranked& edge) {
 std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
-  for (const Ranked& edge : edgesLongestFirst(run)) {
-    if (mesh.vertexCount() >= vertices) break;
+  for (std::vector<Ranked> edges = edgesByLength(run);
+       !edges.empty() && mesh.vertexCount() < vertices; edges.pop_back()) {
+    std::pop_heap(edges.begin(), edges.end());
+    const Ranked& edge = edges.back();
     const Halfedge h = mesh.find(edge.from, edge.to);
     if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
     if (middle == Middle::Straight && !run.mesh.isCurve(h))

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "base/patience.h"
@@ -42,32 +43,39 @@ class Coarsening {
   struct Ranked {
     double length;
     Halfedge edge;
+
+    bool operator>(const Ranked& other) const {
+      return length > other.length || (length == other.length && other.edge < edge);
+    }
   };
 
   bool isTooMany() const { return run_.mesh.mesh().vertexCount() > goal_.vertices; }
 
+  // A heap, the shortest first: of most meshes few have to go.
   std::vector<Ranked> worthATry() const {
     const HalfedgeMesh& mesh = run_.mesh.mesh();
+    VertexSizes sizes(run_);
     std::vector<Ranked> edges;
     for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
       const Halfedge h(i);
       if (!mesh.isEdge(h) || !(changed_[mesh.origin(h)] || changed_[mesh.tip(h)])) continue;
-      edges.push_back({relativeLength(run_, h), h});
+      edges.push_back({sizes.relativeLength(h), h});
     }
-    std::stable_sort(edges.begin(), edges.end(),
-                     [](const Ranked& a, const Ranked& b) { return a.length < b.length; });
+    std::make_heap(edges.begin(), edges.end(), std::greater<>());
     return edges;
   }
 
   std::size_t pass() {
     const HalfedgeMesh& mesh = run_.mesh.mesh();
-    const std::vector<Ranked> edges = worthATry();
+    std::vector<Ranked> edges = worthATry();
+    const std::size_t count = edges.size();
     changed_.assign(mesh.vertexCapacity(), 0);
     std::size_t collapses = 0;
-    for (std::size_t i = 0; i < edges.size() && isTooMany() && !proofs_.isSpent(); ++i) {
-      if (i % kTick == 0)
-        progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(edges.size()));
-      const Halfedge h = edges[i].edge;
+    for (; !edges.empty() && isTooMany() && !proofs_.isSpent(); edges.pop_back()) {
+      const std::size_t i = count - edges.size();
+      if (i % kTick == 0) progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(count));
+      std::pop_heap(edges.begin(), edges.end(), std::greater<>());
+      const Halfedge h = edges.back().edge;
       if (!mesh.isAlive(h) || changed_[mesh.origin(h)] || changed_[mesh.tip(h)]) continue;
       if (!collapse(h)) continue;
       ++collapses;

@@ -22,4 +22,33 @@ inline double relativeLength(const Run& run, Halfedge h) {
   return relativeLength(run, run.mesh.mesh().origin(h), run.mesh.mesh().tip(h));
 }
 
+// The sizes at vertices that stay where they are meanwhile, each worked out when first asked for.
+class VertexSizes {
+ public:
+  explicit VertexSizes(const Run& run)
+      : run_(run), sizes_(run.mesh.mesh().vertexCapacity(), kUnknown) {}
+
+  double at(Vertex v) {
+    if (v.index >= sizes_.size()) sizes_.resize(run_.mesh.mesh().vertexCapacity(), kUnknown);
+    double& size = sizes_[v];
+    if (size == kUnknown) size = run_.sizes.at(run_.mesh.at(v));
+    return size;
+  }
+
+  double relativeLength(Vertex a, Vertex b) {
+    const double target = 0.5 * run_.scale * (at(a) + at(b));
+    return (run_.mesh.position(b) - run_.mesh.position(a)).norm() / target;
+  }
+
+  double relativeLength(Halfedge h) {
+    return relativeLength(run_.mesh.mesh().origin(h), run_.mesh.mesh().tip(h));
+  }
+
+ private:
+  static constexpr double kUnknown = 0;  // no size is
+
+  const Run& run_;
+  VertexData<double> sizes_;
+};
+
 }  // namespace remesher

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "steps/relax.h"
 
+#include <cmath>
+
 #include "steps/sweeps.h"
 
 namespace remesher {
@@ -14,7 +16,8 @@ constexpr double kNeighbors = 6;  // of most vertices
 
 bool isAtRest(const Run& run, Vertex v, double share) {
   const double unrest = run.mesh.unrest(v);
-  return unrest == 0 || unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v));
+  return unrest == 0 || (std::isfinite(unrest) &&
+                         unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v)));
 }
 
 }  // namespace
