@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <tuple>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -17,42 +16,13 @@ namespace remesher {
 
 namespace {
 
+// Of a union: each join goes over all of them, and a chart of so many has little border.
+constexpr std::size_t kMostTriangles = 512;
+
 struct Offer {
-  double shared;  // the share of the smaller chart's border
   Index from, into;
   std::vector<Index> seam;  // corners of `from`
   Index versions;           // of both
-
-  bool operator<(const Offer& other) const {
-    return std::tie(shared, other.from, other.into) < std::tie(other.shared, from, into);
-  }
-};
-
-// The move in the plane that brings one set of points nearest to another.
-class Motion {
- public:
-  Motion(const std::vector<Vec2>& from, const std::vector<Vec2>& to) {
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      from_ += from[i] / double(from.size());
-      to_ += to[i] / double(from.size());
-    }
-    Vec2 turn = Vec2::Zero();
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const Vec2 a = from[i] - from_, b = to[i] - to_;
-      turn += Vec2(a.dot(b), a.x() * b.y() - a.y() * b.x());
-    }
-    if (turn.norm() > 0) turn_ = turn.normalized();
-  }
-
-  Vec2 operator()(const Vec2& p) const {
-    const Vec2 way = p - from_;
-    return to_ + Vec2(turn_.x() * way.x() - turn_.y() * way.y(),
-                      turn_.y() * way.x() + turn_.x() * way.y());
-  }
-
- private:
-  Vec2 from_ = Vec2::Zero(), to_ = Vec2::Zero();
-  Vec2 turn_ = Vec2::UnitX();  // cosine and sine
 };
 
 class Joining {
@@ -74,9 +44,9 @@ class Joining {
 
   std::vector<FlatChart> run() {
     for (Index c = 0; c < triangles_.size(); ++c) offer(c);
-    while (!offers_.empty()) {
-      const Offer next = offers_.top();
-      offers_.pop();
+    while (!queue_.empty()) {
+      const Offer next = std::move(offers_[queue_.top().second]);
+      queue_.pop();
       if (versions_[next.from] + versions_[next.into] != next.versions) continue;
       if (!triangles_[next.from].empty() && !triangles_[next.into].empty() && join(next))
         offer(next.into);
@@ -226,11 +196,13 @@ class Joining {
 
   // The larger one takes the smaller one in.
   void add(Index chart, Index other, std::vector<Index> seam, double shared) {
+    if (triangles_[chart].size() + triangles_[other].size() > kMostTriangles) return;
     const bool isSmaller = triangles_[chart].size() < triangles_[other].size();
     if (!isSmaller)
       for (Index& h : seam) h = surface_.twins[h];
-    offers_.push({shared, isSmaller ? chart : other, isSmaller ? other : chart, std::move(seam),
-                  versions_[chart] + versions_[other]});
+    queue_.push({shared, Index(offers_.size())});
+    offers_.push_back({isSmaller ? chart : other, isSmaller ? other : chart, std::move(seam),
+                       versions_[chart] + versions_[other]});
   }
 
   bool join(const Offer& next) {
@@ -240,7 +212,7 @@ class Joining {
       from.insert(from.end(), {corners_[h], corners_[nextCorner(h)]});
       to.insert(to.end(), {corners_[nextCorner(twin)], corners_[twin]});
     }
-    const Motion motion(from, to);
+    const PlaneMotion motion(from, to);
     std::vector<Index>&own = triangles_[next.from], &others = triangles_[next.into];
     const std::vector<Vec2> before = moved(own, motion);
     glue(next.seam, 1);
@@ -263,7 +235,7 @@ class Joining {
   }
 
   // Moves them; returns where they were.
-  std::vector<Vec2> moved(const std::vector<Index>& triangles, const Motion& motion) {
+  std::vector<Vec2> moved(const std::vector<Index>& triangles, const PlaneMotion& motion) {
     std::vector<Vec2> before;
     for (const Index t : triangles)
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
@@ -284,7 +256,9 @@ class Joining {
   std::vector<Index> versions_;
   std::vector<std::vector<Index>> triangles_;  // per chart
   std::vector<Index> place_;                   // per triangle, in the chart that is looked at
-  std::priority_queue<Offer> offers_;
+  std::vector<Offer> offers_;
+  // By the share of the smaller chart's border.
+  std::priority_queue<std::pair<double, Index>> queue_;
 };
 
 }  // namespace

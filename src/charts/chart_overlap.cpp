@@ -2,6 +2,7 @@
 #include "charts/chart_overlap.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/predicates.h"
 
@@ -49,15 +50,16 @@ bool coversTwice(std::span<const std::vector<PlaneEdge>> border) {
   std::vector<PlaneEdge> edges;
   for (const auto& loop : border) edges.insert(edges.end(), loop.begin(), loop.end());
   // Swept from left to right: only edges that are there at the same time can meet.
-  std::stable_sort(edges.begin(), edges.end(), [](const PlaneEdge& e, const PlaneEdge& f) {
-    return std::min(e.a.x(), e.b.x()) < std::min(f.a.x(), f.b.x());
-  });
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Extent own(edges[i]);
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const Extent other(edges[j]);
-      if (other.low.x() > own.high.x()) break;
-      if (own.meets(other) && meet(edges[i], edges[j])) return true;
+  std::vector<std::pair<double, Index>> order;
+  for (const PlaneEdge& e : edges)
+    order.push_back({std::min(e.a.x(), e.b.x()), Index(order.size())});
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const PlaneEdge& e = edges[order[i].second];
+    const Extent own(e);
+    for (std::size_t j = i + 1; j < order.size() && order[j].first <= own.high.x(); ++j) {
+      const PlaneEdge& f = edges[order[j].second];
+      if (own.meets(Extent(f)) && meet(e, f)) return true;
     }
   }
   return false;

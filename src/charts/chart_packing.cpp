@@ -5,10 +5,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -69,28 +69,33 @@ PlaneChart upright(const PlaneChart& chart) {
   return result;
 }
 
-// Cells of a row, side by side.
+// Cells of a row, side by side; the shortest comes first.
 struct Run {
-  int begin, end;
+  int length = 0, row = 0, begin = 0;
+
+  auto operator<=>(const Run&) const = default;
+  int end() const { return begin + length; }
 };
 
-// The cells that a chart comes into, padding included: row by row, ascending.
-using Mask = std::vector<std::vector<Run>>;
+// The cells that a chart comes into, padding included.
+struct Mask {
+  std::vector<Run> runs;  // the longest first: most places are refused for that
+  int width = 0, height = 0;
+};
 
 // A row of the square, a bit to a cell.
 class Row {
  public:
   void fill(const Run& run) {
-    for (int i = run.begin; i < run.end; ++i) words_[i / kBits] |= kOne << (i % kBits);
+    for (int i = run.begin; i < run.end(); ++i) words_[i / kBits] |= kOne << (i % kBits);
   }
 
   // Where a run cannot begin, for it would come upon a bit that is set.
   Row blocked(const Run& run) const {
     Row result = *this;
-    const int length = run.end - run.begin;
     int reach = 1;
-    for (; 2 * reach <= length; reach *= 2) result |= result.moved(reach);
-    if (reach < length) result |= result.moved(length - reach);
+    for (; 2 * reach <= run.length; reach *= 2) result |= result.moved(reach);
+    if (reach < run.length) result |= result.moved(run.length - reach);
     return result.moved(run.begin);
   }
 
@@ -99,17 +104,7 @@ class Row {
     return *this;
   }
 
-  std::vector<Run> runs() const {
-    std::vector<Run> result;
-    const auto isSet = [&](int i) { return (words_[i / kBits] >> (i % kBits) & kOne) != 0; };
-    for (int i = 0; i < int(kCells); ++i) {
-      if (!isSet(i)) continue;
-      result.push_back({i, i});
-      while (i < int(kCells) && isSet(i)) ++i;
-      result.back().end = i;
-    }
-    return result;
-  }
+  bool isSet(int i) const { return (words_[i / kBits] >> (i % kBits) & kOne) != 0; }
 
   // The first cell whose bit is not set.
   int firstFree() const {
@@ -139,6 +134,11 @@ class Row {
   std::array<std::uint64_t, kWords> words_{};
 };
 
+// From where to where something comes into a row.
+struct Reach {
+  int begin = kCells, end = 0;
+};
+
 // Where a chart has come to lie: turned by a quarter or not, its box's corner in cells.
 struct Berth {
   int x = 0, y = 0;
@@ -149,17 +149,14 @@ class Packer {
  public:
   Packer(std::span<const PlaneChart> charts, const PackingRules& rules)
       : rules_(rules), cell_((rules.size + kCells - 1) / kCells), cells_(int(rules.size / cell_)) {
-    std::vector<Vec2> sizes;
     for (const PlaneChart& chart : charts) {
       const PlaneChart flat = laidOut(chart);
+      const Vec2 size = Bounds(flat).size();
+      order_.push_back({-size.sum(), Index(charts_.size())});
+      longest_ = std::max(longest_, size.maxCoeff());
       charts_.push_back({flat, upright(flat)});
-      sizes.push_back(Bounds(flat).size());
-      longest_ = std::max(longest_, sizes.back().maxCoeff());
     }
-    order_.resize(charts_.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return sizes[a].sum() > sizes[b].sum(); });
+    std::sort(order_.begin(), order_.end());
   }
 
   Packing run() {
@@ -198,21 +195,32 @@ class Packer {
     const double height = scale * Bounds(chart).high.y() + 2.0 * rules_.padding;
     std::vector<Row> rows(std::size_t(std::ceil((height + 1) / cell_)));
     for (const PlaneTriangle& t : chart) {
-      std::vector<Run> runs(rows.size(), {kCells, 0});
-      for (int k = 0; k < 3; ++k) addEdge(runs, scale * t[k], scale * t[(k + 1) % 3]);
-      for (std::size_t i = 0; i < rows.size(); ++i) rows[i].fill(runs[i]);
+      std::vector<Reach> reaches(rows.size());
+      for (int k = 0; k < 3; ++k) addEdge(reaches, scale * t[k], scale * t[(k + 1) % 3]);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].fill({reaches[i].end - reaches[i].begin, 0, reaches[i].begin});
     }
     Mask mask;
-    for (const Row& row : rows) mask.push_back(row.runs());
+    mask.height = int(rows.size());
+    for (int r = 0; r < mask.height; ++r)
+      for (int i = 0; i < int(kCells); ++i) {
+        if (!rows[r].isSet(i)) continue;
+        Run run{0, r, i};
+        while (i < int(kCells) && rows[r].isSet(i)) ++i;
+        run.length = i - run.begin;
+        mask.width = std::max(mask.width, i);
+        mask.runs.push_back(run);
+      }
+    std::sort(mask.runs.rbegin(), mask.runs.rend());
     return mask;
   }
 
   // The rows that a padded edge comes into, each with how far the edge reaches there.
-  void addEdge(std::vector<Run>& runs, Vec2 a, Vec2 b) const {
+  void addEdge(std::vector<Reach>& rows, Vec2 a, Vec2 b) const {
     if (a.y() > b.y()) std::swap(a, b);
     const double pad = rules_.padding;
     const int first = int(std::floor(a.y() / cell_));
-    const int last = std::min(int(runs.size()) - 1, int(std::floor((b.y() + 2 * pad) / cell_)));
+    const int last = std::min(int(rows.size()) - 1, int(std::floor((b.y() + 2 * pad) / cell_)));
     const auto across = [&](double y) {
       const double t = b.y() > a.y() ? std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) : 0;
       return a.x() + t * (b.x() - a.x());
@@ -222,37 +230,22 @@ class Packer {
       const double x0 = isLevel ? a.x() : across(i * double(cell_) - 2 * pad);
       const double x1 = isLevel ? b.x() : across((i + 1) * double(cell_));
       const auto [low, high] = std::minmax(x0, x1);
-      runs[i].begin = std::min(runs[i].begin, int(std::floor(low / cell_)));
-      runs[i].end = std::max(runs[i].end, int(std::floor((high + 2 * pad) / cell_)) + 1);
+      rows[i].begin = std::min(rows[i].begin, int(std::floor(low / cell_)));
+      rows[i].end = std::max(rows[i].end, int(std::floor((high + 2 * pad) / cell_)) + 1);
     }
   }
 
   // The lowest place that is free, of two as low the leftmost.
   std::optional<Berth> berthFor(const Mask& mask, std::span<const Row> square, int top) const {
-    // Most places are refused for the widest run.
-    struct Part {
-      int row;
-      Run run;
-    };
-    std::vector<Part> parts;
-    int width = 0;
-    for (int r = 0; r < int(mask.size()); ++r)
-      for (const Run& run : mask[r]) {
-        parts.push_back({r, run});
-        width = std::max(width, run.end);
-      }
-    std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-      return a.run.end - a.run.begin > b.run.end - b.run.begin;
-    });
-    for (int y = 0; y + int(mask.size()) <= top; ++y) {
+    for (int y = 0; y + mask.height <= top; ++y) {
       Row blocked;
       int x = 0;
-      for (const Part& part : parts) {
-        blocked |= square[y + part.row].blocked(part.run);
+      for (const Run& run : mask.runs) {
+        blocked |= square[y + run.row].blocked(run);
         x = blocked.firstFree();
-        if (x + width > cells_) break;
+        if (x + mask.width > cells_) break;
       }
-      if (x + width <= cells_) return Berth{x, y, 0};
+      if (x + mask.width <= cells_) return Berth{x, y, 0};
     }
     return {};
   }
@@ -260,7 +253,7 @@ class Packer {
   std::optional<std::vector<Berth>> tryScale(double scale) const {
     std::vector<Row> square(cells_);
     std::vector<Berth> berths(charts_.size());
-    for (const std::size_t i : order_) {
+    for (const auto& [size, i] : order_) {
       std::optional<Berth> best;
       Mask mask;
       int top = cells_;
@@ -269,13 +262,12 @@ class Packer {
         const std::optional<Berth> berth = berthFor(own, square, top);
         if (!berth) continue;
         best = {berth->x, berth->y, turn};
-        top = berth->y + int(own.size()) - 1;
+        top = berth->y + own.height - 1;
         mask = std::move(own);
       }
       if (!best) return {};
-      for (std::size_t r = 0; r < mask.size(); ++r)
-        for (const Run& run : mask[r])
-          square[best->y + r].fill({best->x + run.begin, best->x + run.end});
+      for (const Run& run : mask.runs)
+        square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
       berths[i] = *best;
     }
     return berths;
@@ -299,7 +291,7 @@ class Packer {
   int cells_;   // along a side
   std::vector<std::array<PlaneChart, 2>> charts_;
   double longest_ = 0;
-  std::vector<std::size_t> order_;
+  std::vector<std::pair<double, Index>> order_;  // the largest first
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kRounds = 24;
+constexpr int kRounds = 10;
 // Longest to shortest: of a circle drawn on the surface.
 constexpr double kMostStretch = 1.5;
 // Areas are between these shares of what they should be: even to within 1 / cos(kMostTilt).
@@ -19,28 +19,9 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 
 double twiceArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
-Vec2 middle(const PlaneTriangle& t) { return (t[0] + t[1] + t[2]) / 3; }
-
 PlaneTriangle placed(const PlaneMesh& mesh, std::size_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
-
-// The wanted triangle, moved and turned to lie upon the other as well as it can.
-PlaneTriangle laidUpon(const PlaneTriangle& wanted, const PlaneTriangle& other) {
-  const Vec2 from = middle(wanted), to = middle(other);
-  Vec2 turn = Vec2::Zero();  // cosine and sine
-  for (int k = 0; k < 3; ++k)
-    turn += Vec2((wanted[k] - from).dot(other[k] - to), cross(wanted[k] - from, other[k] - to));
-  const double length = turn.norm();
-  turn = length > 0 ? Vec2(turn / length) : Vec2(Vec2::UnitX());
-  PlaneTriangle result;
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 way = wanted[k] - from;
-    result[k] =
-        to + Vec2(turn.x() * way.x() - turn.y() * way.y(), turn.y() * way.x() + turn.x() * way.y());
-  }
-  return result;
 }
 
 // By the singular values of the map: their product is the ratio of areas, and the sum of their
@@ -59,6 +40,25 @@ bool isTrue(const PlaneTriangle& wanted, const PlaneTriangle& t) {
 
 }  // namespace
 
+PlaneMotion::PlaneMotion(std::span<const Vec2> from, std::span<const Vec2> to) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    from_ += from[i] / double(from.size());
+    to_ += to[i] / double(from.size());
+  }
+  Vec2 turn = Vec2::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Vec2 a = from[i] - from_, b = to[i] - to_;
+    turn += Vec2(a.dot(b), cross(a, b));
+  }
+  if (turn.norm() > 0) turn_ = turn.normalized();
+}
+
+Vec2 PlaneMotion::operator()(const Vec2& p) const {
+  const Vec2 way = p - from_;
+  return to_ +
+         Vec2(turn_.x() * way.x() - turn_.y() * way.y(), turn_.y() * way.x() + turn_.x() * way.y());
+}
+
 PlaneTriangle laidDown(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double length = (b - a).norm();
   if (!(length > 0)) return {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
@@ -73,9 +73,10 @@ void relax(PlaneMesh& mesh) {
   for (int i = 0; i < kRounds; ++i) {
     std::vector<Vec2> sums(mesh.vertices.size(), Vec2::Zero());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const PlaneTriangle asked = laidUpon(mesh.wanted[t], placed(mesh, t));
+      const PlaneTriangle& wanted = mesh.wanted[t];
+      const PlaneMotion motion(wanted, placed(mesh, t));
       for (int k = 0; k < 3; ++k)
-        sums[mesh.triangles[t][k]] += twiceArea(mesh.wanted[t]) * asked[k];
+        sums[mesh.triangles[t][k]] += twiceArea(wanted) * motion(wanted[k]);
     }
     for (std::size_t v = 0; v < sums.size(); ++v)
       if (weights[v] > 0) mesh.vertices[v] = sums[v] / weights[v];

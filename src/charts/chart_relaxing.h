@@ -14,6 +14,17 @@
 
 namespace remesher {
 
+// The motion that brings one row of points nearest to another.
+class PlaneMotion {
+ public:
+  PlaneMotion(std::span<const Vec2> from, std::span<const Vec2> to);
+  Vec2 operator()(const Vec2& p) const;
+
+ private:
+  Vec2 from_ = Vec2::Zero(), to_ = Vec2::Zero();
+  Vec2 turn_ = Vec2::UnitX();  // cosine and sine
+};
+
 // A triangle as it is on the surface, laid into the plane.
 PlaneTriangle laidDown(const Vec3& a, const Vec3& b, const Vec3& c);
 
