@@ -13,6 +13,7 @@
 #include "base/legible.h"
 #include "charts/unwrap.h"
 #include "geometry/triangle.h"
+#include "painting/look_borders.h"
 #include "painting/new_surface.h"
 #include "painting/tangents.h"
 
@@ -104,7 +105,7 @@ class Repainting {
     if (atlas.triangles.empty()) return;
     const double texels = originalTexels(number);
     atlas.size = input_.options.textureSize.value_or(sizeFor(texels));
-    layOut(atlas);
+    const std::vector<char> rims = layOut(atlas);
     atlas.finer = std::sqrt(texels / std::max(1.0, paintedTexels(atlas)));
     orient(atlas);
     std::vector<CanvasTriangle> canvas;
@@ -112,7 +113,8 @@ class Repainting {
       const auto corner = [&](Index k) {
         return surfaces_[t.part].canvasCorner(3 * t.triangle + k, atlas.size);
       };
-      canvas.push_back({{corner(0), corner(1), corner(2)}, t.part});
+      const char* const rim = &rims[3 * canvas.size()];
+      canvas.push_back({{corner(0), corner(1), corner(2)}, t.part, {rim[0], rim[1], rim[2]}});
     }
     const io::Material first = firstOf(number);
     remember(number, paint(canvas, sources_, {atlas.size, first.isOpaque, atlas.finer}, progress));
@@ -161,8 +163,24 @@ class Repainting {
     return size;
   }
 
-  // Texture coordinates for all corners of an atlas.
-  void layOut(const Atlas& atlas) {
+  // Per part and corner, whether charts end at the edge from it.
+  std::vector<std::vector<char>> bordersOf(const Atlas& atlas) const {
+    double area = 0;
+    std::vector<double> scales;
+    for (const io::Part& part : model_.parts) scales.push_back(worldScale(part));
+    for (const auto& [part, t] : atlas.triangles) {
+      const auto& [a, b, c] = surfaces_[part].onSource(t).corners;
+      area += scales[part] * scales[part] * areaVector(a, b, c).norm() / 2;
+    }
+    const double texel = std::sqrt(area / kUse) / atlas.size;
+    std::vector<std::vector<char>> borders;
+    for (Index p = 0; p < surfaces_.size(); ++p)
+      borders.push_back(lookBorders(surfaces_[p], *sources_[p], texel / scales[p]));
+    return borders;
+  }
+
+  // Texture coordinates for all corners of an atlas, and where its charts end.
+  std::vector<char> layOut(const Atlas& atlas) {
     std::vector<Vec3> positions;
     std::vector<Index> indices, offsets;
     for (const NewSurface& surface : surfaces_) {
@@ -170,11 +188,15 @@ class Repainting {
       const double scale = worldScale(model_.parts[offsets.size() - 1]);
       for (const Vec3& p : surface.positions()) positions.push_back(scale * p);
     }
+    const std::vector<std::vector<char>> borders = bordersOf(atlas);
+    std::vector<char> cuts;
     for (const auto& [part, t] : atlas.triangles)
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
         indices.push_back(offsets[part] + surfaces_[part].welded(h));
+        cuts.push_back(borders[part][h]);
+      }
     const Index padding = std::max<Index>(1, atlas.size / kPaddingShare);
-    const Unwrapped unwrapped = unwrap({positions, indices}, {atlas.size, padding});
+    const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
     if (!(unwrapped.scale > 0))
       throw Error(ErrorCode::InvalidOption,
                   "Textures of " + std::to_string(atlas.size) + " texels are too small for " +
@@ -184,6 +206,7 @@ class Repainting {
       for (Index k = 0; k < 3; ++k)
         surfaces_[atlas.triangles[i].part].setTexcoord(3 * atlas.triangles[i].triangle + k,
                                                        unwrapped.corners[3 * i + k], atlas.size);
+    return unwrapped.rims;
   }
 
   double paintedTexels(const Atlas& atlas) const {

@@ -8,7 +8,7 @@ import { generateTangents } from 'mikktspace';
 import { remesh, remeshFile } from 'remesher';
 
 import { addChart, columns, layOut, rows, texels } from './support/atlas_torus.js';
-import { baked, bilinear, forEachTexel } from './support/baked.js';
+import { baked, bilinear, forEachTexel, halved, linear } from './support/baked.js';
 import { rejectsWith } from './support/errors.js';
 import { GltfMaker, openGltf, validate } from './support/gltf.js';
 import { png } from './support/png.js';
@@ -166,11 +166,6 @@ function wavySphere() {
   }]).glb();
 }
 
-const linear = (byte) => {
-  const s = byte / 255;
-  return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
-};
-
 test('normals and colours of vertices are painted as the formulas say', async () => {
   const result = await bake(wavySphere(),
     { vertices: 300, textureFormat: 'png', textureSize: 256 });
@@ -208,21 +203,6 @@ function steps(model, image) {
     difference(at(corner), at(corner % 3 === 2 ? corner - 2 : corner + 1)));
   const high = (list) => list.sort((a, b) => a - b)[Math.floor(0.95 * list.length)];
   return { over: high(over), within: high(within) };
-}
-
-/** A mip level below: the mean of four texels. */
-function halved({ width, height, data }) {
-  const [w, h] = [width / 2, height / 2];
-  const half = new Uint8Array(4 * w * h);
-  for (let y = 0; y < h; y += 1) {
-    for (let x = 0; x < w; x += 1) {
-      for (let k = 0; k < 4; k += 1) {
-        const of = (i, j) => data[4 * ((2 * y + j) * width + 2 * x + i) + k];
-        half[4 * (y * w + x) + k] = (of(0, 0) + of(1, 0) + of(0, 1) + of(1, 1)) / 4;
-      }
-    }
-  }
-  return { width: w, height: h, data: half };
 }
 
 test('no seam shows, on five mip levels', async () => {

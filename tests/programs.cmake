@@ -61,6 +61,7 @@ add_executable(unit_tests
   tests/unit/operators/smoothing_test.cpp
   tests/unit/operators/working_mesh_test.cpp
   tests/unit/painting/canvas_test.cpp
+  tests/unit/painting/look_borders_test.cpp
   tests/unit/painting/painter_test.cpp
   tests/unit/painting/side_finder_test.cpp
   tests/unit/painting/tangents_test.cpp

@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// Per corner the one across the edge from it, where two triangles share it.
+// Per corner the one across the edge from it, where two triangles share it and nothing cuts it.
 std::vector<Index> twinsOf(const UnwrapInput& mesh) {
   std::vector<Index> twins(mesh.indices.size(), kNone);
   const EdgeGroups groups(mesh.positions.size(), mesh.indices);
@@ -17,7 +17,7 @@ std::vector<Index> twinsOf(const UnwrapInput& mesh) {
     const auto edge = groups[e];
     if (edge.size() != 2) continue;
     const Index a = edge[0], b = edge[1];
-    if (mesh.indices[a] == mesh.indices[b]) continue;
+    if (mesh.indices[a] == mesh.indices[b] || mesh.cuts[a] || mesh.cuts[b]) continue;
     twins[a] = b;
     twins[b] = a;
   }
@@ -34,6 +34,7 @@ Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
   for (const FlatChart& chart : charts) flat.push_back(chart.plane);
   const Packing packing = packCharts(flat, rules);
   Unwrapped result{std::vector<Vec2>(mesh.indices.size(), Vec2::Zero()),
+                   std::vector<char>(mesh.indices.size(), 1),
                    std::vector<Index>(mesh.indices.size() / 3, 0), charts.size(), packing.scale};
   for (Index c = 0; c < charts.size(); ++c)
     for (std::size_t i = 0; i < charts[c].triangles.size(); ++i) {
@@ -42,6 +43,10 @@ Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
       if (packing.scale > 0)
         for (Index k = 0; k < 3; ++k) result.corners[3 * t + k] = packing.charts[c][i][k];
     }
+  const auto& at = result.corners;
+  for (Index h = 0; h < twins.size(); ++h)
+    if (const Index twin = twins[h]; twin != kNone)
+      result.rims[h] = at[h] != at[nextCorner(twin)] || at[nextCorner(h)] != at[twin];
   return result;
 }
 

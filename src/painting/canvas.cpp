@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace remesher {
 
@@ -98,6 +99,23 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
   if (!(area > 0)) return Vec3::Constant(1.0 / 3);
   const double b = cross(p - t[0], t[2] - t[0]) / area, c = cross(t[1] - t[0], p - t[0]) / area;
   return {1 - b - c, b, c};
+}
+
+Vec2 keptWithin(const TexelTriangle& t, const std::array<char, 3>& rims, const Vec2& point) {
+  // In texels: half of one's diagonal; and of the triangle's height.
+  constexpr double kInset = 0.5 * std::numbers::sqrt2, kMostInset = 0.25;
+  Vec3 weights = weightsAt(t, point);
+  const double area = cross(t[1] - t[0], t[2] - t[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!rims[k] || !(area > 0)) continue;
+    const auto opposite = Eigen::Index((k + 2) % 3);
+    const double height = area / (t[(k + 1) % 3] - t[k]).norm();
+    const double least = std::min(kMostInset, kInset / height), own = weights[opposite];
+    if (own >= least) continue;
+    weights *= (1 - least) / (1 - own);
+    weights[opposite] = least;
+  }
+  return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
 }
 
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {

@@ -8,6 +8,7 @@
 
 #include "painting/painter.h"
 #include "painting/shading.h"
+#include "painting/side_finder.h"
 
 namespace remesher {
 
@@ -20,6 +21,13 @@ class NewSurface {
   const TriangleMesh& mesh() const { return mesh_; }
   std::span<const Vec3> positions() const { return positions_; }  // per vertex
   Index welded(Index corner) const { return welded_[corner]; }
+
+  // A triangle, with where its corners are on the source.
+  NewTriangle onSource(Index triangle) const {
+    const Index h = 3 * triangle;
+    return {{position(h), position(h + 1), position(h + 2)},
+            {places_[h], places_[h + 1], places_[h + 2]}};
+  }
 
   // texel: from the corner of a square of so many.
   void setTexcoord(Index corner, const Vec2& texel, Index size);

@@ -150,7 +150,10 @@ class Painter {
   // Those of the points of a texel.
   void findPlaces(std::size_t texel) {
     const int side = int(std::clamp(std::round(rules_.finer), kFewest, kMost));
-    const Vec2 corner = cornerOf(texel);
+    // A texel on a rim shows what is within the chart, as if it lay there.
+    const Vec2 half = Vec2::Constant(0.5);
+    const Vec2 corner =
+        keptWithin(plane_[owners_[texel]], triangle_->rims, cornerOf(texel) + half) - half;
     places_.clear();
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {

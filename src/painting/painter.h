@@ -23,7 +23,8 @@ struct CanvasCorner {
 
 struct CanvasTriangle {
   std::array<CanvasCorner, 3> corners;
-  Index source;  // the number of the original that it stands for
+  Index source;                          // the number of the original that it stands for
+  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether its chart ends at the edge from it
 };
 
 struct PaintRules {

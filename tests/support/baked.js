@@ -46,6 +46,27 @@ export function bilinear({ width, height, data }, [u, v]) {
     + (x - x0) * at(x0 + 1, y0 + 1, k)));
 }
 
+/** A mip level below: the mean of four texels. */
+export function halved({ width, height, data }) {
+  const [w, h] = [width / 2, height / 2];
+  const half = new Uint8Array(4 * w * h);
+  for (let y = 0; y < h; y += 1) {
+    for (let x = 0; x < w; x += 1) {
+      for (let k = 0; k < 4; k += 1) {
+        const of = (i, j) => data[4 * ((2 * y + j) * width + 2 * x + i) + k];
+        half[4 * (y * w + x) + k] = (of(0, 0) + of(1, 0) + of(0, 1) + of(1, 1)) / 4;
+      }
+    }
+  }
+  return { width: w, height: h, data: half };
+}
+
+/** The light of a byte of sRGB, 0 to 1. */
+export const linear = (byte) => {
+  const s = byte / 255;
+  return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+};
+
 const unit = (v) => v.map((x) => x / Math.hypot(...v));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0]];

@@ -98,6 +98,10 @@ TriangleMesh plates(Index count) {
   return mesh;
 }
 
+std::vector<char> noCuts(const TriangleMesh& mesh) {
+  return std::vector<char>(mesh.indices.size(), 0);
+}
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Whether an edge of one has all of the other on its outer side.
@@ -143,7 +147,7 @@ struct Laid {
   PackingRules rules;
 
   explicit Laid(TriangleMesh m, PackingRules r = {512, 2})
-      : mesh(std::move(m)), uv(unwrap({mesh.positions, mesh.indices}, r)), rules(r) {}
+      : mesh(std::move(m)), uv(unwrap({mesh.positions, mesh.indices, noCuts(mesh)}, r)), rules(r) {}
   PlaneTriangle plane(Index t) const {
     return {uv.corners[3 * t], uv.corners[3 * t + 1], uv.corners[3 * t + 2]};
   }
@@ -237,10 +241,26 @@ TEST_CASE("unwrap: what can be laid flat is laid flat as it is") {
     }
 }
 
+TEST_CASE("unwrap: charts end at cuts and at the outer border, nowhere else") {
+  const auto flat = [](double u, double v) { return Vec3(u, v, 0); };
+  const TriangleMesh mesh = grid(4, 4, flat);
+  std::vector<char> cuts = noCuts(mesh), ends = cuts;
+  for (Index h = 0; h < cuts.size(); ++h) {
+    const Vec3& a = mesh.positions[mesh.indices[h]];
+    const Vec3& b = mesh.positions[mesh.indices[h % 3 == 2 ? h - 2 : h + 1]];
+    const auto isAlong = [&](Eigen::Index k, double at) { return a[k] == at && b[k] == at; };
+    cuts[h] = isAlong(0, 0.5);
+    ends[h] = cuts[h] || isAlong(0, 0) || isAlong(0, 1) || isAlong(1, 0) || isAlong(1, 1);
+  }
+  const Unwrapped uv = unwrap({mesh.positions, mesh.indices, cuts}, {256, 2});
+  CHECK(uv.chartCount == 2);
+  CHECK(uv.rims == ends);
+}
+
 TEST_CASE("unwrap: a square too small for its charts says so") {
   // Each takes nine texels at least, with its padding.
   const TriangleMesh mesh = plates(8);
-  CHECK(unwrap({mesh.positions, mesh.indices}, {16, 1}).scale == 0);
+  CHECK(unwrap({mesh.positions, mesh.indices, noCuts(mesh)}, {16, 1}).scale == 0);
 }
 
 TEST_CASE("unwrap: the square is used, by few charts and by many") {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 using namespace remesher;
 
@@ -25,4 +26,15 @@ TEST_CASE("canvas: texels belong to what lies over their middles, and gutters ar
   const std::array<io::Image*, 1> images = {&image};
   fillGutters(images, owners);
   CHECK(std::count(image.texels.begin(), image.texels.end(), 200) == 4 * 256);
+}
+
+TEST_CASE("canvas: points keep away from the rim of a chart, and are free elsewhere") {
+  const TexelTriangle triangle = {Vec2(0, 0), Vec2(10, 0), Vec2(0, 10)};
+  const std::array<char, 3> bottom = {1, 0, 0};
+  CHECK(keptWithin(triangle, bottom, {3, 0.2}).y() == doctest::Approx(std::sqrt(0.5)));
+  CHECK(keptWithin(triangle, bottom, {3, -1}).y() == doctest::Approx(std::sqrt(0.5)));
+  for (const Vec2& point : {Vec2(3, 2), Vec2(-1, 4), Vec2(6, 6)}) {
+    CHECK(keptWithin(triangle, bottom, point).isApprox(point));
+    CHECK(keptWithin(triangle, {0, 0, 0}, point).isApprox(point));
+  }
 }

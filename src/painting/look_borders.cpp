@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "painting/look_borders.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "mesh/edge_groups.h"
+
+namespace remesher {
+
+namespace {
+
+// In levels of what a map says, 0 to 1: what jumps by less may be mixed.
+constexpr double kLeastJump = 0.1;
+// How much more it is than what changes within a texel on either side.
+constexpr double kClear = 2;
+// Of a triangle above an edge, in texels: below that a chart's rim would be all of it.
+constexpr double kLowest = 1.5;
+constexpr double kDeepest = 0.2;  // of the triangle's height: where it is looked at
+// Where along an edge.
+constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
+
+// What is seen at a place: about as bytes say it.
+using Shown = Eigen::Array<float, 8, 1>;
+using Row = std::array<Shown, kPlaces.size()>;
+
+Shown shownBy(const Look& look) {
+  Eigen::Array<double, 8, 1> result;
+  result << look.baseColor.head<3>().array().max(0).sqrt(), look.emissive.array().max(0).sqrt(),
+      look.surface.tail<2>();
+  return result.cast<float>();
+}
+
+double apart(const Shown& a, const Shown& b) { return double((a - b).abs().maxCoeff()); }
+
+class Borders {
+ public:
+  Borders(const NewSurface& surface, const PaintSource& source, double texel)
+      : surface_(surface), source_(source), finder_(source), texel_(texel) {}
+
+  std::vector<char> run() {
+    const Index count = Index(surface_.mesh().indices.size());
+    std::vector<Index> corners;
+    for (Index h = 0; h < count; ++h) {
+      corners.push_back(surface_.welded(h));
+      near_.push_back(isHigh(h) ? shownAlong(h, 1) : Row());
+    }
+    std::vector<char> result(count, 0);
+    const EdgeGroups edges(surface_.positions().size(), corners);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (edges[e].size() == 2)
+        result[edges[e][0]] = result[edges[e][1]] = isBorder(edges[e][0], edges[e][1]);
+    return result;
+  }
+
+ private:
+  double length(Index h) const {
+    return (surface_.position(nextCorner(h)) - surface_.position(h)).norm();
+  }
+
+  double twiceArea(Index h) const {
+    const auto& [a, b, c] = surface_.onSource(h / 3).corners;
+    return areaVector(a, b, c).norm();
+  }
+
+  bool isHigh(Index h) const { return twiceArea(h) > kLowest * texel_ * length(h); }
+
+  bool isBorder(Index a, Index b) {
+    if (!isHigh(a) || !isHigh(b)) return false;
+    const auto parts = [&](Index i, Index j) { return surface_.normal(i) != surface_.normal(j); };
+    return parts(a, nextCorner(b)) || parts(nextCorner(a), b) || jumps(a, b);
+  }
+
+  // The two sides run along their edge in opposite directions.
+  bool jumps(Index a, Index b) {
+    std::array<double, kPlaces.size()> jump;
+    for (std::size_t i = 0; i < jump.size(); ++i)
+      jump[i] = apart(near_[a][i], near_[b][jump.size() - 1 - i]);
+    const auto mostOf = [&](const auto& isOne) {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < jump.size(); ++i) count += isOne(i);
+      return 2 * count > jump.size();
+    };
+    if (!mostOf([&](std::size_t i) { return jump[i] > kLeastJump; })) return false;
+    const Row farA = shownAlong(a, 2), farB = shownAlong(b, 2);
+    return mostOf([&](std::size_t i) {
+      const std::size_t j = jump.size() - 1 - i;
+      const double within = std::max(apart(near_[a][i], farA[i]), apart(near_[b][j], farB[j]));
+      return jump[i] > std::max(kLeastJump, kClear * within);
+    });
+  }
+
+  // What is seen so many texels away from an edge.
+  Row shownAlong(Index h, double texels) {
+    if (h / 3 != entered_) finder_.enter(surface_.onSource(h / 3));
+    entered_ = h / 3;
+    const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
+    Row row;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double along = kPlaces[i];
+      row[i] = shownAt(h, Vec3((1 - in) * (1 - along), (1 - in) * along, in));
+    }
+    return row;
+  }
+
+  Shown shownAt(Index h, const Vec3& weights) {
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      point += weights[k] * surface_.position(h);
+      normal += weights[k] * surface_.normal(h);
+      h = nextCorner(h);
+    }
+    return shownBy(source_.at(finder_.find(point, normal.normalized())));
+  }
+
+  const NewSurface& surface_;
+  const PaintSource& source_;
+  SideFinder finder_;
+  double texel_;
+  Index entered_ = kNone;  // the triangle that is looked at
+  std::vector<Row> near_;  // per corner: a texel away from the edge from it
+};
+
+}  // namespace
+
+std::vector<char> lookBorders(const NewSurface& surface, const PaintSource& source, double texel) {
+  return Borders(surface, source, texel).run();
+}
+
+}  // namespace remesher
