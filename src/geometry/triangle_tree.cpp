@@ -141,7 +141,10 @@ struct TriangleTree::Query {
 TriangleTree::Query TriangleTree::ask(const Vec3& p) const {
   const Vec3 place = p - origin_;
   const double slack = 0x1p-21 * ((box_.high - box_.low).norm() + place.norm());
-  return {p, place.cast<float>(), slack, {}};
+  // To what is no number, or so far away that its square is none, all triangles are as near.
+  Nearest any;
+  if (!order_.empty()) any.triangle = order_.front();
+  return {p, place.cast<float>(), slack, any};
 }
 
 void TriangleTree::lookAt(Index triangle, Query& query) const {

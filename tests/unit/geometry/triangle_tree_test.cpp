@@ -130,6 +130,16 @@ TEST_CASE("triangle_tree: nearest to a list without triangles is none") {
   CHECK(tree.order().empty());
 }
 
+TEST_CASE("triangle_tree: also what is no number, or too far for one, has a nearest triangle") {
+  const TriangleMesh mesh = soups::randomSoup(5, 0.2, 1);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  for (const double x : {1e30, 1e200, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK(tree.nearest(Vec3(x, 0, 0)).triangle < mesh.triangleCount());
+    CHECK(tree.nearest(Vec3(x, 0, 0), 2).triangle < mesh.triangleCount());
+  }
+}
+
 TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
   const TriangleMesh mesh = soups::randomSoup(300, 0.2, 3);
   const TriangleTree tree(mesh.positions, mesh.indices);
