@@ -10,8 +10,11 @@ namespace remesher {
 // target [Botsch & Kobbelt 2004].
 inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
 
+// Between places of such sizes.
+inline double targetLength(const Run& run, double a, double b) { return 0.5 * run.scale * (a + b); }
+
 inline double targetLength(const Run& run, Vertex a, Vertex b) {
-  return 0.5 * run.scale * (run.sizes.at(run.mesh.at(a)) + run.sizes.at(run.mesh.at(b)));
+  return targetLength(run, run.sizes.at(run.mesh.at(a)), run.sizes.at(run.mesh.at(b)));
 }
 
 inline double relativeLength(const Run& run, Vertex a, Vertex b) {
@@ -36,8 +39,8 @@ class VertexSizes {
   }
 
   double relativeLength(Vertex a, Vertex b) {
-    const double target = 0.5 * run_.scale * (at(a) + at(b));
-    return (run_.mesh.position(b) - run_.mesh.position(a)).norm() / target;
+    const double length = (run_.mesh.position(b) - run_.mesh.position(a)).norm();
+    return length / targetLength(run_, at(a), at(b));
   }
 
   double relativeLength(Halfedge h) {
