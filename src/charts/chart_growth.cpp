@@ -7,7 +7,9 @@
 #include <numbers>
 #include <queue>
 #include <tuple>
+#include <utility>
 
+#include "charts/border_loops.h"
 #include "charts/chart_overlap.h"
 #include "charts/plane_frame.h"
 #include "geometry/triangle.h"
@@ -123,21 +125,13 @@ class Growth {
       for (const Index t : clusters_[cluster].triangles)
         for (Index h = 3 * t; h < 3 * t + 3; ++h)
           if (isBorder(h)) edges.push_back(h);
-    std::sort(edges.begin(), edges.end());
-    std::vector<char> seen(edges.size(), 0);
     std::vector<std::vector<PlaneEdge>> loops;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (seen[i]) continue;
+    for (const std::vector<Index>& loop : borderLoops(std::move(edges), surface_.twins, isBorder)) {
       loops.emplace_back();
-      for (Index h = edges[i];;) {
-        const auto at = std::lower_bound(edges.begin(), edges.end(), h) - edges.begin();
-        if (seen[at]) break;
-        seen[at] = 1;
+      for (const Index h : loop) {
         const Index end = nextCorner(h);
         loops.back().push_back({surface_.indices[h], surface_.indices[end],
                                 frame.project(corner(h)), frame.project(corner(end))});
-        h = end;
-        while (!isBorder(h)) h = nextCorner(surface_.twins[h]);
       }
     }
     return loops;

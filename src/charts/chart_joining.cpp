@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "charts/border_loops.h"
 #include "charts/chart_overlap.h"
 #include "charts/chart_relaxing.h"
 #include "charts/plane_frame.h"
@@ -118,33 +119,14 @@ class Joining {
     return mesh;
   }
 
-  // The next corner that the border goes on from; the chart is on the left.
-  Index onwards(Index h) const {
-    h = nextCorner(h);
-    while (isGlued_[h]) h = nextCorner(surface_.twins[h]);
-    return h;
-  }
-
-  // Its loops, each as the corners of its edges.
+  // Of the border, each as the corners of its edges.
   std::vector<std::vector<Index>> loopsOf(const std::vector<Index>& triangles) const {
+    const auto isBorder = [&](Index h) { return !isGlued_[h]; };
     std::vector<Index> edges;
     for (const Index t : triangles)
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        if (!isGlued_[h]) edges.push_back(h);
-    std::sort(edges.begin(), edges.end());
-    std::vector<char> seen(edges.size(), 0);
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (seen[i]) continue;
-      loops.emplace_back();
-      for (Index h = edges[i];; h = onwards(h)) {
-        const auto at = std::lower_bound(edges.begin(), edges.end(), h) - edges.begin();
-        if (seen[at]) break;
-        seen[at] = 1;
-        loops.back().push_back(h);
-      }
-    }
-    return loops;
+        if (isBorder(h)) edges.push_back(h);
+    return borderLoops(std::move(edges), surface_.twins, isBorder);
   }
 
   std::vector<std::vector<PlaneEdge>> borderOf(const std::vector<Index>& triangles,
