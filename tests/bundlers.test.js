@@ -16,6 +16,7 @@ import { build as viteBuild, createLogger } from 'vite';
 import webpack from 'webpack';
 
 import { startChromium } from './support/chromium.js';
+import { nodeProgram, pageProgram } from './support/bake_program.js';
 import { commonProgram, entries, expected, moduleProgram } from './support/entries.js';
 import { call, freshProject, linkPeers } from './support/fresh_project.js';
 import { lineOfPage } from './support/line_of_page.js';
@@ -73,32 +74,57 @@ test('Node, by require()', { ...limit, skip: !process.features.require_module },
   assert.equal(call(process.execPath, ['program.cjs'], folder).trim(), expected);
 });
 
-test('Vite', limit, async () => {
-  writePage('vite', "import wasmUrl from 'remesher/remesher.wasm?url';");
+/** Builds the page in a folder, into `out`. @param {string} place */
+async function buildByVite(place) {
   /** @type {string[]} */
   const said = [];
   const say = (/** @type {string} */ message) => isPeers(message) || said.push(message);
   const customLogger = { ...createLogger('silent'), warn: say, warnOnce: say, error: say };
-  await viteBuild({ root: join(folder, 'vite'), configFile: false, customLogger,
+  await viteBuild({ root: join(folder, place), configFile: false, customLogger,
     worker: { format: 'es' },
     build: { target: 'es2022', outDir: 'out', chunkSizeWarningLimit: 2000 } });
   assert.deepEqual(said, []);
+}
+
+/** The same. @param {string} place */
+async function buildByWebpack(place) {
+  const compiler = webpack({ mode: 'production', context: folder, performance: false,
+    entry: join(folder, place, 'page.js'),
+    plugins: [new webpack.IgnorePlugin({ resourceRegExp: nodeModules })],
+    optimization: { minimize: false },
+    output: { path: join(folder, place, 'out'), filename: 'page.js' } });
+  const stats = await promisify(compiler.run.bind(compiler))();
+  await promisify(compiler.close.bind(compiler))();
+  assert.deepEqual([...stats.compilation.errors, ...stats.compilation.warnings], []);
+  write(`${place}/out/index.html`, html());
+}
+
+test('Vite', limit, async () => {
+  writePage('vite', "import wasmUrl from 'remesher/remesher.wasm?url';");
+  await buildByVite('vite');
   await requireLine('vite/out');
 });
 
 test('webpack', limit, async () => {
-  const entry = writePage('webpack',
-    "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);");
-  const compiler = webpack({ mode: 'production', context: folder, entry, performance: false,
-    plugins: [new webpack.IgnorePlugin({ resourceRegExp: nodeModules })],
-    optimization: { minimize: false },
-    output: { path: join(folder, 'webpack/out'), filename: 'page.js' } });
-  const stats = await promisify(compiler.run.bind(compiler))();
-  await promisify(compiler.close.bind(compiler))();
-  assert.deepEqual([...stats.compilation.errors, ...stats.compilation.warnings], []);
-  write('webpack/out/index.html', html());
+  writePage('webpack', "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);");
+  await buildByWebpack('webpack');
   await requireLine('webpack/out');
 });
+
+test('pages of Vite and webpack paint textures in the worker, the bytes Node paints', limit,
+  async () => {
+    write('paint.mjs', nodeProgram);
+    const inNode = call(process.execPath, ['paint.mjs'], folder).trim();
+    assert.match(inNode, /^\d{4,} \d+ \d{4,} \d+$/);
+    for (const [place, build] of
+      /** @type {const} */ ([['vite_paint', buildByVite], ['webpack_paint', buildByWebpack]])) {
+      write(`${place}/index.html`, html());
+      write(`${place}/page.js`, pageProgram);
+      await build(place);
+      assert.deepEqual(await lineOfPage(browser, join(folder, place, 'out')),
+        { line: inNode, complaints: [] }, place);
+    }
+  });
 
 test('esbuild', limit, async () => {
   const page = writePage('esbuild', beside);

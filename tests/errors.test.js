@@ -47,6 +47,7 @@ test('WebAssembly that is broken, not there or not ours is said to be', async ()
   await rejectsWith(initAnew({ wasmUrl: 'http://[' }), 'INTERNAL', /http:\/\/\[ cannot be read/);
   await rejectsWith(initAnew({ wasmUrl: 5 }), 'INVALID_OPTION', /wasmUrl/);
   await rejectsWith(initAnew({ wasmBinary: 'bytes' }), 'INVALID_OPTION', /wasmBinary/);
+  await rejectsWith(initAnew({ codecs: {} }), 'INVALID_OPTION', /remesher\/codecs/);
   await rejectsWith(initAnew({ wasmurl: 'x' }), 'UNKNOWN_OPTION', /wasmurl/);
   const mesh = torus({ columns: 8, rows: 6 });
   assert.equal((await api.inspect(mesh, { worker: false })).input.vertices, 48);

@@ -13,10 +13,16 @@ export { compileUrl };
 
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
 
-/** @returns {WorkerPort | undefined} undefined: there are no workers here */
-export function spawn() {
+const plainWorker = () =>
+  new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+
+/**
+ * @param {import('./api/client.js').Codecs} [codecs]
+ * @returns {WorkerPort | undefined} undefined: there are no workers here
+ */
+export function spawn(codecs) {
   if (typeof Worker === 'undefined') return undefined;
-  const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+  const worker = (codecs?.worker ?? plainWorker)();
   return {
     post: (message, transfer) => worker.postMessage(message, transfer),
     listen(onMessage, onFailure) {

@@ -7,4 +7,4 @@ import { compileCodec } from './platform_node.js';
 import { serve } from './worker/serve.js';
 
 parentPort?.on('message', serve(
-  (message, transfer) => parentPort?.postMessage(message, transfer), compileCodec));
+  (message, transfer) => parentPort?.postMessage(message, transfer), { compile: compileCodec }));

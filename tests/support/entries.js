@@ -17,12 +17,13 @@ const taken = {
   'remesher/options': ['optionTable'],
   'remesher/formats': ['formats'],
   'remesher/gunzip': ['gunzip'],
+  'remesher/codecs': ['codecs'],
   three: ['TorusGeometry'],
   '@gltf-transform/core': ['Document', 'Logger'],
 };
 
 /** What it prints. */
-export const expected = '30 90 25 40 true glb true true';
+export const expected = '30 90 25 40 true glb true true true';
 
 /** The entries that the program reaches. */
 export const entries = Object.keys(taken).filter((name) => name.startsWith('remesher'));
@@ -47,7 +48,7 @@ const failed = await pool.inspect({}).catch((error) => error instanceof RemeshEr
 pool.close();
 const line = [own.report.output.vertices, report.output.vertices, written.getCount(),
   pooled.report.output.vertices, optionTable.length > 10, formats[0], failed,
-  typeof gunzip === 'function'].join(' ');`;
+  typeof gunzip === 'function', typeof codecs.worker === 'function'].join(' ');`;
 
 /**
  * As an ES module that tells its line by `tell`, for programs `console.log`.

@@ -8,8 +8,8 @@ import { dirname, join } from 'node:path';
 
 import { root } from './tree.js';
 
-/** What the adapters are for, and its types. */
-const peers = ['three', '@types/three', '@gltf-transform'];
+/** What the adapters are for, its types, and the codecs of images. */
+const peers = ['three', '@types/three', '@gltf-transform', '@jsquash'];
 
 /**
  * Runs a program to its end.
@@ -46,7 +46,7 @@ export function freshProject() {
   return { folder, tarball, manifest, write, remove: () => rmSync(folder, { recursive: true }) };
 }
 
-/** Installs what the adapters are for from where it is already. @param {string} folder */
+/** Installs it from where it is already. @param {string} folder */
 export function linkPeers(folder) {
   for (const name of peers) {
     const place = join(folder, 'node_modules', name);

@@ -39,7 +39,7 @@ export const packageRooms = {
   worker: ['base', 'codecs', 'textures'],
   api: ['base', 'worker'],
   adapters: ['base'],
-  '': ['base', 'worker', 'api'],
+  '': ['base', 'textures', 'worker', 'api'],
   cli: ['base', 'codecs', 'files', 'api', ''],
 };
 

@@ -21,6 +21,8 @@ import { compileBinary } from './wasm_source.js';
  * @typedef {object} InitOptions
  * @property {string | URL} [wasmUrl] Where remesher.wasm is, if not beside the script.
  * @property {BufferSource} [wasmBinary] Its bytes, if they are there already.
+ * @property {import('./client.js').Codecs} [codecs] What `remesher/codecs` exports: images are
+ *   decoded and encoded by what the bundler has put beside the worker.
  */
 
 /**
@@ -61,7 +63,7 @@ export class Api {
 
   /**
    * @param {Platform} platform
-   * @param {Pick<Client, 'load' | 'warmUp' | 'run'>} [client] who runs the jobs
+   * @param {Pick<Client, 'bring' | 'load' | 'warmUp' | 'run'>} [client] who runs the jobs
    */
   constructor(platform, client = new Client(platform)) {
     this.#platform = platform;
@@ -73,9 +75,10 @@ export class Api {
    * @returns {Promise<void>}
    */
   async init(options = {}) {
-    refuseOthers(options, ['wasmUrl', 'wasmBinary']);
-    const { wasmUrl, wasmBinary } = options;
+    refuseOthers(options, ['wasmUrl', 'wasmBinary', 'codecs']);
+    const { wasmUrl, wasmBinary, codecs } = options;
     checkSource(wasmUrl, wasmBinary);
+    if (codecs !== undefined) this.#client.bring(requireCodecs(codecs));
     if (wasmBinary) await this.#client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
     else if (wasmUrl) await this.#client.load(() => this.#platform.compileUrl(wasmUrl));
     await this.#client.warmUp();
@@ -165,6 +168,13 @@ function checkSource(wasmUrl, wasmBinary) {
     && !(wasmBinary instanceof ArrayBuffer)) {
     throw new RemeshError('INVALID_OPTION', 'wasmBinary must be an ArrayBuffer or a typed array.');
   }
+}
+
+/** @param {unknown} codecs @returns {import('./client.js').Codecs} */
+function requireCodecs(codecs) {
+  const { worker, load } = /** @type {any} */ (codecs ?? {});
+  if (typeof worker === 'function' && typeof load === 'function') return { worker, load };
+  throw new RemeshError('INVALID_OPTION', 'codecs must be what remesher/codecs exports.');
 }
 
 /** @param {object} options @param {readonly string[]} known */

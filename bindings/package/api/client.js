@@ -19,13 +19,21 @@ import { RemeshError, abortError } from '../base/errors.js';
  */
 
 /**
+ * Codecs of images, brought along for workers and runs that do not find them by themselves; what
+ * it is made of is the package's own affair.
+ * @typedef {object} Codecs
+ * @property {() => Worker} worker Starts a worker in browsers that has them.
+ * @property {(name: string) => Promise<any[]>} load For runs in the calling thread.
+ */
+
+/**
  * @typedef {object} Platform
  * @property {() => Promise<WebAssembly.Module>} compileDefault
  * @property {(url: string | URL) => Promise<WebAssembly.Module>} compileUrl
- * @property {() => WorkerPort | undefined} spawn
+ * @property {(codecs?: Codecs) => WorkerPort | undefined} spawn
  * @property {() => number} cores how many workers can be busy at once
- * @property {(path: string) => Promise<WebAssembly.Module | undefined>} [compileCodec] a file of
- *   another package; without it, its own code finds it
+ * @property {(path: string) => Promise<WebAssembly.Module>} [compileCodec] a file of another
+ *   package; without it, its own code finds it
  */
 
 /**
@@ -70,10 +78,17 @@ export class Client {
   #tasks = [];
   #isRunning = false;
   #isClosed = false;
+  /** @type {Codecs | undefined} */
+  #codecs;
 
   /** @param {Platform} platform */
   constructor(platform) {
     this.#platform = platform;
+  }
+
+  /** For workers and engines that start from now on. @param {Codecs} codecs */
+  bring(codecs) {
+    this.#codecs = codecs;
   }
 
   /**
@@ -122,7 +137,7 @@ export class Client {
     const module = await this.load();
     if (this.#isClosed) throw abortError();
     if (this.#worker) return this.#worker;
-    const worker = this.#platform.spawn();
+    const worker = this.#platform.spawn(this.#codecs);
     if (!worker) return undefined;
     this.#worker = worker;
     worker.listen(
@@ -223,7 +238,8 @@ export class Client {
    */
   async #runHere(job, { signal, onProgress }) {
     this.#engine ??= Promise.all([import('../worker/engine.js'), this.load()])
-      .then(([{ Engine }, module]) => new Engine(module, this.#platform.compileCodec));
+      .then(([{ Engine }, module]) => new Engine(module,
+        { load: this.#codecs?.load, compile: this.#platform.compileCodec }));
     this.#engine.catch(() => (this.#engine = undefined));
     const engine = await this.#engine;
     if (signal?.aborted) throw abortError();

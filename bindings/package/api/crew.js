@@ -37,6 +37,11 @@ export class Crew {
     return this.#clients[0].load(compile);
   }
 
+  /** See Client. @param {import('./client.js').Codecs} codecs */
+  bring(codecs) {
+    for (const client of this.#clients) client.bring(codecs);
+  }
+
   /** Makes all workers; the first of them is the answer. */
   async warmUp() {
     await this.load();

@@ -28,11 +28,11 @@ export class Bakery {
   #onProgress;
 
   /**
-   * @param {import('./image_codecs.js').CompileCodec} compile
+   * @param {import('./image_codecs.js').CodecSource} source
    * @param {OnProgress} [onProgress] returns false to stop the run
    */
-  constructor(compile, onProgress) {
-    this.#codecs = new ImageCodecs(compile);
+  constructor(source, onProgress) {
+    this.#codecs = new ImageCodecs(source);
     this.#onProgress = onProgress;
   }
 

@@ -16,7 +16,7 @@ export async function loadPackage(name) {
       await import(/* webpackIgnore: true */ /* @vite-ignore */ `${name}/encode.js`)];
   } catch (cause) {
     throw new RemeshError('UNSUPPORTED', `Baking textures needs the package ${name}.`,
-      `npm install ${name}; in browsers, name it in an import map and pass worker: false.`,
+      `npm install ${name}; in browsers, init({ codecs }) with what remesher/codecs exports.`,
       { cause });
   }
 }

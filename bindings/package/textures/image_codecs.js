@@ -10,8 +10,11 @@ import { legible } from '../base/legible.js';
 /** @typedef {import('../base/messages.js').Picture} Picture */
 
 /**
- * A file of a package, compiled; undefined where the codec finds its own.
- * @typedef {(path: string) => Promise<WebAssembly.Module | undefined>} CompileCodec
+ * Where the packages come from.
+ * @typedef {object} CodecSource
+ * @property {(name: string) => Promise<any[]>} [load] A package's two halves: to decode, to encode.
+ * @property {(path: string) => Promise<WebAssembly.Module>} [compile] A file of a package; without
+ *   it, the codec finds its own.
  */
 
 // Beyond this one image has more texels than are worth holding.
@@ -86,13 +89,13 @@ function typeOf({ name, bytes }) {
 }
 
 export class ImageCodecs {
-  #compile;
+  #source;
   /** @type {Map<string, Promise<any[]>>} */
   #loaded = new Map();
 
-  /** @param {CompileCodec} compile */
-  constructor(compile) {
-    this.#compile = compile;
+  /** @param {CodecSource} source */
+  constructor({ load = loadPackage, compile }) {
+    this.#source = { load, compile };
   }
 
   /** @param {string} type */
@@ -100,10 +103,13 @@ export class ImageCodecs {
     const known = this.#loaded.get(type);
     if (known) return known;
     const { name, decoder, encoder } = codecs[type];
-    const loading = loadPackage(name).then(async ([decode, encode]) => {
-      const modules = await Promise.all([this.#compile(decoder), this.#compile(encoder)]);
-      if (modules[0]) await decode.init(modules[0]);
-      if (modules[1]) await encode.init(modules[1]);
+    const { load, compile } = this.#source;
+    const loading = load(name).then(async ([decode, encode]) => {
+      if (compile) {
+        const modules = await Promise.all([compile(decoder), compile(encoder)]);
+        await decode.init(modules[0]);
+        await encode.init(modules[1]);
+      }
       return [decode.default, encode.default];
     });
     this.#loaded.set(type, loading);

@@ -97,17 +97,17 @@ function call(instance, job, ask) {
 
 export class Engine {
   #module;
-  #compileCodec;
+  #codecs;
   /** @type {Promise<any> | undefined} */
   #instance;
 
   /**
    * @param {WebAssembly.Module} module
-   * @param {import('../textures/image_codecs.js').CompileCodec} [compileCodec]
+   * @param {import('../textures/image_codecs.js').CodecSource} [codecs]
    */
-  constructor(module, compileCodec = () => Promise.resolve(undefined)) {
+  constructor(module, codecs = {}) {
     this.#module = module;
-    this.#compileCodec = compileCodec;
+    this.#codecs = codecs;
   }
 
   /**
@@ -123,7 +123,7 @@ export class Engine {
       return this.#run(plainJob, onProgress);
     }
     const { Bakery } = await import('../textures/bake.js');
-    const bakery = new Bakery(this.#compileCodec, onProgress);
+    const bakery = new Bakery(this.#codecs, onProgress);
     const file = await bakery.opened(plainJob.file);
     return bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
   }

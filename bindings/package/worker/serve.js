@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker's side of the conversation, the same in browsers and Node.
+// The worker's side of the conversation: what is the same everywhere, and what is so in browsers.
 
 import { Engine } from './engine.js';
 import { RemeshError } from '../base/errors.js';
@@ -28,15 +28,15 @@ function failureFrom(error) {
 
 /**
  * @param {(message: FromWorker, transfer: ArrayBuffer[]) => void} post
- * @param {import('../textures/image_codecs.js').CompileCodec} [compileCodec]
+ * @param {import('../textures/image_codecs.js').CodecSource} [codecs]
  * @returns {(message: ToWorker) => Promise<void>} to be called with every message
  */
-export function serve(post, compileCodec) {
+export function serve(post, codecs) {
   /** @type {Engine} */
   let engine;
   return async (message) => {
     if (message.type === 'start') {
-      engine = new Engine(message.module, compileCodec);
+      engine = new Engine(message.module, codecs);
       return;
     }
     try {
@@ -50,4 +50,11 @@ export function serve(post, compileCodec) {
       post({ type: 'failed', failure: failureFrom(error) }, []);
     }
   };
+}
+
+/** In browsers. @param {import('../textures/image_codecs.js').CodecSource} [codecs] */
+export function serveBrowser(codecs) {
+  const scope = /** @type {any} */ (globalThis);
+  const receive = serve((message, transfer) => scope.postMessage(message, transfer), codecs);
+  scope.addEventListener('message', (/** @type {MessageEvent} */ event) => receive(event.data));
 }
