@@ -13,11 +13,13 @@ double smallestAngle(const WorkingMesh& mesh, Face f) {
   return minAngle(mesh.position(a), mesh.position(b), mesh.position(c));
 }
 
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change) {
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, double beyond) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : change.coming)
+  for (const auto& [a, b, c] : change.coming) {
     smallest = std::min(smallest, minAngle(at(a), at(b), at(c)));
+    if (smallest <= beyond) break;
+  }
   return smallest;
 }
 

@@ -9,8 +9,9 @@ namespace remesher {
 
 double smallestAngle(const WorkingMesh& mesh, Face f);
 
-// Of the triangles that a proposal makes, and of those that it takes away.
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change);
+// Of the triangles that a proposal makes, and of those that it takes away. An angle that is not
+// `beyond` answers for all that come.
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, double beyond = -1);
 double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change);
 
 // Of the triangles around v, were v at `position`.

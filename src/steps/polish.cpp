@@ -94,7 +94,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
       const double turn = 2 * std::numbers::pi * i / kDirections;
       const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
       if (!proposeMove(run, star, to, ground)) continue;
-      const double worst = smallestComingAngle(run.mesh, run.change);
+      const double worst = smallestComingAngle(run.mesh, run.change, angle);
       if (worst <= angle) continue;
       angle = worst;
       at = to;
