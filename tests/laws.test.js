@@ -54,6 +54,9 @@ const found = [
   209975, // colours beyond 1, read where nothing checks them
   504814, // a primitive without attributes, before others
   511086, 511979, // vertices that came to one place: of a surface folded onto itself, of a curve
+  605045, // triangles that are no lines before they are written
+  631917, // splits that an error bound asks for, along a side of a triangle
+  606743, // a surface of the smallest numbers, which have few digits
   605896, // a ring lost to rounding, samples of which were near no triangle
 ];
 

@@ -130,8 +130,8 @@ class Refinement {
   }
 
   void split(Halfedge h) {
-    if (!proposeSplit(run_.mesh, run_.projector, h, run_.change)) return;
-    touched_.around(apply(run_.mesh, run_.change));
+    if (proposeSplit(run_.mesh, run_.projector, h, run_.change) && commitUnlessFlat(run_))
+      touched_.around(run_.result);
   }
 
   // Fitting and the mending of poor triangles leave vertices off the original: one that is goes
@@ -142,9 +142,7 @@ class Refinement {
       const Placement place = run_.mesh.onSurface(run_.mesh.at(v));
       if (place.position == run_.mesh.position(v)) continue;
       proposePlacement(run_.mesh, v, place, run_.change);
-      if (moves_ == Moves::Never)
-        apply(run_.mesh, run_.change);
-      else if (!commit(run_, lenient(run_)))
+      if (!(moves_ == Moves::Never ? commitUnlessFlat(run_) : commit(run_, lenient(run_))))
         continue;
       touched_.around(v);
       return true;

@@ -26,9 +26,15 @@ struct TriangleMesh {
   std::vector<Index> groups;   // one per triangle (a glTF primitive, an OBJ material), or empty
   std::vector<Attribute> attributes;
   bool isSingle = false;  // the coordinates are of single precision, and will be when written
+  double scale = 1;       // of the coordinates, over those that are written
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
+
+// A position in single precision, which of the smallest numbers leaves few digits.
+inline Vec3 inSingle(const Vec3& p, double scale) {
+  return (p / scale).cast<float>().cast<double>() * scale;
+}
 
 // Null if the mesh has none of this semantic.
 const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic);

@@ -8,24 +8,32 @@
 
 namespace remesher {
 
-double smallestAngle(const WorkingMesh& mesh, Face f) {
-  const auto [a, b, c] = mesh.mesh().vertices(f);
-  return minAngle(mesh.position(a), mesh.position(b), mesh.position(c));
+namespace {
+
+double angleAsWritten(const Triangle& t, const Grain& grain) {
+  return grain.size > 0 && isLine(t, grain) ? 0 : minAngle(t[0], t[1], t[2]);
 }
 
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, double beyond) {
+}  // namespace
+
+double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain) {
+  return angleAsWritten(mesh.corners(f), grain);
+}
+
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,
+                           double beyond) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : change.coming) {
-    smallest = std::min(smallest, minAngle(at(a), at(b), at(c)));
+    smallest = std::min(smallest, angleAsWritten({at(a), at(b), at(c)}, grain));
     if (smallest <= beyond) break;
   }
   return smallest;
 }
 
-double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change) {
+double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f));
+  for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f, grain));
   return smallest;
 }
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The smallest angles of the triangles that a change is about, in radians: what decides whether it
-// is worth it.
+// is worth it. What is a line in the numbers that are written has none, where a grain is given.
 #pragma once
 
-#include "operators/local_change.h"
+#include "gate/fidelity.h"
 
 namespace remesher {
 
-double smallestAngle(const WorkingMesh& mesh, Face f);
+double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 
 // Of the triangles that a proposal makes, and of those that it takes away. An angle that is not
 // `beyond` answers for all that come.
-double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, double beyond = -1);
-double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change);
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                           const Grain& grain = {}, double beyond = -1);
+double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                          const Grain& grain = {});
 
 // Of the triangles around v, were v at `position`.
 double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position);

@@ -49,15 +49,9 @@ constexpr double kLine = 2 * kFlattest;
 
 // Whether a triangle is surely no line, by the squares of the longer of two sides and of twice its
 // area: far above all rounding; the third side is no longer than the other two together.
-bool isPlain(double longer, double area, double grain) {
+bool isPlain(double longer, double area, const Grain& grain) {
   constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
-  return area > longer * (kPlain * longer + kPlainGrains * grain * grain);
-}
-
-bool isLine(const Vec3& a, const Vec3& b, const Vec3& c, double grain) {
-  const double longer = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
-  if (isPlain(longer, areaVector(a, b, c).squaredNorm(), grain)) return false;
-  return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
+  return area > longer * (kPlain * longer + kPlainGrains * grain.size * grain.size);
 }
 
 // Whether a triangle is far from a line and from a fold, by a look at what is at hand, which is all
@@ -142,11 +136,18 @@ Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const Fid
 
 }  // namespace
 
-Vec3 written(const Vec3& p, double grain) {
-  return grain > 0 ? Vec3(p.cast<float>().cast<double>()) : p;
+Vec3 written(const Vec3& p, const Grain& grain) {
+  return grain.size > 0 ? inSingle(p, grain.scale) : p;
 }
 
-bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain) {
+bool isLine(const Triangle& triangle, const Grain& grain) {
+  const auto& [a, b, c] = triangle;
+  const double longer = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
+  if (isPlain(longer, areaVector(a, b, c).squaredNorm(), grain)) return false;
+  return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
+}
+
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   const auto areOne = [&](const Vec3& a, const Vec3& b) {
     return written(a, grain) == written(b, grain);
@@ -154,15 +155,13 @@ bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain) 
   std::ptrdiff_t coming = 0;
   for (const auto& t : change.coming) {
     const Vec3 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
-    if (!isLine(a, b, c, grain)) continue;
+    if (!isLine({a, b, c}, grain)) continue;
     if (areOne(a, b) || areOne(b, c) || areOne(c, a)) return true;
     ++coming;
   }
   return coming > 0 &&
-         coming > std::count_if(change.going.begin(), change.going.end(), [&](Face f) {
-           const auto [a, b, c] = mesh.corners(f);
-           return isLine(a, b, c, grain);
-         });
+         coming > std::count_if(change.going.begin(), change.going.end(),
+                                [&](Face f) { return isLine(mesh.corners(f), grain); });
 }
 
 FidelityRule fidelityRule(const RemeshOptions& options) {

@@ -27,24 +27,33 @@ enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError }
 inline constexpr double kFold = 0.2;
 inline constexpr double kTightFold = -0.3;
 
+// How coordinates are written: in single precision if that moves them at all.
+struct Grain {
+  double size = 0;   // by how much
+  double scale = 1;  // see TriangleMesh
+};
+
 struct FidelityRule {
   Fidelity mode = Fidelity::Fold;
   double cosVertexAngle = 0;
   double cosTriangleAngle = 0;
-  double fold = kFold;                // smallest N_i·N_T that is not a fold
-  double grain = 0;                   // by which writing in single precision moves a coordinate
+  double fold = kFold;  // smallest N_i·N_T that is not a fold
+  Grain grain = {};
   const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
 };
 
 FidelityRule fidelityRule(const RemeshOptions& options);
 
-// A position as it is written: in single precision if that has a grain.
-Vec3 written(const Vec3& p, double grain);
+// A position as it is written.
+Vec3 written(const Vec3& p, const Grain& grain);
+
+// Whether a triangle is a line in the numbers that are written.
+bool isLine(const Triangle& triangle, const Grain& grain);
 
 // Whether more triangles would be lines, in the numbers that are written, than are; or one have two
 // corners at one place, which in a file would be one vertex, and sheets grown together. Projections
 // of different points may end in one corner of the original, or on one edge.
-bool flattens(const WorkingMesh& mesh, const LocalChange& change, double grain);
+bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain);
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule);
 

@@ -42,15 +42,16 @@ struct Remeshed {
 // What of the input decides how the mesh is treated.
 struct Manner {
   double stagger;  // see Run
-  double grain;    // see FidelityRule
+  Grain grain;
 };
 
 Manner mannerFor(const TriangleMesh& input) {
-  constexpr double kHalfUlp = 0x1p-24;
+  const double stagger = input.attributes.empty() ? 0 : kStagger;
+  if (!input.isSingle) return {stagger, {}};
+  constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
   double farthest = 0;
-  if (input.isSingle)
-    for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-  return {input.attributes.empty() ? 0 : kStagger, kHalfUlp * farthest};
+  for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return {stagger, {std::max(kHalfUlp * farthest, kHalfLeast * input.scale), input.scale}};
 }
 
 bool runScheme(Run& run, std::size_t vertices, const RemeshOptions& options,

@@ -112,12 +112,10 @@ std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t t
     const Halfedge t = m.twin(h);
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
-    if (!proposeSplit(run.mesh, run.projector, h, run.change)) continue;
-    if (flattens(run.mesh, run.change, run.rule.grain)) continue;
-    const Vertex made = apply(run.mesh, run.change);
+    if (!proposeSplit(run.mesh, run.projector, h, run.change) || !commitUnlessFlat(run)) continue;
     ++splits;
     touched.resize(m.faceCapacity(), 1);
-    m.forEachOutgoing(made, [&](Halfedge around) { touched[m.face(around)] = 1; });
+    m.forEachOutgoing(run.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
   }
   return splits;
 }

@@ -126,9 +126,7 @@ enum class Middle { Projected, Straight };
 bool commitStraight(Run& run, const Ranked& edge) {
   run.change.place.position = 0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
   if (run.rule.mode != Fidelity::Fold) return commit(run);
-  if (flattens(run.mesh, run.change, run.rule.grain)) return false;
-  run.result = apply(run.mesh, run.change);
-  return true;
+  return commitUnlessFlat(run);
 }
 
 // Returns the number of splits.

@@ -45,8 +45,8 @@ struct Best {
   double gain = 0;
 
   void offer(const Run& run) {
-    const double better =
-        smallestComingAngle(run.mesh, run.change) - smallestGoingAngle(run.mesh, run.change);
+    const double better = smallestComingAngle(run.mesh, run.change, run.rule.grain) -
+                          smallestGoingAngle(run.mesh, run.change, run.rule.grain);
     if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
     gain = better;
@@ -94,7 +94,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
       const double turn = 2 * std::numbers::pi * i / kDirections;
       const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
       if (!proposeMove(run, star, to, ground)) continue;
-      const double worst = smallestComingAngle(run.mesh, run.change, angle);
+      const double worst = smallestComingAngle(run.mesh, run.change, run.rule.grain, angle);
       if (worst <= angle) continue;
       angle = worst;
       at = to;
@@ -162,7 +162,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
   std::vector<std::pair<double, Face>> bad;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     if (!mesh.isAlive(Face(i)) || isSkin(run, Face(i))) continue;
-    const double own = smallestAngle(run.mesh, Face(i));
+    const double own = smallestAngle(run.mesh, Face(i), run.rule.grain);
     if (own < angle) bad.emplace_back(own, Face(i));
   }
   std::sort(bad.begin(), bad.end());
@@ -172,7 +172,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
 }
 
 bool isBad(const Run& run, Face f, double angle) {
-  return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f) < angle;
+  return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f, run.rule.grain) < angle;
 }
 
 // Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and

@@ -44,6 +44,14 @@ inline bool commit(Run& run, const FidelityRule& rule) {
 
 inline bool commit(Run& run) { return commit(run, run.rule); }
 
+// For what is to be done even where that folds the mesh over: carries out the proposal at hand
+// unless triangles become lines.
+inline bool commitUnlessFlat(Run& run) {
+  if (flattens(run.mesh, run.change, run.rule.grain)) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
 // Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
 // pieces to each of the mesh, of needles as many as there are places to try.
 class ProofBudget {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "gate/angles.h"
 #include "operators/local_operators.h"
 #include "support/working_meshes.h"
 
@@ -102,7 +103,7 @@ TEST_CASE("fidelity: no triangle becomes a line, even where normals say nothing"
   square.positions = {{0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   square.indices = {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
   const OriginalSurface surface = shapes::surfaceOf(square, shapes::Features::None);
-  constexpr double kSingle = 2 * 0x1p-24;
+  constexpr Grain kSingle{2 * 0x1p-24};
   for (const double height : {0.0, 1e-9}) {
     CAPTURE(height);
     WorkingMesh mesh(surface);
@@ -114,9 +115,11 @@ TEST_CASE("fidelity: no triangle becomes a line, even where normals say nothing"
     REQUIRE(proposeFlip(mesh, mesh.mesh().find(m, Vertex(3)), change));
     if (height == 0) CHECK(judge(mesh, change, rule(Fidelity::Fold, 20, 20)) != Verdict::Accepted);
     // What double precision tells apart is one line when written in single precision.
-    CHECK(flattens(mesh, change, 0) == (height == 0));
+    CHECK(flattens(mesh, change, {}) == (height == 0));
     CHECK(flattens(mesh, change, kSingle));
     apply(mesh, change);
+    CHECK((smallestGoingAngle(mesh, change) > 0) == (height > 0));
+    CHECK(smallestGoingAngle(mesh, change, kSingle) == 0);
     // A line that is there may stay, and go.
     proposePlacement(mesh, m, mesh.placement(m), change);
     CHECK_FALSE(flattens(mesh, change, kSingle));

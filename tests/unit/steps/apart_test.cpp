@@ -43,7 +43,7 @@ std::size_t movedSince(const VertexData<Vec3>& before, const shapes::TestRun& te
 
 TEST_CASE("apart: of vertices that are written at one place all but one go, inside of boundaries") {
   shapes::TestRun test(nearSheets(kCells));
-  test.run.rule.grain = 1e-7;
+  test.run.rule.grain.size = 1e-7;
   const VertexData<Vec3> before = test.mesh.positions();
   CHECK(writtenPlaces(test) == kAll);
   CHECK(moveApart(test.run) == 0);
@@ -64,9 +64,9 @@ TEST_CASE("apart: those that must stay are counted, but for boundaries") {
   TriangleMesh below = shapes::cube(1), above = below;
   for (Vec3& p : above.positions) p.z() += 1 + 1e-10;
   shapes::TestRun test(soups::joined({below, above}));
-  test.run.rule.grain = 1e-7;
+  test.run.rule.grain.size = 1e-7;
   CHECK(moveApart(test.run) == 4);
   shapes::TestRun sheets(nearSheets(1));
-  sheets.run.rule.grain = 1e-7;
+  sheets.run.rule.grain.size = 1e-7;
   CHECK(moveApart(sheets.run) == 0);
 }
