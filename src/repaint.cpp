@@ -26,7 +26,9 @@ constexpr double kUse = 0.6;                      // the share of a square that 
 constexpr double kNearly =
     0.6;  // of the original's texels per area: the next size has four times as many
 constexpr double kBareTexels = 4;  // to a triangle of an original without maps
-constexpr Index kPaddingShare = 256;
+// Texels around a chart: for those that a filter takes at a corner of it, and more in larger
+// squares, whose coarser mip levels are looked at as well.
+constexpr Index kLeastPadding = 2, kPaddingShare = 256;
 
 bool isPainted(const std::string& semantic) {
   const std::string own = semantic.substr(semantic.find('/') + 1);  // of a morph target, too
@@ -195,7 +197,7 @@ class Repainting {
         indices.push_back(offsets[part] + surfaces_[part].welded(h));
         cuts.push_back(borders[part][h]);
       }
-    const Index padding = std::max<Index>(1, atlas.size / kPaddingShare);
+    const Index padding = std::max(kLeastPadding, atlas.size / kPaddingShare);
     const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
     if (!(unwrapped.scale > 0))
       throw Error(ErrorCode::InvalidOption,

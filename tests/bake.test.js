@@ -187,34 +187,45 @@ test('normals and colours of vertices are painted as the formulas say', async ()
   assert.ok(colours / count < 0.01, `colours ${(100 * colours) / count} %`);
 });
 
-/** The largest step of a colour over the charts' borders, and a usual one within them. */
-function steps(model, image) {
-  const { primitive } = model;
-  const at = (corner) => bilinear(image, primitive.TEXCOORD_0[primitive.indices[corner]]);
+/** The largest step of a colour over the charts' borders, and usual ones within them: along an edge
+ * of a triangle, and from one texel to the next. */
+function steps({ primitive }, image) {
   const byPlace = new Map();
+  const colours = primitive.TEXCOORD_0.map((texcoord) => bilinear(image, texcoord));
   primitive.POSITION.forEach((position, vertex) => {
-    const colour = bilinear(image, primitive.TEXCOORD_0[vertex]);
-    byPlace.set(position.join(), [...(byPlace.get(position.join()) ?? []), colour]);
+    byPlace.set(position.join(), [...(byPlace.get(position.join()) ?? []), colours[vertex]]);
   });
   const difference = (a, b) => Math.max(...[0, 1, 2].map((k) => Math.abs(a[k] - b[k])));
-  const over = [...byPlace.values()].filter(({ length }) => length > 1).map((colours) =>
-    Math.max(...colours.map((colour) => difference(colour, colours[0]))));
-  const within = primitive.indices.map((_, corner) =>
-    difference(at(corner), at(corner % 3 === 2 ? corner - 2 : corner + 1)));
+  const over = [...byPlace.values()].filter(({ length }) => length > 1).map((all) =>
+    Math.max(...all.map((colour) => difference(colour, all[0]))));
+  const edges = primitive.indices.map((vertex, corner) => {
+    const other = primitive.indices[corner % 3 === 2 ? corner - 2 : corner + 1];
+    const [a, b] = [vertex, other].map((v) => primitive.TEXCOORD_0[v].map((x) => x * image.width));
+    return { step: difference(colours[vertex], colours[other]),
+      length: Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) };
+  });
   const high = (list) => list.sort((a, b) => a - b)[Math.floor(0.95 * list.length)];
-  return { over: high(over), within: high(within) };
+  return { over: high(over), edge: high(edges.map(({ step }) => step)),
+    texel: high(edges.map(({ step, length }) => step / length)) };
 }
 
-test('no seam shows, on five mip levels', async () => {
+/** `wide`: from that mip level on the charts of others are so near that an edge is the measure. */
+async function showsNoSeam(textureSize, { levels, wide }) {
   const model = await baked(await bake(torusFile,
-    { vertices: 300, textureFormat: 'png', textureSize: 1024 }));
+    { vertices: 300, textureFormat: 'png', textureSize }));
   let image = model.images.baseColor;
-  for (let level = 0; level < 5; level += 1) {
-    const { over, within } = steps(model, image);
-    assert.ok(over <= within, `level ${level}: ${over} over borders, ${within} within`);
+  for (let level = 0; level < levels; level += 1) {
+    const { over, edge, texel } = steps(model, image);
+    const within = level < wide ? texel : edge;
+    assert.ok(over <= within,
+      `${textureSize} texels, level ${level}: ${over} over borders, ${within} within`);
     image = halved(image);
   }
-});
+}
+
+test('no seam shows, on five mip levels', () => showsNoSeam(1024, { levels: 5, wide: 4 }));
+
+test('no seam shows in small maps, on four', () => showsNoSeam(256, { levels: 4, wide: 4 }));
 
 test('materials that differ only in their maps become one; others stay apart', async () => {
   const small = torus({ columns: 16, rows: 8, radius: 0.5, tube: 0.2 });

@@ -43,10 +43,7 @@ Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
       if (packing.scale > 0)
         for (Index k = 0; k < 3; ++k) result.corners[3 * t + k] = packing.charts[c][i][k];
     }
-  const auto& at = result.corners;
-  for (Index h = 0; h < twins.size(); ++h)
-    if (const Index twin = twins[h]; twin != kNone)
-      result.rims[h] = at[h] != at[nextCorner(twin)] || at[nextCorner(h)] != at[twin];
+  for (Index h = 0; h < twins.size(); ++h) result.rims[h] = twins[h] == kNone;
   return result;
 }
 

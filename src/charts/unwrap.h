@@ -17,7 +17,7 @@ struct UnwrapInput {
 
 struct Unwrapped {
   std::vector<Vec2> corners;  // per corner, in texels from the square's corner
-  std::vector<char> rims;     // per corner: whether its chart ends at the edge from it
+  std::vector<char> rims;     // per corner: whether no chart may go on across the edge from it
   std::vector<Index> charts;  // per triangle its chart's number
   std::size_t chartCount = 0;
   double scale = 0;  // texels per unit of length; 0: the square is too small for so many charts

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 namespace remesher {
 
@@ -101,21 +100,19 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
   return {1 - b - c, b, c};
 }
 
-Vec2 keptWithin(const TexelTriangle& t, const std::array<char, 3>& rims, const Vec2& point) {
-  // In texels: half of one's diagonal; and of the triangle's height.
-  constexpr double kInset = 0.5 * std::numbers::sqrt2, kMostInset = 0.25;
-  Vec3 weights = weightsAt(t, point);
+Vec2 keptWithin(const TexelTriangle& t, const std::array<char, 3>& rims, Vec2 point) {
+  // In texels, for the edge is not quite where the original's is; and of the triangle's height.
+  constexpr double kInset = 0.25, kMostInset = 0.25;
   const double area = cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!rims[k] || !(area > 0)) continue;
-    const auto opposite = Eigen::Index((k + 2) % 3);
-    const double height = area / (t[(k + 1) % 3] - t[k]).norm();
-    const double least = std::min(kMostInset, kInset / height), own = weights[opposite];
-    if (own >= least) continue;
-    weights *= (1 - least) / (1 - own);
-    weights[opposite] = least;
+    const Vec2 edge = t[(k + 1) % 3] - t[k];
+    const double length = edge.norm();
+    const double least = std::min(kMostInset * area / length, kInset);
+    const double inside = cross(edge, point - t[k]) / length;
+    if (inside < least) point += (least - inside) / length * Vec2(-edge.y(), edge.x());
   }
-  return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
+  return point;
 }
 
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {

@@ -20,9 +20,9 @@ std::vector<Index> coveredTexels(std::span<const TexelTriangle> triangles, Index
 // The weights of a triangle's corners at a point of its plane, also beside it.
 Vec3 weightsAt(const TexelTriangle& triangle, const Vec2& point);
 
-// The point nearest to one, or nearly, from which a texel does not reach beyond those edges of a
-// triangle that are its chart's rim: what lies there is looked at from another chart.
-Vec2 keptWithin(const TexelTriangle& triangle, const std::array<char, 3>& rims, const Vec2& point);
+// A point as it is or, beyond one of those edges of a triangle behind which another look begins,
+// the nearest within, or nearly: what lies there is looked at from another chart.
+Vec2 keptWithin(const TexelTriangle& triangle, const std::array<char, 3>& rims, Vec2 point);
 
 // Every texel that is nobody's becomes the mean of its neighbours that are somebody's, ring after
 // ring: what looks beyond the rim of a chart, as coarse mip levels do, finds what is within. All

@@ -14,8 +14,10 @@ namespace {
 
 // In levels of what a map says, 0 to 1: what jumps by less may be mixed.
 constexpr double kLeastJump = 0.1;
-// How much more it is than what changes within a texel on either side.
-constexpr double kClear = 2;
+// In texels: how nearly the place of a jump is found, and how far from the edge it may be.
+constexpr double kNarrow = 1.0 / 64, kAt = 0.5;
+// Of a jump: what is left of it between places so near to each other.
+constexpr double kMostOfIt = 0.6;
 // Of a triangle above an edge, in texels: below that a chart's rim would be all of it.
 constexpr double kLowest = 1.5;
 constexpr double kDeepest = 0.2;  // of the triangle's height: where it is looked at
@@ -75,37 +77,47 @@ class Borders {
 
   // The two sides run along their edge in opposite directions.
   bool jumps(Index a, Index b) {
-    std::array<double, kPlaces.size()> jump;
-    for (std::size_t i = 0; i < jump.size(); ++i)
-      jump[i] = apart(near_[a][i], near_[b][jump.size() - 1 - i]);
-    const auto mostOf = [&](const auto& isOne) {
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < jump.size(); ++i) count += isOne(i);
-      return 2 * count > jump.size();
-    };
-    if (!mostOf([&](std::size_t i) { return jump[i] > kLeastJump; })) return false;
-    const Row farA = shownAlong(a, 2), farB = shownAlong(b, 2);
-    return mostOf([&](std::size_t i) {
-      const std::size_t j = jump.size() - 1 - i;
-      const double within = std::max(apart(near_[a][i], farA[i]), apart(near_[b][j], farB[j]));
-      return jump[i] > std::max(kLeastJump, kClear * within);
-    });
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kPlaces.size(); ++i)
+      count += jumpsAt({a, b, kPlaces[i]}, {near_[a][i], near_[b][kPlaces.size() - 1 - i]});
+    return 2 * count > kPlaces.size();
   }
 
-  // What is seen so many texels away from an edge.
-  Row shownAlong(Index h, double texels) {
-    if (h / 3 != entered_) finder_.enter(surface_.onSource(h / 3));
-    entered_ = h / 3;
-    const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
-    Row row;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const double along = kPlaces[i];
-      row[i] = shownAt(h, Vec3((1 - in) * (1 - along), (1 - in) * along, in));
+  struct Across {
+    Index a, b;
+    double along;
+  };
+
+  // Between two places on either side there is one where what is seen is not continuous, and it is
+  // at the edge.
+  bool jumpsAt(const Across& where, std::array<Shown, 2> seen) {
+    const double before = apart(seen[0], seen[1]);
+    if (!(before > kLeastJump)) return false;
+    double low = -1, high = 1;
+    while (high - low > kNarrow) {
+      const double middle = (low + high) / 2;
+      const Shown shown = middle < 0 ? shownAt(where.a, where.along, -middle)
+                                     : shownAt(where.b, 1 - where.along, middle);
+      const bool isBelow = apart(seen[0], shown) > apart(shown, seen[1]);
+      (isBelow ? high : low) = middle;
+      seen[isBelow ? 1 : 0] = shown;
     }
+    return apart(seen[0], seen[1]) > std::max(kLeastJump, kMostOfIt * before) &&
+           std::abs(low + high) / 2 < kAt;
+  }
+
+  Row shownAlong(Index h, double texels) {
+    Row row;
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = shownAt(h, kPlaces[i], texels);
     return row;
   }
 
-  Shown shownAt(Index h, const Vec3& weights) {
+  // What is seen beside an edge, so many texels away from it.
+  Shown shownAt(Index h, double along, double texels) {
+    if (h / 3 != entered_) finder_.enter(surface_.onSource(h / 3));
+    entered_ = h / 3;
+    const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
+    const Vec3 weights((1 - in) * (1 - along), (1 - in) * along, in);
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
     for (Eigen::Index k = 0; k < 3; ++k) {
       point += weights[k] * surface_.position(h);

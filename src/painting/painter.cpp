@@ -147,19 +147,28 @@ class Painter {
     return mixture;
   }
 
-  // Those of the points of a texel.
+  // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is
+  // in it does the rim go on.
   void findPlaces(std::size_t texel) {
-    const int side = int(std::clamp(std::round(rules_.finer), kFewest, kMost));
-    // A texel on a rim shows what is within the chart, as if it lay there.
-    const Vec2 half = Vec2::Constant(0.5);
-    const Vec2 corner =
-        keptWithin(plane_[owners_[texel]], triangle_->rims, cornerOf(texel) + half) - half;
+    const TexelTriangle& plane = plane_[owners_[texel]];
     places_.clear();
+    forEachPoint(texel, [&](const Vec2& at) {
+      if (keptWithin(plane, triangle_->rims, at) == at) look(at);
+    });
+    if (places_.empty())
+      forEachPoint(texel, [&](const Vec2& at) { look(keptWithin(plane, triangle_->rims, at)); });
+  }
+
+  void look(const Vec2& at) {
+    places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
+  }
+
+  template <class Visit>
+  void forEachPoint(std::size_t texel, const Visit& visit) const {
+    const int side = int(std::clamp(std::round(rules_.finer), kFewest, kMost));
+    const Vec2 corner = cornerOf(texel);
     for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i) {
-        const Vec2 at = corner + Vec2((i + 0.5) / side, (j + 0.5) / side);
-        places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
-      }
+      for (int i = 0; i < side; ++i) visit(corner + Vec2((i + 0.5) / side, (j + 0.5) / side));
   }
 
   Vec2 cornerOf(std::size_t texel) const {

@@ -24,7 +24,7 @@ struct CanvasCorner {
 struct CanvasTriangle {
   std::array<CanvasCorner, 3> corners;
   Index source;                          // the number of the original that it stands for
-  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether its chart ends at the edge from it
+  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether its look ends at the edge from it
 };
 
 struct PaintRules {

@@ -241,7 +241,7 @@ TEST_CASE("unwrap: what can be laid flat is laid flat as it is") {
     }
 }
 
-TEST_CASE("unwrap: charts end at cuts and at the outer border, nowhere else") {
+TEST_CASE("unwrap: rims are at cuts and at the outer border, nowhere else") {
   const auto flat = [](double u, double v) { return Vec3(u, v, 0); };
   const TriangleMesh mesh = grid(4, 4, flat);
   std::vector<char> cuts = noCuts(mesh), ends = cuts;
@@ -255,6 +255,9 @@ TEST_CASE("unwrap: charts end at cuts and at the outer border, nowhere else") {
   const Unwrapped uv = unwrap({mesh.positions, mesh.indices, cuts}, {256, 2});
   CHECK(uv.chartCount == 2);
   CHECK(uv.rims == ends);
+  // Where charts only have to end somewhere the look goes on.
+  const Laid closed(cube());
+  CHECK(std::count(closed.uv.rims.begin(), closed.uv.rims.end(), 0) == 36);
 }
 
 TEST_CASE("unwrap: a square too small for its charts says so") {

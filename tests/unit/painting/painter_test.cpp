@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -41,6 +42,7 @@ TEST_CASE("painter: averages light over the texel") {
     canvas[h / 3].corners[h % 3] = {
         p, Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
     canvas[h / 3].source = 0;
+    canvas[h / 3].rims[h % 3] = h != 2 && h != 3;  // the diagonal
   }
   const Painting painting = paint(canvas, sources, {16, true, 8}, Progress());
   for (std::size_t i = 0; i < painting.baseColor.texels.size(); i += 4) {
@@ -49,4 +51,45 @@ TEST_CASE("painter: averages light over the texel") {
     CHECK(painting.normal.texels[i] == 128);
     CHECK(painting.normal.texels[i + 2] == 255);
   }
+}
+
+TEST_CASE("painter: a texel shows the point that it is at, and beyond a rim what the rim shows") {
+  // Black, white just before x = 1, red beyond; the chart is what lies before x = 1.
+  TriangleMesh mesh;
+  Attribute colors{"COLOR_0", 3, {}};
+  const std::array<double, 4> ends = {0, 0.94, 1, 2};
+  const std::array<Vec3, 3> paints = {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(1, 0, 0)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    addSquare(mesh, 0, Facing::Up);
+    for (std::size_t v = 4 * i; v < 4 * i + 4; ++v) {
+      mesh.positions[v].x() = ends[i + (mesh.positions[v].x() > 0.5)];
+      for (const double x : paints[i]) colors.values.push_back(float(x));
+    }
+  }
+  mesh.attributes.push_back(colors);
+  std::vector<std::unique_ptr<PaintSource>> sources;
+  sources.push_back(sourceOf(mesh));
+  const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
+  const auto rowOf = [&](char rim) {
+    std::vector<CanvasTriangle> canvas(2);
+    for (Index h = 0; h < 6; ++h) {
+      const Vec3& p = corners[std::array<Index, 6>{0, 1, 2, 0, 2, 3}[h]];
+      canvas[h / 3].corners[h % 3] = {p,
+                                      Vec3::UnitZ(),
+                                      {1, 0, 0, -1},
+                                      Vec2(3.5 + 10 * p.x(), 3 + 10 * p.y()),
+                                      {h / 3, Vec3::Unit(h % 3)}};
+      canvas[h / 3].source = 0;
+      canvas[h / 3].rims = {0, char(h / 3 == 0 ? rim : 0), 0};
+    }
+    const io::Image painted = paint(canvas, sources, {16, true, 2}, Progress()).baseColor;
+    std::array<Vec3, 3> row;  // the texels from 12 on: the chart ends at 13.5
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        row[i][Eigen::Index(c)] = painted.texels[4 * (16 * 8 + 12 + i) + c];
+    return row;
+  };
+  const Vec3 black(0, 0, 0), white(255, 255, 255), red(255, 0, 0), whiteAndRed(255, 188, 188);
+  CHECK(rowOf(0) == std::array<Vec3, 3>{black, whiteAndRed, red});
+  CHECK(rowOf(1) == std::array<Vec3, 3>{black, white, white});
 }
