@@ -43,8 +43,8 @@ void collapseAll(WorkingMesh& mesh, Judge judge) {
 }  // namespace
 
 TEST_CASE("error bound: no chain of allowed changes leaves it, in either direction") {
-  for (const TriangleMesh& shape : {shapes::icosphere(4), shapes::torus(16, 8), shapes::grid(6, 6),
-                                    shapes::cylinder(16, 5), shapes::boxWithHole()}) {
+  for (const TriangleMesh& shape : {shapes::icosphere(3), shapes::torus(12, 6), shapes::grid(6, 6),
+                                    shapes::cylinder(12, 4), shapes::boxWithHole()}) {
     const OriginalSurface surface = shapes::surfaceOf(shape, shapes::Features::None);
     for (const double share : {0.002, 0.03}) {
       const double distance = share * surface.diagonal();
