@@ -38,6 +38,8 @@ test('of a long text the two ends are shown', () => {
     assert.equal(shown.length, 120);
     assert.match(shown, /^beginx+…x+\.png$/);
   }
+  // What is spelled out is long as it is shown.
+  for (const length of [31, 100, 100_000]) assert.equal(legible('\0'.repeat(length)).length, 120);
 });
 
 const nasty = `\x1b]0;title\x07\r\n\u202e${'x'.repeat(50_000)}`;

@@ -63,7 +63,15 @@ char32_t takeCharacter(std::string_view& text) {
   return isValid ? value : kReplacement;
 }
 
-// Of a text of megabytes only what can be shown is looked at: its two ends.
+std::string escaped(char32_t c) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string digits;
+  for (; c > 0 || digits.empty(); c >>= 4) digits += kHex[c & 15];
+  std::reverse(digits.begin(), digits.end());
+  return "\\u{" + digits + "}";
+}
+
+// As they are shown. Of a text of megabytes only what can be is looked at: its two ends.
 std::vector<char32_t> charactersOf(std::string_view text) {
   constexpr std::size_t kEnd = 8 * kLongest;
   std::string ends;
@@ -72,7 +80,12 @@ std::vector<char32_t> charactersOf(std::string_view text) {
     text = ends;
   }
   std::vector<char32_t> characters;
-  while (!text.empty()) characters.push_back(takeCharacter(text));
+  while (!text.empty()) {
+    const char32_t c = takeCharacter(text);
+    const std::string spelled = isInvisible(c) ? escaped(c) : "";
+    characters.insert(characters.end(), spelled.begin(), spelled.end());
+    if (spelled.empty()) characters.push_back(c);
+  }
   return characters;
 }
 
@@ -86,14 +99,6 @@ void append(std::string& text, char32_t c) {
   for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80U | (c >> 6 * i & 0x3FU));
 }
 
-std::string escaped(char32_t c) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string digits;
-  for (; c > 0 || digits.empty(); c >>= 4) digits += kHex[c & 15];
-  std::reverse(digits.begin(), digits.end());
-  return "\\u{" + digits + "}";
-}
-
 }  // namespace
 
 std::string legible(std::string_view text) {
@@ -104,12 +109,7 @@ std::string legible(std::string_view text) {
     characters.erase(cut + 1, characters.end() - (kLongest - kHead - 1));
   }
   std::string result;
-  for (const char32_t c : characters) {
-    if (isInvisible(c))
-      result += escaped(c);
-    else
-      append(result, c);
-  }
+  for (const char32_t c : characters) append(result, c);
   return result;
 }
 

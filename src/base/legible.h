@@ -10,8 +10,8 @@
 
 namespace remesher {
 
-// The text in at most 120 characters, the middle left out of a longer one; control characters and
-// invisible ones as \u{1b}, bytes that are not UTF-8 as the replacement character.
+// The text with control characters and invisible ones as \u{1b}, bytes that are not UTF-8 as the
+// replacement character; so in at most 120 characters, the middle left out of a longer one.
 std::string legible(std::string_view text);
 
 // `a, b, c`; of many names the first few, and how many more there are.

@@ -12,21 +12,25 @@ const invisible = new RegExp('[\\u0000-\\u001f\\u007f-\\u009f\\u00ad\\u061c\\u18
   + '\\u200b-\\u200f\\u2028-\\u202e\\u2060-\\u206f\\ufeff\\ufff9-\\ufffb'
   + '\\u{e0000}-\\u{e007f}\\p{Cs}]', 'gu');
 
-/** Of a long text only what can be shown is looked at: its two ends. @param {string} text */
+/**
+ * As they are shown. Of a long text only what can be is looked at: its two ends.
+ * @param {string} text
+ */
 function charactersOf(text) {
   const end = 4 * longest;
-  return Array.from(text.length > 2 * end ? text.slice(0, end) + text.slice(-end) : text);
+  const ends = text.length > 2 * end ? text.slice(0, end) + text.slice(-end) : text;
+  return Array.from(ends.replace(invisible, (character) =>
+    `\\u{${Number(character.codePointAt(0)).toString(16)}}`));
 }
 
 /**
- * The text in at most 120 characters, the middle left out of a longer one; control characters and
- * invisible ones as \u{1b}.
+ * The text with control characters and invisible ones as \u{1b}; so in at most 120 characters, the
+ * middle left out of a longer one.
  * @param {unknown} text
  */
 export function legible(text) {
   const characters = charactersOf(String(text));
   const surplus = characters.length - longest;
   if (surplus > 0) characters.splice(headLength, surplus + 1, '…');
-  return characters.join('').replace(invisible, (character) =>
-    `\\u{${Number(character.codePointAt(0)).toString(16)}}`);
+  return characters.join('');
 }
