@@ -85,6 +85,7 @@ add_executable(unit_tests
   tests/unit/steps/boundaries_test.cpp
   tests/unit/steps/decimate_test.cpp
   tests/unit/steps/delaunay_test.cpp
+  tests/unit/steps/polish_test.cpp
   tests/unit/steps/relax_test.cpp
   tests/unit/steps/simplify_test.cpp
   tests/unit/surface/boundary_places_test.cpp

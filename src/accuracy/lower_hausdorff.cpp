@@ -31,9 +31,10 @@ constexpr double kNearMaximum = 0.8;
 constexpr int kRounds = 4;
 // Triangles looked at: of a large mesh few decide, and a small one has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
-// Between two shells all is far off, and as near to one as to the other: a try takes twenty
-// thousand lookups there, elsewhere some hundreds.
-constexpr std::size_t kLookupsPerTry = 1000;
+// Between two shells all is far off, and as near to one as to the other; beside a spike the boxes
+// of all triangles are as near as rounding can tell. A try may look at millions of triangles of the
+// original there, elsewhere at up to four thousand.
+constexpr std::size_t kLooksPerTry = 20'000;
 
 std::size_t triesFor(std::size_t vertices) {
   return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
@@ -55,7 +56,7 @@ class Descent {
         distances_(run),
         crossings_(run.mesh),
         tries_(triesFor(mesh_.vertexCount())),
-        mostLookups_(distances_.lookups() + kLookupsPerTry * tries_) {
+        mostLooks_(distances_.looked() + kLooksPerTry * tries_) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
   }
@@ -81,7 +82,7 @@ class Descent {
     return entry;
   }
 
-  bool mayTry() const { return tries_ > 0 && distances_.lookups() < mostLookups_; }
+  bool mayTry() const { return tries_ > 0 && distances_.looked() < mostLooks_; }
 
   // Whether anything moved.
   bool descend() {
@@ -212,7 +213,7 @@ class Descent {
   Crossings crossings_;
   std::vector<Entry> queue_;
   std::vector<Face> stuck_;
-  std::size_t tries_, mostLookups_;
+  std::size_t tries_, mostLooks_;
 };
 
 }  // namespace

@@ -56,8 +56,9 @@ double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   }
   if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
-  ++lookups_;
-  return tree_->nearest(sample).distance;
+  const MeshTree::Nearest found = tree_->nearest(sample);
+  looked_ += found.looked;
+  return found.distance;
 }
 
 double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f) const {

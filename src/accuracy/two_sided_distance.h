@@ -36,8 +36,8 @@ class TwoSidedDistance {
   void update(Vertex v);
   void update(Halfedge h);
 
-  // How often walks ended too far off, and all of the original was looked at.
-  std::size_t lookups() const { return lookups_; }
+  // The triangles of the original looked at because walks to it ended too far off.
+  std::size_t looked() const { return looked_; }
 
  private:
   // A triangle that changes, with its corners where it is asked about: the moved vertex comes
@@ -71,7 +71,7 @@ class TwoSidedDistance {
   FaceData<Index> first_;    // the first place of a triangle, or kNone
   FaceData<double> distance_;
   mutable std::optional<MeshTree> tree_;  // of the original, for where walks end in a valley
-  mutable std::size_t lookups_ = 0;
+  mutable std::size_t looked_ = 0;
   std::vector<Changed> gathered_;
   Vertex moved_;  // that they change with, if any
   Placement to_;

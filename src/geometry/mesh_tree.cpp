@@ -19,7 +19,7 @@ MeshTree::MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
 
 MeshTree::Nearest MeshTree::nearest(const Vec3& p) const {
   const TriangleTree::Nearest nearest = tree_.nearest(p);
-  return {faces_[nearest.triangle], std::sqrt(nearest.squaredDistance)};
+  return {faces_[nearest.triangle], std::sqrt(nearest.squaredDistance), nearest.looked};
 }
 
 }  // namespace remesher

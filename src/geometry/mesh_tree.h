@@ -15,6 +15,7 @@ class MeshTree {
   struct Nearest {
     Face face;
     double distance;
+    Index looked;  // at so many triangles
   };
 
   MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);

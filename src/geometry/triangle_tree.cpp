@@ -151,7 +151,9 @@ void TriangleTree::lookAt(Index triangle, Query& query) const {
   const auto [a, b, c] = corners(triangle);
   const Vec3 point = closestPoint(query.point, a, b, c);
   const double squaredDistance = (point - query.point).squaredNorm();
-  if (squaredDistance < query.best.squaredDistance) query.take({triangle, point, squaredDistance});
+  const Index looked = ++query.best.looked;
+  if (squaredDistance < query.best.squaredDistance)
+    query.take({triangle, point, squaredDistance, looked});
 }
 
 void TriangleTree::lookInto(const Group& group, Index firstPlace, Query& query) const {

@@ -36,6 +36,7 @@ class TriangleTree {
     Index triangle = kNone;
     Vec3 point = Vec3::Zero();
     double squaredDistance = std::numeric_limits<double>::infinity();
+    Index looked = 0;  // at so many triangles
   };
 
   // Where to look for points that are all in one place: the groups of triangles near a box.

@@ -41,13 +41,15 @@ constexpr double kCollapseBelow = 1.2;
 struct Best {
   FidelityRule rule;
   double shift;  // model units
+  const ProofBudget& proofs;
   LocalChange change = {};
   double gain = 0;
 
   void offer(const Run& run) {
     const double better = smallestComingAngle(run.mesh, run.change, run.rule.grain) -
                           smallestGoingAngle(run.mesh, run.change, run.rule.grain);
-    if (better <= gain || judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
+    if (better <= gain || proofs.isSpent()) return;
+    if (judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
     gain = better;
     change = run.change;
@@ -123,6 +125,12 @@ void offerSplits(Run& run, Face f, Best& best) {
 
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
+struct Attempt {
+  Means means;
+  double shift;  // see PolishGoal
+  const ProofBudget& proofs;
+};
+
 // What an attempt to mend f costs, about.
 std::size_t workOf(const Run& run, Face f) {
   std::size_t work = 0;
@@ -132,10 +140,12 @@ std::size_t workOf(const Run& run, Face f) {
 }
 
 // Whether something was found that makes the worst angle around f larger.
-bool mend(Run& run, Face f, Means means, double shift) {
+bool mend(Run& run, Face f, const Attempt& attempt) {
+  const Means means = attempt.means;
   const Vertex corner = run.mesh.mesh().vertices(f)[0];
   const double size = run.scale * run.sizes.at(run.mesh.at(corner));
-  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), attempt.shift * size,
+            attempt.proofs};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, v, ground, best);
@@ -208,10 +218,10 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
-    const Means means = meansOf(round, rounds);
+    const Attempt attempt{meansOf(round, rounds), goal.shift, proofs};
     for (const Face f : bad)
       for (int i = 0; i < kTries && isBad(run, f, goal.angle) && mayTry(f); ++i)
-        if (!mend(run, f, means, goal.shift)) break;
+        if (!mend(run, f, attempt)) break;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);
     relax(run, 2);

@@ -63,7 +63,7 @@ class ProofBudget {
   bool isSpent() const { return spent() > most_; }
 
  private:
-  static constexpr std::size_t kMost = 2000, kLeast = 1 << 16;
+  static constexpr std::size_t kMost = 1300, kLeast = 1 << 16;
 
   std::size_t spent() const { return bound_ ? bound_->piecesLookedAt() : 0; }
 

@@ -140,6 +140,19 @@ TEST_CASE("triangle_tree: also what is no number, or too far for one, has a near
   }
 }
 
+TEST_CASE("triangle_tree: the triangles looked at are counted, beside a spike nearly all") {
+  TriangleMesh mesh = soups::randomSoup(300, 0.02, 1);
+  const std::size_t count = mesh.triangleCount();
+  const auto looked = [&] {
+    return TriangleTree(mesh.positions, mesh.indices).nearest(mesh.positions[0]).looked;
+  };
+  CHECK(looked() >= 1);
+  CHECK(looked() < count / 4);
+  mesh.positions[3] = {1e12, 0, 0};
+  CHECK(looked() > count / 2);
+  CHECK(looked() <= count);
+}
+
 TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
   const TriangleMesh mesh = soups::randomSoup(300, 0.2, 3);
   const TriangleTree tree(mesh.positions, mesh.indices);
