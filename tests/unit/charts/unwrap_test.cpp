@@ -57,9 +57,9 @@ TriangleMesh foldedSheet() {
   });
 }
 
-TriangleMesh waves() {
-  return grid(20, 20, [](double u, double v) {
-    return Vec3(u, v, 0.1 * std::sin(15 * u) * std::cos(12 * v));
+TriangleMesh waves(double height) {
+  return grid(20, 20, [&](double u, double v) {
+    return Vec3(u, v, height * std::sin(15 * u) * std::cos(12 * v));
   });
 }
 
@@ -221,7 +221,8 @@ TEST_CASE("unwrap: no flips, no overlaps, even texels, padding") {
     requireLaws(Laid(sphere(), rules));
     requireLaws(Laid(ramp(), rules));
     requireLaws(Laid(foldedSheet(), rules));
-    requireLaws(Laid(waves(), rules));
+    requireLaws(Laid(waves(0.1), rules));
+    requireLaws(Laid(waves(0.3), rules));
   }
 }
 
