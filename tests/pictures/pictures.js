@@ -21,6 +21,7 @@ async function take(site, name, { size: [width, height], colorScheme }) {
     { hash, viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
   await settled(page);
   await enter?.(page);
+  await page.evaluate(() => Promise.all([...document.images].map((image) => image.decode())));
   await page.waitForTimeout(500);  // the last frame
   const path = join(folder, `${name}-${width}x${height}-${colorScheme}.png`);
   await page.screenshot({ path });
