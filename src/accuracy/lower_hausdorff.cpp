@@ -31,9 +31,8 @@ constexpr double kNearMaximum = 0.8;
 constexpr int kRounds = 4;
 // Triangles looked at: of a large mesh few decide, and a small one has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
-// Between two shells all is far off, and as near to one as to the other; beside a spike the boxes
-// of all triangles are as near as rounding can tell. A try may look at millions of triangles of the
-// original there, elsewhere at up to four thousand.
+// Between two shells all is far off, and as near to one as to the other: a try may look at millions
+// of triangles of the original there, elsewhere at up to four thousand.
 constexpr std::size_t kLooksPerTry = 20'000;
 
 std::size_t triesFor(std::size_t vertices) {

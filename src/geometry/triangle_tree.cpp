@@ -82,9 +82,31 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Inde
     : positions_(positions), indices_(indices) {
   if (indices.empty()) return;
   for (const Index v : indices) box_.extend(positions[v]);
-  origin_ = 0.5 * (box_.low + box_.high);
+  origin_ = middle();
   sortTriangles();
   buildLevels();
+}
+
+// Of the box; or, where that is as large as a spike, of the small part of it that holds half of the
+// corners along each axis: floats can tell them apart only from near by.
+Vec3 TriangleTree::middle() const {
+  constexpr double kSmall = 1.0 / 256;
+  constexpr std::size_t kCorners = 1000;  // looked at, about
+  Box inner;
+  const std::size_t step = std::max<std::size_t>(1, indices_.size() / kCorners);
+  std::vector<double> along;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    along.clear();
+    for (std::size_t i = 0; i < indices_.size(); i += step)
+      along.push_back(positions_[indices_[i]][axis]);
+    std::sort(along.begin(), along.end());
+    inner.low[axis] = along[along.size() / 4];
+    inner.high[axis] = along[along.size() * 3 / 4];
+  }
+  const bool isSmall =
+      (inner.high - inner.low).maxCoeff() < kSmall * (box_.high - box_.low).maxCoeff();
+  const Box& box = isSmall ? inner : box_;
+  return 0.5 * (box.low + box.high);
 }
 
 void TriangleTree::sortTriangles() {
@@ -115,7 +137,8 @@ void TriangleTree::buildLevels() {
 }
 
 // A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,
-// with a slack for what float arithmetic can overrate a distance by: a few roundings of its terms.
+// with a slack for what float arithmetic can overrate a distance by: a few roundings of the point,
+// for boxes are rounded outwards, and what comes after is as exact as the distance is small.
 struct TriangleTree::Query {
   Vec3 point;
   Eigen::Vector3f place;
@@ -140,7 +163,7 @@ struct TriangleTree::Query {
 
 TriangleTree::Query TriangleTree::ask(const Vec3& p) const {
   const Vec3 place = p - origin_;
-  const double slack = 0x1p-21 * ((box_.high - box_.low).norm() + place.norm());
+  const double slack = 0x1p-21 * place.norm();
   // To what is no number, or so far away that its square is none, all triangles are as near.
   Nearest any;
   if (!order_.empty()) any.triangle = order_.front();

@@ -99,6 +99,7 @@ class TriangleTree {
   static constexpr std::size_t kDeepest = 17;  // 4^17 triangles are more than an Index can number
 
   Box boxOf(Index triangle) const;
+  Vec3 middle() const;
   void sortTriangles();
   void buildLevels();
   struct Query;
@@ -113,7 +114,7 @@ class TriangleTree {
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
   Box box_;
-  Vec3 origin_ = Vec3::Zero();  // the middle of the box
+  Vec3 origin_ = Vec3::Zero();  // see middle()
   std::vector<Index> order_;
   std::vector<Level> levels_;  // the last one is a single group
 };
