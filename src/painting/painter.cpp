@@ -10,9 +10,10 @@ namespace remesher {
 
 namespace {
 
-// Points of a texel along a side: as many as texels of the original.
+// Points of a texel along a side.
 constexpr double kFewest = 2, kMost = 8;
-// Texels of the original up to so much finer are mixed well enough by looking up once.
+// Texels of the original up to so much finer are mixed well enough by looking up once, for that
+// is between four of them.
 constexpr double kAlike = 1.25;
 
 // What the points of a texel come to.
@@ -165,7 +166,7 @@ class Painter {
 
   template <class Visit>
   void forEachPoint(std::size_t texel, const Visit& visit) const {
-    const int side = int(std::clamp(std::round(rules_.finer), kFewest, kMost));
+    const int side = int(std::clamp(std::ceil(rules_.finer / kAlike), kFewest, kMost));
     const Vec2 corner = cornerOf(texel);
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) visit(corner + Vec2((i + 0.5) / side, (j + 0.5) / side));
