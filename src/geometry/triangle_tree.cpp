@@ -87,24 +87,26 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Inde
   buildLevels();
 }
 
-// Of the box; or, where that is as large as a spike, of the small part of it that holds half of the
-// corners along each axis: floats can tell them apart only from near by.
+// Of the box; or, where that is as large as a spike, of the small part of it that has a quarter of
+// the corners on either side along each axis: floats can tell them apart only from near by.
 Vec3 TriangleTree::middle() const {
-  constexpr double kSmall = 1.0 / 256;
+  constexpr int kSmall = 8, kMost = 64;   // halvings of the box
   constexpr std::size_t kCorners = 1000;  // looked at, about
-  Box inner;
   const std::size_t step = std::max<std::size_t>(1, indices_.size() / kCorners);
-  std::vector<double> along;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    along.clear();
-    for (std::size_t i = 0; i < indices_.size(); i += step)
-      along.push_back(positions_[indices_[i]][axis]);
-    std::sort(along.begin(), along.end());
-    inner.low[axis] = along[along.size() / 4];
-    inner.high[axis] = along[along.size() * 3 / 4];
-  }
-  const bool isSmall =
-      (inner.high - inner.low).maxCoeff() < kSmall * (box_.high - box_.low).maxCoeff();
+  Box inner = box_;
+  Eigen::Index longest = 0;
+  (box_.high - box_.low).maxCoeff(&longest);
+  bool isSmall = false;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (int halvings = 0; halvings < kMost; ++halvings) {
+      const double half = 0.5 * (inner.low[axis] + inner.high[axis]);
+      std::size_t below = 0, all = 0;
+      for (std::size_t i = 0; i < indices_.size(); i += step, ++all)
+        below += positions_[indices_[i]][axis] < half;
+      if (4 * below >= all && 4 * below <= 3 * all) break;
+      (4 * below < all ? inner.low : inner.high)[axis] = half;
+      isSmall = isSmall || (axis == longest && halvings >= kSmall);
+    }
   const Box& box = isSmall ? inner : box_;
   return 0.5 * (box.low + box.high);
 }
