@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "operators/smoothing.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
+
+#include "geometry/fast_trigonometry.h"
 
 namespace remesher {
 
@@ -46,6 +51,33 @@ class RowQr {
   double r00_ = 0, r01_ = 0, r11_ = 0, q0_ = 0, q1_ = 0;
 };
 
+// What a triangle costs by the cosine of its smallest angle.
+double costOf(double cosine) {
+  constexpr double kOnTheWhole = 0.001;
+  static const double most = std::cos(kWideAngle);
+  const double over = std::max(0.0, cosine - most);
+  return over * over + kOnTheWhole * cosine;
+}
+
+// Of all triangles, were the vertex at p; endless where one would turn over, or when `limit` is
+// reached.
+double costAt(const PolarMap& star, const Vec2& p, double limit) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  Vec2 a = star.rim(0) - p;
+  double toA = a.norm(), sum = 0;
+  for (int i = 0; i < star.size(); ++i) {
+    const Vec2 b = star.rim(star.after(i)) - p, side = b - a;
+    if (!(cross(a, b) > 0)) return kEndless;
+    const double toB = b.norm(), length = side.norm();
+    sum += costOf(std::max(
+        {a.dot(b) / (toA * toB), -a.dot(side) / (toA * length), b.dot(side) / (toB * length)}));
+    if (!(sum < limit)) return kEndless;
+    a = b;
+    toA = toB;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Vec2 areaBasedTarget(const PolarMap& star, std::span<const double> mu) {
@@ -66,6 +98,27 @@ Vec2 laplacianTarget(const PolarMap& star) {
   Vec2 sum = Vec2::Zero();
   for (int i = 0; i < star.size(); ++i) sum += star.rim(i);
   return sum / star.size();
+}
+
+Vec2 wideTarget(const PolarMap& star) {
+  constexpr double kFirstStep = 0.1, kLastStep = 0.02;  // of the mean spoke
+  constexpr int kDirections = 6;
+  double spoke = 0;
+  for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
+  Vec2 at = Vec2::Zero();
+  double cost = costAt(star, at, std::numeric_limits<double>::infinity());
+  for (double step = kFirstStep; step >= kLastStep;) {
+    const Vec2 from = at;
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec2 to = from + step * spoke * onUnitCircle(2 * std::numbers::pi * i / kDirections);
+      const double own = costAt(star, to, cost);
+      if (!(own < cost)) continue;
+      cost = own;
+      at = to;
+    }
+    if (at == from) step /= 2;
+  }
+  return at;
 }
 
 }  // namespace remesher

@@ -33,7 +33,9 @@ constexpr int kSmoothings = 2, kDraftSmoothings = 1;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kPolishBelow = radians(35);
-constexpr double kSliver = radians(10), kPoor = radians(30), kFair = radians(33);
+constexpr double kSliver = radians(10), kPoor = radians(30), kFair = radians(33),
+                 kFine = radians(34.5);
+constexpr double kHardlyShift = 0.04;  // of the target edge length: not worth a distance
 
 // Two levels pay only for large meshes, none for tiny ones.
 constexpr std::size_t kManyVertices = 40000;
@@ -148,6 +150,7 @@ void finishDraft(Run& run, const Progress& progress) {
 // Nearer to the original, and no triangle left that could be better.
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
+  widenAngles(run);
   polish(run, {kPolishBelow});
   progress.phase("land", 0, 0);
   land(run);
@@ -156,7 +159,9 @@ void finish(Run& run, const Progress& progress) {
   lowerHausdorff(run);
   progress.phase("polish", 1, 1);
   polish(run, {kSliver});
-  if (!isLarge(run)) polish(run, {kFair, kSmallShift});
+  if (isLarge(run)) return;
+  polish(run, {kFair, kSmallShift});
+  polish(run, {kFine, kHardlyShift});
 }
 
 }  // namespace

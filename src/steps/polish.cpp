@@ -21,7 +21,8 @@ constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6;
 // allows no better: the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kMany = 200;
-constexpr int kTries = 3;  // per triangle and round of topological changes
+// Per triangle and round; the last one, of small moves, goes on while something is gained.
+constexpr int kTries = 3, kLastTries = 12;
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
 // few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
 // vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
@@ -33,6 +34,8 @@ constexpr double kMostGrowth = 1.25;
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.3;  // of the mean spoke
 constexpr double kLastStep = 0.02;
+// Around a sharp tip no place on the surface is better, but one a little off it.
+constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
 // Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
 constexpr double kSplitAbove = 0.7;
 constexpr double kCollapseBelow = 1.2;
@@ -105,6 +108,37 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   }
 }
 
+// Beside a curve what leaves the surface would show, and be in vain.
+bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
+  bool found = mesh.mesh().isBoundary(v);
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { found = found || mesh.isCurve(h); });
+  return found;
+}
+
+// Up and down along the mean normal of the star.
+void offerLifts(Run& run, Vertex v, Best& best) {
+  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Vec3& at = run.mesh.position(v);
+  Vec3 normal = Vec3::Zero();
+  double spoke = 0;
+  mesh.forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3& tip = run.mesh.position(mesh.tip(h));
+    normal += areaVector(at, tip, run.mesh.position(mesh.opposite(h)));
+    spoke += (tip - at).norm() / mesh.valence(v);
+  });
+  if (!(normal.norm() > 0)) return;
+  Placement place = run.mesh.placement(v);
+  const Vec3 ground = run.mesh.surface().position(place.at);
+  for (double step = kFirstLift; step >= kLastStep; step /= 2)
+    for (const double way : {step, -step}) {
+      place.position = at + way * spoke * normal.normalized();
+      if ((place.position - ground).norm() > kHighest * spoke) continue;
+      proposePlacement(run.mesh, v, place, run.change);
+      best.offer(run);
+    }
+}
+
 void offerCollapses(Run& run, Face f, Best& best) {
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
@@ -148,7 +182,12 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
             attempt.proofs};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
-  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMove(run, v, ground, best);
+  const auto corners = run.mesh.mesh().vertices(f);
+  for (const Vertex v : corners) offerMove(run, v, ground, best);
+  const bool mayLift = means == Means::LeaveSurface &&
+                       std::none_of(corners.begin(), corners.end(),
+                                    [&](Vertex v) { return isOnCurve(run.mesh, v); });
+  for (int i = 0; mayLift && i < 3; ++i) offerLifts(run, corners[i], best);
   if (means == Means::ChangeCount) {
     offerCollapses(run, f, best);
     offerSplits(run, f, best);
@@ -219,8 +258,9 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
     const Attempt attempt{meansOf(round, rounds), goal.shift, proofs};
+    const int tries = attempt.means == Means::LeaveSurface ? kLastTries : kTries;
     for (const Face f : bad)
-      for (int i = 0; i < kTries && isBad(run, f, goal.angle) && mayTry(f); ++i)
+      for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i)
         if (!mend(run, f, attempt)) break;
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);

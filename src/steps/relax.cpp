@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "gate/angles.h"
+#include "operators/smoothing.h"
 #include "steps/sweeps.h"
 
 namespace remesher {
@@ -18,6 +20,19 @@ bool isAtRest(const Run& run, Vertex v, double share) {
   const double unrest = run.mesh.unrest(v);
   return unrest == 0 || (std::isfinite(unrest) &&
                          unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v)));
+}
+
+// Where smoothing has settled, angles change little after so many.
+constexpr int kWidenings = 3;
+constexpr double kNarrow = radians(52);
+
+VertexData<char> narrowCorners(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexData<char> found(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.faceCapacity(); ++i)
+    if (mesh.isAlive(Face(i)) && smallestAngle(run.mesh, Face(i)) < kNarrow)
+      for (const Vertex v : mesh.vertices(Face(i))) found[v] = 1;
+  return found;
 }
 
 }  // namespace
@@ -36,6 +51,15 @@ void relax(Run& run, int passes) {
       if (laplacianMove(run, star, v))
         run.mesh.stirNeighbors(v, (run.mesh.position(v) - before).norm());
     }
+}
+
+void widenAngles(Run& run) {
+  PolarMap star;
+  for (int pass = 0; pass < kWidenings; ++pass) {
+    const VertexData<char> narrow = narrowCorners(run);
+    for (Index i = 0; i < narrow.size(); ++i)
+      if (narrow[Vertex(i)]) widenAround(run, star, Vertex(i));
+  }
 }
 
 }  // namespace remesher

@@ -11,4 +11,8 @@ namespace remesher {
 // more than a small share of the size.
 void relax(Run& run, int passes);
 
+// Moves the corners of triangles with an angle below 50°, or hardly above, to where the angles
+// around them are widest.
+void widenAngles(Run& run);
+
 }  // namespace remesher

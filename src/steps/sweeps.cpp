@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gate/angles.h"
 #include "operators/smoothing.h"
 #include "surface/surface_walk.h"
 
@@ -26,13 +27,16 @@ namespace {
 // Of the way between its neighbours along the curve a vertex leaves this share on either side.
 constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
 
-// Moves v to `target` in the plane of its polar map, if that lies inside the star.
-bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
+// To `target` in the plane of v's polar map, if that lies inside the star.
+bool proposeTarget(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
   const auto location = star.locate(target);
   if (!location) return false;
   const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
-  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change) &&
-         commit(run);
+  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change);
+}
+
+bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
+  return proposeTarget(run, star, v, target) && commit(run);
 }
 
 template <class Visit>
@@ -144,6 +148,16 @@ bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
   if (run.quality == Quality::Draft && run.projector.walks()) return walkToMean(run, v);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   return relocateTo(run, star, v, laplacianTarget(star));
+}
+
+bool widenAround(Run& run, PolarMap& star, Vertex v) {
+  if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
+  star.build(run.mesh.mesh(), run.mesh.positions(), v);
+  const Vec2 target = wideTarget(star);
+  if (target == Vec2::Zero() || !proposeTarget(run, star, v, target)) return false;
+  const Grain& grain = run.rule.grain;
+  const double kept = std::min(smallestGoingAngle(run.mesh, run.change, grain), kWideAngle);
+  return smallestComingAngle(run.mesh, run.change, grain, kept) > kept && commit(run);
 }
 
 void laplacianSweep(Run& run) {

@@ -23,6 +23,10 @@ void laplacianSweep(Run& run);
 // The same for one vertex, of any kind. `star` is scratch space.
 bool laplacianMove(Run& run, PolarMap& star, Vertex v);
 
+// Moves an inner vertex to where the angles around it are widest, if on the surface, too, the
+// smallest of them is larger there, or wide enough.
+bool widenAround(Run& run, PolarMap& star, Vertex v);
+
 // Curve vertices slide along their chain to where the target sizes want them between their two
 // neighbours there, or, with run.stagger = 1, to abreast of the mean of all their neighbours. So
 // the vertices of two curves side by side come to lie in gaps, as those of any two rows should.

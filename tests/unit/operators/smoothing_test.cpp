@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "mesh/mesh_builder.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -82,5 +85,26 @@ TEST_CASE("smoothing: the middle of a regular star is its own target") {
   PolarMap map;
   map.build(built.mesh, built.positions, Vertex(0));
   CHECK(laplacianTarget(map).norm() < 1e-12);
+  CHECK(wideTarget(map).norm() < 1e-12);
   CHECK(areaBasedTarget(map, std::vector<double>(6, 1)).norm() < 1e-12);
+}
+
+TEST_CASE("smoothing: of seven triangles beside the middle each gets an angle as wide as can be") {
+  TriangleMesh mesh;
+  shapes::addVertex(mesh, Vec3(0.1, 0.07, 0));
+  for (int k = 0; k < 7; ++k) shapes::addVertex(mesh, shapes::onCircle(k, 7));
+  for (Index k = 0; k < 7; ++k) shapes::addTriangle(mesh, 0, 1 + k, 1 + (k + 1) % 7);
+  const BuiltMesh built = buildMesh(mesh);
+  PolarMap map;
+  map.build(built.mesh, built.positions, Vertex(0));
+  const auto smallest = [&](const Vec2& p) {
+    double angle = 360;
+    for (int i = 0; i < map.size(); ++i) {
+      const Vec2 a = map.rim(i) - p, b = map.rim(map.after(i)) - p;
+      angle = std::min(angle, std::acos(a.dot(b) / (a.norm() * b.norm())) / radians(1));
+    }
+    return angle;
+  };
+  CHECK(smallest(Vec2::Zero()) < 48);
+  CHECK(smallest(wideTarget(map)) > 50);
 }
