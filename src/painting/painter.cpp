@@ -151,25 +151,18 @@ class Painter {
   // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is
   // in it does the rim go on.
   void findPlaces(std::size_t texel) {
-    const TexelTriangle& plane = plane_[owners_[texel]];
-    places_.clear();
-    forEachPoint(texel, [&](const Vec2& at) {
-      if (keptWithin(plane, triangle_->rims, at) == at) look(at);
-    });
-    if (places_.empty())
-      forEachPoint(texel, [&](const Vec2& at) { look(keptWithin(plane, triangle_->rims, at)); });
-  }
-
-  void look(const Vec2& at) {
-    places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
-  }
-
-  template <class Visit>
-  void forEachPoint(std::size_t texel, const Visit& visit) const {
     const int side = int(std::clamp(std::ceil(rules_.finer / kAlike), kFewest, kMost));
-    const Vec2 corner = cornerOf(texel);
-    for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i) visit(corner + Vec2((i + 0.5) / side, (j + 0.5) / side));
+    places_.clear();
+    for (const bool isWithin : {true, false}) {
+      for (int i = 0; i < side * side; ++i) {
+        const int column = i % side, row = i / side;
+        const Vec2 point = cornerOf(texel) + Vec2(column + 0.5, row + 0.5) / side;
+        const Vec2 at = keptWithin(plane_[owners_[texel]], triangle_->rims, point);
+        if (isWithin && at != point) continue;
+        places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
+      }
+      if (!places_.empty()) return;
+    }
   }
 
   Vec2 cornerOf(std::size_t texel) const {
