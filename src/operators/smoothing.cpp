@@ -60,8 +60,8 @@ double costOf(double cosine) {
 }
 
 // Of all triangles, were the vertex at p; endless where one would turn over, or when `limit` is
-// reached.
-double costAt(const PolarMap& star, const Vec2& p, double limit) {
+// reached. One copy is enough: it takes far longer than a call.
+[[gnu::noinline]] double costAt(const PolarMap& star, const Vec2& p, double limit) {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   Vec2 a = star.rim(0) - p;
   double toA = a.norm(), sum = 0;

@@ -48,7 +48,8 @@ struct Best {
   LocalChange change = {};
   double gain = 0;
 
-  void offer(const Run& run) {
+  // From five places, seldom: one copy is enough.
+  [[gnu::noinline]] void offer(const Run& run) {
     const double better = smallestComingAngle(run.mesh, run.change, run.rule.grain) -
                           smallestGoingAngle(run.mesh, run.change, run.rule.grain);
     if (better <= gain || proofs.isSpent()) return;
