@@ -150,7 +150,7 @@ void finishDraft(Run& run, const Progress& progress) {
 // Nearer to the original, and no triangle left that could be better.
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
-  widenAngles(run);
+  if (areFewBelow(run, kFair)) widenAngles(run);
   polish(run, {kPolishBelow});
   progress.phase("land", 0, 0);
   land(run);
@@ -161,7 +161,7 @@ void finish(Run& run, const Progress& progress) {
   polish(run, {kSliver});
   if (isLarge(run)) return;
   polish(run, {kFair, kSmallShift});
-  polish(run, {kFine, kHardlyShift});
+  if (areFewBelow(run, kFine)) polish(run, {kFine, kHardlyShift});
 }
 
 }  // namespace

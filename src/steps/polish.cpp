@@ -240,6 +240,14 @@ std::size_t mostWork(const Run& run) {
 
 }  // namespace
 
+bool areFewBelow(const Run& run, double angle) {
+  constexpr double kFew = 0.02;
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t below = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) below += isBad(run, Face(i), angle) ? 1 : 0;
+  return double(below) <= kFew * double(mesh.faceCount());
+}
+
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;

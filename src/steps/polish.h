@@ -18,6 +18,10 @@ struct PolishGoal {
   double shift = std::numeric_limits<double>::infinity();  // of a step, in target edge lengths
 };
 
+// Whether hardly any triangle has an angle below this one. Between curves, and around handles, that
+// are closer than edges are long many have, no step helps them, and each costs distance.
+bool areFewBelow(const Run& run, double angle);
+
 // Keeps the number of vertices. No step moves the surface by more than the goal's shift.
 void polish(Run& run, const PolishGoal& goal, const Progress& progress = {});
 

@@ -71,6 +71,11 @@ TEST_CASE("polish: what it takes to prove a bound on the error is in proportion 
   CHECK(shapes::checkWorkingMesh(test.mesh) == "");
 }
 
+TEST_CASE("polish: of an even sphere few triangles are poor, of flat shells many") {
+  CHECK(areFewBelow(shapes::TestRun(shapes::icosphere(6)).run, radians(33)));
+  CHECK_FALSE(areFewBelow(shapes::TestRun(flatShells()).run, radians(33)));
+}
+
 TEST_CASE("polish: around a tip that stays vertices leave the surface a little, for wider angles") {
   const TriangleMesh input = spindle();
   const OriginalSurface surface = tipped(input);
