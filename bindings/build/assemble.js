@@ -11,20 +11,28 @@ import { optionDeclarations, withPlainImports } from './declarations.js';
 import { root, run, say } from './say.js';
 import { Stamp } from './stamp.js';
 
+/** What others have made and nobody reads here, shorter; comments go. @param {string} text */
+async function shortened(text) {
+  const { transform } = await import('esbuild'); // of the packages that the build has installed
+  return (await transform(text, { minify: true, format: 'esm', target: 'es2022' })).code;
+}
+
 /**
  * Modules of our own around the decoders of compressed glTF, complete in themselves: they work
  * under any bundler and without one, and a user of the package installs nothing else.
- * @returns {Record<string, string>} contents by file name
+ * @returns {Promise<Record<string, string>>} contents by file name
  */
-function decoderModules() {
+async function decoderModules() {
   const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
   const draco = 'draco3dgltf/draco_decoder_gltf';
   // Without `process` the script does not take Node for granted; without the names of CommonJS no
   // bundler takes it for a mixture of the two kinds of module, nor looks for Node's files.
   return {
-    'meshopt_decoder.mjs': String(read('meshoptimizer/meshopt_decoder.mjs')),
+    'meshopt_decoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
+// Copyright (C) 2016-2026, by Arseny Kapoulkine
+${await shortened(String(read('meshoptimizer/meshopt_decoder.mjs')))}`,
     'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
-const DracoDecoderModule = (function () {
+${await shortened(`const DracoDecoderModule = (function () {
 const process = undefined, module = undefined, exports = undefined, require = undefined;
 ${read(`${draco}_nodejs.js`)}
 return DracoDecoderModule;
@@ -35,15 +43,8 @@ export default async () => {
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   return DracoDecoderModule({ wasmBinary: await new Response(unpacked).arrayBuffer() });
 };
-`,
+`)}`,
   };
-}
-
-/** What Emscripten writes around the module and nobody reads: packed, a quarter less. */
-async function shortGlue() {
-  const { transform } = await import('esbuild'); // of the packages that the build has installed
-  const text = readFileSync(join(root, 'build/wasm/remesher.mjs'), 'utf8');
-  return (await transform(text, { minify: true, format: 'esm', target: 'es2022' })).code;
 }
 
 /** @param {string} folder @returns {string[]} the files below it, by their paths from the root */
@@ -79,7 +80,8 @@ export async function assemblePackage() {
   for (const file of ['build/wasm/remesher.wasm', ...declarations]) {
     copyFileSync(join(root, file), join(root, 'dist', basename(file)));
   }
-  const modules = { 'remesher.mjs': await shortGlue(), ...decoderModules() };
+  const glue = readFileSync(join(root, 'build/wasm/remesher.mjs'), 'utf8');
+  const modules = { 'remesher.mjs': await shortened(glue), ...await decoderModules() };
   for (const [name, text] of Object.entries(modules)) {
     writeFileSync(join(root, 'dist', name), text);
   }
