@@ -55,6 +55,7 @@ const found = [
   504814, // a primitive without attributes, before others
   511086, 511979, // vertices that came to one place: of a surface folded onto itself, of a curve
   605045, // triangles that are no lines before they are written
+  765195, // a flat book on the current mesh, whose vertices nothing may lift
   631917, // splits that an error bound asks for, along a side of a triangle
   606743, // a surface of the smallest numbers, which have few digits
   605896, // a ring lost to rounding, samples of which were near no triangle

@@ -15,6 +15,7 @@ class Projector {
  public:
   // reach: the longest edge that will be projected, model units; patches overlap accordingly.
   Projector(const OriginalSurface& surface, Projection mode, double reach);
+  Projection mode() const { return mode_; }
 
   // By the shortest way alone: patches take time to build.
   explicit Projector(const OriginalSurface& surface) : surface_(&surface) {}

@@ -185,7 +185,9 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   const auto corners = run.mesh.mesh().vertices(f);
   for (const Vertex v : corners) offerMove(run, v, ground, best);
+  // Without the original nothing says how far off it a vertex already is.
   const bool mayLift = means == Means::LeaveSurface &&
+                       run.projector.mode() == Projection::Patches &&
                        std::none_of(corners.begin(), corners.end(),
                                     [&](Vertex v) { return isOnCurve(run.mesh, v); });
   for (int i = 0; mayLift && i < 3; ++i) offerLifts(run, corners[i], best);
