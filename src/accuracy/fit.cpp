@@ -95,12 +95,7 @@ bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 // Along the mean normal of the triangles around v, by the mean of their samples' distances.
 void offsetVertex(Run& run, Vertex v, double distance) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  Vec3 normal = Vec3::Zero();
-  const Vec3 at = run.mesh.position(v);
-  mesh.forEachOutgoing(v, [&](Halfedge h) {
-    normal += areaVector(at, run.mesh.position(mesh.tip(h)), run.mesh.position(mesh.opposite(h)));
-  });
+  const Vec3 normal = run.mesh.areaVectorAround(v);
   if (!(normal.norm() > 0)) return;
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();

@@ -23,23 +23,11 @@ constexpr std::size_t kAlongNormal = 2;
 constexpr double kRoom = 0.1;
 const double kSmallTurn = std::cos(radians(45));
 
-double meanSpoke(const WorkingMesh& mesh, Vertex v) {
-  double sum = 0;
-  mesh.mesh().forEachNeighbor(
-      v, [&](Vertex w) { sum += (mesh.position(w) - mesh.position(v)).norm(); });
-  return sum / mesh.mesh().valence(v);
-}
-
 // First up and down the star's mean normal, then around it.
 std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
   const HalfedgeMesh& m = mesh.mesh();
-  const Vec3& at = mesh.position(v);
-  Vec3 normal = Vec3::Zero();
-  m.forEachOutgoing(v, [&](Halfedge h) {
-    normal += areaVector(at, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));
-  });
-  normal.normalize();
-  const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - at;
+  const Vec3 normal = mesh.areaVectorAround(v).normalized();
+  const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - mesh.position(v);
   const Vec3 x = (spoke - normal * normal.dot(spoke)).normalized(), y = normal.cross(x);
   std::vector<Vec3> directions = {0.5 * normal, -0.5 * normal};
   for (int i = 0; i < kDirections; ++i) {
@@ -68,7 +56,7 @@ StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDista
       crossings_(crossings),
       distances_(distances),
       v_(movable.vertex),
-      spoke_(meanSpoke(mesh_, v_)),
+      spoke_(mesh_.meanSpoke(v_)),
       best_(mesh_.placement(v_)),
       distance_(distances.around(v_, best_)),
       lowest_(std::min(movable.keepAngle, smallestAngleAround(mesh_, v_, best_.position))) {}

@@ -16,6 +16,9 @@ using Transform = Eigen::Affine3d;
 
 inline constexpr Index kNone = ~Index{0};
 
+// Of the parallelogram that they span: positive where b lies to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 

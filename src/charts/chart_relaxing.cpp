@@ -15,8 +15,6 @@ constexpr double kMostStretch = 1.5;
 // Areas are between these shares of what they should be: even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double twiceArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 PlaneTriangle placed(const PlaneMesh& mesh, std::size_t t) {

@@ -10,8 +10,6 @@ namespace remesher {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double angleBetween(const Vec3& a, const Vec3& b) {
   const double sine = a.cross(b).norm(), cosine = a.dot(b);
   return sine > 0 || cosine != 0 ? angleOf(sine, cosine) : 0;
@@ -39,6 +37,12 @@ void PolarMap::build(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
   for (std::size_t i = 0; i < n; ++i) {
     rim_[i] = spokes_[i].norm() * onUnitCircle(scale * rim_[i].x());
   }
+}
+
+double PolarMap::meanSpoke() const {
+  double mean = 0;
+  for (const Vec2& p : rim_) mean += p.norm() / size();
+  return mean;
 }
 
 std::optional<PolarMap::Location> PolarMap::locate(const Vec2& p) const {

@@ -23,6 +23,7 @@ class PolarMap {
   Vertex neighbor(int i) const { return neighbors_[i]; }
   const Vec2& rim(int i) const { return rim_[i]; }
   int after(int i) const { return i + 1 == size() ? 0 : i + 1; }
+  double meanSpoke() const;
 
   // Of the triangles (v, neighbor(i), neighbor(i + 1)) the one that holds `p`, with the weights of
   // those three corners; none when p lies outside the star.

@@ -14,8 +14,6 @@ namespace remesher {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // The least-squares solution of rows (u, v)·p = w. Each row is rotated into the triangular factor R
 // as it comes (Givens), so nothing but R and the rotated right side is kept.
 class RowQr {
@@ -103,8 +101,7 @@ Vec2 laplacianTarget(const PolarMap& star) {
 Vec2 wideTarget(const PolarMap& star) {
   constexpr double kFirstStep = 0.1, kLastStep = 0.02;  // of the mean spoke
   constexpr int kDirections = 6;
-  double spoke = 0;
-  for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
+  const double spoke = star.meanSpoke();
   Vec2 at = Vec2::Zero();
   double cost = costAt(star, at, std::numeric_limits<double>::infinity());
   for (double step = kFirstStep; step >= kLastStep;) {

@@ -29,6 +29,21 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       place(chains[c].vertices[i], onCurve({c, chains[c].arcs[i]}));
 }
 
+Vec3 WorkingMesh::areaVectorAround(Vertex v) const {
+  const Vec3& at = position(v);
+  Vec3 sum = Vec3::Zero();
+  mesh_.forEachOutgoing(v, [&](Halfedge h) {
+    sum += areaVector(at, position(mesh_.tip(h)), position(mesh_.opposite(h)));
+  });
+  return sum;
+}
+
+double WorkingMesh::meanSpoke(Vertex v) const {
+  double sum = 0;
+  mesh_.forEachNeighbor(v, [&](Vertex w) { sum += (position(w) - position(v)).norm(); });
+  return sum / mesh_.valence(v);
+}
+
 Placement WorkingMesh::placement(Vertex v) const {
   return {position_[v], normal_[v], at_[v], on_[v], kind_[v]};
 }

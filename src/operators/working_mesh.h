@@ -41,6 +41,9 @@ class WorkingMesh {
     const auto [a, b, c] = mesh_.vertices(f);
     return {position_[a], position_[b], position_[c]};
   }
+  // Of the star of v: the sum of its triangles' area vectors, and the mean length of its spokes.
+  Vec3 areaVectorAround(Vertex v) const;
+  double meanSpoke(Vertex v) const;
   VertexKind kind(Vertex v) const { return kind_[v]; }
   const SurfacePoint& at(Vertex v) const { return at_[v]; }
   const CurvePoint& on(Vertex v) const { return on_[v]; }

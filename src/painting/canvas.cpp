@@ -11,8 +11,6 @@ namespace remesher {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double distanceToEdge(const Vec2& p, const Vec2& a, const Vec2& b) {
   const double squared = (b - a).squaredNorm();
   const double t = squared > 0 ? std::clamp((p - a).dot(b - a) / squared, 0.0, 1.0) : 0;

@@ -91,8 +91,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   if (run.mesh.isPinned(v) && ground == Ground::Original) return;
   PolarMap star;
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
-  double spoke = 0;
-  for (int i = 0; i < star.size(); ++i) spoke += star.rim(i).norm() / star.size();
+  const double spoke = star.meanSpoke();
   Vec2 at = Vec2::Zero();
   double angle = 0;
   for (double step = kFirstStep; step >= kLastStep; step /= 2) {
@@ -119,15 +118,9 @@ bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
 // Up and down along the mean normal of the star.
 void offerLifts(Run& run, Vertex v, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior) return;
-  const HalfedgeMesh& mesh = run.mesh.mesh();
   const Vec3& at = run.mesh.position(v);
-  Vec3 normal = Vec3::Zero();
-  double spoke = 0;
-  mesh.forEachOutgoing(v, [&](Halfedge h) {
-    const Vec3& tip = run.mesh.position(mesh.tip(h));
-    normal += areaVector(at, tip, run.mesh.position(mesh.opposite(h)));
-    spoke += (tip - at).norm() / mesh.valence(v);
-  });
+  const Vec3 normal = run.mesh.areaVectorAround(v);
+  const double spoke = run.mesh.meanSpoke(v);
   if (!(normal.norm() > 0)) return;
   Placement place = run.mesh.placement(v);
   const Vec3 ground = run.mesh.surface().position(place.at);

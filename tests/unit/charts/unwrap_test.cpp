@@ -102,8 +102,6 @@ std::vector<char> noCuts(const TriangleMesh& mesh) {
   return std::vector<char>(mesh.indices.size(), 0);
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // Whether an edge of one has all of the other on its outer side.
 bool isApart(const PlaneTriangle& s, const PlaneTriangle& t) {
   for (int k = 0; k < 3; ++k)

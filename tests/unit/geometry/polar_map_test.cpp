@@ -13,8 +13,6 @@ using namespace remesher;
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double angle(const Vec2& a, const Vec2& b) {
   const double turned = std::atan2(cross(a, b), a.dot(b));
   return turned < 0 ? turned + 2 * std::numbers::pi : turned;
