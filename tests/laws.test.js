@@ -58,6 +58,7 @@ const found = [
   765195, // a flat book on the current mesh, whose vertices nothing may lift
   631917, // splits that an error bound asks for, along a side of a triangle
   606743, // a surface of the smallest numbers, which have few digits
+  729070, 775329, // vertices of boundaries that came upon corners
   605896, // a ring lost to rounding, samples of which were near no triangle
 ];
 

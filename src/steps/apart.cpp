@@ -6,16 +6,21 @@
 #include <utility>
 #include <vector>
 
+#include "steps/sweeps.h"
+
 namespace remesher {
 
 namespace {
 
-// Boundaries may have been cut apart where they lie on each other, and are to be joined again.
-enum class Tie { Boundary, Curve, None };
+// Boundaries may have been cut apart where they lie on each other, and are to be joined again:
+// there a vertex has reason to move only where it came upon one that was there before.
+enum class Tie { Fixed, Boundary, Curve, None };
 
 Tie tieOf(const WorkingMesh& mesh, Vertex v) {
-  if (mesh.mesh().isBoundary(v)) return Tie::Boundary;
-  return mesh.kind(v) == VertexKind::Interior ? Tie::None : Tie::Curve;
+  const VertexKind kind = mesh.kind(v);
+  if (!mesh.mesh().isBoundary(v)) return kind == VertexKind::Interior ? Tie::None : Tie::Curve;
+  if (kind == VertexKind::Corner) return Tie::Fixed;
+  return mesh.surface().curves().chains()[mesh.on(v).chain].kept ? Tie::Fixed : Tie::Boundary;
 }
 
 struct Written {
@@ -46,23 +51,42 @@ std::vector<Written> inOnePlane(const Run& run) {
   return result;
 }
 
-// Of those at one place all but the first of the least free; of boundaries none.
+// Of those at one place all but the first of the least free; of boundaries those that may move, if
+// that one may not.
 std::vector<Written> onOthers(const Run& run) {
   std::vector<Written> all = inOnePlane(run);
   std::sort(all.begin(), all.end(),
             [](const Written& a, const Written& b) { return a.key() < b.key(); });
   std::vector<Written> result;
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i].tie != Tie::Boundary && all[i].position == all[i - 1].position)
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i].position != all[first].position)
+      first = i;
+    else if (all[i].tie > Tie::Boundary || all[i].tie > all[first].tie)
       result.push_back(all[i]);
+  }
   return result;
 }
 
-// step: of the way to the middle of the edge opposite to v. Where the surface is folded onto itself
-// normals say nothing of a move within it.
-void moveInside(Run& run, Vertex v, double step) {
+// Where the surface is folded onto itself normals say nothing of a move within it.
+FidelityRule ruleOfMoves(const Run& run) {
   FidelityRule rule = lenient(run);
   rule.mode = Fidelity::Fold;
+  return rule;
+}
+
+// step: of the way to the next vertex along v's curve.
+void moveAlong(Run& run, Vertex v, double step) {
+  const auto [chain, own] = run.mesh.on(v);
+  const double next = run.mesh.onChain(curveNeighbors(run.mesh, v).after, chain).arc;
+  const CurvePoint to{chain, own + step * (next - own)};
+  proposePlacement(run.mesh, v, run.mesh.onCurve(to), run.change);
+  commit(run, ruleOfMoves(run));
+}
+
+// step: of the way to the middle of the edge opposite to v.
+void moveInside(Run& run, Vertex v, double step) {
+  const FidelityRule rule = ruleOfMoves(run);
   const Vec3 before = written(run.mesh.position(v), run.rule.grain);
   bool isDone = false;
   run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
@@ -82,8 +106,10 @@ std::size_t moveApart(Run& run) {
   double step = 0.25;
   std::vector<Written> others = onOthers(run);
   for (int i = 0; i < kTries && !others.empty(); ++i, step /= 2) {
-    for (const Written& one : others)
-      if (one.tie == Tie::None) moveInside(run, one.vertex, step);
+    for (const auto& [position, tie, v] : others) {
+      if (tie == Tie::None) moveInside(run, v, step);
+      if (tie == Tie::Boundary) moveAlong(run, v, step);
+    }
     others = onOthers(run);
   }
   return others.size();

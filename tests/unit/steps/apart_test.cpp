@@ -70,3 +70,20 @@ TEST_CASE("apart: those that must stay are counted, but for boundaries") {
   sheets.run.rule.grain.size = 1e-7;
   CHECK(moveApart(sheets.run) == 0);
 }
+
+TEST_CASE("apart: a vertex of a boundary leaves the corner of another") {
+  const TriangleMesh below{.positions = {{0, 0, 0}, {0, -2, 0}, {2, 0, 0}}, .indices = {0, 1, 2}};
+  const TriangleMesh above{.positions = {{1, 0, 0}, {2, 1, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+  shapes::TestRun test(soups::joined({below, above}));
+  const Halfedge side = test.mesh.mesh().find(Vertex(2), Vertex(0));
+  REQUIRE(proposeSplit(test.mesh, test.projector, side, test.run.change));
+  REQUIRE(commit(test.run));
+  const Vec3 corner = test.mesh.position(Vertex(3));
+  REQUIRE(test.mesh.position(test.run.result) == corner);
+  const Vertex middle = test.run.result;
+  CHECK(moveApart(test.run) == 0);
+  CHECK(test.mesh.position(Vertex(3)) == corner);
+  CHECK((test.mesh.position(middle) - corner).norm() > 0.1);
+  CHECK(test.mesh.position(middle).y() == 0);
+  CHECK(shapes::checkWorkingMesh(test.mesh) == "");
+}
