@@ -3,7 +3,7 @@
 // and by require(), and in Chromium by way of each bundler and of none. Parcel, which is as large
 // as all others together, has `npm run parcel`.
 import assert from 'node:assert/strict';
-import { copyFileSync } from 'node:fs';
+import { copyFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
@@ -123,6 +123,9 @@ test('pages of Vite and webpack paint textures in the worker, the bytes Node pai
       await build(place);
       assert.deepEqual(await lineOfPage(browser, join(folder, place, 'out')),
         { line: inNode, complaints: [] }, place);
+      // The engine, and the two halves of each codec; PNG has both in one.
+      const built = readdirSync(join(folder, place, 'out'), { recursive: true });
+      assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 6, place);
     }
   });
 

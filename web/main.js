@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page's wiring: which act follows which event.
 import { init } from 'remesher';
+import { codecs } from 'remesher/codecs';
 import { open, showFacts } from './acts/opening.js';
 import { Page } from './acts/page.js';
 import { remesh, showReport } from './acts/running.js';
@@ -17,7 +18,7 @@ const first = wished.model ?? samples[0].id;
 // On their way while the page is still being made. What is wrong is told where it is needed.
 const coming = namedFiles(first);
 coming.catch(() => {});
-init().catch(() => {});
+init({ codecs }).catch(() => {});
 
 await setLanguage(firstLanguage());
 const steering = new Steering();

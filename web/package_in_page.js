@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Build step: what the page has of the package, otherwise than other users. Its worker has the
-// codecs of images; the page itself runs nothing, for a browser that reads it has workers.
-import { fileURLToPath } from 'node:url';
+// Build step: what the page has of the package, otherwise than other users.
 
-const codecs = fileURLToPath(new URL('image_codecs.js', import.meta.url));
 const nothing = '\0nothing';
+const exported = 'export const Engine = null, plainWorker = null, loadPackage = () => {};';
 
-/** @returns {import('vite').Plugin} for the page */
-export function withoutEngine() {
+/** A browser that reads the page has workers, and its worker has codecs: nothing runs in the page,
+ * and no plain worker starts. */
+const unused = /\/(worker\/engine|plain_worker|textures\/bundled_packages)\.js$/;
+
+/** @returns {import('vite').Plugin} for the page, not for its workers */
+export function withoutUnused() {
   return {
-    name: 'without-engine',
+    name: 'without-unused',
     enforce: 'pre',
-    resolveId: (source) => (source.endsWith('worker/engine.js') ? nothing : null),
-    load: (id) => (id === nothing ? 'export const Engine = undefined;' : null),
+    resolveId: (source) => (unused.test(source) ? nothing : null),
+    load: (id) => (id === nothing ? exported : null),
   };
 }
 
@@ -28,21 +30,6 @@ export function earlyWasm() {
         return file ? [{ tag: 'link', injectTo: 'head', attrs: { rel: 'preload', as: 'fetch',
           type: 'application/wasm', crossorigin: true, href: `./${file}` } }] : [];
       },
-    },
-  };
-}
-
-/** @returns {import('vite').Plugin} for the worker */
-export function withCodecs() {
-  return {
-    name: 'with-codecs',
-    enforce: 'pre',
-    async resolveId(source, importer) {
-      if (source === './codec_packages.js') return codecs;
-      // Every browser that runs modules in workers has these instructions; two encoders might
-      // differ in a byte.
-      if (source !== './codec/enc/webp_enc.js') return null;
-      return this.resolve('./codec/enc/webp_enc_simd.js', importer);
     },
   };
 }

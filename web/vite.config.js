@@ -4,7 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { installable } from './installable.js';
-import { earlyWasm, withCodecs, withoutEngine } from './package_in_page.js';
+import { earlyWasm, withoutUnused } from './package_in_page.js';
 import { sampleFiles } from './sample_files.js';
 import { wordsInPlace } from './words_in_place.js';
 
@@ -12,8 +12,10 @@ export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   publicDir: false,
-  plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutEngine()],
-  worker: { format: 'es', plugins: () => [withCodecs()] },
+  plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused()],
+  // The codecs of images in one script: they are much alike, and packed together half as large.
+  worker: { format: 'es', rolldownOptions: {
+    output: { codeSplitting: { groups: [{ name: 'codecs', test: /@jsquash/ }] } } } },
   build: {
     outDir: fileURLToPath(new URL('../build/web', import.meta.url)),
     emptyOutDir: true,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What differs in browsers: where the WebAssembly is and how a worker is started. The two
-// `new URL(…, import.meta.url)` are written out so that bundlers see them.
+// What differs in browsers: where the WebAssembly is and how a worker is started. The
+// `new URL(…, import.meta.url)` is written out so that bundlers see it.
 
 import { compileUrl } from './api/wasm_source.js';
+import { plainWorker } from './plain_worker.js';
 
 /** @returns {Promise<WebAssembly.Module>} */
 export function compileDefault() {
@@ -12,9 +13,6 @@ export function compileDefault() {
 export { compileUrl };
 
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
-
-const plainWorker = () =>
-  new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
 
 /**
  * @param {import('./api/client.js').Codecs} [codecs]

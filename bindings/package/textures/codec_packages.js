@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the codecs come from: packages that users install beside this one. A build that has them
-// can put a module in this one's place whose imports its bundler sees.
+// Where the codecs come from in Node: packages that users install beside this one.
 
 import { RemeshError } from '../base/errors.js';
 
