@@ -67,7 +67,8 @@ test('--json is the whole report and nothing else on standard output', () => {
 
 test('inspect reports, in words and as JSON, and writes nothing', () => {
   const before = readdirSync(folder).sort();
-  assert.match(run('inspect', 'torus.off').stdout, /^input: 1152 vertices, 2304 triangles/);
+  assert.match(run('inspect', 'torus.off').stdout,
+    /^input: 1152 vertices, 2304 triangles, 1 component\n/);
   const report = JSON.parse(run('inspect', 'torus.off', '--json').stdout);
   assert.equal(report.input.eulerCharacteristic, 0);
   assert.equal(report.output, undefined);
@@ -130,6 +131,34 @@ test('wrong words are named, with what to do', () => {
   isRefused(/--ratio does not belong there/, 'inspect', 'torus.off', '--ratio', '1');
   isRefused(/--root needs a value/, 'torus.off', '-o', 'x.off', '--root');
   isRefused(/both want standard output/, 'torus.off', '-o', '-', '--format', 'obj', '--json');
+  isRefused(/Standard input is not read\. Give a file/, '-', '-o', 'x.off');
+});
+
+test('values of the wrong kind are shown as they were written', () => {
+  const isRefused = (flag, value) => assert.throws(
+    () => parseCommandLine(['torus.off', '-o', 'x.glb', flag, value]),
+    (error) => error.message.startsWith(`${flag} must be `)
+      && error.message.endsWith(`, not '${value}'.`));
+  isRefused('--lods', 'half');
+  isRefused('--lods', '0.5,-1');
+  isRefused('--lods', '');
+  isRefused('--vertices', '');
+  isRefused('--format', 'fbx');
+});
+
+test('an output’s name tells the format, and nothing else may tell another', () => {
+  const isRefused = (pattern, ...words) => assert.throws(() => parseCommandLine(words),
+    (error) => exitStatusOf(error) === 2 && pattern.test(errorInWords(error)));
+  isRefused(/output result has no extension.* end in \.glb/, 'torus.off', '-o', 'result');
+  isRefused(/--format obj and the output x\.glb contradict/,
+    'convert', 'torus.off', '-o', 'x.glb', '--format', 'obj');
+  assert.equal(parseCommandLine(['a.off', '-o', 'x.GLB', '--format', '.glb']).format, 'glb');
+});
+
+test('inspect writes no file, and takes one', () => {
+  failsWith(2, /inspect writes no file/, 'inspect', 'torus.off', '-o', 'x.off');
+  failsWith(2, /inspect writes no file/, 'inspect', 'torus.off', '--format', 'obj');
+  failsWith(2, /two input files.* one after the other/, 'inspect', 'torus.off', 'b.off');
 });
 
 const badFiles = {
@@ -159,7 +188,7 @@ test('impossible targets are refused', () => {
 test('an input that is not there, or a folder, is refused', () => {
   failsWith(2, /nothere\.off cannot be read: there is no such file/, 'nothere.off', '-o', 'x.off');
   mkdirSync(inFolder('sub'), { recursive: true });
-  failsWith(2, /sub cannot be read: it is a folder/, 'sub', '-o', 'x.off');
+  failsWith(2, /sub cannot be read: it is a folder\. For all .* end in \//, 'sub', '-o', 'x.off');
 });
 
 test('an output that cannot be written is refused, and leaves nothing behind', () => {

@@ -98,8 +98,8 @@ test('every flag is the kebab case of its name, is parsed, and is in the help', 
 });
 
 test('flags take their value as the next word or after =', () => {
-  assert.equal(parseCommandLine(['a', '-o', 'b', '--ratio', '0.5']).options.ratio, 0.5);
-  assert.equal(parseCommandLine(['a', '-o', 'b', '--ratio=0.5']).options.ratio, 0.5);
-  assert.equal(parseCommandLine(['a', '-o', 'b', '--feature-angle', 'off']).options.featureAngle,
-    'off');
+  assert.equal(parseCommandLine(['a', '-o', 'b.off', '--ratio', '0.5']).options.ratio, 0.5);
+  assert.equal(parseCommandLine(['a', '-o', 'b.off', '--ratio=0.5']).options.ratio, 0.5);
+  const { options } = parseCommandLine(['a', '-o', 'b.off', '--feature-angle', 'off']);
+  assert.equal(options.featureAngle, 'off');
 });

@@ -80,7 +80,7 @@ export const optionTable = [
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
-    help: 'of baked textures; jpeg if not given, but png for normals and alpha' },
+    help: 'of baked textures; jpeg, if not given; normals and alpha are png, then' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
@@ -209,11 +209,12 @@ function inWords(value) {
  * @param {Option} option
  * @param {unknown} value
  * @param {string} label how the caller knows the option
+ * @param {unknown} [given] the value as the caller wrote it
  */
-export function checkValue(option, value, label) {
+export function checkValue(option, value, label, given = value) {
   if (isAllowed(option, value)) return;
   throw new RemeshError('INVALID_OPTION',
-    `${label} must be ${rangeInWords(option)}, not ${inWords(value)}.`);
+    `${label} must be ${rangeInWords(option)}, not ${inWords(given)}.`);
 }
 
 /** @param {Uint32Array | readonly (readonly number[])[]} pairs @returns {Uint32Array} a copy */

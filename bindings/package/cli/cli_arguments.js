@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The command line's words: parsing by the option table, and the help made from it.
 
+import { extname } from 'node:path';
+
 import { RemeshError } from '../base/errors.js';
 import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
@@ -37,7 +39,7 @@ const ownFlags = [
     + 'are there already' },
   { flag: '--skip-existing', help: 'many files: leave out those whose results are there' },
   { flag: '--json', help: 'the report, and nothing else, on standard output' },
-  { flag: '--quiet', help: 'no progress bar' },
+  { flag: '--quiet', help: 'no progress bar, no report in words' },
   { flag: '-h, --help', help: 'this text' },
   { flag: '--version', help: 'the version' },
 ];
@@ -61,14 +63,11 @@ function wrongUse(message, hint = 'remesher --help lists the options.') {
 
 /** @param {Option} option @param {string} text */
 function valueFrom(option, text) {
-  if (option.type === 'shares') {
-    const shares = text.split(',').map((share) => (share.trim() === '' ? NaN : Number(share)));
-    checkValue(option, shares, String(flagOf(option)));
-    return shares;
-  }
-  const isNumber = option.type === 'integer' || option.type === 'number';
-  const value = isNumber && text.trim() !== '' && text !== 'off' ? Number(text) : text;
-  checkValue(option, Number.isNaN(value) ? text : value, String(flagOf(option)));
+  const numberOf = (/** @type {string} */ word) => (word.trim() === '' ? NaN : Number(word));
+  const isNumber = (option.type === 'integer' || option.type === 'number') && text !== 'off';
+  const value = option.type === 'shares' ? text.split(',').map(numberOf)
+    : isNumber ? numberOf(text) : text;
+  checkValue(option, value, String(flagOf(option)), Number.isFinite(value) ? value : text);
   return value;
 }
 
@@ -108,10 +107,18 @@ function jobsFrom(text) {
   throw wrongUse(`--jobs must be a whole number from 1 to 1024, not '${legible(text)}'.`);
 }
 
+/** @param {string} text */
+function formatFrom(text) {
+  const name = text.replace(/^\./, '').toLowerCase();
+  const format = formats.find((known) => known === name);
+  if (format) return format;
+  throw wrongUse(`--format must be ${inWords(formats)}, not '${legible(text)}'.`);
+}
+
 /** @param {CommandLine} line @param {string} flag @param {string} value */
 function setOwn(line, flag, value) {
   if (flag === '-o' || flag === '--output') line.output = value;
-  if (flag === '--format') line.format = value.replace(/^\./, '').toLowerCase();
+  if (flag === '--format') line.format = formatFrom(value);
   if (flag === '--root') line.root = value;
   if (flag === '--jobs') line.jobs = jobsFrom(value);
   if (flag === '--force') line.force = true;
@@ -132,6 +139,9 @@ function setNames(line, names) {
   if (inputs.length === 0) {
     throw wrongUse('No input file is given.', 'Use: remesher <input> -o <output> [options]');
   }
+  if (inputs.includes('-')) {
+    throw wrongUse('Standard input is not read.', 'Give a file; its name tells the format.');
+  }
   line.inputs = [...inputs];
   if (command) line.command = command;
 }
@@ -141,11 +151,25 @@ function checkInputs({ command, inputs: [first, second], output, skipExisting, j
   if (command !== 'inspect' && isFolder(output)) return;
   if (second !== undefined) {
     throw wrongUse(`There are two input files, ${legible(first)} and ${legible(second)}.`,
-      'Name the output with -o <output>; for many files let it end in /.');
+      command === 'inspect' ? 'Inspect one after the other.'
+        : 'Name the output with -o <output>; for many files let it end in /.');
   }
   if (skipExisting || jobs > 0) {
     throw wrongUse(`${jobs > 0 ? '--jobs' : '--skip-existing'} is for many files.`,
       'Let the output end in /.');
+  }
+}
+
+/** The name of a single output tells the format. @param {CommandLine} line */
+function checkName({ output, format }) {
+  const extension = extname(output).slice(1).toLowerCase();
+  if (extension === '') {
+    throw wrongUse(`The output ${legible(output)} has no extension, which would tell the format.`,
+      `Let it end in .${format || 'glb'}, say; or in /, for many files.`);
+  }
+  if (format !== '' && format !== extension) {
+    throw wrongUse(`--format ${format} and the output ${legible(output)} contradict each other.`,
+      `Let it end in .${format}, or leave out --format.`);
   }
 }
 
@@ -156,6 +180,9 @@ function checkOutput(line) {
     throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(foreign)} does not `
       + 'belong there.');
   }
+  if (line.command === 'inspect' && line.output + line.format !== '') {
+    throw wrongUse('remesher inspect writes no file.', 'Leave out -o and --format.');
+  }
   if (line.command !== 'remesh' && line.command !== 'convert') return;
   if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
   if (line.output === '-' && line.format === '') {
@@ -164,6 +191,7 @@ function checkOutput(line) {
   if (line.output === '-' && line.json) {
     throw wrongUse('--json and -o - both want standard output.', 'Write to a file instead.');
   }
+  if (line.output !== '-' && !isFolder(line.output)) checkName(line);
 }
 
 /** @param {readonly string[]} words @returns {CommandLine} */
@@ -176,7 +204,7 @@ export function parseCommandLine(words) {
   const names = [];
   for (const { flag, value } of tokens(words)) {
     const option = tableFlags.get(flag);
-    if (option) line.options[option.name] = value === '' || valueFrom(option, value);
+    if (option) line.options[option.name] = option.type === 'boolean' || valueFrom(option, value);
     else if (flag === '') names.push(value);
     else setOwn(line, flag, value);
   }

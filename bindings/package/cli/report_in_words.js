@@ -9,7 +9,7 @@ function meshInWords(title, mesh) {
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
     `${title}: ${mesh.vertices} vertices, ${mesh.triangles} triangles, `
-      + `${mesh.components} components`,
+      + `${mesh.components} component${mesh.components === 1 ? '' : 's'}`,
     `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
       + `degenerate triangles ${mesh.degenerateTriangles}, `
       + `Euler characteristic ${mesh.eulerCharacteristic}`,

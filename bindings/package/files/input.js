@@ -40,7 +40,10 @@ function tooLarge(path) {
 export async function readInput(path) {
   try {
     const stats = await stat(path);
-    if (!(stats.isFile() || stats.isFIFO())) throw unreadable(path, `it is ${kindOf(stats)}`);
+    if (!(stats.isFile() || stats.isFIFO())) {
+      throw unreadable(path, `it is ${kindOf(stats)}`, stats.isDirectory()
+        ? 'For all models in it, let the output end in /.' : undefined);
+    }
     if (stats.size > largest) throw tooLarge(path);
     const handle = await open(path);
     try {
