@@ -4,8 +4,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
-  chmodSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync,
-  writeFileSync,
+  existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
@@ -14,6 +13,7 @@ import { after, test } from 'node:test';
 import { inspect, remeshFile } from 'remesher';
 
 import { startChromium } from './support/chromium.js';
+import { linkInstalled } from './support/installed.js';
 import { offText, torus } from './support/shapes.js';
 import { serve } from './support/line_of_page.js';
 import { filesUnder, readText, root } from './support/tree.js';
@@ -21,18 +21,7 @@ import { filesUnder, readText, root } from './support/tree.js';
 const folder = mkdtempSync(join(tmpdir(), 'remesher-recipes-'));
 after(() => rmSync(folder, { recursive: true }));
 
-// What `npm install` brings is there already; npx runs it without asking a registry.
-const packages = join(folder, 'node_modules');
-mkdirSync(join(packages, '.bin'), { recursive: true });
-symlinkSync(root, join(packages, 'remesher'));
-for (const name of ['three', '@gltf-transform', 'vite']) {
-  symlinkSync(join(root, 'node_modules', name), join(packages, name));
-}
-symlinkSync(join(root, 'dist/cli/cli.js'), join(packages, '.bin/remesher'));
-symlinkSync(join(root, 'node_modules/.bin/vite'), join(packages, '.bin/vite'));
-const npx = join(packages, '.bin/npx');
-writeFileSync(npx, '#!/bin/sh\nname=$1\nshift\nexec "$(dirname "$0")/$name" "$@"\n');
-chmodSync(npx, 0o755);
+const packages = linkInstalled(folder);
 
 const model = new TextEncoder().encode(offText(torus({ columns: 40, rows: 20 })));
 const as = async (/** @type {string} */ output) => (await remeshFile(model,

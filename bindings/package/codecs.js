@@ -11,7 +11,7 @@ import { loadPackage } from './textures/bundled_packages.js';
  *
  * @example
  * await init({ codecs });
- * const { bytes } = await remeshFile(file, { vertices: 5000, textures: 'bake' });
+ * const { bytes } = await remeshFile(file, { output: 'glb', textures: 'bake' });
  *
  * @type {Codecs}
  */
