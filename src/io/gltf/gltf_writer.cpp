@@ -28,10 +28,11 @@ enum class Container { Text, Binary };
 // What refers to an image that is yet to be encoded.
 constexpr std::string_view kPainting = "painting:";
 
-// Whether the mesh is the one that was read: the file itself is the only record of it.
+// Whether the mesh is the one in the file, which itself is the only record of it.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
   std::vector<Warning> alreadyKnown;
-  return isSame(part.mesh, readGeometry(document, mesh, alreadyKnown));
+  const TriangleMesh read = readGeometry(document, mesh, alreadyKnown);
+  return !isMended(alreadyKnown) && isSame(part.mesh, read);
 }
 
 // The numbers of the parts that were replaced.

@@ -14,4 +14,10 @@ bool isSame(const TriangleMesh& a, const TriangleMesh& b) {
                     b.attributes.end(), sameAttribute);
 }
 
+bool isMended(const std::vector<Warning>& warnings) {
+  return std::any_of(warnings.begin(), warnings.end(), [](const Warning& warning) {
+    return warning.code == "NON_FINITE_ATTRIBUTE" || warning.code == "JOINT_NOT_IN_SKIN";
+  });
+}
+
 }  // namespace remesher::io

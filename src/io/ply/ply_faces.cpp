@@ -48,29 +48,32 @@ Index vertexAt(PlyBody& body, double number, Index vertexCount) {
             "Repair the file: every face may name only vertices that are there.");
 }
 
-// What no float can hold is no number to compare with either.
-double finite(double value) {
-  return std::abs(value) <= double{std::numeric_limits<float>::max()} ? value : 0;
-}
-
 // One row of the element.
 struct Face {
   std::vector<Index> corners;
   std::vector<float> texcoords;
   double textureNumber = 0;
+  std::size_t notFinite = 0;  // of this row and those before
+
+  // What no float can hold is no number to compare with either.
+  double finite(double value) {
+    if (std::abs(value) <= double{std::numeric_limits<float>::max()}) return value;
+    ++notFinite;
+    return 0;
+  }
 };
 
 void readProperty(PlyBody& body, const PlyProperty& property, Role role, Face& face) {
   if (role == Role::Ignored) {
     body.skip(property);
   } else if (role == Role::TextureNumber) {
-    face.textureNumber = finite(body.next(property.type, "a texture's number"));
+    face.textureNumber = face.finite(body.next(property.type, "a texture's number"));
   } else {
     const Index count = body.nextCount(property, "the number of texture coordinates of a face");
     face.texcoords.clear();
     for (Index i = 0; i < count; ++i)
       face.texcoords.push_back(
-          static_cast<float>(finite(body.next(property.type, "a texture coordinate"))));
+          static_cast<float>(face.finite(body.next(property.type, "a texture coordinate"))));
   }
 }
 
@@ -82,6 +85,7 @@ void readCorners(PlyBody& body, const PlyProperty& list, Index vertexCount, Face
 }
 
 void append(PlyFaces& faces, const Face& face) {
+  faces.notFinite = face.notFinite;
   if (face.corners.size() < 3) {
     ++faces.degenerate;
     return;

@@ -142,8 +142,10 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
   warn("NOT_TRIANGLES",
        "Only faces are remeshed; the result lacks: " + legibleList(content.otherElements) + ".",
        content.otherElements.size());
+  std::size_t notFinite = content.vertices.notFinite;
+  for (const PlyFaces& faces : content.faces) notFinite += faces.notFinite;
   warn("NON_FINITE_ATTRIBUTE", "Values of attributes that are not finite are read as 0.",
-       content.vertices.notFinite);
+       notFinite);
   return warnings;
 }
 

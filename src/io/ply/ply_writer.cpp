@@ -14,13 +14,14 @@
 namespace remesher::io {
 namespace {
 
-// Whether the mesh is the one that was read: the file itself is the only record of it.
+// Whether the mesh is the one in the file, which itself is the only record of it.
 bool isUntouched(const PlySource& source, const Model& model) {
   if (model.parts.size() != 1) return false;
   const TriangleMesh& mesh = model.parts[0].mesh;
   if (mesh.positions.size() != source.vertexCount || mesh.triangleCount() != source.triangleCount)
     return false;
-  return isSame(mesh, readPly(source.original, {}).parts[0].mesh);
+  const Model read = readPly(source.original, {});
+  return !isMended(read.warnings) && isSame(mesh, read.parts[0].mesh);
 }
 
 // All that a row of the file is made of.

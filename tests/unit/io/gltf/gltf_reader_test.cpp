@@ -230,4 +230,5 @@ TEST_CASE("gltf: joints that the skin has not bind nothing") {
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].code == "JOINT_NOT_IN_SKIN");
   CHECK(model.warnings[0].count == 2);
+  CHECK(io::read(io::write(model, "out.glb").files[0]).warnings.empty());
 }

@@ -256,6 +256,11 @@ TEST_CASE("ply: texture coordinates of corners that are no numbers are 0") {
                                              "property float texnumber\n"),
                                     "3 0 1 2\n", "3 0 1 2 6 nan 1 1e300 1 0.5 -inf nan\n");
   CHECK(valuesOf(meshOf(text), "TEXCOORD_0") == std::vector<float>{0, 1, 0, 1, 0.5F, 0});
+  const io::Model model = io::read(textFile("a.ply", text));
+  REQUIRE(model.warnings.size() == 1);
+  CHECK(model.warnings[0].code == "NON_FINITE_ATTRIBUTE");
+  CHECK(model.warnings[0].count == 4);
+  CHECK(textOf(io::write(model, "b.ply").files[0]).find(" 0 1 0 1 0.5 0 0\n") != std::string::npos);
 }
 
 TEST_CASE("ply: colours in floats may count to one or to 255") {
@@ -273,6 +278,7 @@ TEST_CASE("ply: numbers that are not finite are refused of places, and 0 of the 
   const io::Model model = io::read(textFile("a.ply", replaced(textSquare(), "0.25", "nan")));
   CHECK(valuesOf(model.parts[0].mesh, "_QUALITY")[1] == 0);
   CHECK(model.warnings.at(0).code == "NON_FINITE_ATTRIBUTE");
+  CHECK(textOf(io::write(model, "b.ply").files[0]).find("nan") == std::string::npos);
 }
 
 TEST_CASE("ply: a header of thousands of names is refused, not compared with itself") {
