@@ -19,6 +19,8 @@ constexpr int kPatience = 6;            // rounds within which what is left must
 constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
 constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
 constexpr double kPolishBelow = radians(30);
+// What cannot reach its goal with the few is not worth more; for wider angles more are.
+constexpr std::size_t kFewProofs = 400, kManyProofs = 1000;
 
 // With so many vertices mending has no future: those asked for are out of reach from there, and the
 // original itself is nearer to them.
@@ -64,9 +66,11 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   run.scale = 1;
   run.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  grantProofs(run, kFewProofs);
   coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.phase("coarsen", 0.3, 0.6));
   const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
   delaunayFlips(run.mesh, run.rule);
+  grantProofs(run, isReached ? kManyProofs : kFewProofs);
   if (isReached)
     polishInCount(run, progress.phase("polish", 0.6, 1));
   else

@@ -13,6 +13,7 @@ namespace {
 
 // A proof takes a few hundred pieces.
 constexpr std::size_t kMostPieces = 2'000;
+constexpr std::size_t kRemembered = 8;
 
 // A short list of triangles, each with a ball that holds it, which rules most of them out.
 class Nearby {
@@ -118,6 +119,12 @@ ErrorBound::ErrorBound(const OriginalSurface& surface, double distance)
       triangles_(surface.mesh().triangles()),
       tree_(surface.positions().values(), triangles_) {}
 
+void ErrorBound::remember(const Piece& lost) const {
+  if (lost_.size() < kRemembered) return lost_.push_back(lost);
+  lost_[losses_] = lost;
+  losses_ = (losses_ + 1) % kRemembered;
+}
+
 bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& change,
                                const std::vector<Triangle>& coming) const {
   const std::vector<Face> faces = goingFaces(mesh.mesh(), change);
@@ -136,20 +143,30 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
     ++pieces_;
     return look(piece);
   };
-  bool kept = true;
+  const SearchLimits limits{kSmallestPiece * distance_, kMostPieces};
+  if (std::any_of(lost_.begin(), lost_.end(), [&](const Piece& piece) {
+        return isFailure(piece, counted(piece).finding, limits);
+      }))
+    return false;
+  std::optional<Piece> lost;
   tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
-    kept = kept && !findFailure(tree_.corners(triangle), {kSmallestPiece * distance_, kMostPieces},
-                                counted);
+    if (!lost) lost = findFailure(tree_.corners(triangle), limits, counted);
   });
-  return kept;
+  if (lost) remember(*lost);
+  return !lost;
 }
 
 bool ErrorBound::allows(const WorkingMesh& mesh, const LocalChange& change) const {
   const std::vector<Triangle> coming = comingTriangles(mesh, change);
+  if (isSpent()) return false;
   const Vertex rim = mesh.mesh().vertices(change.going[0])[0];
   NearTree look(tree_, distance_, mesh.at(rim).face.index);
+  const auto counted = [&](const Piece& piece) {
+    ++pieces_;
+    return look(piece);
+  };
   for (const Triangle& t : coming)
-    if (findFailure(t, {kSmallestPiece * distance_, kMostPieces}, look)) return false;
+    if (findFailure(t, {kSmallestPiece * distance_, kMostPieces}, counted)) return false;
   return keepsOriginal(mesh, change, coming);
 }
 

@@ -3,8 +3,10 @@
 // change that is allowed.
 #pragma once
 
+#include <limits>
 #include <vector>
 
+#include "geometry/piecewise.h"
 #include "geometry/triangle_tree.h"
 #include "operators/local_change.h"
 
@@ -20,7 +22,9 @@ class ErrorBound {
   // those around.
   bool allows(const WorkingMesh& mesh, const LocalChange& change) const;
 
-  // The work of all proofs so far, in pieces looked at.
+  // Proofs are work: from now on so many pieces may be looked at, about; then nothing is allowed.
+  void grant(std::size_t pieces) const { most_ = pieces_ + pieces; }
+  bool isSpent() const { return pieces_ >= most_; }
   std::size_t piecesLookedAt() const { return pieces_; }
 
   double distance() const { return distance_; }
@@ -29,11 +33,16 @@ class ErrorBound {
  private:
   bool keepsOriginal(const WorkingMesh& mesh, const LocalChange& change,
                      const std::vector<Triangle>& coming) const;
+  void remember(const Piece& lost) const;
 
   double distance_;
   std::vector<Index> triangles_;
   TriangleTree tree_;
-  mutable std::size_t pieces_ = 0;
+  mutable std::size_t pieces_ = 0, most_ = std::numeric_limits<std::size_t>::max();
+  // Pieces of the original where proofs have failed of late: what one change loses the next, of the
+  // same star mostly, is likely to lose.
+  mutable std::vector<Piece> lost_;
+  mutable std::size_t losses_ = 0;
 };
 
 }  // namespace remesher

@@ -73,7 +73,7 @@ std::vector<Lost> ExcessSearch::findLost(const WorkingMesh& mesh) {
     if (!isDoubtful_[t]) continue;
     const auto failure = findFailure(bound_.original().corners(t), limits_, toMesh);
     isDoubtful_[t] = failure.has_value();
-    if (failure) lost.push_back(farthest(t, *failure, bound_.original(), tree));
+    if (failure) lost.push_back(farthest(t, failure->centre(), bound_.original(), tree));
   }
   std::stable_sort(lost.begin(), lost.end(),
                    [](const Lost& a, const Lost& b) { return a.distance > b.distance; });

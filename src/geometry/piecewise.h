@@ -47,17 +47,23 @@ struct SearchLimits {
 // nothing to cut off that is wider than `least`, into halves.
 void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
 
-// `look` takes a piece and returns a PieceFinding. Returns the centre of a piece where it fails.
+// Whether a piece ends the search.
+inline bool isFailure(const Piece& piece, Finding finding, const SearchLimits& limits) {
+  return finding == Finding::Fails ||
+         (finding == Finding::Unsure && piece.radius() <= limits.smallest);
+}
+
+// `look` takes a piece and returns a PieceFinding. Returns a piece where it fails.
 template <class Looking>
-std::optional<Vec3> findFailure(const Triangle& whole, const SearchLimits& limits, Looking&& look) {
+std::optional<Piece> findFailure(const Triangle& whole, const SearchLimits& limits,
+                                 Looking&& look) {
   std::vector<Piece> pending = {Piece(whole)};
   for (std::size_t pieces = 0; !pending.empty(); ++pieces) {
     const Piece piece = pending.back();
     pending.pop_back();
     const auto [finding, cutter] = look(piece);
     if (finding == Finding::Holds) continue;
-    const bool undecided = piece.radius() <= limits.smallest || pieces >= limits.mostPieces;
-    if (finding == Finding::Fails || undecided) return piece.centre();
+    if (isFailure(piece, finding, limits) || pieces >= limits.mostPieces) return piece;
     cut(piece, cutter, limits.smallest, pending);
   }
   return {};

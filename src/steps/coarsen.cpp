@@ -27,14 +27,13 @@ class Coarsening {
       : run_(run),
         goal_(goal),
         progress_(progress),
-        proofs_(run),
         changed_(run.mesh.mesh().vertexCapacity(), 1) {}
 
   void run() {
     Patience patience;
     while (isTooMany()) {
       const std::size_t collapses = pass();
-      if (!isTooMany() || proofs_.isSpent()) return;
+      if (!isTooMany() || areProofsSpent(run_)) return;
       if (!patience.after(collapses, run_.mesh.mesh().vertexCount() - goal_.vertices)) return;
     }
   }
@@ -71,7 +70,7 @@ class Coarsening {
     const std::size_t count = edges.size();
     changed_.assign(mesh.vertexCapacity(), 0);
     std::size_t collapses = 0;
-    for (; !edges.empty() && isTooMany() && !proofs_.isSpent(); edges.pop_back()) {
+    for (; !edges.empty() && isTooMany() && !areProofsSpent(run_); edges.pop_back()) {
       const std::size_t i = count - edges.size();
       if (i % kTick == 0) progress_.at(1 - left_ + kPassShare * left_ * double(i) / double(count));
       std::pop_heap(edges.begin(), edges.end(), std::greater<>());
@@ -100,7 +99,6 @@ class Coarsening {
   Run& run_;
   Goal goal_;
   Progress progress_;
-  ProofBudget proofs_;
   double left_ = 1;  // of the work, as far as can be told
   VertexData<char> changed_;
 };

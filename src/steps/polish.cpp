@@ -24,9 +24,9 @@ constexpr std::size_t kMany = 200;
 // Per triangle and round; the last one, of small moves, goes on while something is gained.
 constexpr int kTries = 3, kLastTries = 12;
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
-// few triangles are bad a hundredth of it is needed; where all are, and valences high, more is in
+// few triangles are bad a twentieth of it is needed; where all are, and valences high, more is in
 // vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
-constexpr std::size_t kPlacesTried = 40, kMostWork = 4000, kLeastWork = 1 << 19;
+constexpr std::size_t kPlacesTried = 40, kMostWork = 800, kLeastWork = 1 << 19;
 constexpr double kFarBeyond = 2;
 // Drastic means may make so much more of the vertices before the count is put right again.
 constexpr double kMostGrowth = 1.25;
@@ -44,7 +44,6 @@ constexpr double kCollapseBelow = 1.2;
 struct Best {
   FidelityRule rule;
   double shift;  // model units
-  const ProofBudget& proofs;
   LocalChange change = {};
   double gain = 0;
 
@@ -52,7 +51,7 @@ struct Best {
   [[gnu::noinline]] void offer(const Run& run) {
     const double better = smallestComingAngle(run.mesh, run.change, run.rule.grain) -
                           smallestGoingAngle(run.mesh, run.change, run.rule.grain);
-    if (better <= gain || proofs.isSpent()) return;
+    if (better <= gain) return;
     if (judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
     gain = better;
@@ -156,7 +155,6 @@ enum class Means { KeepCount, ChangeCount, LeaveSurface };
 struct Attempt {
   Means means;
   double shift;  // see PolishGoal
-  const ProofBudget& proofs;
 };
 
 // What an attempt to mend f costs, about.
@@ -172,8 +170,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   const Means means = attempt.means;
   const Vertex corner = run.mesh.mesh().vertices(f)[0];
   const double size = run.scale * run.sizes.at(run.mesh.at(corner));
-  Best best{means == Means::KeepCount ? run.rule : lenient(run), attempt.shift * size,
-            attempt.proofs};
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), attempt.shift * size};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   const auto corners = run.mesh.mesh().vertices(f);
@@ -248,11 +245,10 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = mostWork(run);
-  const ProofBudget proofs(run);
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
     const std::size_t own = isFull ? work + 1 : workOf(run, f);
-    if (own > work || proofs.isSpent()) return false;
+    if (own > work || areProofsSpent(run)) return false;
     work -= own;
     return true;
   };
@@ -261,7 +257,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
-    const Attempt attempt{meansOf(round, rounds), goal.shift, proofs};
+    const Attempt attempt{meansOf(round, rounds), goal.shift};
     const int tries = attempt.means == Means::LeaveSurface ? kLastTries : kTries;
     for (const Face f : bad)
       for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i)

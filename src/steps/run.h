@@ -52,24 +52,16 @@ inline bool commitUnlessFlat(Run& run) {
   return true;
 }
 
-// Where the error is bounded, proofs are the work: of a surface of usual triangles a few hundred
-// pieces to each of the mesh, of needles as many as there are places to try.
-class ProofBudget {
- public:
-  explicit ProofBudget(const Run& run)
-      : bound_(run.rule.bound),
-        most_(spent() + std::max(kLeast, kMost * run.mesh.mesh().faceCount())) {}
+// Where the error is bounded, proofs are the work. From now on so many pieces of surface may be
+// looked at to each triangle of the mesh; then no change is allowed. Usual triangles need less than
+// a hundred, needles as many as there are places to try.
+inline void grantProofs(const Run& run, std::size_t perTriangle) {
+  constexpr std::size_t kLeast = 1 << 16;
+  if (!run.rule.bound) return;
+  run.rule.bound->grant(std::max(kLeast, perTriangle * run.mesh.mesh().faceCount()));
+}
 
-  bool isSpent() const { return spent() > most_; }
-
- private:
-  static constexpr std::size_t kMost = 1300, kLeast = 1 << 16;
-
-  std::size_t spent() const { return bound_ ? bound_->piecesLookedAt() : 0; }
-
-  const ErrorBound* bound_;
-  std::size_t most_;
-};
+inline bool areProofsSpent(const Run& run) { return run.rule.bound && run.rule.bound->isSpent(); }
 
 // Where a step costs seconds, and a few triangles more or less near a limit are not seen.
 inline bool isLarge(const Run& run) {

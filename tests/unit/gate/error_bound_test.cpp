@@ -81,3 +81,27 @@ TEST_CASE("error bound: a sheet close by is not taken for the one that goes") {
   CHECK(mesh.mesh().vertexCount() == 8);
   CHECK(deviation(shape, mesh) <= 0.05);
 }
+
+TEST_CASE("error bound: a tip is looked for where it was lost, and without pieces all is refused") {
+  constexpr int kCells = 8;
+  TriangleMesh shape = shapes::grid(kCells, kCells);
+  const Index tip = kCells / 2 * (kCells + 1) + kCells / 2;
+  shape.positions[tip].z() += 4;
+  const OriginalSurface surface = shapes::surfaceOf(shape, shapes::Features::None);
+  const WorkingMesh mesh(surface);
+  const ErrorBound bound(surface, 2);
+  std::vector<std::size_t> pieces;
+  LocalChange change;
+  mesh.mesh().forEachOutgoing(Vertex(tip), [&](Halfedge h) {
+    REQUIRE(proposeCollapseInto(mesh, h, change));
+    const std::size_t before = bound.piecesLookedAt();
+    CHECK_FALSE(bound.allows(mesh, change));
+    pieces.push_back(bound.piecesLookedAt() - before);
+  });
+  for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(2 * pieces[i] < pieces[0]);
+  const Halfedge flat = mesh.mesh().outgoing(Vertex(1));
+  REQUIRE(proposeCollapseInto(mesh, flat, change));
+  CHECK(bound.allows(mesh, change));
+  bound.grant(0);
+  CHECK_FALSE(bound.allows(mesh, change));
+}

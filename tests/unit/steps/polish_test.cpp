@@ -65,6 +65,7 @@ TEST_CASE("polish: what it takes to prove a bound on the error is in proportion 
   const ErrorBound bound(test.surface, 0.002 * test.surface.diagonal());
   test.run.rule = fidelityRule({});
   test.run.rule.bound = &bound;
+  grantProofs(test.run, kMost);
   polish(test.run, {radians(45)});
   CHECK(bound.piecesLookedAt() > kMost * test.mesh.mesh().faceCount() / 2);
   CHECK(bound.piecesLookedAt() < kMost * test.mesh.mesh().faceCount() + kOneProof);
