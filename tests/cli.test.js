@@ -5,6 +5,8 @@ import { spawn, spawnSync } from 'node:child_process';
 import {
   chmodSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
 } from 'node:fs';
+import promises from 'node:fs/promises';
+import { syncBuiltinESMExports } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -12,6 +14,7 @@ import { after, test } from 'node:test';
 import { parseCommandLine } from '../dist/cli/cli_arguments.js';
 import { errorInWords, exitStatusOf } from '../dist/cli/terminal.js';
 import { referencesOf } from '../dist/codecs/resources.js';
+import { readInput } from '../dist/files/input.js';
 import { root } from './support/tree.js';
 import { offText, torus } from './support/shapes.js';
 
@@ -189,6 +192,16 @@ test('an input that is not there, or a folder, is refused', () => {
   failsWith(2, /nothere\.off cannot be read: there is no such file/, 'nothere.off', '-o', 'x.off');
   mkdirSync(inFolder('sub'), { recursive: true });
   failsWith(2, /sub cannot be read: it is a folder\. For all .* end in \//, 'sub', '-o', 'x.off');
+});
+
+test('a file that may not be read has no wrong name', async (t) => {
+  const denied = Object.assign(new Error('denied'), { code: 'EACCES' });
+  t.mock.method(promises, 'open', () => Promise.reject(denied));
+  syncBuiltinESMExports();
+  const error = await readInput(inFolder('torus.off')).catch((refusal) => refusal);
+  t.mock.restoreAll();
+  syncBuiltinESMExports();
+  assert.match(errorInWords(error), /torus\.off cannot be read: permission is denied\. \[/);
 });
 
 test('an output that cannot be written is refused, and leaves nothing behind', () => {

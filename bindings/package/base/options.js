@@ -80,7 +80,7 @@ export const optionTable = [
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
-    help: 'of baked textures; jpeg, if not given; normals and alpha are png, then' },
+    help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },

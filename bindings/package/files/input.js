@@ -5,7 +5,7 @@ import { open, stat } from 'node:fs/promises';
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
-import { kindOf, reason } from './reasons.js';
+import { codeOf, kindOf, reason } from './reasons.js';
 
 // Bytes: more than a run can use of WebAssembly's memory.
 const largest = 2 ** 31 - 1;
@@ -52,6 +52,7 @@ export async function readInput(path) {
       await handle.close();
     }
   } catch (error) {
-    throw error instanceof RemeshError ? error : unreadable(path, reason(error));
+    throw error instanceof RemeshError ? error : unreadable(path, reason(error),
+      codeOf(error) === 'EACCES' ? '' : undefined);
   }
 }
