@@ -32,8 +32,9 @@ constexpr int kRounds = 4;
 // Triangles looked at: of a large mesh few decide, and a small one has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
 // Between two shells all is far off, and as near to one as to the other: a try may look at millions
-// of triangles of the original there, elsewhere at up to four thousand.
-constexpr std::size_t kLooksPerTry = 20'000;
+// of triangles of the original there, and where a mesh passes through itself all over at as many of
+// its own; elsewhere at up to fourteen thousand.
+constexpr std::size_t kLooksPerTry = 15'000;
 
 std::size_t triesFor(std::size_t vertices) {
   return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
@@ -55,7 +56,7 @@ class Descent {
         distances_(run),
         crossings_(run.mesh),
         tries_(triesFor(mesh_.vertexCount())),
-        mostLooks_(distances_.looked() + kLooksPerTry * tries_) {
+        mostLooks_(looked() + kLooksPerTry * tries_) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
   }
@@ -81,7 +82,9 @@ class Descent {
     return entry;
   }
 
-  bool mayTry() const { return tries_ > 0 && distances_.looked() < mostLooks_; }
+  std::size_t looked() const { return distances_.looked() + crossings_.looked(); }
+
+  bool mayTry() const { return tries_ > 0 && looked() < mostLooks_; }
 
   // Whether anything moved.
   bool descend() {

@@ -64,6 +64,7 @@ std::size_t Crossings::count(const std::vector<Named>& triangles, const LocalCha
     const Box box = boxOf(triangles[i].at);
     const Vec3 margin = Vec3::Constant(farthest_);
     tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Face f) {
+      ++looked_;
       if (goes(f)) return;
       const Named other = present(f);
       pairs += boxOf(other.at).overlaps(box) && pass(triangles[i], other);

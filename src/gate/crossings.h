@@ -20,6 +20,9 @@ class Crossings {
 
   void update(Face f);
 
+  // The triangles looked at so far.
+  std::size_t looked() const { return looked_; }
+
  private:
   // Corners by name, so that neighbours are known, and by place.
   struct Named {
@@ -34,6 +37,7 @@ class Crossings {
   const WorkingMesh& mesh_;
   const MeshTree tree_;
   double farthest_ = 0;  // that a corner is now from where the tree has it
+  mutable std::size_t looked_ = 0;
 };
 
 }  // namespace remesher

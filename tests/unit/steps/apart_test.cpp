@@ -72,8 +72,9 @@ TEST_CASE("apart: those that must stay are counted, but for boundaries") {
 }
 
 TEST_CASE("apart: a vertex of a boundary leaves the corner of another") {
-  const TriangleMesh below{.positions = {{0, 0, 0}, {0, -2, 0}, {2, 0, 0}}, .indices = {0, 1, 2}};
-  const TriangleMesh above{.positions = {{1, 0, 0}, {2, 1, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+  TriangleMesh below, above;
+  soups::addTriangle(below, {0, 0, 0}, {0, -2, 0}, {2, 0, 0});
+  soups::addTriangle(above, {1, 0, 0}, {2, 1, 0}, {0, 1, 0});
   shapes::TestRun test(soups::joined({below, above}));
   const Halfedge side = test.mesh.mesh().find(Vertex(2), Vertex(0));
   REQUIRE(proposeSplit(test.mesh, test.projector, side, test.run.change));
