@@ -58,7 +58,10 @@ class NearChange {
   NearChange(const Nearby& going, const Nearby& present, double distance)
       : going_(going), present_(present), distance_(distance) {}
 
+  std::size_t looks() const { return looks_; }
+
   PieceFinding operator()(const Piece& piece) {
+    ++looks_;
     const double squared = distance_ * distance_;
     if (isNear(piece, present_.triangle(last_), squared)) return {Finding::Holds};
     const Vec3 centre = piece.centre();
@@ -78,7 +81,7 @@ class NearChange {
   const Nearby& going_;
   const Nearby& present_;
   double distance_;
-  std::size_t last_ = 0;
+  std::size_t last_ = 0, looks_ = 0;
 };
 
 std::vector<Triangle> comingTriangles(const WorkingMesh& mesh, const LocalChange& change) {
@@ -139,35 +142,31 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
   for (const Face f : facesAround(mesh.mesh(), faces)) present.add(mesh.corners(f));
   const Vec3 margin = Vec3::Constant(distance_);
   NearChange look(going, present, distance_);
-  const auto counted = [&](const Piece& piece) {
-    ++pieces_;
-    return look(piece);
-  };
   const SearchLimits limits{kSmallestPiece * distance_, kMostPieces};
-  if (std::any_of(lost_.begin(), lost_.end(), [&](const Piece& piece) {
-        return isFailure(piece, counted(piece).finding, limits);
-      }))
-    return false;
-  std::optional<Piece> lost;
-  tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
-    if (!lost) lost = findFailure(tree_.corners(triangle), limits, counted);
+  const bool isLostAgain = std::any_of(lost_.begin(), lost_.end(), [&](const Piece& piece) {
+    return isFailure(piece, look(piece).finding, limits);
   });
+  std::optional<Piece> lost;
+  if (!isLostAgain)
+    tree_.visitOverlapping({box.low - margin, box.high + margin}, [&](Index triangle) {
+      if (!lost) lost = findFailure(tree_.corners(triangle), limits, look);
+    });
+  pieces_ += look.looks();
   if (lost) remember(*lost);
-  return !lost;
+  return !isLostAgain && !lost;
 }
 
 bool ErrorBound::allows(const WorkingMesh& mesh, const LocalChange& change) const {
-  const std::vector<Triangle> coming = comingTriangles(mesh, change);
   if (isSpent()) return false;
+  const std::vector<Triangle> coming = comingTriangles(mesh, change);
   const Vertex rim = mesh.mesh().vertices(change.going[0])[0];
   NearTree look(tree_, distance_, mesh.at(rim).face.index);
-  const auto counted = [&](const Piece& piece) {
-    ++pieces_;
-    return look(piece);
-  };
-  for (const Triangle& t : coming)
-    if (findFailure(t, {kSmallestPiece * distance_, kMostPieces}, counted)) return false;
-  return keepsOriginal(mesh, change, coming);
+  const SearchLimits limits{kSmallestPiece * distance_, kMostPieces};
+  const bool isNear = std::none_of(coming.begin(), coming.end(), [&](const Triangle& t) {
+    return findFailure(t, limits, look).has_value();
+  });
+  pieces_ += look.looks();
+  return isNear && keepsOriginal(mesh, change, coming);
 }
 
 }  // namespace remesher

@@ -17,6 +17,7 @@ bool isNear(const Piece& piece, const Triangle& target, double squared) {
 }
 
 PieceFinding NearTree::operator()(const Piece& piece) {
+  ++looks_;
   const double squared = distance_ * distance_;
   if (isNear(piece, tree_.corners(last_), squared)) return {Finding::Holds};
   const TriangleTree::Nearest nearest = tree_.nearest(piece.centre(), last_);

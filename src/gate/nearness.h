@@ -27,11 +27,13 @@ class NearTree {
       : tree_(tree), distance_(distance), last_(start) {}
 
   PieceFinding operator()(const Piece& piece);
+  std::size_t looks() const { return looks_; }
 
  private:
   const TriangleTree& tree_;
   double distance_;
   Index last_;
+  std::size_t looks_ = 0;
 };
 
 }  // namespace remesher
