@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,26 +34,30 @@ struct Station {
 
 using Row = std::vector<Station>;
 
-// The vertices of the boundaries that are resampled, along each chain from corner to corner.
-std::vector<Row> rowsOf(const Run& run) {
-  const auto& chains = run.mesh.surface().curves().chains();
-  const auto isResampled = [](const Chain& chain) { return chain.boundary && !chain.kept; };
-  if (std::none_of(chains.begin(), chains.end(), isResampled)) return {};
+// From the corner that h leaves along its boundary to the next one, as the arcs rise.
+Row rowFrom(const Run& run, Halfedge h) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  Row all;
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.isAlive(h) || !mesh.isBoundary(h) || run.mesh.isKept(h)) continue;
-    const Index chain = run.mesh.curve(h);
-    for (const Vertex v : {mesh.origin(h), mesh.tip(h)})
-      all.push_back({chain, run.mesh.onChain(v, chain).arc, v});
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  std::vector<Row> rows;
-  for (const Station& station : all) {
-    if (rows.empty() || rows.back().back().chain != station.chain) rows.emplace_back();
-    rows.back().push_back(station);
+  const Index chain = run.mesh.curve(h);
+  Row row;
+  const auto add = [&](Vertex v) { row.push_back({chain, run.mesh.onChain(v, chain).arc, v}); };
+  add(mesh.origin(h));
+  for (; run.mesh.kind(mesh.tip(h)) != VertexKind::Corner; h = mesh.outgoing(mesh.tip(h)))
+    add(mesh.tip(h));
+  add(mesh.tip(h));
+  std::sort(row.begin(), row.end());
+  return row;
+}
+
+// The vertices of the boundaries that are resampled, along each chain from corner to corner; none
+// of other chains.
+std::vector<Row> rowsOf(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<Row> rows(run.mesh.surface().curves().chains().size());
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!mesh.isAlive(v) || run.mesh.kind(v) != VertexKind::Corner) continue;
+    const Halfedge h = mesh.outgoing(v);
+    if (mesh.isBoundary(h) && !run.mesh.isKept(h)) rows[run.mesh.curve(h)] = rowFrom(run, h);
   }
   return rows;
 }
@@ -165,30 +170,44 @@ void pinNeeded(Run& run) {
 }
 
 // Of the triangles around v, were it at `place`: the mean of their smallest angles, and more than
-// that the smallest of all where it is bad.
-double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place) {
-  double sum = 0, worst = kBadAngle;
+// that the smallest of all where it is bad; or anything no larger than `most` where that is not.
+double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
+  constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
+  const HalfedgeMesh& m = mesh.mesh();
   int count = 0;
-  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
-    const double angle =
-        minAngle(place, mesh.position(mesh.mesh().tip(h)), mesh.position(mesh.mesh().opposite(h)));
+  m.forEachOutgoing(v, [&](Halfedge) { ++count; });
+  double sum = 0, worst = kBadAngle, quality = 0;
+  int rest = count;
+  for (Halfedge h = m.outgoing(v); rest > 0; h = m.twin(m.prev(h))) {
+    const double angle = minAngle(place, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));
     sum += angle;
     worst = std::min(worst, angle);
-    ++count;
-  });
-  return sum / count + kWorstCounts * worst;
+    --rest;
+    quality = (sum + rest * kLargest) / count + kWorstCounts * worst;
+    if (quality <= most) break;
+  }
+  return quality;
+}
+
+// Whether the star of v is as it was: what was in vain there will be again.
+bool isAsBefore(const WorkingMesh& mesh, Vertex v, const VertexData<Vec3>& before) {
+  bool isSame = mesh.position(v) == before[v];
+  mesh.mesh().forEachNeighbor(v,
+                              [&](Vertex w) { isSame = isSame && mesh.position(w) == before[w]; });
+  return isSame;
 }
 
 // To where the triangles around it are best, of the places between its neighbours with near chords.
 bool mend(Run& run, const Station& before, Station& at, const Station& after) {
-  const auto qualityAt = [&](double arc) {
-    return starQuality(run.mesh, at.vertex, run.mesh.onCurve({at.chain, arc}).position);
+  const OriginalSurface& surface = run.mesh.surface();
+  const auto qualityAt = [&](double arc, double most) {
+    return starQuality(run.mesh, at.vertex, positionAt(surface, at.chain, arc), most);
   };
-  double most = qualityAt(at.arc) + kWorthAMove;
+  double most = qualityAt(at.arc, 0) + kWorthAMove;
   Station best = at;
   for (int i = 1; i < kSteps; ++i) {
     const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
-    const double quality = qualityAt(arc);
+    const double quality = qualityAt(arc, most);
     if (quality <= most || !isNear(run, at.chain, before.arc, arc) ||
         !isNear(run, at.chain, arc, after.arc))
       continue;
@@ -200,11 +219,13 @@ bool mend(Run& run, const Station& before, Station& at, const Station& after) {
   return true;
 }
 
-bool mendStars(Run& run) {
+// before: where all vertices were when this was done the last time.
+bool mendStars(Run& run, const VertexData<Vec3>& before) {
   bool moved = false;
   for (Row& row : rowsOf(run))
     for (std::size_t i = 1; i + 1 < row.size(); ++i)
-      moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
+      if (!isAsBefore(run.mesh, row[i].vertex, before))
+        moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
   if (moved) relax(run, kPasses);
   return moved;
 }
@@ -225,7 +246,12 @@ void followBoundaries(Run& run) {
 void settleBoundaries(Run& run) {
   for (int i = 0; i < kMostRounds && slide(run, planFor(run).moves); ++i) {
   }
-  for (int i = 0; i < kMostRounds && mendStars(run); ++i) {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  VertexData<Vec3> before(run.mesh.mesh().vertexCapacity(), Vec3::Constant(kNowhere));
+  for (int i = 0; i < kMostRounds; ++i) {
+    const VertexData<Vec3> now = run.mesh.positions();
+    if (!mendStars(run, before)) break;
+    before = now;
   }
   for (const Row& row : rowsOf(run))
     for (const Station& station : row) run.mesh.pin(station.vertex);

@@ -18,6 +18,7 @@ constexpr double kTooFar = 100, kFarther = 10;
 struct Site {
   double arc;
   Vec3 position;
+  std::size_t bend, next;  // the chain's first vertices there or beyond it, and beyond it
 };
 
 Vec3 closestOnChord(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -35,26 +36,24 @@ class Curve {
       : surface_(surface), index_(chain), chain_(surface.curves().chains()[chain]) {}
 
   Site at(double arc) const {
-    const auto place =
-        surface_.curves().locate(surface_.mesh(), surface_.positions(), {index_, arc});
-    return {arc, place.position};
+    const auto& arcs = chain_.arcs;
+    const auto bend = std::lower_bound(arcs.begin(), arcs.end(), arc);
+    const auto next = std::upper_bound(bend, arcs.end(), arc);
+    return {arc, positionAt(surface_, index_, arc), std::size_t(bend - arcs.begin()),
+            std::size_t(next - arcs.begin())};
   }
 
   // Of the bends between two places every one, or, where they are dense, about `most`.
   template <class Visit>
-  void forEachBend(double from, double to, std::size_t most, Visit visit) const {
-    const auto& arcs = chain_.arcs;
-    const auto first = std::upper_bound(arcs.begin(), arcs.end(), from);
-    const auto last = std::lower_bound(first, arcs.end(), to);
-    const std::size_t stride = 1 + std::size_t(last - first) / most;
-    for (auto i = std::size_t(first - arcs.begin()); i < std::size_t(last - arcs.begin());
-         i += stride)
-      visit(arcs[i], surface_.positions()[chain_.vertices[i]]);
+  void forEachBend(const Site& from, const Site& to, std::size_t most, Visit visit) const {
+    const std::size_t last = std::max(from.next, to.bend), stride = 1 + (last - from.next) / most;
+    for (std::size_t i = from.next; i < last; i += stride)
+      visit(chain_.arcs[i], surface_.positions()[chain_.vertices[i]]);
   }
 
   double distance(const Site& from, const Site& to, std::size_t most) const {
     double farthest = 0;
-    forEachBend(from.arc, to.arc, most, [&](double, const Vec3& p) {
+    forEachBend(from, to, most, [&](double, const Vec3& p) {
       farthest = std::max(farthest, (closestOnChord(p, from.position, to.position) - p).norm());
     });
     return farthest;
@@ -97,7 +96,8 @@ class Placing {
     if (i + 1 == arcs_.size()) return places;
     const double low = arcs_[i - 1], high = arcs_[i + 1];
     for (int k = 1; k < kSteps; ++k) places.push_back(low + (high - low) * k / kSteps);
-    curve_.forEachBend(low, high, kBends, [&](double arc, const Vec3&) { places.push_back(arc); });
+    curve_.forEachBend(curve_.at(low), curve_.at(high), kBends,
+                       [&](double arc, const Vec3&) { places.push_back(arc); });
     return places;
   }
 
@@ -114,23 +114,39 @@ class Placing {
 
   void addStage(std::size_t i) {
     std::vector<Choice> stage;
-    for (const double arc : candidates(i)) {
-      Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
-      const double move = (arc - arcs_[i]) / even_;
-      for (std::size_t k = 0; k < stages_.back().size(); ++k) {
-        const Choice& before = stages_.back()[k];
-        const double moved = before.cost + move * move;
-        if (before.site.arc >= arc || moved >= choice.cost) continue;
-        const double uneven = unevenness(before.site, choice.site);
-        if (moved + uneven >= choice.cost) continue;
-        const double cost = moved + (uneven + farness(before.site, choice.site));
-        if (cost >= choice.cost) continue;
-        choice.cost = cost;
-        choice.before = k;
-      }
-      stage.push_back(choice);
-    }
+    const std::vector<std::size_t> cheapest = cheapestFirst(stages_.back());
+    for (const double arc : candidates(i)) stage.push_back(bestWayTo(arc, i, cheapest));
     stages_.push_back(std::move(stage));
+  }
+
+  static std::vector<std::size_t> cheapestFirst(const std::vector<Choice>& stage) {
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < stage.size(); ++k) {
+      std::size_t at = k;
+      order.push_back(k);
+      for (; at > 0 && stage[order[at - 1]].cost > stage[k].cost; --at) order[at] = order[at - 1];
+      order[at] = k;
+    }
+    return order;
+  }
+
+  // Of ways that cost the same the one over the first choice before.
+  Choice bestWayTo(double arc, std::size_t i, std::span<const std::size_t> cheapest) const {
+    Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
+    const double move = (arc - arcs_[i]) / even_;
+    for (const std::size_t k : cheapest) {
+      const Choice& before = stages_.back()[k];
+      const double moved = before.cost + move * move;
+      if (moved > choice.cost) break;
+      if (before.site.arc >= arc) continue;
+      const double uneven = unevenness(before.site, choice.site);
+      if (moved + uneven > choice.cost) continue;
+      const double cost = moved + (uneven + farness(before.site, choice.site));
+      if (cost > choice.cost || (cost == choice.cost && k > choice.before)) continue;
+      choice.cost = cost;
+      choice.before = k;
+    }
+    return choice;
   }
 
   const Curve& curve_;
@@ -140,6 +156,10 @@ class Placing {
 };
 
 }  // namespace
+
+Vec3 positionAt(const OriginalSurface& surface, Index chain, double arc) {
+  return surface.curves().locate(surface.mesh(), surface.positions(), {chain, arc}).position;
+}
 
 double chordDistance(const OriginalSurface& surface, Index chain, double from, double to) {
   const Curve curve(surface, chain);

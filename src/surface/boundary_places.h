@@ -9,6 +9,9 @@
 
 namespace remesher {
 
+// A place of a chain in space.
+Vec3 positionAt(const OriginalSurface& surface, Index chain, double arc);
+
 // How far a chain is from the chord between two of its places.
 double chordDistance(const OriginalSurface& surface, Index chain, double from, double to);
 
