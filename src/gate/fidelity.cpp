@@ -55,8 +55,8 @@ bool isPlain(double longer, double area, const Grain& grain) {
 }
 
 // Whether a triangle is far from a line and from a fold, by a look at what is at hand, which is all
-// that most proposals need: of a corner on a curve the normal of one side, beside which that of the
-// side that the triangle faces can only be better.
+// that most proposals need: of a corner where curves meet the normal of one side, beside which that
+// of the side that the triangle faces can only be better.
 bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
             const FidelityRule& rule) {
   constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
@@ -68,9 +68,15 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
   }
   const Vec3 ab = *p[1] - *p[0], ac = *p[2] - *p[0], normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
-  const double lean = std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])});
-  return lean > 0 && lean * lean > kSurely * rule.fold * rule.fold * squared &&
-         isPlain(std::max(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
+  const double limit = kSurely * rule.fold * rule.fold * squared;
+  const auto isFold = [&](double lean) { return !(lean > 0 && lean * lean > limit); };
+  for (int i = 0; i < 3; ++i) {
+    if (!isFold(normal.dot(*n[i]))) continue;
+    const bool isMoved = triangle[i] == kMoved;
+    if ((isMoved ? moved.kind : mesh.kind(triangle[i])) != VertexKind::Curve) return false;
+    if (isFold(normal.dot(isMoved ? moved.across : mesh.normalAcross(triangle[i])))) return false;
+  }
+  return isPlain(std::max(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
 }
 
 // The smallest N_i·N_T of a triangle, or any that is no fold where none is: the normal of the other

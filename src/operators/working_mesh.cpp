@@ -8,6 +8,7 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       mesh_(surface.mesh()),
       position_(surface.positions()),
       normal_(mesh_.vertexCapacity()),
+      across_(mesh_.vertexCapacity()),
       at_(mesh_.vertexCapacity()),
       on_(mesh_.vertexCapacity()),
       kind_(mesh_.vertexCapacity(), VertexKind::Interior),
@@ -45,7 +46,7 @@ double WorkingMesh::meanSpoke(Vertex v) const {
 }
 
 Placement WorkingMesh::placement(Vertex v) const {
-  return {position_[v], normal_[v], at_[v], on_[v], kind_[v]};
+  return {position_[v], normal_[v], at_[v], on_[v], kind_[v], across_[v]};
 }
 
 Vertex WorkingMesh::originalCorner(const SurfacePoint& at) const {
@@ -73,13 +74,22 @@ SurfacePoint WorkingMesh::cornerPoint(Halfedge h) const {
 }
 
 Placement WorkingMesh::onSurface(const SurfacePoint& point) const {
-  return {surface_->position(point), surface_->normal(point).normalized(), point, {}, {}};
+  return {surface_->position(point), surface_->normal(point).normalized(), point, {}, {}, {}};
 }
 
 Placement WorkingMesh::onCurve(const CurvePoint& point) const {
-  const auto place = surface_->curves().locate(surface_->mesh(), surface_->positions(), point);
-  return {place.position, surface_->normal(place.at).normalized(), place.at, point,
-          VertexKind::Curve};
+  const HalfedgeMesh& original = surface_->mesh();
+  const auto [position, at, edge] =
+      surface_->curves().locate(original, surface_->positions(), point);
+  const Vec3 normal = surface_->normal(at).normalized();
+  const Halfedge twin = original.twin(edge);
+  if (!twin) return {position, normal, at, point, VertexKind::Curve, normal};
+  // The edge's two ends lie at swapped corners on its other side.
+  const double atOrigin = at.barycentric[int(edge.index % 3)];
+  const Vec3 across = (atOrigin * surface_->cornerNormal(original.next(twin)) +
+                       (1 - atOrigin) * surface_->cornerNormal(twin))
+                          .normalized();
+  return {position, normal, at, point, VertexKind::Curve, across};
 }
 
 Vec3 WorkingMesh::normalFacing(Vertex v, const Vec3& n) const {
@@ -88,30 +98,22 @@ Vec3 WorkingMesh::normalFacing(Vertex v, const Vec3& n) const {
 
 Vec3 WorkingMesh::normalFacing(const Placement& place, const Vec3& n) const {
   if (place.kind == VertexKind::Interior) return place.normal;
-  const HalfedgeMesh& original = surface_->mesh();
   Vec3 best = place.normal;
   const auto consider = [&](const Vec3& candidate) {
     if (candidate.dot(n) > best.dot(n)) best = candidate;
   };
-  if (place.kind == VertexKind::Corner) {
-    original.forEachOutgoing(originalCorner(place.at),
-                             [&](Halfedge h) { consider(surface_->cornerNormal(h)); });
-    return best;
-  }
-  const Halfedge edge = surface_->curves().locate(original, surface_->positions(), place.on).edge;
-  const Halfedge across = original.twin(edge);
-  if (!across) return best;
-  // The edge's two ends lie at swapped corners on its other side.
-  const double atOrigin = place.at.barycentric[int(edge.index % 3)];
-  consider((atOrigin * surface_->cornerNormal(original.next(across)) +
-            (1 - atOrigin) * surface_->cornerNormal(across))
-               .normalized());
+  if (place.kind == VertexKind::Curve)
+    consider(place.across);
+  else
+    surface_->mesh().forEachOutgoing(originalCorner(place.at),
+                                     [&](Halfedge h) { consider(surface_->cornerNormal(h)); });
   return best;
 }
 
 void WorkingMesh::place(Vertex v, const Placement& place) {
   position_[v] = place.position;
   normal_[v] = place.normal;
+  across_[v] = place.across;
   at_[v] = place.at;
   on_[v] = place.on;
   kind_[v] = place.kind;
@@ -122,6 +124,7 @@ void WorkingMesh::grow() {
   if (position_.size() < vertices) {
     position_.resize(vertices);
     normal_.resize(vertices);
+    across_.resize(vertices);
     at_.resize(vertices);
     on_.resize(vertices);
     kind_.resize(vertices);
@@ -282,6 +285,7 @@ void WorkingMesh::compact() {
   const std::size_t n = mesh_.vertexCapacity();
   position_.resize(n);
   normal_.resize(n);
+  across_.resize(n);
   at_.resize(n);
   on_.resize(n);
   kind_.resize(n);

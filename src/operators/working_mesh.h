@@ -25,6 +25,7 @@ struct Placement {
   SurfacePoint at;
   CurvePoint on;
   VertexKind kind = VertexKind::Interior;
+  Vec3 across = Vec3::Zero();  // of a vertex on a curve: the normal on its other side, if any
 };
 
 class WorkingMesh {
@@ -37,6 +38,7 @@ class WorkingMesh {
   const VertexData<Vec3>& positions() const { return position_; }
   const Vec3& position(Vertex v) const { return position_[v]; }
   const Vec3& normal(Vertex v) const { return normal_[v]; }
+  const Vec3& normalAcross(Vertex v) const { return across_[v]; }
   Triangle corners(Face f) const {
     const auto [a, b, c] = mesh_.vertices(f);
     return {position_[a], position_[b], position_[c]};
@@ -113,6 +115,7 @@ class WorkingMesh {
   HalfedgeMesh mesh_;
   VertexData<Vec3> position_;
   VertexData<Vec3> normal_;
+  VertexData<Vec3> across_;
   VertexData<SurfacePoint> at_;
   VertexData<CurvePoint> on_;
   VertexData<VertexKind> kind_;
