@@ -30,9 +30,15 @@ constexpr double kThin = 0.125;
 constexpr double kMostPlaces = 64;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
+struct Start {
+  Face face;
+  double enough = 0;  // a walk may end this near
+};
+
 // Whether the place is nearer to where a walk from `start` ends.
-bool improve(const WorkingMesh& mesh, Place& place, Face start) {
-  const SurfacePoint near = closestPointFrom(mesh.mesh(), mesh.positions(), start, place.position);
+bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
+  const SurfacePoint near =
+      closestPointFrom(mesh.mesh(), mesh.positions(), start.face, {place.position, start.enough});
   const auto [a, b, c] = mesh.mesh().vertices(near.face);
   const Vec3& w = near.barycentric;
   const Vec3 there = w[0] * mesh.position(a) + w[1] * mesh.position(b) + w[2] * mesh.position(c);
@@ -89,9 +95,10 @@ class NearbyVertices {
 
 class Survey {
  public:
-  Survey(const Run& run, double enough)
+  Survey(const Run& run, double enough, double surely)
       : run_(run),
         enough_(enough),
+        surely_(surely),
         mesh_(run.mesh),
         nearby_(run.mesh),
         near_(run.mesh.surface().mesh().vertexCapacity(), 0) {}
@@ -118,47 +125,48 @@ class Survey {
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
     const double size = run_.scale * run_.sizes.at(mesh_.at(w));
     return offset.squaredNorm() < size * size &&
-           std::abs(offset.dot(mesh_.normal(w))) < enough_ * size &&
+           std::abs(offset.dot(mesh_.normal(w))) < surely_ * size &&
            mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
                kSameWay;
   }
 
   Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
 
-  bool isDoubtful(const Place& place) const {
-    return place.distance >= kDoubtful * run_.scale * run_.sizes.at(place.original);
+  bool isDoubtful(const Place& place, double size) const {
+    return place.distance >= std::max(kDoubtful, enough_) * size;
   }
 
   // Walks again from all around where the last one ended. From one start they all end alike.
-  void retry(Place& place) {
+  void retry(Place& place, double size) {
     const HalfedgeMesh& mesh = mesh_.mesh();
     starts_.clear();
     for (int i = 0; i < kRetries; ++i) {
-      if (!isDoubtful(place)) return;
+      if (!isDoubtful(place, size)) return;
       bool improved = false;
       for (const Vertex v : mesh.vertices(place.nearest))
         mesh.forEachNeighbor(v, [&](Vertex w) {
           const Face start = faceAt(w);
           if (std::find(starts_.begin(), starts_.end(), start) != starts_.end()) return;
           starts_.push_back(start);
-          improved = improve(mesh_, place, start) || improved;
+          improved = improve(mesh_, place, {start, enough_ * size}) || improved;
         });
       if (!improved) return;
     }
   }
 
-  // Returns the triangle nearest to the place.
+  // Returns the triangle nearest to the place, or one that is near enough.
   Face add(const SurfacePoint& original, Face start) {
+    const double size = run_.scale * run_.sizes.at(original);
     Place place{original, mesh_.surface().position(original), start, kEndless};
-    improve(mesh_, place, start);
-    retry(place);
-    if (isDoubtful(place)) {
+    improve(mesh_, place, {start, enough_ * size});
+    retry(place, size);
+    if (isDoubtful(place, size)) {
       if (!tree_) tree_.emplace(mesh_.mesh(), mesh_.positions());
       const MeshTree::Nearest nearest = tree_->nearest(place.position);
       place.nearest = nearest.face;
       place.distance = nearest.distance;
     }
-    if (place.distance >= enough_ * run_.scale * run_.sizes.at(original)) places_.push_back(place);
+    if (place.distance >= enough_ * size) places_.push_back(place);
     return place.nearest;
   }
 
@@ -252,7 +260,7 @@ class Survey {
   }
 
   const Run& run_;
-  const double enough_;
+  const double enough_, surely_;
   const WorkingMesh& mesh_;
   const NearbyVertices nearby_;
   // For the few places that no walk finds the nearest triangle for: those inside triangles of the
@@ -267,11 +275,11 @@ class Survey {
 
 void measureAgain(const WorkingMesh& mesh, Place& place) {
   place.distance = kEndless;
-  improve(mesh, place, place.nearest);
+  improve(mesh, place, {place.nearest});
 }
 
-std::vector<Place> measurePlaces(const Run& run, double enough) {
-  return Survey(run, enough).places();
+std::vector<Place> measurePlaces(const Run& run, double enough, double surely) {
+  return Survey(run, enough, surely).places();
 }
 
 }  // namespace remesher

@@ -24,7 +24,7 @@ constexpr double kInsertAngle = radians(8);
 constexpr std::size_t kMostInserted = 4;
 
 std::vector<Place> farthestFirst(const Run& run, double tolerance) {
-  std::vector<Place> places = measurePlaces(run, kSurelyNear * tolerance);
+  std::vector<Place> places = measurePlaces(run, tolerance, kSurelyNear * tolerance);
   std::erase_if(places, [&](const Place& place) {
     return place.distance <= tolerance * run.scale * run.sizes.at(place.original);
   });

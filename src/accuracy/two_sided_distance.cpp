@@ -31,7 +31,7 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       doubtful_(kMayBeLocal * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
-      places_(measurePlaces(run, kBesideIt)),
+      places_(measurePlaces(run, kBesideIt, kBesideIt)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0) {

@@ -22,11 +22,12 @@ class Walk {
     const HalfedgeData<char>* barriers;
   };
 
-  Walk(const Ground& ground, const Vec3& target)
+  Walk(const Ground& ground, const Vec3& target, double enough = 0)
       : mesh_(ground.mesh),
         positions_(ground.positions),
         barriers_(ground.barriers),
-        target_(target) {}
+        target_(target),
+        squaredEnough_(enough * enough) {}
 
   // Where the walk from a face ends.
   SurfacePoint from(Face start) const { return from(closestOn(start)); }
@@ -53,7 +54,7 @@ class Walk {
   };
 
   SurfacePoint from(Found best) const {
-    for (int step = 0; step < kMaxSteps; ++step) {
+    for (int step = 0; step < kMaxSteps && !(best.distance2 < squaredEnough_); ++step) {
       const Found next = closestAround(best);
       if (!(next.distance2 < best.distance2)) break;
       best = next;
@@ -122,6 +123,7 @@ class Walk {
   const VertexData<Vec3>& positions_;
   const HalfedgeData<char>* barriers_;
   const Vec3& target_;
+  const double squaredEnough_;
 };
 
 }  // namespace
@@ -132,8 +134,8 @@ SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint
 }
 
 SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                              Face start, const Vec3& target) {
-  return Walk({mesh, positions, nullptr}, target).from(start);
+                              Face start, const Target& target) {
+  return Walk({mesh, positions, nullptr}, target.position, target.enough).from(start);
 }
 
 }  // namespace remesher

@@ -12,8 +12,13 @@ namespace remesher {
 SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint& start,
                               const Vec3& target);
 
+struct Target {
+  Vec3 position;
+  double enough = 0;  // the walk ends where it is nearer than this
+};
+
 // The same on any mesh, without barriers.
 SurfacePoint closestPointFrom(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                              Face start, const Vec3& target);
+                              Face start, const Target& target);
 
 }  // namespace remesher

@@ -53,7 +53,7 @@ TEST_CASE("places: no distance is smaller than the true one, and few are larger"
     wearDown(test);
     const std::vector<Index> triangles = test.mesh.mesh().triangles();
     const TriangleTree tree(test.mesh.positions().values(), triangles);
-    const std::vector<Place> places = measurePlaces(test.run, 0);
+    const std::vector<Place> places = measurePlaces(test.run, 0, 0);
     CHECK(places.size() >= shape.positions.size());
     std::size_t larger = 0;
     for (const Place& place : places) {

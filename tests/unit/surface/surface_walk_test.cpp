@@ -65,6 +65,24 @@ TEST_CASE("surface_walk: a target on the surface is reached from the other side 
   }
 }
 
+TEST_CASE("surface_walk: it ends where it is near enough, or else where it would without") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(20, 20), shapes::Features::None);
+  const HalfedgeMesh& mesh = surface.mesh();
+  const VertexData<Vec3>& positions = surface.positions();
+  soups::Random random(5);
+  int sooner = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Vec3 target = surface.position(anywhere(surface, random)) + Vec3(0, 0, random.number());
+    const Face start = anywhere(surface, random).face;
+    const SurfacePoint nearest = closestPointFrom(mesh, positions, start, {target});
+    const SurfacePoint found = closestPointFrom(mesh, positions, start, {target, 0.5});
+    const Vec3 end = surface.position(found), best = surface.position(nearest);
+    CHECK(((end - target).norm() < 0.5 || end == best));
+    sooner += end != best;
+  }
+  CHECK(sooner > 0);
+}
+
 TEST_CASE("surface_walk: it never gets farther from the target than its start") {
   soups::Random random(6);
   for (const shapes::Shape& shape : shapes::all()) {
