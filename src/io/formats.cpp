@@ -65,6 +65,19 @@ const Format* findByMagic(const File& file) {
   return found == std::end(kFormats) ? nullptr : &*found;
 }
 
+bool hasMaps(const GroupInfo& group) {
+  const Material& look = group.look;
+  return look.baseColorMap || look.metalRoughMap || look.occlusionMap || look.emissiveMap ||
+         look.normalMap;
+}
+
+std::size_t mappedGroups(const Model& model) {
+  std::size_t count = 0;
+  for (const Part& part : model.parts)
+    count += std::size_t(std::count_if(part.groups.begin(), part.groups.end(), hasMaps));
+  return count;
+}
+
 }  // namespace
 
 Model read(const File& file, const std::vector<File>& resources) {
@@ -98,7 +111,15 @@ bool roundsToSingle(const std::string& outputName) {
 
 WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
-  return findByExtension(outputName)->write(model, plainName(outputName));
+  const Format& format = *findByExtension(outputName);
+  WrittenFiles written = format.write(model, plainName(outputName));
+  const bool keepsMaps = model.conventions != Conventions::Gltf || format.read == readGltf;
+  if (const std::size_t lost = keepsMaps ? 0 : mappedGroups(model); lost > 0)
+    written.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
+                                "The images of the materials are not passed on: write a .glb or "
+                                ".gltf to keep them.",
+                                lost});
+  return written;
 }
 
 }  // namespace remesher::io

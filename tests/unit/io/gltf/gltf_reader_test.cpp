@@ -232,3 +232,21 @@ TEST_CASE("gltf: joints that the skin has not bind nothing") {
   CHECK(model.warnings[0].count == 2);
   CHECK(io::read(io::write(model, "out.glb").files[0]).warnings.empty());
 }
+
+TEST_CASE("gltf: images that another format has no place for are said to be lost") {
+  GltfMaker maker = squareOf(kSquareIndices, kUShort, 4);
+  maker.show({{{"mesh", 0}}});
+  maker.tree["images"] = {{{"uri", "a.png"}}};
+  maker.tree["textures"] = {{{"source", 0}}};
+  maker.tree["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+  maker.tree["meshes"][0]["primitives"][0]["material"] = 0;
+  const io::Model model = io::read(maker.glb());
+  const auto warningsOf = [&](const char* name) {
+    std::size_t count = 0;
+    for (const Warning& warning : io::write(model, name).warnings)
+      count += warning.code == "MATERIAL_IMAGES_NOT_READ" ? 1 : 0;
+    return count;
+  };
+  for (const char* name : {"a.obj", "a.ply", "a.stl", "a.off"}) CHECK(warningsOf(name) == 1);
+  for (const char* name : {"a.glb", "a.gltf"}) CHECK(warningsOf(name) == 0);
+}
