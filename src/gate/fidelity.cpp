@@ -70,7 +70,8 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
   const double squared = normal.squaredNorm();
   const double limit = kSurely * rule.fold * rule.fold * squared;
   const auto isFold = [&](double lean) { return !(lean > 0 && lean * lean > limit); };
-  for (int i = 0; i < 3; ++i) {
+  const bool isFolded = isFold(std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])}));
+  for (int i = 0; isFolded && i < 3; ++i) {
     if (!isFold(normal.dot(*n[i]))) continue;
     const bool isMoved = triangle[i] == kMoved;
     if ((isMoved ? moved.kind : mesh.kind(triangle[i])) != VertexKind::Curve) return false;
