@@ -70,28 +70,28 @@ PlaneChart upright(const PlaneChart& chart) {
 }
 
 // Cells of a row, side by side; the shortest comes first.
-struct Run {
+struct CellRun {
   int length = 0, row = 0, begin = 0;
 
-  auto operator<=>(const Run&) const = default;
+  auto operator<=>(const CellRun&) const = default;
   int end() const { return begin + length; }
 };
 
 // The cells that a chart comes into, padding included.
 struct Mask {
-  std::vector<Run> runs;  // the longest first: most places are refused for that
+  std::vector<CellRun> runs;  // the longest first: most places are refused for that
   int width = 0, height = 0;
 };
 
 // A row of the square, a bit to a cell.
 class Row {
  public:
-  void fill(const Run& run) {
+  void fill(const CellRun& run) {
     for (int i = run.begin; i < run.end(); ++i) words_[i / kBits] |= kOne << (i % kBits);
   }
 
   // Where a run cannot begin, for it would come upon a bit that is set.
-  Row blocked(const Run& run) const {
+  Row blocked(const CellRun& run) const {
     Row result = *this;
     int reach = 1;
     for (; 2 * reach <= run.length; reach *= 2) result |= result.moved(reach);
@@ -205,7 +205,7 @@ class Packer {
     for (int r = 0; r < mask.height; ++r)
       for (int i = 0; i < int(kCells); ++i) {
         if (!rows[r].isSet(i)) continue;
-        Run run{0, r, i};
+        CellRun run{0, r, i};
         while (i < int(kCells) && rows[r].isSet(i)) ++i;
         run.length = i - run.begin;
         mask.width = std::max(mask.width, i);
@@ -240,7 +240,7 @@ class Packer {
     for (int y = 0; y + mask.height <= top; ++y) {
       Row blocked;
       int x = 0;
-      for (const Run& run : mask.runs) {
+      for (const CellRun& run : mask.runs) {
         blocked |= square[y + run.row].blocked(run);
         x = blocked.firstFree();
         if (x + mask.width > cells_) break;
@@ -266,7 +266,7 @@ class Packer {
         mask = std::move(own);
       }
       if (!best) return {};
-      for (const Run& run : mask.runs)
+      for (const CellRun& run : mask.runs)
         square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
       berths[i] = *best;
     }

@@ -125,14 +125,14 @@ double distance(const PlaneTriangle& s, const PlaneTriangle& t) {
   return least;
 }
 
-struct Box {
+struct Extent {
   std::array<double, 2> low, high;
 
-  explicit Box(const PlaneTriangle& t) {
+  explicit Extent(const PlaneTriangle& t) {
     for (int k = 0; k < 2; ++k)
       std::tie(low[k], high[k]) = std::minmax({t[0][k], t[1][k], t[2][k]});
   }
-  bool isFarFrom(const Box& other, double gap) const {
+  bool isFarFrom(const Extent& other, double gap) const {
     for (int k = 0; k < 2; ++k)
       if (low[k] > other.high[k] + gap || other.low[k] > high[k] + gap) return true;
     return false;
@@ -196,7 +196,7 @@ void requireLaws(const Laid& laid) {
   }
   CHECK(least > 0);
   CHECK(most / least <= 1.5);
-  std::vector<Box> boxes;
+  std::vector<Extent> boxes;
   for (Index t = 0; t < count; ++t) boxes.emplace_back(laid.plane(t));
   std::size_t overlaps = 0, near = 0;
   for (Index s = 0; s < count; ++s)
