@@ -15,23 +15,38 @@ import {
   buildFuzz, buildMeasure, buildProfile, buildUnitTests, buildWebAssembly, configureUnitTests,
 } from './build/compile.js';
 import { installNpmPackages, installTools } from './build/install.js';
-import { BuildError, say } from './build/say.js';
+import { BuildError, run, say } from './build/say.js';
 import { thisSystem } from './build/system.js';
 
 /** @typedef {import('./build/needs.js').Part} Part */
 
 /**
- * Side by side: linking the module as a whole keeps one core busy, and the tests the other; and
- * compilers need nothing of npm.
+ * The tests that look at C++ only, which remember what they found good; what they complain of they
+ * say again when it is their turn.
+ */
+function testAhead() {
+  const files = ['tests/lint.test.js', 'tests/unit.test.js'];
+  const words = ['--test', '--test-name-pattern=^C\\+\\+( passes| compiles|$)', ...files];
+  return run(process.execPath, words, { givesWay: true }).catch(() => {});
+}
+
+/**
+ * Side by side: linking the module as a whole keeps one core busy, and the tests the other: while
+ * they are built and, where that took little, run. Compilers need nothing of npm.
  */
 async function build(/** @type {readonly Part[]} */ parts) {
   const system = thisSystem();
   const installs = installNpmPackages();
   installs.catch(() => {});  // told below; missing tools are told first
   await installTools(system, parts);
+  let isPackageInWork = parts.includes('package');
   const steps = {
-    package: () => Promise.all([buildWebAssembly(system), installs]).then(assemblePackage),
-    tests: () => buildUnitTests(system),
+    package: () => Promise.all([buildWebAssembly(system), installs]).then(assemblePackage)
+      .finally(() => { isPackageInWork = false; }),
+    tests: async () => {
+      await Promise.all([buildUnitTests(system), installs]);
+      if (isPackageInWork) await testAhead();
+    },
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
     fuzz: () => buildFuzz(system),

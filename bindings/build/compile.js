@@ -73,12 +73,13 @@ export const buildWebAssembly = (system) => buildTarget({
 
 /**
  * What comes after the module, its linking and the package's types, uses one core: it begins as
- * early as it can, and the tests fill the other.
+ * early as it can, and the tests fill the other. The fuzzer's one unit is not left for the end,
+ * where it would have a core to itself and the other none.
  * @param {System} system
  */
 const unitTests = (system) => ({
   what: 'the unit tests, with sanitizers', folder: 'build/test',
-  names: ['unit_tests', 'fuzz_replay'], givesWay: true,
+  names: ['fuzz_replay', 'unit_tests'], givesWay: true,
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
 
