@@ -13,7 +13,8 @@ namespace remesher {
 namespace {
 
 // Boundaries may have been cut apart where they lie on each other, and are to be joined again:
-// there a vertex has reason to move only where it came upon one that was there before.
+// there a vertex has reason to move only where it came upon one that was there before, or where
+// edges inside lie on each other, too.
 enum class Tie { Fixed, Boundary, Curve, None };
 
 Tie tieOf(const WorkingMesh& mesh, Vertex v) {
@@ -51,8 +52,23 @@ std::vector<Written> inOnePlane(const Run& run) {
   return result;
 }
 
-// Of those at one place all but the first of the least free; of boundaries those that may move, if
-// that one may not.
+// Whether edges inside lead from both, which lie at one place, to one place.
+bool shareChord(const Run& run, Vertex v, Vertex w) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const auto forEachInside = [&](Vertex from, auto visit) {
+    mesh.forEachOutgoing(from, [&](Halfedge h) {
+      if (!mesh.isBoundary(h)) visit(written(run.mesh.position(mesh.tip(h)), run.rule.grain));
+    });
+  };
+  bool found = false;
+  forEachInside(v, [&](const Vec3& to) {
+    forEachInside(w, [&](const Vec3& other) { found = found || to == other; });
+  });
+  return found;
+}
+
+// Of those at one place all but the first of the least free; of boundaries those with reason to
+// move, see Tie.
 std::vector<Written> onOthers(const Run& run) {
   std::vector<Written> all = inOnePlane(run);
   std::sort(all.begin(), all.end(),
@@ -62,7 +78,8 @@ std::vector<Written> onOthers(const Run& run) {
   for (std::size_t i = 1; i < all.size(); ++i) {
     if (all[i].position != all[first].position)
       first = i;
-    else if (all[i].tie > Tie::Boundary || all[i].tie > all[first].tie)
+    else if (all[i].tie > Tie::Boundary || all[i].tie > all[first].tie ||
+             (all[i].tie == Tie::Boundary && shareChord(run, all[i].vertex, all[first].vertex)))
       result.push_back(all[i]);
   }
   return result;
@@ -106,10 +123,11 @@ std::size_t moveApart(Run& run) {
   double step = 0.25;
   std::vector<Written> others = onOthers(run);
   for (int i = 0; i < kTries && !others.empty(); ++i, step /= 2) {
-    for (const auto& [position, tie, v] : others) {
-      if (tie == Tie::None) moveInside(run, v, step);
-      if (tie == Tie::Boundary) moveAlong(run, v, step);
-    }
+    for (const Written& one : others)
+      if (one.tie == Tie::None) moveInside(run, one.vertex, step);
+    // What lay inside no longer lies on each other.
+    for (const Written& one : onOthers(run))
+      if (one.tie == Tie::Boundary) moveAlong(run, one.vertex, step);
     others = onOthers(run);
   }
   return others.size();
