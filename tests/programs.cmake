@@ -66,6 +66,7 @@ add_executable(unit_tests
   tests/unit/painting/side_finder_test.cpp
   tests/unit/painting/tangents_test.cpp
   tests/unit/painting/texture_test.cpp
+  tests/unit/parts/part_report_test.cpp
   tests/unit/parts/part_scale_test.cpp
   tests/unit/parts/part_targets_test.cpp
   tests/unit/parts/precision_test.cpp

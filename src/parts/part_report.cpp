@@ -2,6 +2,7 @@
 #include "parts/part_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "measure/mesh_report.h"
 
@@ -55,11 +56,18 @@ std::vector<Index> withoutLines(const TriangleMesh& mesh) {
   return kept.empty() ? mesh.indices : kept;
 }
 
-// Where a part is shown as a line, or pressed flat, its distances are those it has by itself.
+// Whether a body stays one: of a line, or of what is pressed flat, rounding leaves no shape.
+bool isSolid(const Transform& place) {
+  constexpr double kLeast = 1e-9;  // of the volume that axes of their lengths could span
+  const auto& axes = place.linear();
+  const double most = axes.col(0).norm() * axes.col(1).norm() * axes.col(2).norm();
+  return std::abs(axes.determinant()) > kLeast * most;
+}
+
+// Where a part is shown as no body its distances are those it has by itself.
 Transform placeOf(const io::Part& part) {
-  const bool isSolid =
-      !part.instances.empty() && part.instances.front().linear().determinant() != 0;
-  return isSolid ? Transform(part.instances.front()) : Transform::Identity();
+  const bool isShown = !part.instances.empty() && isSolid(part.instances.front());
+  return isShown ? Transform(part.instances.front()) : Transform::Identity();
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "parts/part_report.h"
+
+#include <doctest/doctest.h>
+
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+TriangleMesh shown(const Transform& place) {
+  return gathered({io::Part{"grid", shapes::grid(4, 4), {place}}});
+}
+
+}  // namespace
+
+TEST_CASE("part report: a part is measured where it is shown, unless rounding leaves it no shape") {
+  const TriangleMesh itself = shown(Transform::Identity());
+  Transform wide = Transform::Identity();
+  wide.linear().diagonal() = Vec3(1e12, 1, 1e-12);
+  CHECK(shown(wide).positions.back() == Vec3(4e12, 4, 0));
+  Transform flat = Transform::Identity();
+  flat.linear().diagonal() = Vec3(1, 0, 1);
+  CHECK(shown(flat).positions == itself.positions);
+  // All but along one direction.
+  Transform line = Transform::Identity();
+  line.linear().col(0) = Vec3(1e30, 1e30, 1e-6);
+  line.linear().col(1) = Vec3(1e6, 1e-6, 1e-45);
+  line.linear().col(2) = Vec3(0, 1e-30, 0);
+  CHECK(shown(line).positions == itself.positions);
+}
