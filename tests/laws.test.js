@@ -27,6 +27,11 @@ test('a broken law is noticed', async () => {
   assert.deepEqual(lawsOfReports({ ...report, output, warnings: said }, {}), []);
   assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(1) }, {}).length, 2);
   assert.equal(lawsOfReports({ ...report, output, warnings: said.slice(0, 1) }, {}).length, 2);
+  const lost = { ...report, output: { ...side, degenerateTriangles: 2 } };
+  const made = { code: 'DEGENERATE_TRIANGLES_MADE', message: 'As near (0, 0, 0).' };
+  assert.match(lawsOfReports({ ...lost, warnings: [made] }, {})[0], /2 degenerate triangles/);
+  const rounded = [made, { code: 'VERTICES_COINCIDE', message: 'They do.' }];
+  assert.deepEqual(lawsOfReports({ ...lost, warnings: rounded }, {}), []);
   assert.match(lawsOfReports({ ...report, fidelity: { hausdorff: 101 } }, {})[0], /101 % of/);
   assert.match(lawsOfErrors({ code: 'INTERNAL', message: 'Oh.' })[0], /INTERNAL/);
   assert.match(lawsOfErrors({ code: 'PARSE_ERROR', message: 'Oh' })[0], /not a sentence/);
