@@ -2,7 +2,6 @@
 #include "parts/part_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "measure/mesh_report.h"
 
@@ -56,17 +55,19 @@ std::vector<Index> withoutLines(const TriangleMesh& mesh) {
   return kept.empty() ? mesh.indices : kept;
 }
 
-// Whether a body stays one: of a line, or of what is pressed flat, rounding leaves no shape.
-bool isSolid(const Transform& place) {
-  constexpr double kLeast = 1e-9;  // of the volume that axes of their lengths could span
-  const auto& axes = place.linear();
-  const double most = axes.col(0).norm() * axes.col(1).norm() * axes.col(2).norm();
-  return std::abs(axes.determinant()) > kLeast * most;
+// Whether a cube can be had back from where it is shown: rounding leaves no shape of what is shown
+// as a line, or pressed flat, or all but so.
+bool keepsShape(const Transform& place) {
+  constexpr double kLost = 1e-6;
+  const Eigen::Matrix3d there = place.linear(), back = there.inverse();
+  const auto comesBack = [&](const Vec3& p) { return (back * (there * p) - p).norm() <= kLost; };
+  return comesBack({1, 1, 1}) && comesBack({-1, 1, 1}) && comesBack({1, -1, 1}) &&
+         comesBack({1, 1, -1});
 }
 
-// Where a part is shown as no body its distances are those it has by itself.
+// Where a part is shown without its shape its distances are those it has by itself.
 Transform placeOf(const io::Part& part) {
-  const bool isShown = !part.instances.empty() && isSolid(part.instances.front());
+  const bool isShown = !part.instances.empty() && keepsShape(part.instances.front());
   return isShown ? Transform(part.instances.front()) : Transform::Identity();
 }
 

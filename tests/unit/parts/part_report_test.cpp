@@ -23,10 +23,14 @@ TEST_CASE("part report: a part is measured where it is shown, unless rounding le
   Transform flat = Transform::Identity();
   flat.linear().diagonal() = Vec3(1, 0, 1);
   CHECK(shown(flat).positions == itself.positions);
-  // All but along one direction.
+  // Lines, but for what is lost beside the longest axis.
   Transform line = Transform::Identity();
   line.linear().col(0) = Vec3(1e30, 1e30, 1e-6);
   line.linear().col(1) = Vec3(1e6, 1e-6, 1e-45);
   line.linear().col(2) = Vec3(0, 1e-30, 0);
+  CHECK(shown(line).positions == itself.positions);
+  line.linear().col(0) = Vec3(-1e30, 3e38, 1);
+  line.linear().col(1) = Vec3(1e-6, -1, 0);
+  line.linear().col(2) = Vec3(0, 1e-30, 1e-30);
   CHECK(shown(line).positions == itself.positions);
 }
