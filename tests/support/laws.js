@@ -150,6 +150,10 @@ export async function lawsOfFiles(before, after) {
   const known = isGltf(before) ? await complaints(before) : new Map();
   // What was wrong before is not known then, and may be so still.
   if (known.has('VALIDATOR_FAILED')) return [];
+  // Of a mesh whose joints and weights do not match it does not ask for a skin.
+  if (known.has('MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH')) {
+    known.set('NODE_SKINNED_MESH_WITHOUT_SKIN', 'perhaps');
+  }
   const now = await complaints(after);
   const worse = [...now].filter(([code]) => !known.has(code)).map(([, words]) => words);
   return known.size === 0 ? [...worse, ...lawsOfColors(after)] : worse;
