@@ -33,8 +33,8 @@ constexpr int kRounds = 4;
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
 // Between two shells all is far off, and as near to one as to the other: a try may look at millions
 // of triangles of the original there, and where a mesh passes through itself all over at as many of
-// its own; elsewhere at up to fourteen thousand.
-constexpr std::size_t kLooksPerTry = 15'000;
+// its own; elsewhere seldom at more than ten thousand.
+constexpr std::size_t kLooksPerTry = 12'000;
 
 std::size_t triesFor(std::size_t vertices) {
   return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
