@@ -2,11 +2,12 @@
 // The tree keeps its shape: arrows between rooms point down, nothing is circular, and every source
 // file is built.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { dirname, join, normalize, relative } from 'node:path';
 import { test } from 'node:test';
 
 import { coreRooms, findCircle, packageRooms, pageRooms, wrongArrows } from './support/rooms.js';
-import { filesUnder, readText } from './support/tree.js';
+import { filesUnder, readText, root } from './support/tree.js';
 
 const cppFiles = filesUnder('src', /\.(h|cpp)$/);
 const bindingFiles = filesUnder('bindings', /\.(h|cpp)$/);
@@ -155,6 +156,19 @@ test('every unit test is named after the file it tests', () => {
     const name = file.replace('tests/unit/', 'src/').replace('_test.cpp', '');
     return !cppFiles.some((subject) => name.startsWith(subject.replace(/\.(h|cpp)$/, '')));
   });
+  assert.deepEqual(wrong, []);
+});
+
+test('the top level holds what belongs there, and nothing that was left behind', (t) => {
+  const { status, stdout } = spawnSync('git', ['ls-files', '-z'], { cwd: root, encoding: 'utf8' });
+  if (status !== 0) {
+    t.skip('not a checkout of git');
+    return;
+  }
+  const folders = /^(\.[a-z-]+|bindings|docs|examples|src|tests|web)$/;
+  const files = /^(CMakeLists\.txt|package(-lock)?\.json|LICENSE|[A-Z]+\.md)$/;
+  const entries = new Set(stdout.split('\0').filter(Boolean).map((path) => path.split('/')[0]));
+  const wrong = [...entries].filter((name) => !folders.test(name) && !files.test(name));
   assert.deepEqual(wrong, []);
 });
 
