@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace remesher {
 
@@ -114,34 +115,32 @@ class Placing {
 
   void addStage(std::size_t i) {
     std::vector<Choice> stage;
-    const std::vector<std::size_t> cheapest = cheapestFirst(stages_.back());
+    const Costs cheapest = cheapestFirst(stages_.back());
     for (const double arc : candidates(i)) stage.push_back(bestWayTo(arc, i, cheapest));
     stages_.push_back(std::move(stage));
   }
 
-  static std::vector<std::size_t> cheapestFirst(const std::vector<Choice>& stage) {
-    std::vector<std::size_t> order;
-    for (std::size_t k = 0; k < stage.size(); ++k) {
-      std::size_t at = k;
-      order.push_back(k);
-      for (; at > 0 && stage[order[at - 1]].cost > stage[k].cost; --at) order[at] = order[at - 1];
-      order[at] = k;
-    }
-    return order;
+  using Costs = std::vector<std::pair<double, std::size_t>>;
+
+  static Costs cheapestFirst(const std::vector<Choice>& stage) {
+    Costs costs;
+    for (const Choice& choice : stage) costs.emplace_back(choice.cost, costs.size());
+    std::sort(costs.begin(), costs.end());
+    return costs;
   }
 
   // Of ways that cost the same the one over the first choice before.
-  Choice bestWayTo(double arc, std::size_t i, std::span<const std::size_t> cheapest) const {
+  Choice bestWayTo(double arc, std::size_t i, const Costs& cheapest) const {
     Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
     const double move = (arc - arcs_[i]) / even_;
-    for (const std::size_t k : cheapest) {
-      const Choice& before = stages_.back()[k];
-      const double moved = before.cost + move * move;
+    for (const auto& [costBefore, k] : cheapest) {
+      const double moved = costBefore + move * move;
       if (moved > choice.cost) break;
-      if (before.site.arc >= arc) continue;
-      const double uneven = unevenness(before.site, choice.site);
+      const Site& before = stages_.back()[k].site;
+      if (before.arc >= arc) continue;
+      const double uneven = unevenness(before, choice.site);
       if (moved + uneven > choice.cost) continue;
-      const double cost = moved + (uneven + farness(before.site, choice.site));
+      const double cost = moved + (uneven + farness(before, choice.site));
       if (cost > choice.cost || (cost == choice.cost && k > choice.before)) continue;
       choice.cost = cost;
       choice.before = k;
