@@ -158,6 +158,18 @@ test('an output’s name tells the format, and nothing else may tell another', (
   assert.equal(parseCommandLine(['a.off', '-o', 'x.GLB', '--format', '.glb']).format, 'glb');
 });
 
+test('what new textures are like is not said of those that are kept', () => {
+  const parsed = (...words) => parseCommandLine(['a.glb', '-o', 'b.glb', ...words]);
+  for (const words of [['--texture-size', '64'], ['--texture-format', 'png']]) {
+    const hint = new RegExp(`^${words[0]} .* Add --textures bake\\.`);
+    for (const textures of [[], ['--textures', 'keep']]) {
+      assert.throws(() => parsed(...words, ...textures),
+        (error) => exitStatusOf(error) === 2 && hint.test(errorInWords(error)));
+    }
+    assert.equal(parsed(...words, '--textures', 'bake').options.textures, 'bake');
+  }
+});
+
 test('inspect writes no file, and takes one', () => {
   failsWith(2, /inspect writes no file/, 'inspect', 'torus.off', '-o', 'x.off');
   failsWith(2, /inspect writes no file/, 'inspect', 'torus.off', '--format', 'obj');

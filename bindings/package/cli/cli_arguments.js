@@ -194,6 +194,15 @@ function checkOutput(line) {
   if (line.output !== '-' && !isFolder(line.output)) checkName(line);
 }
 
+/** What new textures are like is said of new textures only. @param {CommandLine} line */
+function checkBaking({ options }) {
+  const painted = optionTable.find(({ name }) =>
+    ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);
+  if (!painted || options.textures === 'bake') return;
+  throw wrongUse(`${flagOf(painted)} is for textures that are painted anew.`,
+    'Add --textures bake.');
+}
+
 /** @param {readonly string[]} words @returns {CommandLine} */
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
@@ -210,6 +219,7 @@ export function parseCommandLine(words) {
   }
   setNames(line, names);
   checkOutput(line);
+  checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
   line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
   return line;
