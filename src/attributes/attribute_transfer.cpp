@@ -30,10 +30,8 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 class Extraction {
  public:
   Extraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
-      : mesh_(mesh),
-        input_(input),
-        mix_(mesh.surface(), input, rules.chartless),
-        points_(cornerPoints(mesh, rules.charts)) {
+      : mesh_(mesh), input_(input), mix_(mesh.surface(), input, rules.chartless) {
+    if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules.charts);
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -41,8 +39,11 @@ class Extraction {
   TriangleMesh run() {
     const HalfedgeMesh& m = mesh_.mesh();
     HalfedgeData<Index> outputOf(m.halfedgeCapacity(), kNone);
+    result_.positions.reserve(m.vertexCount());
+    result_.indices.reserve(3 * m.faceCount());
     for (Index i = 0; i < m.vertexCapacity(); ++i)
-      if (m.isAlive(Vertex(i))) addVertex(Vertex(i), outputOf);
+      if (m.isAlive(Vertex(i)))
+        input_.attributes.empty() ? addBare(Vertex(i), outputOf) : addVertex(Vertex(i), outputOf);
     for (Index f = 0; f < m.faceCapacity(); ++f) {
       if (!m.isAlive(Face(f))) continue;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) result_.indices.push_back(outputOf[Halfedge(h)]);
@@ -52,6 +53,13 @@ class Extraction {
   }
 
  private:
+  // Where there are no attributes all sides are one.
+  void addBare(Vertex v, HalfedgeData<Index>& outputOf) {
+    const Index made = Index(result_.positions.size());
+    result_.positions.push_back(mesh_.position(v));
+    mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) { outputOf[h] = made; });
+  }
+
   // Turns around v; every curve edge begins a new side, and so does every other place that a
   // corner takes its attributes from. Sides with equal attributes share one output.
   void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
@@ -79,7 +87,7 @@ class Extraction {
   Index addSide(Vertex v, Halfedge h, Index begin) {
     const Index made = Index(result_.positions.size());
     result_.positions.push_back(mesh_.position(v));
-    if (!result_.attributes.empty()) mix_.append(points_[h], result_.attributes);
+    mix_.append(points_[h], result_.attributes);
     for (Index other = begin; other < made; ++other)
       if (sameAttributes(other, made)) {
         dropLast();
@@ -109,7 +117,7 @@ class Extraction {
   const WorkingMesh& mesh_;
   const TriangleMesh& input_;
   AttributeMix mix_;
-  HalfedgeData<SurfacePoint> points_;
+  HalfedgeData<SurfacePoint> points_;  // none where there are no attributes
   TriangleMesh result_;
 };
 
