@@ -290,11 +290,10 @@ io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::s
   return all;
 }
 
-// The model, whose coordinates are said to be as precise as they will be written.
+// The model, its coordinates as they will be written.
 io::Model readFor(const std::string& outputName, const FileBundle& input) {
   io::Model model = io::read(input.file, input.resources);
-  if (io::roundsToSingle(outputName))
-    for (io::Part& part : model.parts) part.mesh.isSingle = true;
+  io::prepare(model, outputName);
   if (model.parts.empty())
     model.warnings.push_back(
         {"NOTHING_TO_REMESH", "There are no triangles: the file is passed on as it came."});
@@ -358,7 +357,8 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
 
 ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName) {
   io::requireWritable(outputName);
-  const io::Model model = io::read(input.file, input.resources);
+  io::Model model = io::read(input.file, input.resources);
+  io::prepare(model, outputName);
   io::WrittenFiles written = io::write(model, outputName);
   return {std::move(written.files), joined(model.warnings, written.warnings)};
 }

@@ -5,11 +5,13 @@
 #include <cctype>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/legible.h"
 #include "io/gltf/gltf.h"
 #include "io/model/companions.h"
+#include "io/model/near_origin.h"
 #include "io/ply/ply.h"
 #include "io/stl/stl.h"
 #include "io/text/obj.h"
@@ -104,9 +106,13 @@ bool holdsLods(const std::string& outputName) {
   return format != nullptr && format->read == readGltf;
 }
 
-bool roundsToSingle(const std::string& outputName) {
+void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
-  return format != nullptr && format->isSingle;
+  if (format == nullptr || !format->isSingle) return;
+  for (Part& part : model.parts) {
+    const bool wasExact = !std::exchange(part.mesh.isSingle, true);
+    if (wasExact && format->read == readGltf && isFarFromOrigin(part.mesh)) moveToOrigin(part);
+  }
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {

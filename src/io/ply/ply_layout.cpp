@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <string_view>
+
+#include "io/model/near_origin.h"
 
 namespace remesher::io {
 namespace {
@@ -89,19 +89,11 @@ std::string customName(const std::string& semantic) {
   return name;
 }
 
-// Single precision serves unless it moves vertices by a visible part of the model, as it does far
-// from the origin.
+// Single precision serves where it can hold them, and their shape.
 PlyType positionType(const TriangleMesh& mesh) {
-  constexpr double kVisible = 1e-6;
-  constexpr double kStep = std::numeric_limits<float>::epsilon() / 2;
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : mesh.positions) box.extend(position);
-  if (box.isEmpty()) return PlyType::Float32;
-  const double farthest =
-      std::max(box.min().lpNorm<Eigen::Infinity>(), box.max().lpNorm<Eigen::Infinity>());
-  const bool isNear = farthest * kStep <= kVisible * box.diagonal().norm();
-  const bool isSmall = farthest <= double{std::numeric_limits<float>::max()};
-  return isNear && isSmall ? PlyType::Float32 : PlyType::Float64;
+  const bool areSmall = std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                                    [](const Vec3& p) { return p.cast<float>().allFinite(); });
+  return areSmall && !isFarFromOrigin(mesh) ? PlyType::Float32 : PlyType::Float64;
 }
 
 void append(std::vector<PlyField>& fields, const KnownNames& known, PlyType type) {
