@@ -38,7 +38,7 @@ class Search {
       : mesh_(mesh), positions_(positions), rules_(rules), isFar_(mesh.vertexCapacity(), 0) {}
 
   Spikes run() {
-    markFar();
+    if (!markFar()) return {};
     Spikes spikes;
     spikes.lengths.assign(mesh_.vertexCapacity(), 0);
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
@@ -59,23 +59,34 @@ class Search {
   }
 
  private:
-  double distance(Vertex a, Vertex b) const { return (positions_[b] - positions_[a]).norm(); }
+  double distance(Vertex a, Vertex b) const {
+    return remesher::distance(positions_[a], positions_[b]);
+  }
 
-  void markFar() {
+  // Those at whose ends most edges, on a boundary all, are far longer than usual. Whether any are.
+  bool markFar() {
     std::vector<double> lengths;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isEdge(Halfedge(i)))
         lengths.push_back(distance(mesh_.origin(Halfedge(i)), mesh_.tip(Halfedge(i))));
-    const double usual = median(lengths);
+    const double longest = *std::max_element(lengths.begin(), lengths.end());
+    const double limit = kFar * median(lengths);
+    if (!(longest > limit)) return false;
+    bool anyFar = false;
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (!mesh_.isAlive(v)) continue;
-      lengths.clear();
-      mesh_.forEachNeighbor(v, [&](Vertex w) { lengths.push_back(distance(v, w)); });
-      isFar_[v] = (mesh_.isBoundary(v) ? *std::min_element(lengths.begin(), lengths.end())
-                                       : median(lengths)) > kFar * usual;
-      if (!isFar_[v]) rest_.extend(positions_[v]);
+      int all = 0, near = 0;
+      mesh_.forEachNeighbor(v, [&](Vertex w) {
+        ++all;
+        near += distance(v, w) > limit ? 0 : 1;
+      });
+      isFar_[v] = near <= (mesh_.isBoundary(v) ? 0 : all / 2);
+      anyFar = anyFar || isFar_[v];
     }
+    for (Index i = 0; anyFar && i < mesh_.vertexCapacity(); ++i)
+      if (mesh_.isAlive(Vertex(i)) && !isFar_[Vertex(i)]) rest_.extend(positions_[Vertex(i)]);
+    return anyFar;
   }
 
   // Those that hang together with v; each is taken once.

@@ -7,6 +7,16 @@
 
 namespace remesher {
 
+double distance(const Vec3& a, const Vec3& b) { return (b - a).norm(); }
+
+Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * areaVector(a, b, c).norm();
+}
+
+bool hasTwins(const Vec3& a, const Vec3& b, const Vec3& c) { return a == b || b == c || c == a; }
+
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = areaVector(a, b, c);
   const double length = n.norm();

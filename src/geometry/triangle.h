@@ -10,11 +10,13 @@ namespace remesher {
 
 using Triangle = std::array<Vec3, 3>;
 
+// What is compiled for size calls these; in headers, each operator of theirs would be a call there.
+double distance(const Vec3& a, const Vec3& b);
 // Twice the area times the unit normal.
-inline Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
-inline double area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return 0.5 * areaVector(a, b, c).norm();
-}
+Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c);
+double area(const Vec3& a, const Vec3& b, const Vec3& c);
+// Whether two of the corners lie in one place.
+bool hasTwins(const Vec3& a, const Vec3& b, const Vec3& c);
 
 // The unit normal; zero for a triangle without area.
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);

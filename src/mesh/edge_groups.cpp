@@ -47,8 +47,9 @@ void insertionSort(std::span<Entry> bucket) {
 EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) {
   constexpr std::size_t kSmall = 16;
   Buckets buckets(vertexCount, corners);
-  halfedges_.reserve(corners.size());
+  halfedges_.resize(corners.size());
   starts_.reserve(corners.size() / 2 + 2);
+  Index at = 0;
   for (std::size_t v = 0; v < vertexCount; ++v) {
     const std::span<Entry> bucket =
         std::span(buckets.entries)
@@ -58,12 +59,11 @@ EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) 
     else
       std::sort(bucket.begin(), bucket.end());
     for (std::size_t i = 0; i < bucket.size(); ++i) {
-      if (i == 0 || bucket[i].upper != bucket[i - 1].upper)
-        starts_.push_back(Index(halfedges_.size()));
-      halfedges_.push_back(bucket[i].halfedge);
+      if (i == 0 || bucket[i].upper != bucket[i - 1].upper) starts_.push_back(at);
+      halfedges_[at++] = bucket[i].halfedge;
     }
   }
-  starts_.push_back(Index(halfedges_.size()));
+  starts_.push_back(at);
 }
 
 }  // namespace remesher

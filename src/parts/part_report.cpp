@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 
 namespace remesher {
@@ -47,10 +48,11 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
 // they stay.
 std::vector<Index> withoutLines(const TriangleMesh& mesh) {
   std::vector<Index> kept;
+  kept.reserve(mesh.indices.size());
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Index* const t = &mesh.indices[i];
-    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    if (a != b && b != c && c != a) kept.insert(kept.end(), t, t + 3);
+    if (hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]])) continue;
+    kept.insert(kept.end(), t, t + 3);
   }
   return kept.empty() ? mesh.indices : kept;
 }
@@ -91,7 +93,12 @@ TriangleMesh gathered(const std::vector<io::Part>& parts) {
     const auto first = static_cast<Index>(all.positions.size());
     Transform place = placeOf(part);
     place.translation() -= origin;
-    for (const Vec3& position : part.mesh.positions) all.positions.push_back(place * position);
+    const std::vector<Vec3>& own = part.mesh.positions;
+    all.positions.insert(all.positions.end(), own.begin(), own.end());
+    if (!place.matrix().isIdentity(0))
+      for (std::size_t i = first; i < all.positions.size(); ++i)
+        all.positions[i] = place * all.positions[i];
+    all.indices.reserve(all.indices.size() + part.mesh.indices.size());
     for (const Index i : part.mesh.indices) all.indices.push_back(first + i);
   }
   all.indices = withoutLines(all);

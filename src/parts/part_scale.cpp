@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/triangle.h"
+
 namespace remesher {
 namespace {
 
@@ -22,18 +24,19 @@ void scale(std::vector<Vec3>& positions, double factor) {
 using HalfBox = Eigen::AlignedBox3d;
 
 // Of what has an area: a stray vertex, or a triangle that is a line, is not worked on. Indices have
-// yet to be looked at.
-HalfBox halfBox(const io::Part& part, const Transform& place) {
+// yet to be looked at. Without a place the part is where it says itself.
+HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
   HalfBox box;
-  const std::vector<Vec3>& positions = part.mesh.positions;
+  const std::vector<Vec3>& positions = mesh.positions;
   std::vector<char> isIn(positions.size(), 0);
-  for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
-    const Index* const t = &part.mesh.indices[i];
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Index* const t = &mesh.indices[i];
     if (std::max({t[0], t[1], t[2]}) >= positions.size()) continue;
-    const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-    if (a == b || b == c || c == a) continue;
+    if (isIn[t[0]] && isIn[t[1]] && isIn[t[2]]) continue;
+    if (hasTwins(positions[t[0]], positions[t[1]], positions[t[2]])) continue;
     for (const Index v : {t[0], t[1], t[2]})
-      if (!std::exchange(isIn[v], 1)) box.extend(0.5 * (place * positions[v]));
+      if (!std::exchange(isIn[v], 1))
+        box.extend(0.5 * (place ? Vec3(*place * positions[v]) : positions[v]));
   }
   return box;
 }
@@ -42,14 +45,6 @@ HalfBox halfBox(const io::Part& part, const Transform& place) {
 bool fits(const io::Part& part, double scale) {
   return std::all_of(part.mesh.positions.begin(), part.mesh.positions.end(),
                      [&](const Vec3& p) { return (p * scale).allFinite(); });
-}
-
-HalfBox halfBoxOfWorld(const std::vector<io::Part>& parts) {
-  HalfBox box;
-  for (const io::Part& part : parts)
-    box.extend(
-        halfBox(part, part.instances.empty() ? Transform::Identity() : part.instances.front()));
-  return box;
 }
 
 // What brings the longest side of the box to between 1 and 2, or less if it lies so far away that
@@ -68,12 +63,15 @@ double unitScale(const HalfBox& box) {
 
 }  // namespace
 
-PartScale::PartScale(const std::vector<io::Part>& parts)
-    : world_(unitScale(halfBoxOfWorld(parts))) {
+PartScale::PartScale(const std::vector<io::Part>& parts) {
+  HalfBox world;
   for (const io::Part& part : parts) {
-    const double own = unitScale(halfBox(part, Transform::Identity()));
+    const HalfBox box = halfBox(part.mesh, nullptr);
+    world.extend(part.instances.empty() ? box : halfBox(part.mesh, &part.instances.front()));
+    const double own = unitScale(box);
     local_.push_back(fits(part, own) ? own : 1);
   }
+  world_ = unitScale(world);
 }
 
 bool PartScale::isNeeded() const {

@@ -28,7 +28,7 @@ class PartScale {
 
  private:
   std::vector<double> local_;  // per part
-  double world_;
+  double world_ = 1;
 };
 
 }  // namespace remesher

@@ -9,6 +9,7 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
+#include "mesh/weld.h"
 #include "steps/simplify.h"
 
 namespace remesher {
@@ -114,14 +115,14 @@ class Extraction {
 }  // namespace
 
 std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  std::vector<std::array<double, 3>> places;
+  std::vector<Vec3> places;
+  places.reserve(mesh.vertexCount());
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isAlive(Vertex(i))) {
-      const Vec3& p = positions[Vertex(i)];
-      places.push_back({p.x(), p.y(), p.z()});
-    }
-  std::sort(places.begin(), places.end());
-  return std::size_t(std::unique(places.begin(), places.end()) - places.begin());
+    if (mesh.isAlive(Vertex(i))) places.push_back(positions[Vertex(i)]);
+  const std::vector<Index> first = weld(places);
+  std::size_t count = 0;
+  for (Index i = 0; i < first.size(); ++i) count += first[i] == i ? 1 : 0;
+  return count;
 }
 
 // Four points to a triangle, for its corners are where vertices may have stayed.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/weld.h"
 #include "steps/sweeps.h"
 
 namespace remesher {
@@ -36,19 +37,22 @@ Written writtenAt(const Run& run, Vertex v) {
   return {written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v};
 }
 
-// Those beside others in one coordinate: few, mostly.
-std::vector<Written> inOnePlane(const Run& run) {
-  std::vector<std::pair<double, Vertex>> all;
-  for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index)
-    if (run.mesh.mesh().isAlive(v))
-      all.emplace_back(written(run.mesh.position(v), run.rule.grain).x(), v);
-  std::sort(all.begin(), all.end());
-  std::vector<Written> result;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double x = all[i].first;
-    if ((i > 0 && all[i - 1].first == x) || (i + 1 < all.size() && all[i + 1].first == x))
-      result.push_back(writtenAt(run, all[i].second));
+// Those that share their places with others.
+std::vector<Written> inOnePlace(const Run& run) {
+  std::vector<Vertex> vertices;
+  std::vector<Vec3> places;
+  for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index) {
+    if (!run.mesh.mesh().isAlive(v)) continue;
+    vertices.push_back(v);
+    places.push_back(written(run.mesh.position(v), run.rule.grain));
   }
+  const std::vector<Index> first = weld(places);
+  std::vector<char> isShared(first.size(), 0);
+  for (Index i = 0; i < first.size(); ++i)
+    if (first[i] != i) isShared[i] = isShared[first[i]] = 1;
+  std::vector<Written> result;
+  for (Index i = 0; i < first.size(); ++i)
+    if (isShared[i]) result.push_back(writtenAt(run, vertices[i]));
   return result;
 }
 
@@ -70,7 +74,7 @@ bool shareChord(const Run& run, Vertex v, Vertex w) {
 // Of those at one place all but the first of the least free; of boundaries those with reason to
 // move, see Tie.
 std::vector<Written> onOthers(const Run& run) {
-  std::vector<Written> all = inOnePlane(run);
+  std::vector<Written> all = inOnePlace(run);
   std::sort(all.begin(), all.end(),
             [](const Written& a, const Written& b) { return a.key() < b.key(); });
   std::vector<Written> result;
