@@ -9,7 +9,7 @@ MeshTree::MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
     : positions_(positions.values()),
       triangles_(mesh.triangles()),
       number_(mesh.faceCapacity(), kNone),
-      tree_(positions_, triangles_) {
+      tree_(positions_, triangles_, TriangleTree::Growth::WhereAsked) {
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     if (!mesh.isAlive(Face(i))) continue;
     number_[Face(i)] = Index(faces_.size());

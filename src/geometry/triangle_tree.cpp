@@ -19,43 +19,55 @@ float roundedUp(double x) {
   return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
 }
 
-struct Item {
-  std::array<float, 3> centre;
-  Index triangle;
-};
-
-std::size_t longestSide(std::span<const Item> items) {
-  std::array<float, 3> low = items[0].centre, high = low;
-  for (const Item& item : items)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], item.centre[axis]);
-      high[axis] = std::max(high[axis], item.centre[axis]);
-    }
-  std::size_t longest = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis)
-    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-  return longest;
-}
-
-// Halves the items along their longest side until one group is left. The parts but the last are
-// full: a power of four, or twice that. Ties are broken by number, so that equal input gives an
-// equal tree.
-void splitIntoGroups(std::span<Item> items) {
-  if (items.size() <= 4) return;
-  std::size_t unit = 4;
-  while (4 * unit <= items.size() / 2) unit *= 4;
-  const std::size_t half = (items.size() / 2 + unit / 2) / unit * unit;
-  const std::size_t axis = longestSide(items);
-  std::nth_element(items.begin(), items.begin() + half, items.end(),
-                   [axis](const Item& x, const Item& y) {
-                     return x.centre[axis] < y.centre[axis] ||
-                            (x.centre[axis] == y.centre[axis] && x.triangle < y.triangle);
-                   });
-  splitIntoGroups(items.first(half));
-  splitIntoGroups(items.subspan(half));
-}
-
 }  // namespace
+
+struct TriangleTree::Splitting {
+  static std::size_t longestSide(std::span<const Item> items) {
+    std::array<float, 3> low = items[0].centre, high = low;
+    for (const Item& item : items)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], item.centre[axis]);
+        high[axis] = std::max(high[axis], item.centre[axis]);
+      }
+    std::size_t longest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+      if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+    return longest;
+  }
+
+  // The first of them along their longest side come first. Ties are broken by number, so that equal
+  // input gives an equal tree.
+  static void split(std::span<Item> items, std::size_t first) {
+    const std::size_t axis = longestSide(items);
+    std::nth_element(items.begin(), items.begin() + first, items.end(),
+                     [axis](const Item& x, const Item& y) {
+                       return x.centre[axis] < y.centre[axis] ||
+                              (x.centre[axis] == y.centre[axis] && x.triangle < y.triangle);
+                     });
+  }
+
+  // Halves the items until one group is left. The parts but the last are full: a power of four, or
+  // twice that.
+  static void intoGroups(std::span<Item> items) {
+    if (items.size() <= 4) return;
+    std::size_t unit = 4;
+    while (4 * unit <= items.size() / 2) unit *= 4;
+    const std::size_t half = (items.size() / 2 + unit / 2) / unit * unit;
+    split(items, half);
+    intoGroups(items.first(half));
+    intoGroups(items.subspan(half));
+  }
+
+  // Four parts of so many each, of which the last may have fewer, or be missing.
+  static void intoMembers(std::span<Item> items, std::size_t each) {
+    if (items.size() <= each) return;
+    const std::size_t half = items.size() > 2 * each ? 2 * each : each;
+    split(items, half);
+    if (half == each) return;
+    intoMembers(items.first(half), each);
+    intoMembers(items.subspan(half), each);
+  }
+};
 
 TriangleTree::Group::Group() {
   for (Lanes& lanes : low) lanes.setConstant(std::numeric_limits<float>::infinity());
@@ -78,13 +90,17 @@ Box TriangleTree::Group::hull() const {
   return box;
 }
 
-TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices)
+TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
+                           Growth growth)
     : positions_(positions), indices_(indices) {
   if (indices.empty()) return;
   for (const Index v : indices) box_.extend(positions[v]);
   origin_ = middle();
-  sortTriangles();
-  buildLevels();
+  items_ = itemsInOrder();
+  order_.resize(items_.size());
+  for (std::size_t groups = items_.size(); levels_.empty() || groups > 1;)
+    levels_.emplace_back(groups = (groups + 3) / 4);
+  if (growth == Growth::AtOnce) growAtOnce();
 }
 
 // Of the box; or, where that is as large as a spike, of the small part of it that has a quarter of
@@ -111,31 +127,45 @@ Vec3 TriangleTree::middle() const {
   return 0.5 * (box.low + box.high);
 }
 
-void TriangleTree::sortTriangles() {
+std::vector<TriangleTree::Item> TriangleTree::itemsInOrder() const {
   std::vector<Item> items(indices_.size() / 3);
   for (Index t = 0; t < items.size(); ++t) {
     const Box box = boxOf(t);
     const Eigen::Vector3f centre = (0.5 * (box.low + box.high) - origin_).cast<float>();
     items[t] = {{centre[0], centre[1], centre[2]}, t};
   }
-  splitIntoGroups(items);
-  order_.resize(items.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order_[i] = items[i].triangle;
+  return items;
 }
 
-void TriangleTree::buildLevels() {
-  Level& leaves = levels_.emplace_back((order_.size() + 3) / 4);
-  for (std::size_t i = 0; i < order_.size(); ++i) {
+void TriangleTree::growAtOnce() {
+  Splitting::intoGroups(items_);
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    order_[i] = items_[i].triangle;
     const Box box = boxOf(order_[i]);
-    leaves[i / 4].set(static_cast<Eigen::Index>(i % 4), {box.low - origin_, box.high - origin_});
+    levels_[0][i / 4].set(static_cast<Eigen::Index>(i % 4),
+                          {box.low - origin_, box.high - origin_});
   }
-  while (levels_.back().size() > 1) {
-    const Level& below = levels_.back();
-    Level level((below.size() + 3) / 4);
-    for (std::size_t i = 0; i < below.size(); ++i)
-      level[i / 4].set(static_cast<Eigen::Index>(i % 4), below[i].hull());
-    levels_.push_back(std::move(level));
+  items_ = {};
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+    for (std::size_t i = 0; i < levels_[level - 1].size(); ++i)
+      levels_[level][i / 4].set(static_cast<Eigen::Index>(i % 4), levels_[level - 1][i].hull());
+}
+
+void TriangleTree::grow(Index level, Index group) const {
+  const std::size_t each = std::size_t{1} << (2 * level), begin = 4 * each * group;
+  const std::span<Item> items =
+      std::span(items_).subspan(begin, std::min(4 * each, items_.size() - begin));
+  Splitting::intoMembers(items, each);
+  std::array<Box, 4> boxes;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Box own = boxOf(items[i].triangle);
+    boxes[i / each].extend(own.low);
+    boxes[i / each].extend(own.high);
+    if (level == 0) order_[begin + i] = items[i].triangle;
   }
+  for (std::size_t k = 0; k * each < items.size(); ++k)
+    levels_[level][group].set(static_cast<Eigen::Index>(k),
+                              {boxes[k].low - origin_, boxes[k].high - origin_});
 }
 
 // A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,
@@ -196,7 +226,7 @@ void TriangleTree::lookEverywhere(Query& query) const {
   while (top > 0) {
     const Pending next = stack[--top];
     if (next.squaredDistance >= query.bound) continue;
-    const Group& group = levels_[next.level][next.group];
+    const Group& group = groupAt(next.level, next.group);
     if (next.level == 0) {
       lookInto(group, 4 * next.group, query);
       if (query.best.squaredDistance <= query.squaredEnough) return;

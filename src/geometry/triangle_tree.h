@@ -5,6 +5,9 @@
 // The triangles are put in an order along which neighbours are close in space; four consecutive
 // ones make a group, four consecutive groups one of the next level, up to a single one. So no
 // pointers are needed, and the boxes of a group's members lie side by side for the vector unit.
+//
+// Most trees are asked about a few places only. Such a one grows where it is asked: a group's
+// triangles are dealt out to its members when a search first comes there.
 #pragma once
 
 #include <array>
@@ -46,8 +49,12 @@ class TriangleTree {
     std::vector<Index> groups_;
   };
 
-  // indices: three per triangle. Every index must name a position, every coordinate be finite.
-  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices);
+  enum class Growth { AtOnce, WhereAsked };
+
+  // indices: three per triangle. Every index must name a position, every coordinate be finite; and
+  // they stay as they are while the tree grows.
+  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
+               Growth growth = Growth::AtOnce);
 
   // The point of the triangles nearest to p; none when there are no triangles.
   Nearest nearest(const Vec3& p) const;
@@ -68,7 +75,8 @@ class TriangleTree {
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
 
-  // The triangles in the tree's order: neighbours in it are close in space.
+  // The triangles in the tree's order: neighbours in it are close in space. Of a tree that was
+  // grown at once.
   std::span<const Index> order() const { return order_; }
 
   Triangle corners(Index triangle) const {
@@ -88,7 +96,13 @@ class TriangleTree {
     Group();
     void set(Eigen::Index member, const Box& box);
     Box hull() const;
+    bool isBlank() const { return high[0][0] < low[0][0]; }
   };
+  struct Item {
+    std::array<float, 3> centre;
+    Index triangle;
+  };
+  struct Splitting;
   // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
   // order_[4g + k].
   using Level = std::vector<Group>;
@@ -100,8 +114,13 @@ class TriangleTree {
 
   Box boxOf(Index triangle) const;
   Vec3 middle() const;
-  void sortTriangles();
-  void buildLevels();
+  std::vector<Item> itemsInOrder() const;
+  void growAtOnce();
+  [[gnu::noinline]] void grow(Index level, Index group) const;
+  const Group& groupAt(Index level, Index group) const {
+    if (levels_[level][group].isBlank()) grow(level, group);
+    return levels_[level][group];
+  }
   struct Query;
 
   Query ask(const Vec3& p) const;
@@ -115,8 +134,10 @@ class TriangleTree {
   std::span<const Index> indices_;
   Box box_;
   Vec3 origin_ = Vec3::Zero();  // see middle()
-  std::vector<Index> order_;
-  std::vector<Level> levels_;  // the last one is a single group
+  // Where it has grown:
+  mutable std::vector<Item> items_;  // none where it has grown at once
+  mutable std::vector<Index> order_;
+  mutable std::vector<Level> levels_;  // the last one is a single group
 };
 
 inline Box TriangleTree::boxOf(Index triangle) const {
@@ -135,7 +156,7 @@ void TriangleTree::visitGroups(const Box& box, Visit&& visit) const {
   stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};
   while (top > 0) {
     const Pending next = stack[--top];
-    const Group& group = levels_[next.level][next.group];
+    const Group& group = groupAt(next.level, next.group);
     const Eigen::Array<bool, 4, 1> overlaps =
         group.low[0] <= wanted.high[0][0] && group.high[0] >= wanted.low[0][0] &&
         group.low[1] <= wanted.high[1][0] && group.high[1] >= wanted.low[1][0] &&
