@@ -80,14 +80,18 @@ struct CellRun {
 // The cells that a chart comes into, padding included.
 struct Mask {
   std::vector<CellRun> runs;  // the longest first: most places are refused for that
-  int width = 0, height = 0;
+  int width = 0, height = 0, cells = 0;
 };
 
 // A row of the square, a bit to a cell.
 class Row {
  public:
   void fill(const CellRun& run) {
-    for (int i = run.begin; i < run.end(); ++i) words_[i / kBits] |= kOne << (i % kBits);
+    for (int i = run.begin; i < run.end();) {
+      const int count = std::min(kBits - i % kBits, run.end() - i);
+      words_[i / kBits] |= ~std::uint64_t{} >> (kBits - count) << (i % kBits);
+      i += count;
+    }
   }
 
   // Where a run cannot begin, for it would come upon a bit that is set.
@@ -113,6 +117,16 @@ class Row {
     return int(i) * kBits + (i < kWords ? std::countr_one(words_[i]) : 0);
   }
 
+  // How many cells without a bit lie side by side at most.
+  int longestFree(int cells) const {
+    int longest = 0;
+    for (int i = 0, begin = 0; i < cells; ++i) {
+      if (isSet(i)) begin = i + 1;
+      longest = std::max(longest, i + 1 - begin);
+    }
+    return longest;
+  }
+
  private:
   static constexpr int kBits = 64;
   static constexpr std::size_t kWords = kCells / kBits;
@@ -132,6 +146,12 @@ class Row {
   }
 
   std::array<std::uint64_t, kWords> words_{};
+};
+
+// What is taken of the square, and how many cells of a row are free side by side at most.
+struct Square {
+  std::vector<Row> rows;
+  std::vector<int> longestFree;
 };
 
 // From where to where something comes into a row.
@@ -194,11 +214,14 @@ class Packer {
   Mask maskOf(const PlaneChart& chart, double scale) const {
     const double height = scale * Bounds(chart).high.y() + 2.0 * rules_.padding;
     std::vector<Row> rows(std::size_t(std::ceil((height + 1) / cell_)));
+    std::vector<Reach> reaches(rows.size());
     for (const PlaneTriangle& t : chart) {
-      std::vector<Reach> reaches(rows.size());
       for (int k = 0; k < 3; ++k) addEdge(reaches, scale * t[k], scale * t[(k + 1) % 3]);
-      for (std::size_t i = 0; i < rows.size(); ++i)
+      const double low = scale * std::min({t[0].y(), t[1].y(), t[2].y()});
+      for (auto i = std::size_t(low / cell_); i < rows.size() && reaches[i].end > 0; ++i) {
         rows[i].fill({reaches[i].end - reaches[i].begin, 0, reaches[i].begin});
+        reaches[i] = {};
+      }
     }
     Mask mask;
     mask.height = int(rows.size());
@@ -209,6 +232,7 @@ class Packer {
         while (i < int(kCells) && rows[r].isSet(i)) ++i;
         run.length = i - run.begin;
         mask.width = std::max(mask.width, i);
+        mask.cells += run.length;
         mask.runs.push_back(run);
       }
     std::sort(mask.runs.rbegin(), mask.runs.rend());
@@ -235,13 +259,29 @@ class Packer {
     }
   }
 
+  // The charts as they are and turned, as long as all of them have fewer cells than the square.
+  std::optional<std::vector<std::array<Mask, 2>>> masksAt(double scale) const {
+    std::vector<std::array<Mask, 2>> masks;
+    int free = cells_ * cells_;
+    for (const auto& [chart, turned] : charts_) {
+      masks.push_back({maskOf(chart, scale), maskOf(turned, scale)});
+      free -= std::min(masks.back()[0].cells, masks.back()[1].cells);
+      if (free < 0) return {};
+    }
+    return masks;
+  }
+
   // The lowest place that is free, of two as low the leftmost.
-  std::optional<Berth> berthFor(const Mask& mask, std::span<const Row> square, int top) const {
+  std::optional<Berth> berthFor(const Mask& mask, const Square& square, int top) const {
     for (int y = 0; y + mask.height <= top; ++y) {
+      const bool isHopeless = std::any_of(
+          mask.runs.begin(), mask.runs.end(),
+          [&](const CellRun& run) { return run.length > square.longestFree[y + run.row]; });
+      if (isHopeless) continue;
       Row blocked;
       int x = 0;
       for (const CellRun& run : mask.runs) {
-        blocked |= square[y + run.row].blocked(run);
+        blocked |= square.rows[y + run.row].blocked(run);
         x = blocked.firstFree();
         if (x + mask.width > cells_) break;
       }
@@ -251,23 +291,25 @@ class Packer {
   }
 
   std::optional<std::vector<Berth>> tryScale(double scale) const {
-    std::vector<Row> square(cells_);
+    const auto masks = masksAt(scale);
+    if (!masks) return {};
+    Square square{std::vector<Row>(cells_), std::vector<int>(cells_, cells_)};
     std::vector<Berth> berths(charts_.size());
     for (const auto& [size, i] : order_) {
       std::optional<Berth> best;
-      Mask mask;
       int top = cells_;
       for (const std::size_t turn : {0, 1}) {
-        Mask own = maskOf(charts_[i][turn], scale);
-        const std::optional<Berth> berth = berthFor(own, square, top);
+        const std::optional<Berth> berth = berthFor((*masks)[i][turn], square, top);
         if (!berth) continue;
         best = {berth->x, berth->y, turn};
-        top = berth->y + own.height - 1;
-        mask = std::move(own);
+        top = berth->y + (*masks)[i][turn].height - 1;
       }
       if (!best) return {};
-      for (const CellRun& run : mask.runs)
-        square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
+      for (const CellRun& run : (*masks)[i][best->turn].runs) {
+        const std::size_t y = best->y + run.row;
+        square.rows[y].fill({run.length, run.row, best->x + run.begin});
+        square.longestFree[y] = square.rows[y].longestFree(cells_);
+      }
       berths[i] = *best;
     }
     return berths;
