@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace remesher {
@@ -12,9 +13,9 @@ namespace {
 
 // Points of a texel along a side.
 constexpr double kFewest = 2, kMost = 8;
-// Texels of the original up to so much finer are mixed well enough by looking up once, for that
-// is between four of them.
-constexpr double kAlike = 1.25;
+// Texels of the original up to so much finer, two to one of ours, are mixed well enough by looking
+// up once, for that is between four of them.
+constexpr double kAlike = std::numbers::sqrt2;
 
 // What the points of a texel come to.
 struct Mixture {
@@ -23,13 +24,13 @@ struct Mixture {
   Vec3 emissive = Vec3::Zero(), surface = Vec3::Zero(), normal = Vec3::Zero();
   int count = 0;
 
-  void add(const Look& look) {
-    baseColor += look.baseColor;
-    weighted += look.baseColor[3] * look.baseColor.head<3>();
-    emissive += look.emissive;
-    surface += look.surface;
-    normal += look.normal;
-    ++count;
+  void add(const Look& look, int points) {
+    baseColor += points * look.baseColor;
+    weighted += points * look.baseColor[3] * look.baseColor.head<3>();
+    emissive += points * look.emissive;
+    surface += points * look.surface;
+    normal += points * look.normal;
+    count += points;
   }
 };
 
@@ -135,17 +136,22 @@ class Painter {
   Mixture mixtureAt(std::size_t texel) {
     findPlaces(texel);
     Mixture mixture;
-    const bool isOnOne = std::all_of(places_.begin(), places_.end(), [&](const InputPlace& place) {
-      return place.triangle == places_.front().triangle;
-    });
-    if (isOnOne && rules_.finer <= kAlike) {
+    for (std::size_t i = 0; i < places_.size();) {
+      const std::size_t end = rules_.finer <= kAlike ? endOfTriangle(i) : i + 1;
       Vec3 sum = Vec3::Zero();
-      for (const InputPlace& place : places_) sum += place.weights;
-      mixture.add(source_->at({places_.front().triangle, sum / double(places_.size())}));
-    } else {
-      for (const InputPlace& place : places_) mixture.add(source_->at(place));
+      for (std::size_t k = i; k < end; ++k) sum += places_[k].weights;
+      mixture.add(source_->at({places_[i].triangle, sum / double(end - i)}), int(end - i));
+      i = end;
     }
     return mixture;
+  }
+
+  // Behind the place there and all on its triangle, which are brought together.
+  std::size_t endOfTriangle(std::size_t first) {
+    std::size_t end = first + 1;
+    for (std::size_t k = end; k < places_.size(); ++k)
+      if (places_[k].triangle == places_[first].triangle) std::swap(places_[k], places_[end++]);
+    return end;
   }
 
   // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is

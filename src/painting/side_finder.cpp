@@ -46,7 +46,7 @@ void SideFinder::enter(const NewTriangle& triangle) {
   }
   facets_.clear();
   for (const Index t : near_) facets_.push_back(facetOf(t));
-  last_ = 0;
+  last_ = {};
 }
 
 SideFinder::Facet SideFinder::facetOf(Index triangle) const {
@@ -91,17 +91,29 @@ InputPlace SideFinder::nearest(const Vec3& point, const Vec3& normal) const {
   return best;
 }
 
+void SideFinder::remember(std::size_t facet, std::size_t before) {
+  std::copy_backward(last_.begin(), last_.begin() + before, last_.begin() + before + 1);
+  last_[0] = facet;
+}
+
 InputPlace SideFinder::find(const Vec3& point, const Vec3& normal) {
-  if (const Hit hit = meet(facets_[last_], point, normal, reach_); hit.distance < kFar)
+  for (std::size_t k = 0; k < last_.size(); ++k) {
+    const Hit hit = meet(facets_[last_[k]], point, normal, reach_);
+    if (!(hit.distance < kFar)) continue;
+    remember(last_[k], k);
     return hit.place;
+  }
   Hit best;
+  std::size_t met = 0;
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     const Hit hit = meet(facets_[i], point, normal, std::min(best.distance, reach_));
     if (hit.distance >= best.distance) continue;
     best = hit;
-    last_ = i;
+    met = i;
   }
-  return best.distance < kFar ? best.place : nearest(point, normal);
+  if (!(best.distance < kFar)) return nearest(point, normal);
+  remember(met, last_.size() - 1);
+  return best.place;
 }
 
 }  // namespace remesher

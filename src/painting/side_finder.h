@@ -42,6 +42,8 @@ class SideFinder {
   };
 
   Facet facetOf(Index triangle) const;
+  // Puts a facet before all others that were met, of which so many come behind it.
+  void remember(std::size_t facet, std::size_t before);
   // Where the line meets the facet, if that faces the same way; the distance is infinite if the
   // line does not, or no nearer than `limit`.
   static Hit meet(const Facet& facet, const Vec3& point, const Vec3& normal, double limit);
@@ -53,7 +55,8 @@ class SideFinder {
   std::vector<Index> stamps_;  // by triangle: when it was last entered
   Index stamp_ = 0;
   double reach_ = 0;
-  std::size_t last_ = 0;  // the facet that was met last: most often the next one's
+  // The facets that were met last, the latest first: most often one of them is the next one's.
+  std::array<std::size_t, 4> last_{};
 };
 
 }  // namespace remesher

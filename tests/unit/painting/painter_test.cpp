@@ -93,3 +93,30 @@ TEST_CASE("painter: a texel shows the point that it is at, and beyond a rim what
   CHECK(rowOf(0) == std::array<Vec3, 3>{black, whiteAndRed, red});
   CHECK(rowOf(1) == std::array<Vec3, 3>{black, white, white});
 }
+
+TEST_CASE("painter: triangles count by how much of the texel lies on them") {
+  // The texel's left half is black, of two triangles; its right half white, of one.
+  TriangleMesh mesh;
+  Attribute colors{"COLOR_0", 3, {}};
+  const std::array<double, 3> ends = {0, 0.5, 2.5};
+  for (std::size_t i = 0; i < 2; ++i) {
+    addSquare(mesh, 0, Facing::Up);
+    for (std::size_t v = 4 * i; v < 4 * i + 4; ++v) {
+      mesh.positions[v].x() = ends[i + (mesh.positions[v].x() > 0.5)];
+      for (int c = 0; c < 3; ++c) colors.values.push_back(float(i));
+    }
+  }
+  mesh.attributes.push_back(colors);
+  std::vector<std::unique_ptr<PaintSource>> sources;
+  sources.push_back(sourceOf(mesh));
+  CanvasTriangle all{};
+  const std::array<Vec2, 3> corners = {Vec2(0, 0), Vec2(2, 0), Vec2(0, 2)};
+  for (std::size_t k = 0; k < 3; ++k)
+    all.corners[k] = {Vec3(corners[k].x(), corners[k].y(), 0),
+                      Vec3::UnitZ(),
+                      {1, 0, 0, -1},
+                      corners[k],
+                      {0, Vec3::Unit(Eigen::Index(k))}};
+  const auto painted = paint({&all, 1}, sources, {1, true, 1}, Progress());
+  CHECK(painted.baseColor.texels[0] == srgbOf(0.5));
+}

@@ -40,3 +40,29 @@ TEST_CASE("side_finder: along the normal, not to the nearest") {
   CHECK(place.triangle < 2);
   CHECK((source->position(place) - Vec3(0.9, 0.5, 0)).norm() < 1e-12);
 }
+
+TEST_CASE("side_finder: on one sheet it is all the same what was asked for before") {
+  TriangleMesh mesh;
+  constexpr Index kSide = 6;
+  for (Index i = 0; i < (kSide + 1) * (kSide + 1); ++i)
+    mesh.positions.emplace_back(i % (kSide + 1), i / (kSide + 1), 0.1 * (i % 3));
+  for (Index y = 0; y < kSide; ++y)
+    for (Index x = 0; x < kSide; ++x) {
+      const Index a = y * (kSide + 1) + x, b = a + kSide + 1;
+      for (const Index v : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(v);
+    }
+  const auto source = sourceOf(mesh);
+  const NewTriangle all{{Vec3(0, 0, 0), Vec3(6, 0, 0), Vec3(6, 6, 0)},
+                        {InputPlace{0, {1, 0, 0}}, {10, {0, 1, 0}}, {70, {0, 1, 0}}}};
+  SideFinder walking(*source);
+  walking.enter(all);
+  for (int i = 0; i < 600; ++i) {
+    const Vec3 point(0.05 + 0.1 * (37 * i % 59), 0.05 + 0.1 * (23 * i % 58), 0);
+    SideFinder fresh(*source);
+    fresh.enter(all);
+    const InputPlace place = walking.find(point, Vec3::UnitZ());
+    const Vec3 found = source->position(place);
+    CHECK((found - source->position(fresh.find(point, Vec3::UnitZ()))).norm() < 1e-9);
+    CHECK((found - point).head<2>().norm() < 1e-9);
+  }
+}
