@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "gate/angles.h"
 #include "steps/delaunay.h"
@@ -39,15 +41,23 @@ int idealValence(const WorkingMesh& mesh, Vertex v) {
 class ValenceExcess {
  public:
   explicit ValenceExcess(const WorkingMesh& working)
-      : mesh_(working.mesh()),
+      : working_(working),
+        mesh_(working.mesh()),
         excess_(working.mesh().vertexCapacity(), 0),
         weight_(working.mesh().vertexCapacity(), 1) {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (!mesh_.isAlive(v)) continue;
-      excess_[v] = mesh_.valence(v) - idealValence(working, v);
-      if (mesh_.isBoundary(v) && !working.isKept(mesh_.outgoing(v))) weight_[v] = kAtBoundary;
+      count(v);
+      if (!mesh_.isBoundary(v)) continue;
+      onBoundary_.push_back(v);
+      if (!working.isKept(mesh_.outgoing(v))) weight_[v] = kAtBoundary;
     }
+  }
+
+  // Vertices have moved: what is ideal inside is so wherever they are.
+  void moved() {
+    for (const Vertex v : onBoundary_) count(v);
   }
 
   // The change of Σ weight·excess² by flipping h: the ends lose a neighbour, the opposite two gain
@@ -65,17 +75,19 @@ class ValenceExcess {
   }
 
  private:
+  void count(Vertex v) { excess_[v] = mesh_.valence(v) - idealValence(working_, v); }
   int cost(Vertex v, int change) const { return weight_[v] * (1 + 2 * change * excess_[v]); }
 
+  const WorkingMesh& working_;
   const HalfedgeMesh& mesh_;
   VertexData<int> excess_;
   VertexData<int> weight_;
+  std::vector<Vertex> onBoundary_;
 };
 
 template <class Accept>
-std::size_t flipsWhere(Run& run, double smallestAngle, Accept accept) {
+std::size_t flipsWhere(Run& run, ValenceExcess& excess, double smallestAngle, Accept accept) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  ValenceExcess excess(run.mesh);
   std::size_t flips = 0;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
@@ -92,20 +104,25 @@ std::size_t flipsWhere(Run& run, double smallestAngle, Accept accept) {
 }  // namespace
 
 std::size_t valenceFlips(Run& run) {
-  return flipsWhere(run, 0, [](int cost) { return cost < 0; });
+  ValenceExcess excess(run.mesh);
+  return flipsWhere(run, excess, 0, [](int cost) { return cost < 0; });
 }
 
 void annealValences(Run& run, int rounds, const Progress& progress) {
   Random random(kSeed);
+  std::optional<ValenceExcess> excess(run.mesh);
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
     const double probability = kStartProbability * (1 - double(i) / rounds);
-    flipsWhere(run, kSmallestAngle,
+    flipsWhere(run, *excess, kSmallestAngle,
                [&](int cost) { return cost < 0 || (cost == 0 && random.uniform() < probability); });
     laplacianSweep(run);
-    flipsWhere(run, kSmallestAngle, [](int cost) { return cost < 0; });
+    excess->moved();
+    flipsWhere(run, *excess, kSmallestAngle, [](int cost) { return cost < 0; });
     laplacianSweep(run);
-    if ((i + 1) % kDelaunayEvery == 0) delaunayFlips(run.mesh, run.rule);
+    excess->moved();
+    if ((i + 1) % kDelaunayEvery != 0) continue;
+    if (delaunayFlips(run.mesh, run.rule) > 0) excess.emplace(run.mesh);
   }
   run.mesh.unsettleAll();
 }
