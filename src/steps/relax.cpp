@@ -2,6 +2,7 @@
 #include "steps/relax.h"
 
 #include <cmath>
+#include <utility>
 
 #include "gate/angles.h"
 #include "operators/smoothing.h"
@@ -55,10 +56,16 @@ void relax(Run& run, int passes) {
 
 void widenAngles(Run& run) {
   PolarMap star;
+  // Where nothing has moved since, a search finds what it found before: nothing.
+  VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
   for (int pass = 0; pass < kWidenings; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);
-    for (Index i = 0; i < narrow.size(); ++i)
-      if (narrow[Vertex(i)]) widenAround(run, star, Vertex(i));
+    for (Index i = 0; i < narrow.size(); ++i) {
+      const Vertex v(i);
+      if (!narrow[v] || !std::exchange(isNew[v], 0) || !widenAround(run, star, v)) continue;
+      isNew[v] = 1;
+      run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) { isNew[w] = 1; });
+    }
   }
 }
 
