@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "painting/squares.h"
 
@@ -13,12 +15,13 @@ using namespace remesher;
 
 namespace {
 
-// Black and white texels, as many as on a chess board.
-io::Image chess(Index size) {
+// Black and white fields, as many of each as on a chess board.
+io::Image chess(Index size, Index field = 1) {
   io::Image image{size, size, {}};
   for (Index y = 0; y < size; ++y)
     for (Index x = 0; x < size; ++x)
-      for (int c = 0; c < 4; ++c) image.texels.push_back(c == 3 || (x + y) % 2 ? 255 : 0);
+      for (int c = 0; c < 4; ++c)
+        image.texels.push_back(c == 3 || (x / field + y / field) % 2 ? 255 : 0);
   return image;
 }
 
@@ -26,30 +29,56 @@ io::Image chess(Index size) {
 
 using namespace remesher::test;
 
-TEST_CASE("painter: averages light over the texel") {
+namespace {
+
+// A square with its map, painted in 16 texels a side from 128.
+struct MappedSquare {
   TriangleMesh mesh;
-  addSquare(mesh, 0, Facing::Up);
-  mesh.attributes.push_back({"TEXCOORD_0", 2, {0, 0, 1, 0, 1, 1, 0, 1}});
-  io::Material material;
-  material.baseColorMap.image = "0";
-  const std::vector<io::NamedImage> images = {{"0", chess(128)}};
+  std::vector<io::NamedImage> images;
   std::vector<std::unique_ptr<PaintSource>> sources;
-  sources.push_back(sourceOf(mesh, {material}, images));
-  std::vector<CanvasTriangle> canvas(2);
-  for (Index h = 0; h < 6; ++h) {
-    const Vec3& p = mesh.positions[mesh.indices[h]];
-    InputPlace place{h / 3, Vec3::Unit(h % 3)};
-    canvas[h / 3].corners[h % 3] = {
-        p, Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
-    canvas[h / 3].source = 0;
-    canvas[h / 3].rims[h % 3] = h != 2 && h != 3;  // the diagonal
+  std::vector<CanvasTriangle> canvas{2};
+
+  explicit MappedSquare(io::Image image) : images({{"0", std::move(image)}}) {
+    addSquare(mesh, 0, Facing::Up);
+    mesh.attributes.push_back({"TEXCOORD_0", 2, {0, 0, 1, 0, 1, 1, 0, 1}});
+    io::Material material;
+    material.baseColorMap.image = "0";
+    sources.push_back(sourceOf(mesh, {material}, images));
+    for (Index h = 0; h < 6; ++h) {
+      const Vec3& p = mesh.positions[mesh.indices[h]];
+      InputPlace place{h / 3, Vec3::Unit(h % 3)};
+      canvas[h / 3].corners[h % 3] = {
+          p, Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
+      canvas[h / 3].source = 0;
+      canvas[h / 3].rims[h % 3] = h != 2 && h != 3;  // the diagonal
+    }
   }
-  const Painting painting = paint(canvas, sources, {16, true, 8}, Progress());
+
+  Painting painted(bool isOpaque) const {
+    return paint(canvas, sources, {16, isOpaque, 8}, Progress());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("painter: averages light over the texel") {
+  const Painting painting = MappedSquare(chess(128)).painted(true);
   for (std::size_t i = 0; i < painting.baseColor.texels.size(); i += 4) {
     CHECK(std::abs(painting.baseColor.texels[i] - 188) <= 2);
     CHECK(painting.baseColor.texels[i + 3] == 255);
     CHECK(painting.normal.texels[i] == 128);
     CHECK(painting.normal.texels[i + 2] == 255);
+  }
+}
+
+TEST_CASE("painter: what cannot be seen has no colour") {
+  io::Image image = chess(128, 4);  // and black is transparent
+  for (std::size_t i = 0; i < image.texels.size(); i += 4) image.texels[i + 3] = image.texels[i];
+  // Between fields one look mixes both, as whoever draws the original does: it is not all white.
+  const Painting painting = MappedSquare(std::move(image)).painted(false);
+  for (std::size_t i = 0; i < painting.baseColor.texels.size(); i += 4) {
+    CHECK(painting.baseColor.texels[i] > 200);
+    CHECK(std::abs(painting.baseColor.texels[i + 3] - 128) <= 6);
   }
 }
 
