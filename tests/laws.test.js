@@ -64,6 +64,7 @@ const found = [
   631917, // splits that an error bound asks for, along a side of a triangle
   606743, // a surface of the smallest numbers, which have few digits
   729070, 775329, // vertices of boundaries that came upon corners
+  1241169, // the first of two sets of texture coordinates means nothing
   1000988, 1057247, // sheets that a node shows as lines, but for rounding
   908105, // a flat fan folded onto itself, edges of which came upon each other
   826166, // values that are no numbers, of a mesh that is not touched

@@ -154,6 +154,11 @@ export async function lawsOfFiles(before, after) {
   if (known.has('MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH')) {
     known.set('NODE_SKINNED_MESH_WITHOUT_SKIN', 'perhaps');
   }
+  // The first set of texture coordinates goes if it is of a type that means nothing; the second,
+  // to which materials may refer, stays.
+  if (known.has('MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT')) {
+    known.set('MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY', 'perhaps');
+  }
   const now = await complaints(after);
   const worse = [...now].filter(([code]) => !known.has(code)).map(([, words]) => words);
   return known.size === 0 ? [...worse, ...lawsOfColors(after)] : worse;
