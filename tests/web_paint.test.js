@@ -4,7 +4,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { saved, settled, visit } from './support/browser_page.js';
+import { drop, opened, saved, settled, visit } from './support/browser_page.js';
+import { objText, torus } from './support/shape_files.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=bunny&vertices=800', viewport: { width: 800, height: 480 } });
@@ -87,5 +88,31 @@ test('what was painted is there again with the model, until it is cleared', asyn
   await page.click('#brush-done');
   assert.equal(await page.isVisible('#brush'), false);
   assert.equal(await page.getAttribute('[data-shading=plain]', 'aria-pressed'), 'true');
+});
+
+test('far from the origin, too, vertices come where it is painted', async () => {
+  const ring = torus(40, 24);
+  const counts = [];
+  let dab;
+  for (const shift of [[0, 0, 0], [431234.5, 5412345.75, 312.25]]) {
+    const positions = ring.positions.map((p) => p.map((x, i) => x / 32 + shift[i]));
+    await drop(page, { [`at ${shift[0]}.obj`]: objText({ ...ring, positions }) });
+    await opened(page, `at ${shift[0]}.obj`);
+    await page.click('#paint');
+    await page.locator('#brush-strength').fill('2');
+    await page.locator('#brush-size').fill('0.15');
+    await page.uncheck('#brush-mirror');
+    await page.focus('#canvas');
+    await page.keyboard.press('Enter');
+    await painted(1);
+    dab ??= (await dabs())[0];
+    counts.push(await verticesWithin({ ...dab, point: dab.point.map((x, i) => x + shift[i]) }));
+    await page.click('#brush-clear');
+    await painted(0);
+    counts.push(await verticesWithin({ ...dab, point: dab.point.map((x, i) => x + shift[i]) }));
+    await page.click('#brush-done');
+  }
+  const [dense, even, farDense, farEven] = counts;
+  assert.ok(dense > 1.5 * even && farDense > 1.5 * farEven, `${counts}`);
   assert.deepEqual(complaints, []);
 });

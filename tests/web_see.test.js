@@ -105,6 +105,23 @@ test('borders, faults and flips of the input are counted and shown', async () =>
   await page.click('#result .notice button >> nth=0');
 });
 
+test('a model far from the origin is measured as the same one near it', async () => {
+  const ring = torus(24, 12);
+  const positions = ring.positions.map(([x, y, z]) =>
+    [x + 431234.5, y + 5412345.75, z + 312.25]);
+  const told = [];
+  for (const [name, shape] of [['near.obj', ring], ['far.obj', { ...ring, positions }]]) {
+    await open(name, objText(shape));
+    await page.waitForSelector('#distances:not([hidden])');
+    assert.ok(await page.isHidden('#landmarks'), 'no fault is seen where there is none');
+    told.push([number(/\(([\d.]+) %\)/.exec(await page.textContent('#visit-largest'))[1]),
+      await page.getAttribute('#features', 'data-count')]);
+  }
+  const [[distance, creases], [farDistance, farCreases]] = told;
+  assert.equal(farCreases, creases);
+  assert.ok(Math.abs(farDistance - distance) < 0.1 * distance, `${told}`);
+});
+
 test('dragging on the distances sets the largest error', async () => {
   await open('ring.obj', objText(torus(24, 12)));
   await page.waitForSelector('#distances:not([hidden])');

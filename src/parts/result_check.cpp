@@ -30,10 +30,13 @@ constexpr double kSinglePrecision = std::numeric_limits<float>::epsilon(), kPlac
 // What was kept may be measured as a little more.
 constexpr double kRounding = 1 + 1e-6;
 
-std::string number(double x) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.4g", x);
-  return digits.data();
+// Digits that are told, and how many a double has at most.
+constexpr int kDigits = 4, kMostDigits = 17;
+
+std::string number(double x, int digits = kDigits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+  return text.data();
 }
 
 struct WorstTriangle {
@@ -54,24 +57,40 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
   return worst;
 }
 
-std::string place(const Vec3& p) {
-  std::string text = number(p.x());
-  for (const double x : {p.y(), p.z()}) text.append(", ").append(number(x));
+// Around all vertices; of none `low` is above `high`.
+struct Extent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  double size() const { return (high - low).maxCoeff(); }
+  double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
+};
+
+Extent extentOf(const std::vector<io::Part>& parts) {
+  Extent extent;
+  for (const io::Part& part : parts)
+    for (const Vec3& p : part.mesh.positions) {
+      extent.low = extent.low.cwiseMin(p);
+      extent.high = extent.high.cwiseMax(p);
+    }
+  return extent;
+}
+
+// With more digits where the surface is small beside its distance from the origin.
+std::string place(const Vec3& p, const std::vector<io::Part>& parts) {
+  const Extent extent = extentOf(parts);
+  int digits = kDigits;
+  for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
+    ++digits;
+  std::string text = number(p.x(), digits);
+  for (const double x : {p.y(), p.z()}) text.append(", ").append(number(x, digits));
   return text;
 }
 
 // Where all vertices lie, if that is no larger than what single precision rounds it to.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const io::Part& part : parts)
-    for (const Vec3& p : part.mesh.positions) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  const double size = (high - low).maxCoeff();  // of nothing it is below 0
-  if (size < 0 || size > kPlaces * kSinglePrecision * largest) return {};
-  return (low + high) / 2;
+  const Extent extent = extentOf(parts);
+  const bool isLarger = extent.size() > kPlaces * kSinglePrecision * extent.largest();
+  if (extent.size() < 0 || isLarger) return {};
+  return (extent.low + extent.high) / 2;
 }
 
 // "message, the first near (…).", of the edges with as many triangles as wanted.
@@ -83,18 +102,18 @@ std::string withFirstEdge(std::string message, const std::vector<io::Part>& part
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (!isWanted(edges[e].opposites.size())) continue;
       const Vec3 middle = (mesh.positions[edges[e].low] + mesh.positions[edges[e].high]) / 2;
-      return message.append(", the first near (").append(place(middle)).append(").");
+      return message.append(", the first near (").append(place(middle, parts)).append(").");
     }
   }
   return message.append(".");
 }
 
-std::string angleMessage(const BeforeAndAfter& reports, const Vec3& where) {
+std::string angleMessage(const BeforeAndAfter& reports, const std::string& where) {
   const AngleStatistics &before = reports.before.minAngle, &after = reports.after.minAngle;
   std::string text = "Triangles are worse than those given: smallest angles of ";
   text.append(number(after.mean)).append("° on average, not ").append(number(before.mean));
   text.append("°, and of ").append(number(after.worst)).append("° in the worst, not ");
-  text.append(number(before.worst)).append("°, which lies near (").append(place(where));
+  text.append(number(before.worst)).append("°, which lies near (").append(where);
   return text.append("). More vertices help where parts are thinner than edges are long.");
 }
 
@@ -114,12 +133,13 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   std::vector<Warning> warnings;
   const bool isMean = isWorse(after.minAngle.mean, before.minAngle.mean, kGoodMean);
   if (isMean || isWorse(after.minAngle.worst, before.minAngle.worst, kGoodWorst))
-    warnings.push_back({"ANGLES_WORSE", angleMessage(reports, worstTriangle(result).centre)});
+    warnings.push_back(
+        {"ANGLES_WORSE", angleMessage(reports, place(worstTriangle(result).centre, result))});
   if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
     warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
                         "Triangles of the result have no area: parts of the surface are too thin "
                         "for its numbers, as near (" +
-                            place(worstTriangle(result).centre) + ").",
+                            place(worstTriangle(result).centre, result) + ").",
                         made});
   if (const std::size_t made = more(after.nonManifoldEdges, before.nonManifoldEdges))
     warnings.push_back(
@@ -141,7 +161,7 @@ std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io
   const std::optional<Vec3> where = placeOfRounding(result);
   if (!where) return {};
   std::string text = "The result is " + number(report.fidelity->hausdorff);
-  text.append(" % of the diagonal away from the original, near (").append(place(*where));
+  text.append(" % of the diagonal away from the original, near (").append(place(*where, result));
   text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
   return {{"SHAPE_LOST_TO_ROUNDING", text.append("to. Move it to the origin first.")}};
 }

@@ -151,8 +151,10 @@ export class Painting {
   async option() {
     if (!this.#dabs.length) return {};
     if (!this.#countedAt) {
-      const { bytes } = await this.#page.session.converted('off');
-      this.#countedAt = await this.#page.surveying.survey.ask('offVertices', bytes);
+      const { session, stage, surveying } = this.#page;
+      const { bytes } = await session.converted('off');
+      const origin = stage.origin.toArray();
+      this.#countedAt = await surveying.survey.ask('offVertices', { bytes, origin });
     }
     return { density: densityOf(levelsOf(this.#countedAt, this.#dabs)) };
   }

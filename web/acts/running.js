@@ -52,7 +52,7 @@ function homeViews(page, result) {
 function visitorOf({ surveying }, { code, message }) {
   const landmark = landmarkOf(code);
   const place = placeIn(message);
-  if (place) return () => void surveying.visit('result', place);
+  if (place) return () => void surveying.visitPlace(place);
   return landmark ? () => surveying.visitLandmark(landmark) : null;
 }
 

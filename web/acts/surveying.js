@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What can be seen beside the surfaces: distances as colours, curves, borders and faults as lines,
 // the triangle under the pointer. The survey's worker finds them.
+import { Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
 import { distanceColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
@@ -126,6 +127,12 @@ export class Surveying {
     const wished = viewer.eye.direction;
     viewer.eye.visit(point, await this.survey.ask('viewOf', { side, point, wished }));
     announce(t('visited'));
+  }
+
+  /** @param {Point} place of the result, in its file's world */
+  visitPlace(place) {
+    const { origin } = this.#page.stage;
+    void this.visit('result', new Vector3(...place).sub(origin).toArray());
   }
 
   visitLargest() {

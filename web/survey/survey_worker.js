@@ -33,7 +33,6 @@ const questions = {
   },
   /** @param {{ side: Side, point: Point, wished: Point }} request */
   viewOf: ({ side, point, wished }) => surfaces[side]?.viewOf(point, wished) ?? wished,
-  /** @param {Uint8Array} bytes */
   offVertices,
 };
 

@@ -15,9 +15,10 @@ import { colorByAngle } from './triangle_angles.js';
  * @typedef {{ surface: Surface, own: import('three').Material | null, lines: Mesh,
  *   colored: Partial<Record<Shading, Mesh>> }} Part */
 
-/** A scene and what must be known of it. front: where it is open, if it is.
+/** A scene and what must be known of it. origin: the stage's, in the scene's world; bounds: from
+ * there; front: where it is open, if it is.
  * @typedef {{ scene: import('three').Group, bounds: import('three').Box3,
- *   front: import('three').Vector3 | null }} Prepared */
+ *   origin: import('three').Vector3, front: import('three').Vector3 | null }} Prepared */
 
 /** Pushes surfaces back a little, so that lines on them are drawn whole. */
 const behindLines = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
@@ -127,7 +128,7 @@ export class ModelView {
     return Math.sqrt(3 * (x * y + y * z + z * x) / triangles);
   }
 
-  /** All its triangles, in the world. */
+  /** All its triangles, where the stage shows them. */
   soup() {
     return soupOf(this.#surfaces);
   }

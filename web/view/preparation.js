@@ -6,11 +6,13 @@ import { breath } from '../base/breath.js';
 import { openSide } from './facing.js';
 import { surfacesOf } from './model_view.js';
 import { withNormals } from './normals.js';
+import { originNear } from './origin.js';
 import { soupOf } from './soup.js';
 
-/** @param {import('three').Group} scene as loaded
+/** @param {import('three').Group} scene as loaded: it is moved to where the stage shows it
+ * @param {import('three').Vector3 | null} origin the stage's, in the model's world; null: its own
  * @returns {Promise<import('./model_view.js').Prepared>} */
-export async function prepare(scene) {
+export async function prepare(scene, origin) {
   const surfaces = surfacesOf(scene);
   scene.updateMatrixWorld(true);
   const shaded = new Map();  // a geometry can be shown in several places
@@ -21,10 +23,14 @@ export async function prepare(scene) {
   }
   await breath();
   const bounds = new Box3().setFromObject(scene);
+  const shown = origin ?? originNear(bounds);
+  scene.position.sub(shown);
+  scene.updateMatrixWorld(true);
+  bounds.translate(shown.clone().negate());
   for (const { geometry } of surfaces) {
     // Good enough to tell what is in view, and known already.
     geometry.boundingSphere ??= geometry.boundingBox?.getBoundingSphere(new Sphere()) ?? null;
   }
   await breath();
-  return { scene, bounds, front: openSide(soupOf(surfaces)) };
+  return { scene, bounds, origin: shown, front: openSide(soupOf(surfaces)) };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All triangles of a scene in the world, as two arrays that can travel to a worker.
+// All triangles of a scene where it is shown, as two arrays that can travel to a worker.
 import { positionsOf } from './positions.js';
 import { allCorners, cornerCount } from './thinning.js';
 

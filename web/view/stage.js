@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The view's controls: comparison, shading, wireframe, divider, keys. Works without a viewer, too:
 // where there is no WebGL the page says so and goes on.
+import { Vector3 } from 'three';
 import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
 import { count } from '../base/format.js';
@@ -24,6 +25,8 @@ const isPressing = ({ target }) => target instanceof Element
 export class Stage {
   /** None where the browser has no 3-D. @type {Viewer | null} */
   viewer = null;
+  /** Of what is shown, in the original's world. */
+  origin = new Vector3();
   /** Called after the shading has changed. */
   onShading = () => {};
   /** Whether the pointer paints, instead of turning the model. */
@@ -164,8 +167,9 @@ export class Stage {
     const turn = ++this.#turns[side];
     const scene = await loadScene(bytes, resources);
     const thinned = await thin(surfacesOf(scene).map(({ geometry }) => geometry));
-    const prepared = await prepare(scene);
+    const prepared = await prepare(scene, side === 'original' ? null : this.origin);
     if (turn !== this.#turns[side]) return;
+    this.origin = prepared.origin;
     this.viewer.show(side, prepared, thinned);
     this.#root.classList.toggle(`has-${side}`, true);
     this.#tellThinned();

@@ -76,6 +76,9 @@ TEST_CASE("result check: each says where") {
   after.degenerateTriangles = 1;
   mesh.indices = {0, 2, 3};
   CHECK(messageOf(after, mesh).find("as near (0, 0, 0)") != std::string::npos);
+  // In coordinates of a survey, too, to less than its size.
+  for (Vec3& p : mesh.positions) p += Vec3(431234.5, 5412345.75, 312.25);
+  CHECK(messageOf(after, mesh).find("as near (431234.5, 5412345.75, 312.25)") != std::string::npos);
 }
 
 TEST_CASE("result check: a model smaller than what it is rounded to is said, with the place") {
