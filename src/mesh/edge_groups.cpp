@@ -2,18 +2,14 @@
 #include "mesh/edge_groups.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace remesher {
 
 namespace {
 
-struct Entry {
-  Index upper;  // the edge's vertex with the larger number
-  Index halfedge;
-  bool operator<(const Entry& other) const {
-    return upper != other.upper ? upper < other.upper : halfedge < other.halfedge;
-  }
-};
+// The edge's vertex with the larger number, and the halfedge.
+using Entry = std::pair<Index, Index>;
 
 // Counting sort of the halfedges by the vertex with the smaller number; `starts` gets one entry per
 // vertex and the end.
@@ -42,7 +38,49 @@ void insertionSort(std::span<Entry> bucket) {
   }
 }
 
+// The edges with the same lower vertex are a list, each named by the first of its halfedges.
+struct EdgeLists {
+  struct Edge {
+    Index upper, halfedge, next;
+  };
+
+  EdgeLists(std::size_t vertexCount, std::size_t halfedges) : heads(vertexCount, kNone) {
+    edges.reserve(halfedges / 2);
+  }
+
+  // The first halfedge of the edge, which is the given one if there was none before; kNone if the
+  // list is too long to look through.
+  Index firstOf(Index lower, Index upper, Index halfedge) {
+    constexpr int kLong = 200;
+    int passed = 0;
+    Index at = heads[lower];
+    for (; at != kNone && edges[at].upper != upper; at = edges[at].next)
+      if (++passed > kLong) return kNone;
+    if (at != kNone) return edges[at].halfedge;
+    edges.push_back({upper, halfedge, heads[lower]});
+    heads[lower] = Index(edges.size() - 1);
+    return halfedge;
+  }
+
+  std::vector<Index> heads;
+  std::vector<Edge> edges;
+};
+
 }  // namespace
+
+std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> corners) {
+  EdgeLists lists(vertexCount, corners.size());
+  std::vector<Index> twins(corners.size(), kNone);
+  for (Index h = 0; h < corners.size(); ++h) {
+    const Index from = corners[h], to = corners[nextCorner(h)];
+    const Index first = lists.firstOf(std::min(from, to), std::max(from, to), h);
+    if (first == h) continue;
+    if (first == kNone || twins[first] != kNone || corners[first] == from) return {};
+    twins[h] = first;
+    twins[first] = h;
+  }
+  return twins;
+}
 
 EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) {
   constexpr std::size_t kSmall = 16;
@@ -57,10 +95,10 @@ EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) 
     if (bucket.size() <= kSmall)
       insertionSort(bucket);
     else
-      std::sort(bucket.begin(), bucket.end());
+      std::sort(bucket.data(), bucket.data() + bucket.size());
     for (std::size_t i = 0; i < bucket.size(); ++i) {
-      if (i == 0 || bucket[i].upper != bucket[i - 1].upper) starts_.push_back(at);
-      halfedges_[at++] = bucket[i].halfedge;
+      if (i == 0 || bucket[i].first != bucket[i - 1].first) starts_.push_back(at);
+      halfedges_[at++] = bucket[i].second;
     }
   }
   starts_.push_back(at);

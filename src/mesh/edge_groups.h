@@ -14,6 +14,11 @@ namespace remesher {
 inline Index nextCorner(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline Index prevCorner(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
+// Per halfedge the one across, kNone on a boundary. Empty where that is not all that there is to
+// say: where an edge has more than two triangles, or two that run along it the same way, or a
+// vertex too many edges to look through.
+std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> corners);
+
 class EdgeGroups {
  public:
   // corners: three vertices per triangle, all below vertexCount. In time O(n) but for vertices of

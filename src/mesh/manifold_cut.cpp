@@ -2,6 +2,7 @@
 #include "mesh/manifold_cut.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace remesher {
 
@@ -98,45 +99,6 @@ std::vector<Index> pairHalfedges(const Corners& soup) {
   return mates;
 }
 
-// Gives the fan of corner h the vertex v, both ways around from h.
-void labelFan(std::span<const Index> mates, Index h, Index v, std::vector<Index>& label) {
-  Index k = h;
-  do {
-    label[k] = v;
-    k = mates[prevCorner(k)];
-  } while (k != kNone && k != h);
-  if (k == h) return;
-  for (k = mates[h]; k != kNone; k = mates[k]) {
-    k = nextCorner(k);
-    label[k] = v;
-  }
-}
-
-// The first fan at a vertex takes the vertex's place in the order, further fans follow at the end.
-void splitFans(const Corners& soup, std::span<const Index> mates, ManifoldCut& cut) {
-  std::vector<Index> firstCopy(soup.positions.size(), kNone);
-  for (const Index v : soup.corners) firstCopy[v] = 0;
-  cut.origins.clear();
-  for (Index v = 0; v < firstCopy.size(); ++v) {
-    if (firstCopy[v] == kNone) continue;
-    firstCopy[v] = Index(cut.origins.size());
-    cut.origins.push_back(v);
-  }
-  std::vector<char> taken(cut.origins.size(), 0);
-  cut.corners.assign(soup.corners.size(), kNone);
-  for (Index h = 0; h < soup.corners.size(); ++h) {
-    if (cut.corners[h] != kNone) continue;
-    Index v = firstCopy[soup.corners[h]];
-    if (taken[v]) {
-      v = Index(cut.origins.size());
-      cut.origins.push_back(soup.corners[h]);
-    } else {
-      taken[v] = 1;
-    }
-    labelFan(mates, h, v, cut.corners);
-  }
-}
-
 // Two edges cut apart from one another may still share both ends, when fans run from one to the
 // other. Then all pairs there are cut, which parts those fans. One pass suffices: parting fans
 // makes no two vertices one, and a fan has one end in either direction.
@@ -171,14 +133,7 @@ void countCuts(const Corners& soup, std::span<const Index> mates, ManifoldCut& c
     cut.edges += group.size() > 2;
     counted[soup.corners[group[0]]] = counted[soup.corners[nextCorner(group[0])]] = 1;
   }
-  std::vector<char> seen(soup.positions.size(), 0);
-  for (const Index v : cut.origins) {
-    if (seen[v] && !counted[v]) {
-      counted[v] = 1;
-      ++cut.vertices;
-    }
-    seen[v] = 1;
-  }
+  countVertices(std::move(counted), cut);
 }
 
 }  // namespace
@@ -188,8 +143,8 @@ ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index
   const Corners soup{positions, corners, edges};
   ManifoldCut cut;
   std::vector<Index> mates = pairHalfedges(soup);
-  splitFans(soup, mates, cut);
-  if (cutDoubleEdges(soup, cut, mates)) splitFans(soup, mates, cut);
+  splitFans(corners, positions.size(), mates, cut);
+  if (cutDoubleEdges(soup, cut, mates)) splitFans(corners, positions.size(), mates, cut);
   countCuts(soup, mates, cut);
   return cut;
 }

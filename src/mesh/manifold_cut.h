@@ -8,15 +8,9 @@
 #include <vector>
 
 #include "mesh/edge_groups.h"
+#include "mesh/fan_cut.h"
 
 namespace remesher {
-
-struct ManifoldCut {
-  std::vector<Index> corners;  // as given, in the new vertices
-  std::vector<Index> origins;  // per new vertex the given one it stands for
-  std::size_t edges = 0;       // edges cut because of more than two triangles
-  std::size_t vertices = 0;    // vertices with several fans, away from cut edges
-};
 
 // corners: vertices of `positions`, three distinct ones per triangle. New vertices are numbered in
 // the order of the given ones, further copies after all of them.

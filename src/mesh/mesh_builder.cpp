@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -70,22 +69,20 @@ std::size_t remove(Soup& soup, std::span<const char> unwanted) {
 // Removes triangles with the same corners in the same order as an earlier one. All copies of a
 // triangle meet at each of its edges, so looking at the edges finds them.
 std::size_t removeDuplicates(Soup& soup, const EdgeGroups& edges) {
-  const auto key = [&](Index h) {
-    return std::tuple(soup.corners[h], soup.corners[prevCorner(h)], h);
-  };
-  const auto same = [&](Index h, Index other) {
-    return soup.corners[h] == soup.corners[other] &&
-           soup.corners[prevCorner(h)] == soup.corners[prevCorner(other)];
-  };
   std::vector<char> duplicate(soup.triangles.size(), 0);
-  std::vector<Index> sorted;
+  std::vector<std::pair<Index, Index>> sorted;  // the third corner, and the halfedge
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].size() < 2) continue;
-    sorted.assign(edges[e].begin(), edges[e].end());
-    if (sorted.size() > 2)
-      std::sort(sorted.begin(), sorted.end(), [&](Index h, Index k) { return key(h) < key(k); });
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-      if (same(sorted[i - 1], sorted[i])) duplicate[sorted[i] / 3] = 1;
+    const Index end = soup.corners[edges[e][0]];
+    for (const bool isFromEnd : {true, false}) {
+      sorted.clear();
+      for (const Index h : edges[e])
+        if ((soup.corners[h] == end) == isFromEnd)
+          sorted.emplace_back(soup.corners[prevCorner(h)], h);
+      std::sort(sorted.data(), sorted.data() + sorted.size());
+      for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i - 1].first == sorted[i].first) duplicate[sorted[i].second / 3] = 1;
+    }
   }
   return remove(soup, duplicate);
 }
@@ -121,7 +118,8 @@ std::size_t removeBackToBack(Soup& soup, const ManifoldCut& cut) {
 
 BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
   BuiltMesh built;
-  built.mesh = HalfedgeMesh(cut.origins.size(), cut.corners);
+  built.mesh = cut.twins.empty() ? HalfedgeMesh(cut.origins.size(), cut.corners)
+                                 : HalfedgeMesh(cut.origins.size(), cut.corners, cut.twins);
   built.positions.reserve(cut.origins.size());
   for (const Index source : cut.origins)
     built.positions.values().push_back(input.positions[source]);
@@ -129,6 +127,29 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
   built.wedges.values() = std::move(soup.wedges);
   built.triangles.values() = std::move(soup.triangles);
   return built;
+}
+
+// Without copies of triangles, and with neighbours that face the same side.
+void makeConsistent(Soup& soup, std::size_t vertexCount, std::vector<Warning>& warnings) {
+  EdgeGroups edges(vertexCount, soup.corners);
+  const std::size_t duplicates = removeDuplicates(soup, edges);
+  warn(warnings, "DUPLICATE_TRIANGLES_REMOVED",
+       "Triangles that repeat another one exactly were removed.", duplicates);
+  if (duplicates > 0) edges = EdgeGroups(vertexCount, soup.corners);
+
+  const Orientation orientation = orient(soup.corners, edges);
+  warn(warnings, "INCONSISTENT_ORIENTATION_FIXED",
+       "Triangles were turned over to face the same side as most of their neighbours.",
+       orientation.turned);
+  warn(warnings, "NON_ORIENTABLE_CUT",
+       "The surface has only one side and was cut open along these edges.", orientation.conflicts);
+  turnOver(soup, orientation.turn);
+}
+
+ManifoldCut cutApart(const TriangleMesh& input, const Soup& soup, std::vector<Index> twins) {
+  const std::size_t vertexCount = input.positions.size();
+  if (!twins.empty()) return cutFans(soup.corners, vertexCount, std::move(twins));
+  return cutToManifold(input.positions, soup.corners, EdgeGroups(vertexCount, soup.corners));
 }
 
 }  // namespace
@@ -143,28 +164,17 @@ BuiltMesh buildMesh(const TriangleMesh& input) {
        "Triangles without three distinct corners were removed.",
        input.triangleCount() - soup.triangles.size());
 
-  EdgeGroups edges(vertexCount, soup.corners);
-  const std::size_t duplicates = removeDuplicates(soup, edges);
-  warn(warnings, "DUPLICATE_TRIANGLES_REMOVED",
-       "Triangles that repeat another one exactly were removed.", duplicates);
-  if (duplicates > 0) edges = EdgeGroups(vertexCount, soup.corners);
-
-  const Orientation orientation = orient(soup.corners, edges);
-  warn(warnings, "INCONSISTENT_ORIENTATION_FIXED",
-       "Triangles were turned over to face the same side as most of their neighbours.",
-       orientation.turned);
-  warn(warnings, "NON_ORIENTABLE_CUT",
-       "The surface has only one side and was cut open along these edges.", orientation.conflicts);
-  turnOver(soup, orientation.turn);
-  if (orientation.turned > 0) edges = EdgeGroups(vertexCount, soup.corners);
-
-  ManifoldCut cut = cutToManifold(input.positions, soup.corners, edges);
+  std::vector<Index> twins = plainTwins(vertexCount, soup.corners);
+  if (twins.empty()) {
+    makeConsistent(soup, vertexCount, warnings);
+    twins = plainTwins(vertexCount, soup.corners);
+  }
+  ManifoldCut cut = cutApart(input, soup, std::move(twins));
   std::size_t backToBack = 0;
   // Without some of them the surface is cut elsewhere, which may set others free.
   while (const std::size_t removed = removeBackToBack(soup, cut)) {
     backToBack += removed;
-    edges = EdgeGroups(vertexCount, soup.corners);
-    cut = cutToManifold(input.positions, soup.corners, edges);
+    cut = cutApart(input, soup, plainTwins(vertexCount, soup.corners));
   }
   warn(warnings, "BACK_TO_BACK_TRIANGLES_REMOVED",
        "Triangles back to back, which enclose nothing, were removed.", backToBack);

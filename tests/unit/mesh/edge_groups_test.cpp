@@ -45,3 +45,19 @@ TEST_CASE("edge_groups: a vertex of huge valence is grouped too") {
   CHECK(edges.size() == 6000);
   for (std::size_t e = 0; e < edges.size(); ++e) CHECK(edges[e].size() == 2);
 }
+
+TEST_CASE("edge_groups: the twins of a manifold are known at once, of nothing else") {
+  for (const shapes::Shape& shape : shapes::manifolds()) {
+    CAPTURE(shape.name);
+    const HalfedgeMesh mesh = buildMesh(shape.mesh).mesh;
+    const std::vector<Index> twins = plainTwins(mesh.vertexCount(), mesh.triangles());
+    REQUIRE(twins.size() == mesh.halfedgeCapacity());
+    for (Index h = 0; h < twins.size(); ++h) CHECK(twins[h] == mesh.twin(Halfedge(h)).index);
+  }
+  const TriangleMesh book = shapes::threeAtAnEdge();
+  CHECK(plainTwins(book.positions.size(), book.indices).empty());
+  const std::vector<Index> sameWay = {0, 1, 2, 0, 1, 3};
+  CHECK(plainTwins(4, sameWay).empty());
+  const std::vector<Index> twice = {0, 1, 2, 0, 1, 2};
+  CHECK(plainTwins(3, twice).empty());
+}

@@ -95,3 +95,18 @@ TEST_CASE("manifold_cut: an edge of very many triangles is taken apart") {
     shapes::addTriangle(book, 0, 1, shapes::addVertex(book, shapes::onCircle(k, 500)));
   CHECK(componentCount(buildMesh(book).mesh) == 500);
 }
+
+TEST_CASE("manifold_cut: where all edges are plain, fans alone are cut as everything is") {
+  std::vector<TriangleMesh> meshes = {shapes::bowTie()};
+  for (const shapes::Shape& shape : shapes::manifolds()) meshes.push_back(shape.mesh);
+  for (const TriangleMesh& mesh : meshes) {
+    std::vector<Index> twins = plainTwins(mesh.positions.size(), mesh.indices);
+    REQUIRE(twins.size() == mesh.indices.size());
+    const ManifoldCut fans = cutFans(mesh.indices, mesh.positions.size(), std::move(twins));
+    const ManifoldCut all = cut(mesh);
+    CHECK(fans.corners == all.corners);
+    CHECK(fans.origins == all.origins);
+    CHECK(fans.vertices == all.vertices);
+    CHECK(all.edges == 0);
+  }
+}
