@@ -14,6 +14,7 @@ add_executable(unit_tests
   tests/unit/curves/feature_curves_test.cpp
   tests/unit/curves/feature_detection_test.cpp
   tests/unit/curves/seams_test.cpp
+  tests/unit/curves/shape_angles_test.cpp
   tests/unit/curves/spikes_test.cpp
   tests/unit/gate/crossings_test.cpp
   tests/unit/gate/error_bound_test.cpp

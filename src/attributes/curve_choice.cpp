@@ -15,6 +15,7 @@ constexpr double kFeatureAngle = 40;
 
 // The edges that the caller gave as pairs of input vertices.
 std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
+  if (options.featureEdges.empty()) return {};
   std::vector<Vertex> vertexOf;
   for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h) {
     const Index wedge = built.wedges[Halfedge(h)];

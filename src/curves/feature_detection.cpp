@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "geometry/fast_trigonometry.h"
-#include "geometry/triangle.h"
+#include "curves/shape_angles.h"
 
 namespace remesher {
 
@@ -26,25 +24,6 @@ constexpr double kStandsOut = 5;
 constexpr double kTipAngle = radians(60);
 const double kStraight = std::cos(radians(45));
 
-// The angle between the normals of the two faces of each edge, radians; 0 on a boundary.
-HalfedgeData<double> dihedralAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  FaceData<Vec3> normals(mesh.faceCapacity());
-  for (Index f = 0; f < mesh.faceCapacity(); ++f) {
-    const auto [a, b, c] = mesh.vertices(Face(f));
-    normals[Face(f)] = unitNormal(positions[a], positions[b], positions[c]);
-  }
-  HalfedgeData<double> angles(mesh.halfedgeCapacity(), 0.0);
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.isEdge(h) || mesh.isBoundary(h)) continue;
-    const Vec3 &n = normals[mesh.face(h)], &m = normals[mesh.face(mesh.twin(h))];
-    // A face without area has no normal, and its edges no angle.
-    if (n.isZero() || m.isZero()) continue;
-    angles[h] = angles[mesh.twin(h)] = angleOf(n.cross(m).norm(), n.dot(m));
-  }
-  return angles;
-}
-
 // Sharp edges that hang together.
 struct Network {
   std::vector<Halfedge> edges;
@@ -63,7 +42,8 @@ class Detection {
         positions_(positions),
         angle_(radians(rules.angle)),
         size_(rules.size),
-        dihedral_(dihedralAngles(mesh, positions)),
+        normals_(faceNormals(mesh, positions)),
+        sharp_(sharpEdges(mesh, normals_, angle_)),
         visited_(mesh.vertexCapacity(), 0) {}
 
   std::vector<Halfedge> run() {
@@ -81,7 +61,8 @@ class Detection {
   }
 
  private:
-  bool isSharp(Halfedge h) const { return dihedral_[h] >= angle_; }
+  double dihedral(Halfedge h) const { return dihedralAngle(mesh_, normals_, h); }
+  bool isSharp(Halfedge h) const { return sharp_[h]; }
 
   Network collect(Vertex start) {
     Network network;
@@ -111,11 +92,11 @@ class Detection {
   void addEdge(Network& network, Halfedge h) const {
     network.edges.push_back(h);
     network.length += (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).norm();
-    network.sharpness += dihedral_[h];
+    network.sharpness += dihedral(h);
     for (const Halfedge side : {h, mesh_.twin(h)})
       for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)}) {
         if (isSharp(other) || mesh_.isBoundary(other)) continue;
-        network.beside += dihedral_[other];
+        network.beside += dihedral(other);
         ++network.besides;
       }
   }
@@ -152,7 +133,7 @@ class Detection {
     mesh_.forEachOutgoing(mesh_.tip(last), [&](Halfedge h) {
       if (mesh_.isBoundary(h) || mesh_.tip(h) == mesh_.origin(last)) return;
       if (direction(h).dot(way) < kStraight || !standsOut(h)) return;
-      if (!best || dihedral_[h] > dihedral_[best]) best = h;
+      if (!best || dihedral(h) > dihedral(best)) best = h;
     });
     return best;
   }
@@ -165,30 +146,18 @@ class Detection {
     double beside = 0;
     for (const Halfedge side : {h, mesh_.twin(h)})
       for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)})
-        beside += 0.25 * dihedral_[other];
-    return dihedral_[h] >= std::max(kFaded * angle_, kStandsOut * beside);
+        beside += 0.25 * dihedral(other);
+    return dihedral(h) >= std::max(kFaded * angle_, kStandsOut * beside);
   }
 
   const HalfedgeMesh& mesh_;
   const VertexData<Vec3>& positions_;
   double angle_;
   double size_;
-  HalfedgeData<double> dihedral_;
+  FaceData<Vec3> normals_;
+  HalfedgeData<char> sharp_;
   VertexData<char> visited_;
 };
-
-// What the angles around each vertex leave of a full turn, in size; 0 on boundaries.
-VertexData<double> missingAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  VertexData<double> missing(mesh.vertexCapacity(), 2 * std::numbers::pi);
-  for (Index f = 0; f < mesh.faceCapacity(); ++f) {
-    const auto corners = mesh.vertices(Face(f));
-    const auto own = angles(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
-    for (std::size_t i = 0; i < 3; ++i) missing[corners[i]] -= own[i];
-  }
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isBoundary(Vertex(i))) missing[Vertex(i)] = 0;
-  return missing;
-}
 
 }  // namespace
 

@@ -107,6 +107,7 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
 Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle) {
   const HalfedgeMesh& mesh = built.mesh;
   Seams seams;
+  if (input.groups.empty() && input.attributes.empty()) return seams;
   Edges edges{{}, std::cos(radians(hardNormalAngle))};
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
     if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i)))

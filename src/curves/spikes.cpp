@@ -2,9 +2,11 @@
 #include "curves/spikes.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
+#include "curves/shape_angles.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -26,9 +28,22 @@ constexpr double kMostOfAll = 2;
 // Spikes with less than this share of the area harm nobody.
 constexpr double kWorthAWord = 0.05;
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
+// Found among those that share its bucket: there are few.
+double median(const std::vector<double>& lengths, double longest) {
+  constexpr std::size_t kBuckets = 1024;
+  if (!(longest > 0)) return 0;
+  const double scale = (kBuckets - 1) / longest;
+  const auto bucketOf = [&](double length) { return std::size_t(length * scale); };
+  std::array<Index, kBuckets> counts{};
+  for (const double length : lengths) ++counts[bucketOf(length)];
+  std::size_t bucket = 0, rank = lengths.size() / 2;
+  for (; rank >= counts[bucket]; ++bucket) rank -= counts[bucket];
+  std::vector<double> own;
+  own.reserve(counts[bucket]);
+  for (const double length : lengths)
+    if (bucketOf(length) == bucket) own.push_back(length);
+  const auto middle = own.begin() + std::ptrdiff_t(rank);
+  std::nth_element(own.begin(), middle, own.end());
   return *middle;
 }
 
@@ -65,23 +80,24 @@ class Search {
 
   // Those at whose ends most edges, on a boundary all, are far longer than usual. Whether any are.
   bool markFar() {
-    std::vector<double> lengths;
-    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
-      if (mesh_.isEdge(Halfedge(i)))
-        lengths.push_back(distance(mesh_.origin(Halfedge(i)), mesh_.tip(Halfedge(i))));
+    const std::vector<double> lengths = edgeLengths(mesh_, positions_);
     const double longest = *std::max_element(lengths.begin(), lengths.end());
-    const double limit = kFar * median(lengths);
+    const double limit = kFar * median(lengths, longest);
     if (!(longest > limit)) return false;
+    VertexData<int> longEdges(mesh_.vertexCapacity(), 0);
+    const double* length = lengths.data();
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      if (!mesh_.isEdge(h) || !(*length++ > limit)) continue;
+      ++longEdges[mesh_.origin(h)];
+      ++longEdges[mesh_.tip(h)];
+    }
     bool anyFar = false;
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (!mesh_.isAlive(v)) continue;
-      int all = 0, near = 0;
-      mesh_.forEachNeighbor(v, [&](Vertex w) {
-        ++all;
-        near += distance(v, w) > limit ? 0 : 1;
-      });
-      isFar_[v] = near <= (mesh_.isBoundary(v) ? 0 : all / 2);
+      if (longEdges[v] == 0) continue;
+      const int all = mesh_.valence(v);
+      isFar_[v] = all - longEdges[v] <= (mesh_.isBoundary(v) ? 0 : all / 2);
       anyFar = anyFar || isFar_[v];
     }
     for (Index i = 0; anyFar && i < mesh_.vertexCapacity(); ++i)

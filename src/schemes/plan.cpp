@@ -123,8 +123,10 @@ Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Prog
   progress.phase("build", 0, 0);
   BuiltMesh built = buildMesh(input);
   const std::size_t vertices = targetVertices(built, options);
-  Spikes spikes = findSpikes(built, double(vertices));
-  const double area = spikes.empty() ? surfaceArea(built) : spikes.restOfArea;
+  const double whole = surfaceArea(built);
+  Spikes spikes = findSpikes(built.mesh, built.positions,
+                             {evenEdgeLength(whole, double(vertices)), double(vertices)});
+  const double area = spikes.empty() ? whole : spikes.restOfArea;
   progress.phase("curves", 0, 0);
   const bool isBaked = options.textures == Textures::Bake;
   const std::vector<Halfedge> joints = isBaked ? std::vector<Halfedge>{} : findJoints(built);

@@ -99,11 +99,6 @@ double surfaceArea(const BuiltMesh& built) {
               "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
 }
 
-Spikes findSpikes(const BuiltMesh& built, double vertices) {
-  return findSpikes(built.mesh, built.positions,
-                    {evenEdgeLength(surfaceArea(built), vertices), vertices});
-}
-
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
   const double own = double(countPlaces(built));
   double target = own;

@@ -15,9 +15,6 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices);
 // Throws NO_TRIANGLES when there is none.
 double surfaceArea(const BuiltMesh& built);
 
-// Those that would take vertices from the rest of the surface, were there `vertices` spread evenly.
-Spikes findSpikes(const BuiltMesh& built, double vertices);
-
 // From vertices, ratio or edgeLength, else the input's own number. What is fewer than the surface
 // needs is raised or refused with TARGET_TOO_SMALL, as the options say; throws OUT_OF_MEMORY for
 // what could never be held.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The angles that tell what a feature is: between the faces of an edge, and what is missing around
+// a vertex. All in radians.
+#pragma once
+
+#include "mesh/halfedge_mesh.h"
+
+namespace remesher {
+
+FaceData<Vec3> faceNormals(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+// Between the normals of the edge's two faces; 0 on a boundary.
+double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Halfedge h);
+
+// Per halfedge whether that is at least so large.
+HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
+                              double angle);
+
+// What the angles around each vertex leave of a full turn, in size; 0 on boundaries.
+VertexData<double> missingAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+// Per edge, in the order of the halfedges that name them.
+std::vector<double> edgeLengths(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+}  // namespace remesher

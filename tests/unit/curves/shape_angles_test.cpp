@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "curves/shape_angles.h"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <numeric>
+
+#include "mesh/mesh_builder.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+TEST_CASE("shape_angles: an edge is sharp exactly where its angle is that large") {
+  for (const shapes::Shape& shape : shapes::all()) {
+    CAPTURE(shape.name);
+    const auto built = buildMesh(shape.mesh);
+    const FaceData<Vec3> normals = faceNormals(built.mesh, built.positions);
+    for (const double degree : {0.0, 0.01, 20.0, 45.0, 90.0, 120.0, 180.0, 400.0}) {
+      const HalfedgeData<char> sharp = sharpEdges(built.mesh, normals, radians(degree));
+      for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i) {
+        const double angle = dihedralAngle(built.mesh, normals, Halfedge(i));
+        CHECK(bool(sharp[Halfedge(i)]) == (angle >= radians(degree)));
+      }
+    }
+  }
+}
+
+TEST_CASE("shape_angles: of a closed surface 2π χ is missing") {
+  for (const shapes::Shape& shape : shapes::manifolds()) {
+    if (shape.loops > 0) continue;
+    CAPTURE(shape.name);
+    const auto built = buildMesh(shape.mesh);
+    const VertexData<double> missing = missingAngles(built.mesh, built.positions);
+    const double sum = std::accumulate(missing.values().begin(), missing.values().end(), 0.0);
+    CHECK(sum == doctest::Approx(2 * std::numbers::pi * double(shape.chi)).epsilon(1e-4));
+  }
+}
