@@ -23,9 +23,11 @@ class DisjointSets {
     return x;
   }
 
-  void unite(Index x, Index y) {
+  // Whether they were two sets.
+  bool unite(Index x, Index y) {
     x = find(x), y = find(y);
     parents_[std::max(x, y)] = std::min(x, y);
+    return x != y;
   }
 
  private:

@@ -7,6 +7,16 @@
 
 namespace remesher {
 
+namespace {
+
+// What is not is no number less itself.
+bool isFinite(const Vec3& p) {
+  const double* const x = p.data();
+  return x[0] - x[0] == 0 && x[1] - x[1] == 0 && x[2] - x[2] == 0;
+}
+
+}  // namespace
+
 const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic) {
   for (const Attribute& attribute : mesh.attributes)
     if (attribute.semantic == semantic) return &attribute;
@@ -34,7 +44,7 @@ void requireValid(const TriangleMesh& mesh) {
                       std::to_string(mesh.positions.size()) + " vertices.",
                   "Indices count from 0.");
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    if (!mesh.positions[v].allFinite())
+    if (!isFinite(mesh.positions[v]))
       throw Error(ErrorCode::NonFinite,
                   "Vertex " + std::to_string(v) + " has a coordinate that is NaN or infinite.",
                   "Repair or remove the vertex.");

@@ -66,6 +66,18 @@ bool hasDistinctVertices(const std::array<Index, 3>& t) {
   return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
 }
 
+// They come by their corners, and as a rule there are six.
+void EdgeTable::sort(std::span<Side> sides) {
+  constexpr std::size_t kMany = 16;
+  if (sides.size() > kMany) return std::sort(sides.data(), sides.data() + sides.size());
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Side side = sides[i];
+    std::size_t k = i;
+    for (; k > 0 && sides[k - 1].first > side.first; --k) sides[k] = sides[k - 1];
+    sides[k] = side;
+  }
+}
+
 EdgeTable::EdgeTable(const WeldedMesh& mesh) {
   const auto forEachSide = [&mesh](auto&& visit) {
     for (Index t = 0; t < mesh.triangleCount(); ++t) {
@@ -86,18 +98,18 @@ EdgeTable::EdgeTable(const WeldedMesh& mesh) {
   forEachSide([&](Index low, Index high, Index corner) { sides[next[low]++] = {high, corner}; });
 
   corners_.reserve(sides.size());
+  for (std::vector<Index>* const list : {&lows_, &highs_, &begins_})
+    list->reserve(sides.size() / 2 + 1);
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    const auto begin = sides.begin() + bucket[v], end = sides.begin() + bucket[v + 1];
-    std::sort(begin, end, [](const Side& x, const Side& y) {
-      return x.high < y.high || (x.high == y.high && x.opposite < y.opposite);
-    });
-    for (auto side = begin; side != end; ++side) {
-      if (side == begin || side->high != (side - 1)->high) {
+    const std::span<Side> own = std::span(sides).subspan(bucket[v], bucket[v + 1] - bucket[v]);
+    sort(own);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (i == 0 || own[i].first != own[i - 1].first) {
         lows_.push_back(v);
-        highs_.push_back(side->high);
+        highs_.push_back(own[i].first);
         begins_.push_back(static_cast<Index>(corners_.size()));
       }
-      corners_.push_back(side->opposite);
+      corners_.push_back(own[i].second);
     }
   }
   begins_.push_back(static_cast<Index>(corners_.size()));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -40,9 +41,9 @@ class EdgeTable {
   Edge operator[](std::size_t e) const;
 
  private:
-  struct Side {
-    Index high, opposite;
-  };
+  using Side = std::pair<Index, Index>;  // the higher vertex, and the corner opposite
+
+  static void sort(std::span<Side> sides);
 
   std::vector<Index> lows_;     // per edge
   std::vector<Index> highs_;    // per edge

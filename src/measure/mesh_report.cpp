@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -32,21 +34,25 @@ Index cornerAt(const WeldedMesh& mesh, Index opposite, Index vertex) {
 // vertex but where the surface is pinched.
 std::size_t countFans(const WeldedMesh& mesh, const EdgeTable& edges) {
   DisjointSets fans(mesh.indices.size());
+  std::size_t count = 0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+    count += hasDistinctVertices(mesh.triangle(t)) ? 3 : 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeTable::Edge edge = edges[e];
     for (const Index vertex : {edge.low, edge.high})
       for (const Index opposite : edge.opposites.subspan(1))
-        fans.unite(cornerAt(mesh, edge.opposites[0], vertex), cornerAt(mesh, opposite, vertex));
+        count -=
+            fans.unite(cornerAt(mesh, edge.opposites[0], vertex), cornerAt(mesh, opposite, vertex));
   }
-  std::size_t count = 0;
-  for (Index corner = 0; corner < mesh.indices.size(); ++corner)
-    count += hasDistinctVertices(mesh.triangle(corner / 3)) && fans.find(corner) == corner;
   return count;
 }
 
 // Fills in what only connectivity decides.
 void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
   const EdgeTable edges(mesh);
+  std::size_t faces = 0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t) faces += hasDistinctVertices(mesh.triangle(t));
+  report.components = faces;  // less one for each two that are found to be joined
   DisjointSets components(mesh.triangleCount());
   std::vector<Index> valence(mesh.positions.size(), 0);
   std::vector<std::uint8_t> isInterior(mesh.positions.size(), 1);
@@ -56,14 +62,8 @@ void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
     report.boundaryEdges += edge.opposites.size() == 1;
     report.nonManifoldEdges += edge.opposites.size() > 2;
     if (edge.opposites.size() != 2) isInterior[edge.low] = isInterior[edge.high] = 0;
-    for (const Index corner : edge.opposites) components.unite(edge.opposites[0] / 3, corner / 3);
-  }
-
-  std::size_t faces = 0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    if (!hasDistinctVertices(mesh.triangle(t))) continue;
-    ++faces;
-    report.components += components.find(t) == t;
+    for (const Index corner : edge.opposites.subspan(1))
+      report.components -= components.unite(edge.opposites[0] / 3, corner / 3);
   }
   std::size_t interior = 0, regular = 0;
   for (std::size_t v = 0; v < valence.size(); ++v) {
@@ -89,8 +89,10 @@ struct Sides {
     all = a + b + c;
   }
 
-  bool areObtuse() const { return all < 2 * longest; }
-  double angleOpposite(double side) const { return angleOf(twiceArea, 0.5 * (all - 2 * side)); }
+  double flatness() const { return longest > 0 ? twiceArea / longest : 0; }
+  // The cosine and the sine of an angle, times the same length, are this and twiceArea.
+  double cosineOpposite(double side) const { return 0.5 * (all - 2 * side); }
+  double angleOpposite(double side) const { return angleOf(twiceArea, cosineOpposite(side)); }
 };
 
 void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
@@ -98,14 +100,20 @@ void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   if (n == 0) return;
   std::array<std::size_t, 6> counts{};
   double sum = 0, worst = std::numbers::pi, largest = 0;
+  // Above it a cosine is too large, for its sine, for the angle to be the largest yet.
+  double leastRatio = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < n; ++t) {
     const Triangle corners = cornersOf(mesh, t);
     const Sides sides(corners);
-    report.degenerateTriangles += flatness(corners[0], corners[1], corners[2]) <= kFlattest;
+    report.degenerateTriangles += sides.flatness() <= kFlattest;
     const double smallest = sides.angleOpposite(sides.shortest);
     worst = std::min(worst, smallest);
-    if (sides.areObtuse() || largest < std::numbers::pi / 2)
-      largest = std::max(largest, sides.angleOpposite(sides.longest));
+    const double cosine = sides.cosineOpposite(sides.longest);
+    if (!(cosine >= leastRatio * sides.twiceArea)) {
+      const double own = sides.angleOpposite(sides.longest), ratio = cosine / sides.twiceArea;
+      if (own > largest) leastRatio = ratio + kAngleRounding * (1 + ratio * ratio);
+      largest = std::max(largest, own);
+    }
     sum += smallest;
     ++counts[static_cast<std::size_t>(std::clamp(degrees(smallest) / 10, 0.0, 5.0))];
   }

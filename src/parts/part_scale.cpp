@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,10 +24,19 @@ void scale(std::vector<Vec3>& positions, double factor) {
 // The points' box at half its size: that of the largest doubles would be infinite.
 using HalfBox = Eigen::AlignedBox3d;
 
+// Each operator of vectors would be a call here, where size counts.
+void extend(const double* p, double* low, double* high) {
+  for (int k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], p[k]);
+    high[k] = std::max(high[k], p[k]);
+  }
+}
+
 // Of what has an area: a stray vertex, or a triangle that is a line, is not worked on. Indices have
 // yet to be looked at. Without a place the part is where it says itself.
 HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
-  HalfBox box;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3::Constant(kInfinity), high = -low;
   const std::vector<Vec3>& positions = mesh.positions;
   std::vector<char> isIn(positions.size(), 0);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -34,11 +44,13 @@ HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
     if (std::max({t[0], t[1], t[2]}) >= positions.size()) continue;
     if (isIn[t[0]] && isIn[t[1]] && isIn[t[2]]) continue;
     if (hasTwins(positions[t[0]], positions[t[1]], positions[t[2]])) continue;
-    for (const Index v : {t[0], t[1], t[2]})
-      if (!std::exchange(isIn[v], 1))
-        box.extend(0.5 * (place ? Vec3(*place * positions[v]) : positions[v]));
+    for (const Index v : {t[0], t[1], t[2]}) {
+      if (std::exchange(isIn[v], 1)) continue;
+      const Vec3 p = place ? Vec3(*place * positions[v]) : positions[v];
+      extend(p.data(), low.data(), high.data());
+    }
   }
-  return box;
+  return {0.5 * low, 0.5 * high};
 }
 
 // A stray vertex may lie farther out than numbers go.
@@ -69,7 +81,7 @@ PartScale::PartScale(const std::vector<io::Part>& parts) {
     const HalfBox box = halfBox(part.mesh, nullptr);
     world.extend(part.instances.empty() ? box : halfBox(part.mesh, &part.instances.front()));
     const double own = unitScale(box);
-    local_.push_back(fits(part, own) ? own : 1);
+    local_.push_back(own != 1 && fits(part, own) ? own : 1);
   }
   world_ = unitScale(world);
 }

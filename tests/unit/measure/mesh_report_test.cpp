@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/soups.h"
@@ -86,6 +87,21 @@ TEST_CASE("mesh_report: triangles without area are counted and have an angle of 
   CHECK(report.minAngle.mean == doctest::Approx(20));
   CHECK(report.minAngle.histogram[0] == doctest::Approx(200.0 / 3));
   CHECK(report.minAngle.histogram[5] == doctest::Approx(100.0 / 3));
+}
+
+TEST_CASE("mesh_report: the extreme angles are those of single triangles") {
+  const TriangleMesh soup = soups::randomSoup(300, 0.5, 5);
+  double smallest = 180, largest = 0;
+  TriangleMesh part = {soup.positions, {}};
+  for (std::size_t i = 0; i < soup.indices.size(); i += 3) {
+    part.indices.insert(part.indices.end(), soup.indices.begin() + i, soup.indices.begin() + i + 3);
+    const TriangleMesh own = {soup.positions,
+                              {soup.indices[i], soup.indices[i + 1], soup.indices[i + 2]}};
+    smallest = std::min(smallest, inspectMesh(own).minAngle.worst);
+    largest = std::max(largest, inspectMesh(own).maxAngle);
+    CHECK(inspectMesh(part).minAngle.worst == smallest);
+    CHECK(inspectMesh(part).maxAngle == largest);
+  }
 }
 
 TEST_CASE("mesh_report: nothing at all is reported as nothing") {
