@@ -20,8 +20,8 @@ import { withMemory } from './support/small_memory.js';
 import { filesUnder, root } from './support/tree.js';
 
 const folder = await builtPage();
-const { site, page } = await visit(
-  { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } });
+const sight = { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } };
+const { site, page } = await visit(sight);
 
 const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
 after(() => rmSync(scratch, { recursive: true }));
@@ -82,7 +82,7 @@ test('in the background, without frames, the page goes on and shows its result l
 });
 
 test('where memory ends that is said, the last result stays, and the page goes on', async () => {
-  const { page: small } = await openPage(site, { hash: '#model=gear&vertices=500',
+  const { page: small } = await openPage(site, { ...sight,
     wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 24) });
   await settled(small);
   const refused = async () => {
@@ -96,7 +96,8 @@ test('where memory ends that is said, the last result stays, and the page goes o
   await small.fill('#target', '200000');
   await small.click('form button[type=submit]');
   await refused();
-  await drop(small, { 'large.stl': stl(ring({ columns: 400, rows: 250 })) });
+  await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '',
+    buffer: Buffer.from(stl(ring({ columns: 400, rows: 250 }))) });
   await refused();
   await small.fill('#target', '400');
   await small.click('form button[type=submit]');
@@ -124,16 +125,12 @@ test('leaving asks when a result of one’s own file was not taken home', async 
 test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
   const path = join(scratch, 'large.stl');
   writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
-  const { page: own } = await openPage(site,
-    { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } });
-  await settled(own);
-  await own.setInputFiles('#file-input', path);
-  await opened(own, 'large.stl');
-  assert.match(await own.textContent('#left-thinned'),
+  await page.setInputFiles('#file-input', path);
+  await opened(page, 'large.stl');
+  assert.match(await page.textContent('#left-thinned'),
     /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
-  assert.match(await own.textContent('#model-facts'), /1,025,000 triangles/);
-  assert.equal(await own.getAttribute('#wireframe', 'aria-pressed'), 'false');
-  await own.close();
+  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
+  assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'false');
 });
 
 test('what is drawn is a part of the triangles, spread over all of them', async () => {
@@ -165,7 +162,7 @@ test('after the first visit the page needs no network', async () => {
     await new Promise((resolve) => { active.addEventListener('statechange', resolve); });
   });
   await site.stop();
-  await page.goto(`${site.url}#model=vase&vertices=300`);
+  await page.goto(`${site.url}#model=scan&vertices=300`);
   await page.reload();
   await settled(page);
   assert.equal(await page.textContent('#result-count'), '300');
