@@ -51,6 +51,16 @@ inline Vec3 onCircle(int k, int n) {
   return {std::cos(angle), std::sin(angle), 0};
 }
 
+// The length of an edge, on average.
+inline double meanEdge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+    sum += (mesh.positions[mesh.indices[i]] - mesh.positions[mesh.indices[next]]).norm();
+  }
+  return sum / double(mesh.indices.size());
+}
+
 inline TriangleMesh tetrahedron() {
   TriangleMesh mesh;
   mesh.positions = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
