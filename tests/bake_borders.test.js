@@ -48,8 +48,9 @@ function strayLight({ primitive }, image) {
   }));
 }
 
-/** A mip level looks beyond a chart's corner by one and a half of its own texels, a diagonal of
- * them: `levels` are those for which the padding is enough, 2 texels of 256, 4 of 1024. */
+/** A mip level looks beyond a chart's corner by one and a half of its own texels, each way:
+ * `levels` are those for which the padding is enough, 2 texels of 256 and 4 of 1024; the next,
+ * which needs 3 and 6, depends on what lies beside the corner. */
 async function keepsColours(textureSize, levels) {
   const { name, bytes } = colouredBox(8);
   const model = await baked(await remeshFile(bytes,
@@ -62,7 +63,7 @@ async function keepsColours(textureSize, levels) {
   }
 }
 
-test('where sides of two colours meet each keeps its own, on three mip levels',
-  () => keepsColours(1024, 3));
+test('where sides of two colours meet each keeps its own, on two mip levels',
+  () => keepsColours(1024, 2));
 
 test('in small maps, too', () => keepsColours(256, 1));
