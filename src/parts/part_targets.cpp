@@ -8,6 +8,7 @@
 
 #include "attributes/chart_needs.h"
 #include "base/error.h"
+#include "geometry/triangle.h"
 
 namespace remesher {
 namespace {
@@ -44,7 +45,7 @@ double worldArea(const io::Part& part) {
     const Vec3& a = part.mesh.positions[part.mesh.indices[i]];
     const Vec3& b = part.mesh.positions[part.mesh.indices[i + 1]];
     const Vec3& c = part.mesh.positions[part.mesh.indices[i + 2]];
-    area += 0.5 * (b - a).cross(c - a).norm();
+    area += remesher::area(a, b, c);
   }
   return area * perArea;
 }
@@ -58,7 +59,8 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const RemeshOptions
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
-  for (const io::Part& part : parts) areas_.push_back(worldArea(part));
+  // One alone has all of it.
+  for (const io::Part& part : parts) areas_.push_back(parts.size() > 1 ? worldArea(part) : 1);
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t a, std::size_t b) { return areas_[a] < areas_[b]; });
