@@ -14,9 +14,9 @@ struct SimpleSurface {
 };
 
 // Vertices go into their neighbours, which move to where the squared distances from the planes of
-// all triangles that have gone into them are least [Garland & Heckbert 1997], until no more than
-// `vertices` are left or nothing more goes. Boundaries and seams are only shortened along
-// themselves, and where seams meet a vertex stays.
+// all triangles that have gone into them, and from sharp edges and borders, are least [Garland &
+// Heckbert 1997], until no more than `vertices` are left or nothing more goes. Boundaries and seams
+// are only shortened along themselves, and where seams meet a vertex stays.
 void simplify(SimpleSurface& surface, std::size_t vertices);
 
 }  // namespace remesher

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/mesh_tree.h"
 #include "mesh/check.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
@@ -110,4 +112,38 @@ TEST_CASE("simplify: triangles stay on their side of a seam") {
   forEachCorner(surface, [&](Halfedge h, const Vec3& p) {
     CHECK((left[HalfedgeMesh::face(h).index] ? p.x() - kSeam : kSeam - p.x()) < 0.05);
   });
+}
+
+TEST_CASE("simplify: a sphere four times as large gets more than six times as many vertices") {
+  constexpr double kLarge = 4, kAway = 10;
+  const TriangleMesh small = shapes::icosphere(24);
+  TriangleMesh input = small;
+  for (const Vec3& p : small.positions) input.positions.push_back(kLarge * p + Vec3(kAway, 0, 0));
+  for (const Index i : small.indices) input.indices.push_back(i + Index(small.positions.size()));
+  SimpleSurface surface = surfaceOf(input);
+  simplify(surface, 400);
+  double corners = 0, inLarge = 0;
+  forEachCorner(surface, [&](Halfedge, const Vec3& p) {
+    ++corners;
+    inLarge += p.x() > 2 ? 1 : 0;
+  });
+  CHECK(inLarge > 6 * (corners - inLarge));
+}
+
+TEST_CASE("simplify: a sharp edge that winds is kept before waves are") {
+  constexpr int kSide = 40;
+  const auto ridge = [](double x) { return 2 * std::sin(x / 3); };
+  TriangleMesh input = shapes::grid(kSide, kSide);
+  for (Vec3& p : input.positions) {
+    const double beyond = p.y() - kSide / 2;
+    p = {p.x(), p.y() + ridge(p.x()),
+         beyond > 0 ? -0.9 * beyond : std::sin(p.x() / 2) * std::sin(beyond / 2)};
+  }
+  SimpleSurface surface = surfaceOf(input);
+  simplify(surface, 120);
+  const MeshTree tree(surface.mesh, surface.positions);
+  double sum = 0;
+  for (int x = 0; x < kSide; ++x)
+    sum += tree.nearest({double(x), kSide / 2 + ridge(x), 0}).distance;
+  CHECK(sum / kSide < 0.018);
 }
