@@ -94,8 +94,8 @@ test('rounds, the report’s algorithm, is better than what it is given', async 
 test('sizes that follow curvature lower the error at the same count', async () => {
   const mesh = signetRing();
   const found = { rms: 0, hausdorff: 0 }, plain = { rms: 0, hausdorff: 0 };
-  // Of one number alone the largest distance is 1.2 to 2.7 times as large, by luck.
-  for (const vertices of [3000, 3010]) {
+  // The largest distance of one number gains 0.998 to 2.7 times by luck, that of six 1.6 to 1.9.
+  for (const vertices of [3000, 3050, 3100, 3150, 3200, 3250]) {
     const even = await run(mesh, { vertices, adaptivity: 0 });
     const adapted = await run(mesh, { vertices, adaptivity: 1 });
     assert.ok(even.report.fidelity.hausdorff < 0.2, 'even triangles lose no part');
@@ -106,7 +106,7 @@ test('sizes that follow curvature lower the error at the same count', async () =
     }
   }
   assert.ok(found.rms < plain.rms / 1.1, `${found.rms} against ${plain.rms}`);
-  assert.ok(found.hausdorff < plain.hausdorff / 1.25, `${found.hausdorff}, ${plain.hausdorff}`);
+  assert.ok(found.hausdorff < plain.hausdorff / 1.5, `${found.hausdorff}, ${plain.hausdorff}`);
 });
 
 test('edges are as long as asked for, on average', async () => {

@@ -144,7 +144,8 @@ TEST_CASE("targets: sizes that follow curvature lower the error at the same coun
     CAPTURE(int(scheme));
     options.scheme = scheme;
     double before = 0, after = 0;
-    for (const Index vertices : {2000u, 2010u}) {  // 1.2 to 1.45 each, by the seed of annealing
+    // By the seed of annealing one number gains 1.2 to 1.45 times, six together 1.31 to 1.39.
+    for (const Index vertices : {1950u, 2000u, 2050u, 2100u, 2150u, 2200u}) {
       options.vertices = vertices;
       options.adaptivity = 0;
       before += measureFidelity(body, remeshSurface(body, options, {}).mesh).rms;
@@ -154,7 +155,7 @@ TEST_CASE("targets: sizes that follow curvature lower the error at the same coun
       CHECK(inspectMesh(graded).minAngle.mean >= 52);
     }
     CAPTURE(before / after);
-    CHECK(after < before / 1.2);
+    CHECK(after < before / 1.3);
   }
 }
 
