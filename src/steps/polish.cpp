@@ -2,6 +2,7 @@
 #include "steps/polish.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,10 +48,14 @@ struct Best {
   LocalChange change = {};
   double gain = 0;
 
-  // From five places, seldom: one copy is enough.
-  [[gnu::noinline]] void offer(const Run& run) {
-    const double better = smallestComingAngle(run.mesh, run.change, run.rule.grain) -
-                          smallestGoingAngle(run.mesh, run.change, run.rule.grain);
+  void offer(const Run& run) {
+    offer(run, smallestComingAngle(run.mesh, run.change, run.rule.grain, gain));
+  }
+
+  // Of a proposal that leaves `worst`. From two places, seldom: one copy is enough.
+  [[gnu::noinline]] void offer(const Run& run, double worst) {
+    if (worst <= gain) return;
+    const double better = worst - smallestGoingAngle(run.mesh, run.change, run.rule.grain);
     if (better <= gain) return;
     if (judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
     if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
@@ -91,18 +96,22 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   PolarMap star;
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   const double spoke = star.meanSpoke();
+  std::array<Vec2, kDirections> directions;
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kDirections;
+    directions[i] = {std::cos(turn), std::sin(turn)};
+  }
   Vec2 at = Vec2::Zero();
   double angle = 0;
   for (double step = kFirstStep; step >= kLastStep; step /= 2) {
-    for (int i = 0; i < kDirections; ++i) {
-      const double turn = 2 * std::numbers::pi * i / kDirections;
-      const Vec2 to = at + step * spoke * Vec2(std::cos(turn), std::sin(turn));
+    for (const Vec2& direction : directions) {
+      const Vec2 to = at + step * spoke * direction;
       if (!proposeMove(run, star, to, ground)) continue;
       const double worst = smallestComingAngle(run.mesh, run.change, run.rule.grain, angle);
       if (worst <= angle) continue;
       angle = worst;
       at = to;
-      best.offer(run);
+      best.offer(run, worst);
     }
   }
 }
