@@ -92,11 +92,11 @@ TEST_CASE("mesh_report: triangles without area are counted and have an angle of 
 TEST_CASE("mesh_report: the extreme angles are those of single triangles") {
   const TriangleMesh soup = soups::randomSoup(300, 0.5, 5);
   double smallest = 180, largest = 0;
-  TriangleMesh part = {soup.positions, {}};
+  TriangleMesh part, own;
+  part.positions = own.positions = soup.positions;
   for (std::size_t i = 0; i < soup.indices.size(); i += 3) {
-    part.indices.insert(part.indices.end(), soup.indices.begin() + i, soup.indices.begin() + i + 3);
-    const TriangleMesh own = {soup.positions,
-                              {soup.indices[i], soup.indices[i + 1], soup.indices[i + 2]}};
+    own.indices = {soup.indices[i], soup.indices[i + 1], soup.indices[i + 2]};
+    part.indices.insert(part.indices.end(), own.indices.begin(), own.indices.end());
     smallest = std::min(smallest, inspectMesh(own).minAngle.worst);
     largest = std::max(largest, inspectMesh(own).maxAngle);
     CHECK(inspectMesh(part).minAngle.worst == smallest);
