@@ -17,9 +17,8 @@ namespace {
 // A way along the surface counts as a three hundredth of one away from it: on what is flat
 // triangles stay even.
 constexpr double kSideways = 1e-5;
-// What a border, seam or sharp edge weighs, of its squared length: less than a border alone would
-// ask for, as those of the pieces of a model mostly lie within other pieces.
-constexpr double kEdge = 0.2;
+// What an edge weighs, of its squared length: a border or seam, and a sharp one within the surface.
+constexpr double kBorder = 1, kCrease = 0.2;
 // The cosine of the angle between normals from which on an edge is sharp: 37°.
 constexpr double kSharp = 0.8;
 // The cosine of what a triangle may turn by at once: 60°, and 90° where nothing else goes.
@@ -119,7 +118,10 @@ class Simplification {
     }
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
-      if (isSeam(h) || isSharp(h, normal)) addEdge(h, normal);
+      if (isSeam(h))
+        addEdge(h, normal, kBorder);
+      else if (isSharp(h, normal))
+        addEdge(h, normal, kCrease);
     }
   }
 
@@ -129,11 +131,11 @@ class Simplification {
   }
 
   // Away from its edge nothing is to move along its triangle's plane either.
-  void addEdge(Halfedge h, const Vec3& normal) {
+  void addEdge(Halfedge h, const Vec3& normal, double weight) {
     const Vec3 from = at(mesh_.origin(h)), way = at(mesh_.tip(h)) - from;
     const Vec3 outwards = way.cross(normal).stableNormalized();
     for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)})
-      quadrics_[v].addPlane(outwards, from, kEdge * way.squaredNorm());
+      quadrics_[v].addPlane(outwards, from, weight * way.squaredNorm());
   }
 
   Freedom freedomOf(Vertex v) const {
