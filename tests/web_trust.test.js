@@ -162,9 +162,9 @@ test('after the first visit the page needs no network', async () => {
     await new Promise((resolve) => { active.addEventListener('statechange', resolve); });
   });
   await site.stop();
-  await page.goto(`${site.url}#model=scan&vertices=300`);
+  await page.goto(`${site.url}#model=scan&vertices=1000`);
   await page.reload();
   await settled(page);
-  assert.equal(await page.textContent('#result-count'), '300');
+  assert.equal(await page.textContent('#result-count'), '1,000');
   assert.equal(await page.isVisible('#error'), false);
 });
