@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 
+#include "base/sort_pairs.h"
+
 namespace remesher {
 
 namespace {
@@ -66,18 +68,6 @@ bool hasDistinctVertices(const std::array<Index, 3>& t) {
   return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
 }
 
-// They come by their corners, and as a rule there are six.
-void EdgeTable::sort(std::span<Side> sides) {
-  constexpr std::size_t kMany = 16;
-  if (sides.size() > kMany) return std::sort(sides.data(), sides.data() + sides.size());
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side side = sides[i];
-    std::size_t k = i;
-    for (; k > 0 && sides[k - 1].first > side.first; --k) sides[k] = sides[k - 1];
-    sides[k] = side;
-  }
-}
-
 EdgeTable::EdgeTable(const WeldedMesh& mesh) {
   const auto forEachSide = [&mesh](auto&& visit) {
     for (Index t = 0; t < mesh.triangleCount(); ++t) {
@@ -89,7 +79,8 @@ EdgeTable::EdgeTable(const WeldedMesh& mesh) {
       }
     }
   };
-  // A counting sort by the lower vertex, then a sort of each vertex's few sides by the higher one.
+  // A counting sort by the lower vertex, then a sort of each vertex's sides, as a rule six, by the
+  // higher one.
   std::vector<Index> bucket(mesh.positions.size() + 1, 0);
   forEachSide([&](Index low, Index, Index) { ++bucket[low + 1]; });
   for (std::size_t v = 1; v < bucket.size(); ++v) bucket[v] += bucket[v - 1];
@@ -102,7 +93,7 @@ EdgeTable::EdgeTable(const WeldedMesh& mesh) {
     list->reserve(sides.size() / 2 + 1);
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     const std::span<Side> own = std::span(sides).subspan(bucket[v], bucket[v + 1] - bucket[v]);
-    sort(own);
+    sortPairs(own);
     for (std::size_t i = 0; i < own.size(); ++i) {
       if (i == 0 || own[i].first != own[i - 1].first) {
         lows_.push_back(v);

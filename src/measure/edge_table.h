@@ -43,8 +43,6 @@ class EdgeTable {
  private:
   using Side = std::pair<Index, Index>;  // the higher vertex, and the corner opposite
 
-  static void sort(std::span<Side> sides);
-
   std::vector<Index> lows_;     // per edge
   std::vector<Index> highs_;    // per edge
   std::vector<Index> begins_;   // per edge and one more: the first of its opposites

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort_pairs.h"
+
 namespace remesher {
 
 namespace {
@@ -27,16 +29,6 @@ struct Buckets {
   std::vector<Index> starts;
   std::vector<Entry> entries;
 };
-
-// Buckets hold three entries on average.
-void insertionSort(std::span<Entry> bucket) {
-  for (std::size_t i = 1; i < bucket.size(); ++i) {
-    const Entry entry = bucket[i];
-    std::size_t j = i;
-    for (; j > 0 && entry < bucket[j - 1]; --j) bucket[j] = bucket[j - 1];
-    bucket[j] = entry;
-  }
-}
 
 // The edges with the same lower vertex are a list, each named by the first of its halfedges.
 struct EdgeLists {
@@ -83,7 +75,6 @@ std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> co
 }
 
 EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) {
-  constexpr std::size_t kSmall = 16;
   Buckets buckets(vertexCount, corners);
   halfedges_.resize(corners.size());
   starts_.reserve(corners.size() / 2 + 2);
@@ -92,10 +83,7 @@ EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) 
     const std::span<Entry> bucket =
         std::span(buckets.entries)
             .subspan(buckets.starts[v], buckets.starts[v + 1] - buckets.starts[v]);
-    if (bucket.size() <= kSmall)
-      insertionSort(bucket);
-    else
-      std::sort(bucket.data(), bucket.data() + bucket.size());
+    sortPairs(bucket);
     for (std::size_t i = 0; i < bucket.size(); ++i) {
       if (i == 0 || bucket[i].first != bucket[i - 1].first) starts_.push_back(at);
       halfedges_[at++] = bucket[i].second;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The vertices of an OFF file, in their order: the order in which the core counts them.
 
-/** @typedef {[number, number, number]} Point */
+/** @typedef {import('./surface.js').Point} Point */
 
 /** @param {{ bytes: Uint8Array, origin: Point }} request `bytes` with texture coordinates or
  *   without; from where the vertices are told @returns {Float32Array} */
