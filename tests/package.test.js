@@ -26,7 +26,7 @@ test('it holds the built package and the papers, nothing else', () => {
   const wrong = tarball.files.map(({ path }) => path).filter((path) => !belongs.test(path));
   assert.deepEqual(wrong, []);
   // Two thirds are WebAssembly, an eighth is the decoder of Draco.
-  assert.ok(tarball.size < 730_000, `${tarball.size} bytes`);
+  assert.ok(tarball.size < 705_000, `${tarball.size} bytes`);
 });
 
 test('installing runs nothing and brings nothing', () => {

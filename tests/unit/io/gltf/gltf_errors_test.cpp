@@ -63,6 +63,9 @@ TEST_CASE("gltf: accessors that promise what is not there are refused by number"
                 "refers to buffer view 9, which is not there");
   checkContains(failureAfter([](Json& t) { t["accessors"][0]["componentType"] = 5130; }),
                 "accessor 0 has a component type");
+  checkContains(failureAfter([](Json& t) { t["accessors"][0]["componentType"] = 77; }),
+                "componentType` in accessor. Got 77.");
+  checkContains(failureAfter([](Json& t) { t["accessors"][0]["type"] = "VEC9"; }), "Got \"VEC9\".");
   checkContains(failureAfter([](Json& t) { t["accessors"][1]["componentType"] = test::kShort; }),
                 "accessor 1 holds indices");
   checkContains(failureAfter([](Json& t) { t["bufferViews"][0]["byteLength"] = 1 << 20; }),
