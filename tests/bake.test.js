@@ -265,6 +265,17 @@ test('images in every format, in and out, within a .glb and beside a .gltf', asy
   }
 });
 
+test('variants of materials are lost, which a warning says', async () => {
+  const variants = (value) => ({ KHR_materials_variants: value });
+  const result = await bake(paintedTorus(({ tree }, primitive) => {
+    tree.extensions = variants({ variants: [{ name: 'red' }] });
+    tree.extensionsUsed = Object.keys(tree.extensions);
+    primitive.extensions = variants({ mappings: [{ material: 0, variants: [0] }] });
+  }), { vertices: 150, textureSize: 64 });
+  assert.deepEqual(await validate(result), []);
+  assert.match(JSON.stringify(result.report.warnings), /Variants of materials/);
+});
+
 test('what cannot be painted from is said in a sentence', async () => {
   const withImage = (image) => paintedTorus((maker) => {
     maker.tree.images[0] = image;

@@ -194,15 +194,18 @@ std::vector<VertexPool> paintedPools(std::vector<VertexPool> pools) {
   return pools;
 }
 
-// The paintings' numbers in place of the materials that they stand for.
-void usePaintings(Json& primitives, const Part& part, std::size_t firstPainting) {
+// The paintings' numbers in place of the materials that they stand for. Returns of how many
+// primitives the variants are lost.
+std::size_t usePaintings(Json& primitives, const Part& part, std::size_t firstPainting) {
+  std::size_t lost = 0;
   for (std::size_t g = 0; g < part.groups.size() && g < primitives.size(); ++g) {
     if (part.groups[g].painted < 0) continue;
     primitives[g]["material"] = firstPainting + static_cast<std::size_t>(part.groups[g].painted);
     if (!primitives[g].contains("extensions")) continue;
-    primitives[g]["extensions"].erase("KHR_materials_variants");
+    lost += primitives[g]["extensions"].erase("KHR_materials_variants");
     if (primitives[g]["extensions"].empty()) primitives[g].erase("extensions");
   }
+  return lost;
 }
 
 bool isSkinned(const Json& tree, std::size_t mesh) {
@@ -229,12 +232,14 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   GltfEditor editor(document.tree, &document);
   const bool isPainted = !model.paintings.empty();
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
+  std::size_t lostVariants = 0;
   for (const std::size_t i : replaced) {
     const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
     std::vector<VertexPool> pools = vertexPools(document, mesh);
     if (isPainted) {
       pools = paintedPools(std::move(pools));
-      usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
+      lostVariants +=
+          usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }
     editor.replaceGeometry(mesh, model.parts[i].mesh, pools);
     if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh))
@@ -256,6 +261,10 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   Companions images = takeImages(packed.tree, document.resources, names);
   WrittenFiles written = serialized(std::move(packed), outputName, container, dataFile);
   written.images = model.images;
+  if (lostVariants > 0)
+    written.warnings.push_back({"MAP_NOT_PAINTED",
+                                "Variants of materials cannot be painted anew and are lost.",
+                                lostVariants});
   passOn(std::move(images), written);
   return written;
 }
