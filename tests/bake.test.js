@@ -282,10 +282,12 @@ test('what cannot be painted from is said in a sentence', async () => {
   });
   const withBytes = (bytes) => withImage(
     { uri: `data:image/png;base64,${Buffer.from(bytes).toString('base64')}` });
-  const whole = png(4, 4, () => [1, 2, 3]);
-  const huge = whole.slice();
+  const whole = png(4, 4, () => [1, 2, 3]), huge = whole.slice();
   huge.set([0, 0, 0x27, 0x10, 0, 0, 0x27, 0x10], 16);
   await rejectsWith(bake(withImage({ uri: 'nowhere.png' })), 'MISSING_RESOURCE', /nowhere\.png/);
+  for (const broken of [null, { uri: 7 }, { uri: 'data:image/png;base64,@' }]) {
+    await rejectsWith(bake(withImage(broken)), 'MISSING_RESOURCE', /Image 0/);
+  }
   await rejectsWith(bake(withBytes(whole.subarray(0, 50))), 'PARSE_ERROR', /Image 0/);
   await rejectsWith(bake(withBytes(huge)), 'UNSUPPORTED', /10000 × 10000/);
   await rejectsWith(bake(withBytes([0xab, 0x4b, 0x54, 0x58, 0x20, 0x32, 0x30, 0xbb])),

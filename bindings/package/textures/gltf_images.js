@@ -22,17 +22,23 @@ function decoded(uri) {
   }
 }
 
-/** @param {string} uri @returns {Uint8Array} */
+/** None where it is broken. @param {string} uri */
 function dataOf(uri) {
   const [head, body = ''] = uri.split(/,(.*)/s);
-  if (!head.endsWith(';base64')) return new TextEncoder().encode(decoded(body));
-  return Uint8Array.from(atob(body), (letter) => letter.charCodeAt(0));
+  const letters = body.replace(/%([\da-f]{2})/gi,
+    (_, code) => String.fromCharCode(parseInt(code, 16)));
+  try {
+    return Uint8Array.from(head.endsWith(';base64') ? atob(letters) : letters,
+      (letter) => letter.charCodeAt(0));
+  } catch {
+    return undefined;
+  }
 }
 
 /** @param {any} image @param {any} tree @param {Uint8Array} chunk @param {FileRequest} file */
 function bytesOf(image, tree, chunk, file) {
   const buffer = (/** @type {any} */ { uri }) => {
-    if (uri === undefined) return chunk;
+    if (typeof uri !== 'string') return chunk;
     return uri.startsWith('data:') ? dataOf(uri) : resource(uri, file);
   };
   if (typeof image.uri === 'string') return buffer(image);
@@ -49,7 +55,8 @@ function resource(uri, { resources }) {
 
 /** The numbers of the images that the known maps of materials show. @param {any} tree */
 function paintedFrom(tree) {
-  const infos = (tree.materials ?? []).flatMap((/** @type {any} */ material) => [
+  const materials = Array.isArray(tree.materials) ? tree.materials.map(Object) : [];
+  const infos = materials.flatMap((/** @type {any} */ material) => [
     material.pbrMetallicRoughness?.baseColorTexture,
     material.pbrMetallicRoughness?.metallicRoughnessTexture,
     material.normalTexture, material.occlusionTexture, material.emissiveTexture]);
@@ -58,7 +65,8 @@ function paintedFrom(tree) {
     const { EXT_texture_webp: webp, KHR_texture_basisu: basis } = texture?.extensions ?? {};
     return (webp ?? basis)?.source ?? texture?.source;
   });
-  return [...new Set(images)].filter((number) => tree.images?.[number] !== undefined);
+  return [...new Set(images)].filter((number) =>
+    Number.isInteger(number) && tree.images?.[number] !== undefined);
 }
 
 /**
@@ -70,13 +78,14 @@ export function imagesOf(file) {
   const { text, chunk = new Uint8Array() } = openContainer(file.bytes);
   let tree;
   try {
-    tree = JSON.parse(text);
+    tree = Object(JSON.parse(text));
   } catch {
     return []; // the core says what is wrong
   }
   return paintedFrom(tree).map((number) => {
-    const image = tree.images[number];
-    const called = image.name ?? (image.uri?.startsWith('data:') ? undefined : image.uri);
+    const image = Object(tree.images[number]);
+    const called = [image.name, image.uri].find((name) =>
+      typeof name === 'string' && !name.startsWith('data:'));
     const label = `${legible(file.name)}: Image ${number}${called ? ` (${legible(called)})` : ''}`;
     const bytes = bytesOf(image, tree, chunk, file);
     if (!bytes?.length) {
