@@ -94,13 +94,17 @@ class Row {
     }
   }
 
-  // Where a run cannot begin, for it would come upon a bit that is set.
-  Row blocked(const CellRun& run) const {
-    Row result = *this;
-    int reach = 1;
-    for (; 2 * reach <= run.length; reach *= 2) result |= result.moved(reach);
-    if (reach < run.length) result |= result.moved(run.length - reach);
-    return result.moved(run.begin);
+  // Each bit takes the place of the one so far below it.
+  Row moved(int distance) const {
+    Row result;
+    const std::size_t whole = distance / kBits;
+    const int rest = distance % kBits;
+    for (std::size_t i = 0; i + whole < kWords; ++i) {
+      result.words_[i] = words_[i + whole] >> rest;
+      if (rest > 0 && i + whole + 1 < kWords)
+        result.words_[i] |= words_[i + whole + 1] << (kBits - rest);
+    }
+    return result;
   }
 
   Row& operator|=(const Row& other) {
@@ -132,26 +136,38 @@ class Row {
   static constexpr std::size_t kWords = kCells / kBits;
   static constexpr std::uint64_t kOne = 1;
 
-  // Each bit takes the place of the one so far below it.
-  Row moved(int distance) const {
-    Row result;
-    const std::size_t whole = distance / kBits;
-    const int rest = distance % kBits;
-    for (std::size_t i = 0; i + whole < kWords; ++i) {
-      result.words_[i] = words_[i + whole] >> rest;
-      if (rest > 0 && i + whole + 1 < kWords)
-        result.words_[i] |= words_[i + whole + 1] << (kBits - rest);
-    }
-    return result;
-  }
-
   std::array<std::uint64_t, kWords> words_{};
 };
 
-// What is taken of the square, and how many cells of a row are free side by side at most.
-struct Square {
-  std::vector<Row> rows;
-  std::vector<int> longestFree;
+// What is taken of a row of the square. It is asked far more often than it changes.
+class TakenRow {
+ public:
+  explicit TakenRow(int cells) : cells_(cells), longestFree_(cells) {}
+
+  void fill(const CellRun& run) {
+    blocked_[0].fill(run);
+    for (std::size_t i = 1; i < blocked_.size(); ++i) {
+      blocked_[i] = blocked_[i - 1];
+      blocked_[i] |= blocked_[i - 1].moved(1 << (i - 1));
+    }
+    longestFree_ = blocked_[0].longestFree(cells_);
+  }
+
+  // How many cells are free side by side at most.
+  int longestFree() const { return longestFree_; }
+
+  // Where a mask cannot begin, for this run of it would come upon what is taken.
+  Row blocked(const CellRun& run) const {
+    const auto power = std::size_t(std::bit_width(unsigned(run.length)) - 1);
+    Row result = blocked_[power];
+    const int rest = run.length - (1 << power);
+    if (rest > 0) result |= result.moved(rest);
+    return result.moved(run.begin);
+  }
+
+ private:
+  int cells_, longestFree_;
+  std::array<Row, std::bit_width(kCells)> blocked_;  // for runs of 1, 2, 4 … cells
 };
 
 // From where to where something comes into a row.
@@ -272,16 +288,17 @@ class Packer {
   }
 
   // The lowest place that is free, of two as low the leftmost.
-  std::optional<Berth> berthFor(const Mask& mask, const Square& square, int top) const {
+  std::optional<Berth> berthFor(const Mask& mask, const std::vector<TakenRow>& square,
+                                int top) const {
     for (int y = 0; y + mask.height <= top; ++y) {
       const bool isHopeless = std::any_of(
           mask.runs.begin(), mask.runs.end(),
-          [&](const CellRun& run) { return run.length > square.longestFree[y + run.row]; });
+          [&](const CellRun& run) { return run.length > square[y + run.row].longestFree(); });
       if (isHopeless) continue;
       Row blocked;
       int x = 0;
       for (const CellRun& run : mask.runs) {
-        blocked |= square.rows[y + run.row].blocked(run);
+        blocked |= square[y + run.row].blocked(run);
         x = blocked.firstFree();
         if (x + mask.width > cells_) break;
       }
@@ -293,7 +310,7 @@ class Packer {
   std::optional<std::vector<Berth>> tryScale(double scale) const {
     const auto masks = masksAt(scale);
     if (!masks) return {};
-    Square square{std::vector<Row>(cells_), std::vector<int>(cells_, cells_)};
+    std::vector<TakenRow> square(cells_, TakenRow(cells_));
     std::vector<Berth> berths(charts_.size());
     for (const auto& [size, i] : order_) {
       std::optional<Berth> best;
@@ -305,11 +322,8 @@ class Packer {
         top = berth->y + (*masks)[i][turn].height - 1;
       }
       if (!best) return {};
-      for (const CellRun& run : (*masks)[i][best->turn].runs) {
-        const std::size_t y = best->y + run.row;
-        square.rows[y].fill({run.length, run.row, best->x + run.begin});
-        square.longestFree[y] = square.rows[y].longestFree(cells_);
-      }
+      for (const CellRun& run : (*masks)[i][best->turn].runs)
+        square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
       berths[i] = *best;
     }
     return berths;
