@@ -23,8 +23,8 @@ constexpr int kSketchRounds = 3, kSketchSweeps = 1;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Of so many times the vertices that are wanted most are thinned out rather than adapted, until
 // edges have this share of the sizes.
-constexpr std::size_t kFarTooMany = 7;
-constexpr double kThinned = 0.5, kThinnedSketch = 0.85;
+constexpr std::size_t kFarTooMany = 7, kFarTooManyToSketch = 64;
+constexpr double kThinned = 0.5;
 
 // Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
 // Returns the number of splits.
@@ -89,7 +89,7 @@ bool isSketch(const Run& run) { return run.quality == Quality::Draft && run.scal
 
 void thinOut(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double share = (isSketch(run) ? kThinnedSketch : kThinned) * run.scale;
+  const double share = kThinned * run.scale;
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
@@ -160,15 +160,19 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
 }  // namespace
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
-  if (run.mesh.mesh().vertexCount() > kFarTooMany * vertices) thinOut(run);
+  const std::size_t tooMany = isSketch(run) ? kFarTooManyToSketch : kFarTooMany;
+  if (run.mesh.mesh().vertexCount() > tooMany * vertices) thinOut(run);
   // Slivers can ask for splits for ever, and not give the vertices back.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
   const int rounds = isSketch(run) ? kSketchRounds : kRounds;
   const int sweeps = isSketch(run) ? kSketchSweeps : kSweeps;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
-    refine(run, most);
+    // What is long among far too many is so still when most have gone.
+    const bool isCrowded = run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
+    if (!isCrowded) refine(run, most);
     collapseShort(run);
+    if (isCrowded) run.mesh.compact();
     valenceFlips(run);
     if (i == 0 || i + 1 == rounds) delaunayFlips(run.mesh, run.rule);
     for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
