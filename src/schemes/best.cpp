@@ -159,7 +159,7 @@ void finish(Run& run, const Progress& progress) {
   lowerHausdorff(run);
   progress.phase("polish", 1, 1);
   polish(run, {kSliver});
-  if (isLarge(run)) return;
+  if (isLarge(run) || !areFewBelow(run, kFair)) return;
   polish(run, {kFair, kSmallShift});
   if (areFewBelow(run, kFine)) polish(run, {kFine, kHardlyShift});
 }
