@@ -159,11 +159,36 @@ void offerSplits(Run& run, Face f, Best& best) {
   }
 }
 
+// From which vertices a search was in vain, until their stars change: triangles side by side have
+// corners in common.
+class InVain {
+ public:
+  // Whether a search from v will gain no more than that.
+  bool knows(Vertex v, double gain) const { return v.index < most_.size() && most_[v] <= gain; }
+
+  void note(Vertex v, double gain) {
+    if (v.index >= most_.size()) most_.resize(v.index + 1, kUnknown);
+    most_[v] = std::min(most_[v], gain);
+  }
+
+  void forget(const HalfedgeMesh& mesh, const LocalChange& change) {
+    for (const Face f : change.going)
+      for (const Vertex v : mesh.vertices(f))
+        if (v.index < most_.size()) most_[v] = kUnknown;
+  }
+
+ private:
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+  VertexData<double> most_;
+};
+
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 struct Attempt {
   Means means;
-  double shift;  // see PolishGoal
+  double shift;    // see PolishGoal
+  InVain& inVain;  // of the same means
 };
 
 // What an attempt to mend f costs, about.
@@ -183,7 +208,12 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   const auto corners = run.mesh.mesh().vertices(f);
-  for (const Vertex v : corners) offerMove(run, v, ground, best);
+  for (const Vertex v : corners) {
+    const double before = best.gain;
+    if (attempt.inVain.knows(v, before)) continue;
+    offerMove(run, v, ground, best);
+    if (best.gain == before) attempt.inVain.note(v, before);
+  }
   // Without the original nothing says how far off it a vertex already is.
   const bool mayLift = means == Means::LeaveSurface &&
                        run.projector.mode() == Projection::Patches &&
@@ -195,6 +225,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
     offerSplits(run, f, best);
   }
   if (best.gain <= 0) return false;
+  attempt.inVain.forget(run.mesh.mesh(), best.change);
   run.result = apply(run.mesh, best.change);
   return true;
 }
@@ -266,7 +297,8 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     const std::vector<Face> bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
-    const Attempt attempt{meansOf(round, rounds), goal.shift};
+    InVain inVain;
+    const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};
     const int tries = attempt.means == Means::LeaveSurface ? kLastTries : kTries;
     for (const Face f : bad)
       for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i)
