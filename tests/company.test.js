@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { definedNames, inCompany, innerConstants } from './support/company.js';
+import { definedNames, inCompany, innerConstants, renamed } from './support/company.js';
 
 const text = `#include "a.h"
 namespace remesher {
@@ -26,6 +26,30 @@ void Pot::stir(int times) {}
 test('the names are those outside of functions and classes', () => {
   assert.deepEqual(definedNames(text),
     ['kGood', 'Soup', 'Row', 'boil(const Soup&,int)', 'kBad', 'kWorst']);
+});
+
+test('a type goes by its own name, not by what it is made of', () => {
+  assert.deepEqual(definedNames('enum class Side : unsigned char {\n};\nstruct A : B {\n};\n'),
+    ['Side', 'A']);
+});
+
+test('what no header speaks of, nor any member is called, has a name of its own in company', () => {
+  const more = `#include "kitchen/boil.h"
+void salt(Soup soup) {
+  stir(boil<Row>(kGood, soup.salt), kGoodSoup);
+}
+`;
+  const other = renamed('src/big_room/pot.cpp', text + more, 'struct Table {\n  int Row;\n};\n');
+  assert.deepEqual(definedNames(other), ['kGoodOfSrcBigRoomPot', 'SoupOfSrcBigRoomPot', 'Row',
+    'boilOfSrcBigRoomPot(const SoupOfSrcBigRoomPot&,int)', 'salt(SoupOfSrcBigRoomPot)',
+    'kBadOfSrcBigRoomPot', 'kWorstOfSrcBigRoomPot']);
+  assert.ok(other.endsWith(`#include "kitchen/boil.h"
+void salt(SoupOfSrcBigRoomPot soup) {
+  stir(boilOfSrcBigRoomPot<Row>(kGoodOfSrcBigRoomPot, soup.salt), kGoodSoup);
+}
+`));
+  assert.equal(renamed('src/pot.cpp', 'void Pot::stir(int times) {}\n', ''),
+    'void Pot::stir(int times) {}\n');
 });
 
 test('functions of one name are one if their parameters have the same types', () => {
@@ -58,9 +82,18 @@ test('constants within functions are found, and no others', () => {
   assert.deepEqual(innerConstants(text + inner), ['kSpeed']);
 });
 
-test('no company is too large, and each file is in one', () => {
+test('no company is too large, all are of like size, and each file is in one', () => {
   const files = Array.from({ length: 250 }, (_, i) => `f${i}`);
   const groups = inCompany(files, (file) => `int ${file}();\n`, () => []);
   assert.deepEqual(groups.flat(), files);
-  assert.ok(groups.every((group) => group.length <= 70));
+  assert.deepEqual(groups.map(({ length }) => length), [125, 125]);
+});
+
+test('a file that cannot go where there is room goes to another company', () => {
+  const files = Array.from({ length: 150 }, (_, i) => `f${i}`);
+  const textOf = (/** @type {string} */ file) =>
+    `int ${['f80', 'f149'].includes(file) ? 'one' : file}();\n`;
+  const groups = inCompany(files, textOf, () => []);
+  assert.deepEqual(groups.map((group) => [group.length, group.includes('f149')]),
+    [[76, true], [74, false]]);
 });

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which C++ files can be compiled as one: most of what a tool does to a file it does to the
 // headers, which files in company share.
-import { withIncludes } from './cpp_sources.js';
+import { dirname } from 'node:path';
+
+import { includeFolders, withIncludes } from './cpp_sources.js';
 import { readText } from './tree.js';
 
-const mostFiles = 70;
+/** More would be no faster, and take much memory. */
+const mostFiles = 140;
 
 /**
  * Of a function's parameters the types; those that a literal is taken for are one.
@@ -24,7 +27,7 @@ function parameterTypes(text) {
 export function definedNames(text) {
   const head = /^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm;
   const first = [...text.matchAll(head)].flatMap(({ 0: all, 1: words, index }) => {
-    const name = words.match(/(?<!::|\w)(\w+)\s*$/)?.[1];
+    const name = words.replace(/ : .*/, '').match(/(?<!::|\w)(\w+)\s*$/)?.[1];
     if (!name || !all.endsWith('(')) return name ?? [];
     return `${name}(${parameterTypes(text.slice(index + all.length))})`;
   });
@@ -33,11 +36,41 @@ export function definedNames(text) {
   return [...new Set([...first, ...constants])];
 }
 
-/** The types that our headers in a file define, which none of its company may have for itself. */
-export function typesInHeaders(/** @type {string} */ file) {
-  const headers = withIncludes(file).filter((part) => part.endsWith('.h'));
-  return headers.flatMap((part) => [...readText(part)
-    .matchAll(/^(?:struct|class|enum class|enum) (\w+)[^;]*?\{/gm)].map(([, name]) => name));
+/**
+ * A file with other names for what it keeps to itself, so that all of its company may use the same.
+ * What it says as a member's name, too, keeps it.
+ * @param {string} file @param {string} text
+ * @param {string} headers what it includes of ours: names that are there are not its own
+ */
+export function renamed(file, text, headers) {
+  const shared = new Set([...headers.matchAll(/\w+/g), ...text.matchAll(/(?<=\.|->|::)\w+/g)]
+    .map(([word]) => word));
+  const own = definedNames(text).map((name) => name.replace(/\(.*/s, ''))
+    .filter((name) => !shared.has(name));
+  if (own.length === 0) return text;
+  const place = file.replace(/\.cpp$/, '').split(/\W|_/)
+    .map((word) => word.charAt(0).toUpperCase() + word.slice(1)).join('');
+  return text.replace(new RegExp(`(?<!^#.*)\\b(${own.join('|')})\\b`, 'gm'), `$1Of${place}`);
+}
+
+/** Its text for company; elsewhere a file would not find what it includes from beside it. */
+export function textInCompany(/** @type {string} */ file) {
+  const text = readText(file);
+  const isBound = /^#include "[^/"]+"/m.test(text) && !includeFolders.includes(dirname(file));
+  const headers = () => withIncludes(file).filter((part) => part !== file).map(readText).join();
+  return isBound ? text : renamed(file, text, headers());
+}
+
+/** What our headers in a file define, which none of its company may have for itself: types, and
+ * functions by their parameters. */
+export function namesInHeaders(/** @type {string} */ file) {
+  const headers = withIncludes(file).filter((part) => part.endsWith('.h')).map(readText);
+  return headers.flatMap((text) => {
+    const types = text.matchAll(/^(?:struct|class|enum class|enum) (\w+)[^;]*?\{/gm);
+    const functions = text.match(/^inline [^;{]*/gm) ?? [];
+    return [...[...types].map(([, name]) => name),
+      ...functions.flatMap(definedNames).filter((name) => name.endsWith(')'))];
+  });
 }
 
 /** The constants within a file's functions, which would hide those that its company has outside. */
@@ -50,14 +83,16 @@ const share = (/** @type {Set<string>} */ taken, /** @type {string[]} */ names) 
   names.some((name) => taken.has(name));
 
 /**
- * The files in groups, in which no two define one name, and none defines what another has within.
- * A file with macros of its own stays alone, since it may want headers read in its own way.
+ * The files in groups of like size, in which no two define one name, and none defines what another
+ * has within. A file with macros of its own stays alone, since it may want headers read in its own
+ * way.
  * @param {readonly string[]} files
  * @param {(file: string) => string} [read]
  * @param {(file: string) => string[]} [within]
  * @returns {string[][]}
  */
-export function inCompany(files, read = readText, within = typesInHeaders) {
+export function inCompany(files, read = textInCompany, within = namesInHeaders) {
+  const wanted = Math.ceil(files.length / mostFiles);
   const alone = [];
   const groups = [];
   for (const file of files) {
@@ -68,8 +103,10 @@ export function inCompany(files, read = readText, within = typesInHeaders) {
     }
     const own = definedNames(text);
     const others = within(file).filter((name) => !own.includes(name));
-    let group = groups.find(({ members, taken, seen }) => members.length < mostFiles
+    const fitting = groups.filter(({ members, taken, seen }) => members.length < mostFiles
       && !share(taken, own) && !share(taken, others) && !share(seen, own));
+    let group = fitting.find(({ members }) => members.length < files.length / wanted)
+      ?? (groups.length < wanted ? undefined : fitting[0]);
     if (!group) groups.push(group = { members: [], taken: new Set(), seen: new Set() });
     group.members.push(file);
     for (const name of own) group.taken.add(name);

@@ -6,10 +6,10 @@ import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
 
-import { inCompany, innerConstants, typesInHeaders } from './company.js';
+import { inCompany, innerConstants, namesInHeaders, textInCompany } from './company.js';
 import { includeFolders, withIncludes } from './cpp_sources.js';
 import { readText, root } from './tree.js';
 
@@ -35,7 +35,7 @@ const warnings = () => readText('CMakeLists.txt').match(/-Wall[^)]*/)[0].trim().
 export const clangTidy = {
   command: 'clang-tidy', rules: ['.clang-tidy'],
   words: (file) => ['--quiet', file, '--', '-std=c++20', ...includes],
-  within: typesInHeaders,
+  within: namesInHeaders,
 };
 
 /**
@@ -47,7 +47,7 @@ export const gcc = {
   command: 'g++', rules: [],
   words: (file) => ['-std=c++20', '-fsyntax-only', '-Werror', ...warnings(),
     '-Wno-subobject-linkage', ...includes, file],
-  within: (file) => [...typesInHeaders(file), ...innerConstants(readText(file))],
+  within: (file) => [...namesInHeaders(file), ...innerConstants(readText(file))],
 };
 
 /** What all files have in common that a tool reads. @param {Tool} tool */
@@ -76,6 +76,16 @@ async function ask(tool, file) {
   }
 }
 
+/** Where to include a file from that is in company: a copy if others may have names of its own. */
+function placeInCompany(/** @type {string} */ file) {
+  const text = textInCompany(file);
+  if (text === readText(file)) return join(root, file);
+  const copy = join(folder, 'company', file);
+  mkdirSync(dirname(copy), { recursive: true });
+  writeFileSync(copy, text);
+  return copy;
+}
+
 /**
  * Of files as one. If there are complaints each half is asked for by itself, down to single files,
  * so that none comes of the company.
@@ -89,7 +99,7 @@ async function askTogether(tool, files) {
   }
   const name = createHash('sha256').update(files.join()).digest('hex').slice(0, 16);
   const whole = join(folder, `${name}.cpp`);
-  const lines = files.map((file) => `#include "${join(root, file)}"  // NOLINT\n`);
+  const lines = files.map((file) => `#include "${placeInCompany(file)}"  // NOLINT\n`);
   writeFileSync(whole, lines.join(''));
   if (await ask(tool, whole) === '') return { clean: files, said: [] };
   const half = files.length / 2;
@@ -107,8 +117,8 @@ export async function complaintsOf(tool, files) {
   mkdirSync(folder, { recursive: true });
   const common = surroundings(tool);
   const keys = new Map(files.map((file) => [file, keyOf(file, common)]));
-  const groups = inCompany(files.filter((file) => !existsSync(keys.get(file))), readText,
-    tool.within);
+  const groups = inCompany(files.filter((file) => !existsSync(keys.get(file))),
+    textInCompany, tool.within);
   const complaints = [];
   const worker = async () => {
     for (let group = groups.shift(); group; group = groups.shift()) {
