@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/euler_operators.h"
 
+#include <array>
+
 namespace remesher {
 
 Vertex EulerOperators::newVertex() {
@@ -106,20 +108,22 @@ EulerOperators::Split EulerOperators::split(Halfedge h) {
 bool EulerOperators::canCollapse(const HalfedgeMesh& mesh, Halfedge h) {
   const Vertex a = mesh.origin(h), b = mesh.tip(h);
   if (!mesh.isBoundary(h) && mesh.isBoundary(a) && mesh.isBoundary(b)) return false;
-  int sides = 0;
-  for (const Halfedge side : {h, mesh.twin(h)}) {
+  std::array<Vertex, 2> thirds;
+  for (int i = 0; i < 2; ++i) {
+    const Halfedge side = i == 0 ? h : mesh.twin(h);
     if (!side) continue;
-    const Vertex third = mesh.opposite(side);
-    if (mesh.valence(third) <= (mesh.isBoundary(third) ? 2 : 3)) return false;
-    ++sides;
+    thirds[i] = mesh.opposite(side);
+    if (mesh.valence(thirds[i]) <= (mesh.isBoundary(thirds[i]) ? 2 : 3)) return false;
   }
+  if (thirds[0] == thirds[1]) return false;
   // Every edge of a vertex inside leaves it.
   const bool allLeave = !mesh.isBoundary(b);
-  int common = 0;
+  bool areApart = true;
   mesh.forEachNeighbor(a, [&](Vertex n) {
-    common += n != b && (mesh.find(b, n) || (!allLeave && mesh.find(n, b)));
+    if (!areApart || n == b || n == thirds[0] || n == thirds[1]) return;
+    areApart = !mesh.find(b, n) && (allLeave || !mesh.find(n, b));
   });
-  return common == sides;
+  return areApart;
 }
 
 // The triangle at h is about to go: its two other edges become one.

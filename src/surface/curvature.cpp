@@ -18,6 +18,8 @@ VertexData<double> sharpestTurns(const OriginalSurface& surface) {
   VertexData<double> result(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
+    // Both sides of an edge have the same ends, and the same normals there, except at a curve.
+    if (!mesh.isEdge(h) && !surface.curves().isCurve(h)) continue;
     const Vertex a = mesh.origin(h), b = mesh.tip(h);
     const double length = (surface.positions()[b] - surface.positions()[a]).norm();
     if (!(length > 0)) continue;
@@ -74,8 +76,8 @@ VertexData<double> vertexAreas(const OriginalSurface& surface) {
   for (Index f = 0; f < mesh.faceCapacity(); ++f) {
     const auto corners = mesh.vertices(Face(f));
     const auto& p = surface.positions();
-    for (const Vertex v : corners)
-      areas[v] += area(p[corners[0]], p[corners[1]], p[corners[2]]) / 3;
+    const double share = area(p[corners[0]], p[corners[1]], p[corners[2]]) / 3;
+    for (const Vertex v : corners) areas[v] += share;
   }
   return areas;
 }
