@@ -10,6 +10,8 @@ namespace remesher {
 namespace {
 
 constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
+// A walk that ends this near, in units of a side, has found what others would.
+constexpr double kPlainlyNear = 0.05;
 
 }  // namespace
 
@@ -33,7 +35,8 @@ SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
   const Vec3 flat = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   SurfacePoint best;
   double bestDistance = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
+  const double enough = kPlainlyNear * kPlainlyNear * (places[1] - places[0]).squaredNorm();
+  for (int i = 0; i < 3 && bestDistance > enough; ++i) {
     if (weights[i] <= 0) continue;
     const SurfacePoint point = closestPointFrom(*surface_, corners[i], flat);
     const double distance = (surface_->position(point) - flat).squaredNorm();
