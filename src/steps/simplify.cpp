@@ -14,11 +14,11 @@ namespace remesher {
 
 namespace {
 
-// A way along the surface counts as a three hundredth of one away from it: on what is flat
+// A way along the surface counts as a four hundredth of one away from it: on what is flat
 // triangles stay even.
-constexpr double kSideways = 1e-5;
-// What an edge weighs, of its squared length: a border or seam, and a sharp one within the surface.
-constexpr double kBorder = 1, kCrease = 0.2;
+constexpr double kSideways = 5e-6;
+// What an edge weighs, of its squared length: a border, a seam, and a sharp one within the surface.
+constexpr double kBorder = 2, kSeam = 1, kCrease = 0.2;
 // The cosine of the angle between normals from which on an edge is sharp: 37°.
 constexpr double kSharp = 0.8;
 // The cosine of what a triangle may turn by at once: 60°, and 90° where nothing else goes.
@@ -33,7 +33,7 @@ struct Quadric {
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   Vec3 linear = Vec3::Zero();
   double constant = 0;
-  double area = 0;  // of the triangles
+  double area = 0;  // of the triangles, and of as much beyond borders
 
   void addPlane(const Vec3& normal, const Vec3& point, double weight) {
     const double offset = -normal.dot(point);
@@ -118,8 +118,10 @@ class Simplification {
     }
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
-      if (isSeam(h))
-        addEdge(h, normal, kBorder);
+      if (mesh_.isBoundary(h))
+        addBorder(h, normal);
+      else if (isSeam(h))
+        addEdge(h, normal, kSeam);
       else if (isSharp(h, normal))
         addEdge(h, normal, kCrease);
     }
@@ -128,6 +130,14 @@ class Simplification {
   bool isSharp(Halfedge h, const Vec3& normal) const {
     const auto [a, b, c] = mesh_.vertices(HalfedgeMesh::face(mesh_.twin(h)));
     return unitNormal(at(a), at(b), at(c)).dot(normal) < kSharp;
+  }
+
+  // Where a surface ends shows as much as what is off within: as though it went on as far as its
+  // edge is long.
+  void addBorder(Halfedge h, const Vec3& normal) {
+    addEdge(h, normal, kBorder);
+    const double beyond = (at(mesh_.tip(h)) - at(mesh_.origin(h))).squaredNorm();
+    for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)}) quadrics_[v].area += beyond;
   }
 
   // Away from its edge nothing is to move along its triangle's plane either.
