@@ -8,9 +8,10 @@ import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { remeshFile } from 'remesher';
 import { remeshGeometry, remeshObject } from 'remesher/three';
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, DynamicDrawUsage, Float16BufferAttribute, Group,
-  InstancedBufferAttribute, InstancedBufferGeometry, InstancedMesh, IntType, InterleavedBuffer,
-  InterleavedBufferAttribute, Line, Matrix4, Mesh, MeshBasicMaterial, Points, Texture, Vector3,
+  BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, ConeGeometry, DynamicDrawUsage,
+  Float16BufferAttribute, Group, InstancedBufferAttribute, InstancedBufferGeometry, InstancedMesh,
+  IntType, InterleavedBuffer, InterleavedBufferAttribute, Line, Matrix4, Mesh, MeshBasicMaterial,
+  Points, SphereGeometry, Texture, TorusGeometry, Vector3,
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
@@ -323,4 +324,14 @@ test('an object that fails or is given up is as it was', async () => {
   assert.equal(mesh.geometry, geometry);
   await rejectsWith(remeshObject({}), 'INVALID_MESH', /Object3D/);
   await rejectsWith(remeshObject(new Group()), 'NO_TRIANGLES', /no meshes/);
+});
+
+test('what three.js turns around an axis is closed, whatever it says sin 2π is', async () => {
+  for (const shape of [new SphereGeometry(50, 32, 16), new TorusGeometry(1, 0.4, 16, 48),
+    new ConeGeometry(1, 2, 32, 4), new CapsuleGeometry(1, 1, 8, 24)]) {
+    const result = await remeshGeometry(shape, { vertices: 400 });
+    assert.equal(result.report.input.boundaryEdges, 0, shape.type);
+    assert.equal(result.report.output.boundaryEdges, 0, shape.type);
+    assert.equal(countOf(result.geometry), 400);
+  }
 });

@@ -5,14 +5,12 @@
 #include <bit>
 #include <cstring>
 
+#include "base/place.h"
 #include "base/sort_pairs.h"
 
 namespace remesher {
 
 namespace {
-
-// 0.0 and -0.0 are one place but two bit patterns.
-Vec3 canonical(const Vec3& p) { return p + Vec3::Zero(); }
 
 std::uint64_t hashOf(const Vec3& p) {
   std::array<std::uint64_t, 3> words;
@@ -32,13 +30,13 @@ class PositionTable {
       : slots_(std::bit_ceil(2 * most + 1), kNone), mask_(slots_.size() - 1) {}
 
   Index numberOf(const Vec3& position) {
-    const Vec3 p = canonical(position);
-    for (std::size_t slot = hashOf(p) & mask_;; slot = (slot + 1) & mask_) {
+    const Vec3 place = placeOf(position);
+    for (std::size_t slot = hashOf(place) & mask_;; slot = (slot + 1) & mask_) {
       if (slots_[slot] == kNone) {
         slots_[slot] = static_cast<Index>(positions.size());
-        positions.push_back(p);
+        positions.push_back(position);
       }
-      if (positions[slots_[slot]] == p) return slots_[slot];
+      if (placeOf(positions[slots_[slot]]) == place) return slots_[slot];
     }
   }
 

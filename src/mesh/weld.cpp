@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/weld.h"
 
+#include <cstdint>
 #include <cstring>
+
+#include "base/place.h"
 
 namespace remesher {
 
@@ -13,12 +16,11 @@ std::uint64_t mix(std::uint64_t x) {  // the finaliser of SplitMix64
   return x ^ (x >> 31);
 }
 
-std::uint64_t hash(const Vec3& p) {
+std::uint64_t hash(const Vec3& place) {
   std::uint64_t result = 0;
-  for (const double coordinate : {p.x(), p.y(), p.z()}) {
-    const double unsignedZero = coordinate + 0.0;
+  for (const double coordinate : {place.x(), place.y(), place.z()}) {
     std::uint64_t bits;
-    std::memcpy(&bits, &unsignedZero, sizeof bits);
+    std::memcpy(&bits, &coordinate, sizeof bits);
     result = mix(result + bits + 0x9e3779b97f4a7c15u);
   }
   return result;
@@ -33,8 +35,9 @@ std::vector<Index> weld(std::span<const Vec3> positions) {
   std::vector<Index> table(size, kNone);
   std::vector<Index> first(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
-    std::size_t slot = std::size_t(hash(positions[v])) & (size - 1);
-    while (table[slot] != kNone && positions[table[slot]] != positions[v])
+    const Vec3 place = placeOf(positions[v]);
+    std::size_t slot = std::size_t(hash(place)) & (size - 1);
+    while (table[slot] != kNone && placeOf(positions[table[slot]]) != place)
       slot = (slot + 1) & (size - 1);
     if (table[slot] == kNone) table[slot] = v;
     first[v] = table[slot];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which vertices lie at exactly the same place: files repeat a position wherever an attribute has a
-// seam, and the surface closes only once the copies are one again.
+// Which vertices lie at the same place: files repeat a position wherever an attribute has a seam,
+// and the surface closes only once the copies are one again.
 #pragma once
 
 #include <span>
@@ -10,7 +10,9 @@
 
 namespace remesher {
 
-// Per vertex the first vertex at its position; -0.0 equals 0.0. Positions must be finite.
+// Per vertex the first vertex at its position. Places are the same whose coordinates are equal, but
+// for those that are zero but for rounding: what programs make of a full turn, seldom meets its
+// beginning. Positions must be finite.
 std::vector<Index> weld(std::span<const Vec3> positions);
 
 }  // namespace remesher

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "support/soups.h"
 
@@ -22,8 +24,17 @@ TEST_CASE("weld: every vertex names the first at its place") {
 
 TEST_CASE("weld: minus zero is zero, and the next number to it is not") {
   const double tiny = std::numeric_limits<double>::denorm_min();
-  const std::vector<Vec3> positions = {{0, 0, 1}, {-0.0, 0, 1}, {tiny, 0, 1}, {0, -0.0, 1}};
+  const std::vector<Vec3> positions = {{0, 0, 0}, {-0.0, 0, 0}, {tiny, 0, 0}, {0, -0.0, 0}};
   CHECK(weld(positions) == std::vector<Index>{0, 0, 2, 0});
+}
+
+TEST_CASE("weld: a full turn ends where it began, at any size, and not a little before") {
+  for (const double size : {1e-300, 1e-3, 1.0, 1e9, 1e300}) {
+    const auto at = [size](double sine) { return Vec3(size, 2 * size, size * sine); };
+    const std::vector<Vec3> positions = {at(0), at(std::sin(2 * std::numbers::pi)), at(-0.0),
+                                         at(1e-14), at(-1e-14)};
+    CHECK(weld(positions) == std::vector<Index>{0, 0, 0, 3, 4});
+  }
 }
 
 TEST_CASE("weld: coordinates in another order are another place") {

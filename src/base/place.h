@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What tells places apart: two vertices are at one place if what is here made of them is equal.
+#pragma once
+
+#include <cmath>
+
+#include "base/types.h"
+
+namespace remesher {
+
+// The sine of a whole turn comes out as -2.4e-16: beside the largest coordinate of its place, what
+// is no more than a few such roundings is zero.
+inline Vec3 placeOf(const Vec3& p) {
+  constexpr double kRounding = 0x1p-50;
+  const double nothing = kRounding * p.cwiseAbs().maxCoeff();
+  return p.unaryExpr([nothing](double c) { return std::abs(c) <= nothing ? 0 : c; });
+}
+
+}  // namespace remesher
