@@ -218,6 +218,7 @@ test('a file without a name is known by its first bytes, and spoken of', async (
   assert.equal(name, 'remeshed.glb');
   assert.equal(report.output.vertices, 60);
   await rejectsWith(remeshFile(bytes), 'UNKNOWN_FORMAT', /^An output without a name/);
+  await assert.rejects(remeshFile(bytes), ({ hint }) => /`name`.*`output`/.test(hint));
   await rejectsWith(inspect(bytes.slice(1)), 'UNKNOWN_FORMAT', /^The file is of no format/);
   await rejectsWith(inspect(bytes.slice(0, 9)), 'PARSE_ERROR', /^The file, line \d/);
 });

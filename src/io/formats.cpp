@@ -96,8 +96,12 @@ Model read(const File& file, const std::vector<File>& resources) {
 
 void requireWritable(const std::string& outputName) {
   if (findByExtension(outputName) != nullptr) return;
-  const std::string output = outputName.empty() ? "An output without a name" : legible(outputName);
-  throw Error(ErrorCode::UnknownFormat, output + " is of no format that can be written.",
+  if (outputName.empty())
+    throw Error(
+        ErrorCode::UnknownFormat, "An output without a name is of no format.",
+        "Give `name`, the input's, or `output`, ending in one of " + listOfExtensions() + ".");
+  throw Error(ErrorCode::UnknownFormat,
+              legible(outputName) + " is of no format that can be written.",
               "Let its name end in one of " + listOfExtensions() + ".");
 }
 
