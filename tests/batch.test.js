@@ -2,14 +2,14 @@
 // Many files on the command line: what is found, what is written where, and what one bad file does.
 import assert from 'node:assert/strict';
 import {
-  existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync,
+  existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
 import { clashes, plan } from '../dist/cli/plan.js';
-import { run, snapshot } from './support/faults.js';
+import { interrupted, run, snapshot } from './support/faults.js';
 import { glbBytes, objText, torus } from './support/shape_files.js';
 
 const top = mkdtempSync(join(tmpdir(), 'remesher-batch-'));
@@ -95,6 +95,17 @@ test('no input is written over, even with --force', () => {
   assert.equal(status, 2);
   assert.deepEqual(snapshot(at('scans')), before);
 });
+
+test('folders that a run made for nothing go again, when it is interrupted and when all fail',
+  async () => {
+    const words = ['models/deep/', '-o', 'none/at/all/', '--vertices', '100000'];
+    const { signal } = await interrupted(top, words, { signal: 'SIGINT', after: 100, since: top });
+    assert.equal(signal, 'SIGINT');
+    assert.ok(!existsSync(at('none')));
+    mkdirSync(at('mine'));
+    assert.equal(run(top, 'scans/bad.obj', '-o', 'mine/none/').status, 2);
+    assert.deepEqual(readdirSync(at('mine')), []);
+  });
 
 test('words that do not go together are refused', () => {
   const cases = {

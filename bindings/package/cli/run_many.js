@@ -2,13 +2,15 @@
 // Many files: several at once, each in a worker of its own; a line for each as it ends. One bad
 // file does not stop the others.
 
-import { accessSync, mkdirSync } from 'node:fs';
+import { accessSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { basename, dirname } from 'node:path';
 
 import { Api } from '../api/api.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
+import { makeFolders, removeEmptyFolders } from '../files/folders.js';
+import { undoneIfInterrupted } from '../files/interruptions.js';
 import { reason } from '../files/reasons.js';
 import * as platform from '../platform_node.js';
 import { clashes, plan } from './plan.js';
@@ -54,6 +56,8 @@ class Batch {
   /** @type {number[]} */
   #statuses = [0];
   #next = 0;
+  /** @type {string[]} made by this run, the innermost first */
+  #folders = [];
 
   /** @param {CommandLine} line */
   constructor(line) {
@@ -80,6 +84,11 @@ class Batch {
     return this.#statuses.includes(1) ? 1 : Math.max(...this.#statuses);
   }
 
+  /** Folders that this run made for nothing go again. */
+  tidy() {
+    removeEmptyFolders(this.#folders);
+  }
+
   /**
    * @param {Step} step
    * @param {number} number
@@ -99,12 +108,21 @@ class Batch {
           'Give --force to replace it, or --skip-existing to go on.');
       }
     }
-    makeFolder(output);
+    this.#makeFolder(output);
     const result = await runFile({
       command: command === 'convert' ? 'convert' : 'remesh', input, output,
       outputName: basename(output), root, force, options,
     }, api, { onProgress: this.progress.listener(number) });
     return this.#succeed(step, result.report);
+  }
+
+  /** @param {string} output */
+  #makeFolder(output) {
+    try {
+      this.#folders.unshift(...makeFolders(dirname(output)));
+    } catch (error) {
+      throw unwritable(output, reason(error), 'Choose another output.');
+    }
   }
 
   /** @param {Step} step @param {any} report */
@@ -142,15 +160,6 @@ function printJson(value) {
   return print(`${JSON.stringify(value)}\n`);
 }
 
-/** @param {string} output */
-function makeFolder(output) {
-  try {
-    mkdirSync(dirname(output), { recursive: true });
-  } catch (error) {
-    throw unwritable(output, reason(error), 'Choose another output.');
-  }
-}
-
 /**
  * @param {CommandLine} line
  * @returns {Promise<number>} the exit status
@@ -158,7 +167,9 @@ function makeFolder(output) {
 export async function runMany(line) {
   const batch = new Batch(line);
   const jobs = Math.min(line.jobs || availableParallelism(), batch.steps.length);
-  await Promise.all(Array.from({ length: jobs }, () => batch.work()));
+  const tidy = () => batch.tidy();
+  await undoneIfInterrupted(tidy, () =>
+    Promise.all(Array.from({ length: jobs }, () => batch.work()))).finally(tidy);
   batch.progress.clear();
   return batch.status();
 }

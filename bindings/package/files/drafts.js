@@ -8,12 +8,13 @@
 
 import { randomBytes } from 'node:crypto';
 import {
-  closeSync, copyFileSync, existsSync, fsync, fsyncSync, linkSync, mkdirSync, openSync, readdirSync,
-  renameSync, rmdirSync, rmSync, statSync, write,
+  closeSync, copyFileSync, existsSync, fsync, fsyncSync, linkSync, openSync, readdirSync,
+  renameSync, rmSync, statSync, write,
 } from 'node:fs';
-import { basename, dirname, extname, join, relative, resolve, sep } from 'node:path';
+import { basename, dirname, extname, join, relative, sep } from 'node:path';
 import { promisify } from 'node:util';
 
+import { makeFolders, removeEmptyFolders } from './folders.js';
 import { isAlive } from './lock.js';
 import { withOtherNames } from './other_names.js';
 import { codeOf } from './reasons.js';
@@ -49,18 +50,6 @@ export function otherNamePattern(place) {
 /** Short enough for what is added to it. @param {string} place */
 function stemOf(place) {
   return basename(place).slice(0, 50);
-}
-
-/** @param {string} folder @returns {string[]} the folders made, the innermost first */
-function makeFolders(folder) {
-  const first = mkdirSync(folder, { recursive: true });
-  /** @type {string[]} */
-  const made = [];
-  if (first === undefined) return made;
-  for (let at = resolve(folder); at.length >= resolve(first).length; at = dirname(at)) {
-    made.push(at);
-  }
-  return made;
 }
 
 /** @param {number} file @param {Uint8Array} bytes */
@@ -215,13 +204,7 @@ export class Drafts {
     for (const place of this.#taken) rmSync(place, { force: true });
     const drafts = [...this.#companions, this.#main, ...(this.#between ? [this.#between] : [])];
     for (const { path } of drafts) rmSync(path, { force: true });
-    for (const folder of this.#folders) {
-      try {
-        rmdirSync(folder);
-      } catch {
-        break; // somebody else uses it
-      }
-    }
+    removeEmptyFolders(this.#folders);
     this.#forget();
   }
 

@@ -7,8 +7,9 @@ const signals = /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP']);
 /** @type {Set<() => void>} */
 const undoings = new Set();
 
+/** The last begun first, for it may be a part of another. */
 function undoAll() {
-  for (const undo of undoings) undo();
+  for (const undo of [...undoings].reverse()) undo();
   undoings.clear();
 }
 
