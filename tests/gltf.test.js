@@ -250,6 +250,32 @@ test('images beside the file and in data URIs come back bit for bit', async () =
   assert.deepEqual(data.slice(byteOffset, byteOffset + byteLength), png);
 });
 
+/** What their root says of a texture, an image or a material, by number. */
+const rootExtensions = {
+  VRM: { meta: { texture: 1 } },
+  VRMC_vrm: { meta: { thumbnailImage: 1 } },
+  EXT_lights_image_based: { lights: [{ specularImages: [[1]] }] },
+  KHR_materials_variants: undefined,
+};
+for (const [extension, content] of Object.entries(rootExtensions)) {
+  const stay = content ? 'stay where they were' : 'go';
+  test(`${extension}: images that a new painting replaces ${stay}`, async () => {
+    const file = texturedSheet((maker, primitive) => {
+      withTexture(maker, primitive);
+      const { tree } = maker;
+      tree.images.push({ ...tree.images[0], name: 'portrait' });
+      tree.textures.push({ source: 1, name: 'portrait' });
+      tree.extensionsUsed.push(extension);
+      tree.extensions = { [extension]: content ?? { variants: [{ name: 'one' }] } };
+    });
+    const { bytes, name } = file.glb();
+    const { tree } = openGltf(await remeshFile(bytes, { name, vertices: 400, textures: 'bake' }));
+    for (const list of ['images', 'textures']) {
+      assert.equal(tree[list].findIndex((one) => one.name === 'portrait'), content ? 1 : -1);
+    }
+  });
+}
+
 test('two materials meet without a crack', async () => {
   const { bytes, name } = shared().glb();
   const result = await remeshFile(bytes, { name, vertices: 400 });

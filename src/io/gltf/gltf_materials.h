@@ -18,8 +18,9 @@ Material readMaterial(const Json& tree, int number);
 // refer to the model's as `painting:n`.
 std::size_t addPaintings(Json& tree, const Model& model);
 
-// Drops the materials, textures and images that nothing uses any more. Returns the buffer views
-// that only such images used.
+// Drops the materials, textures and images that nothing uses any more; where an unknown extension
+// might name one by number, all stay, at their numbers. Returns the buffer views that only images
+// used which went.
 std::set<int> dropUnusedImages(Json& tree);
 
 }  // namespace remesher::io

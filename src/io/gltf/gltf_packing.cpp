@@ -10,38 +10,21 @@
 namespace remesher::io {
 namespace {
 
-bool hasInteger(const Json& value) {
-  if (value.is_number_integer()) return true;
-  return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
-}
-
 // Extensions whose numbers are known to mean materials, textures, nodes or the like.
-bool isHarmless(std::string_view extension) {
-  constexpr std::array<std::string_view, 14> kPrefixes = {"KHR_materials_",
-                                                          "KHR_texture_",
-                                                          "KHR_lights_",
-                                                          "KHR_node_",
-                                                          "KHR_mesh_quantization",
-                                                          "KHR_xmp",
-                                                          "KHR_animation_pointer",
-                                                          "EXT_materials_",
-                                                          "EXT_texture_",
-                                                          "EXT_lights_image_based",
-                                                          "EXT_mesh_gpu_instancing",
-                                                          "MSFT_",
-                                                          "VRM",
-                                                          "ADOBE_materials_"};
-  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                     [&](std::string_view prefix) { return extension.starts_with(prefix); });
-}
-
-bool hasUnknownReferences(const Json& value) {
-  if (!value.is_structured()) return false;
-  if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
-    for (const auto& [name, extension] : value["extensions"].items())
-      if (!isHarmless(name) && hasInteger(extension)) return true;
-  return std::any_of(value.begin(), value.end(), hasUnknownReferences);
-}
+constexpr std::array<std::string_view, 14> kHarmless = {"KHR_materials_",
+                                                        "KHR_texture_",
+                                                        "KHR_lights_",
+                                                        "KHR_node_",
+                                                        "KHR_mesh_quantization",
+                                                        "KHR_xmp",
+                                                        "KHR_animation_pointer",
+                                                        "EXT_materials_",
+                                                        "EXT_texture_",
+                                                        "EXT_lights_image_based",
+                                                        "EXT_mesh_gpu_instancing",
+                                                        "MSFT_",
+                                                        "VRM",
+                                                        "ADOBE_materials_"};
 
 int asIndex(const Json& number) { return number.is_number_integer() ? number.get<int>() : -1; }
 
@@ -157,7 +140,7 @@ Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidd
 }  // namespace
 
 PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned) {
-  const bool keepsAll = hasUnknownReferences(tree);
+  const bool keepsAll = hasUnknownReferences(tree, kHarmless);
   if (!keepsAll) dropAbandoned(tree, abandoned);
   Bytes data = mergeBuffers(tree, buffers, keepsAll);
   if (data.empty()) {

@@ -32,6 +32,16 @@ std::size_t countOf(const Json& tree, const char* list) {
   return tree.contains(list) && tree[list].is_array() ? tree[list].size() : 0;
 }
 
+bool hasInteger(const Json& value) {
+  if (value.is_number_integer()) return true;
+  return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
+}
+
+bool beginsWithAny(std::string_view name, std::span<const std::string_view> prefixes) {
+  return std::any_of(prefixes.begin(), prefixes.end(),
+                     [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
 NumberVisitor requiredBelow(const GltfDocument& document, std::size_t end,
                             const std::string& what) {
   return [&document, end, what](const Json& number) {
@@ -101,6 +111,15 @@ void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit) {
 void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit) {
   visitEach(tree, "accessors", [&](Json& accessor) { forEachBufferViewNumberOf(accessor, visit); });
   visitEach(tree, "images", [&](Json& image) { visitMember(image, "bufferView", visit); });
+}
+
+bool hasUnknownReferences(const Json& value, std::span<const std::string_view> harmless) {
+  if (!value.is_structured()) return false;
+  if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
+    for (const auto& [name, extension] : value["extensions"].items())
+      if (!beginsWithAny(name, harmless) && hasInteger(extension)) return true;
+  return std::any_of(value.begin(), value.end(),
+                     [&](const Json& member) { return hasUnknownReferences(member, harmless); });
 }
 
 bool isWholeNumber(const Json& value) {
