@@ -89,9 +89,11 @@ test('a pointer finds its triangle', async () => {
 
 test('borders, faults and flips of the input are counted and shown', async () => {
   const fault = (lines) => `${lines.join('\n')}\n`;
-  const sheet = ['v 0 0 0', 'v 1 0 0', 'v 1 1 0', 'v 0 1 0', 'v 2 0 0', 'v 2 1 0', 'v 1 0 1'];
-  // Two squares side by side, a fin on their common edge, and one triangle turned over.
-  await open('faults.obj', fault([...sheet, 'f 1 2 3', 'f 1 3 4', 'f 2 5 6', 'f 2 3 6',
+  const sheet = ['v 0 0 0', 'v 1 0 0', 'v 1 1 0', 'v 0 1 0', 'v 2 0 0', 'v 2 1 0', 'v 1 0 1',
+    'v 1 -2.4e-16 0'];
+  // Two squares side by side, but for rounding, a fin on their common edge, and one triangle
+  // turned over.
+  await open('faults.obj', fault([...sheet, 'f 1 2 3', 'f 1 3 4', 'f 8 5 6', 'f 8 3 6',
     'f 2 3 7']));
   await page.waitForSelector('#landmark-nonManifold');
   assert.match(await page.textContent('#landmark-nonManifold'), /^1 /);

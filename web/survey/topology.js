@@ -6,10 +6,24 @@
 /** Three coordinates a vertex, three vertices a triangle.
  * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
 
+/** What tells places apart, as the core has it: zero but for the rounding of a full turn is zero.
+ * @param {Float32Array} positions */
+function canonicalPlaces(positions) {
+  const places = positions.slice();
+  for (let i = 0; i < places.length; i += 3) {
+    const [x, y, z] = [Math.abs(places[i]), Math.abs(places[i + 1]), Math.abs(places[i + 2])];
+    const nothing = Math.max(x, y, z) * 2 ** -50;
+    if (x <= nothing) places[i] = 0;
+    if (y <= nothing) places[i + 1] = 0;
+    if (z <= nothing) places[i + 2] = 0;
+  }
+  return places;
+}
+
 /** The number of the first vertex at each vertex's place, by a table that is at most half full.
  * @param {Float32Array} positions */
 function welded(positions) {
-  const places = new Uint32Array(positions.map((x) => x + 0).buffer);  // one of both zeros
+  const places = new Uint32Array(canonicalPlaces(positions).buffer);
   const count = positions.length / 3;
   const mask = 2 ** Math.ceil(Math.log2(2 * count + 2)) - 1;
   const table = new Int32Array(mask + 1).fill(-1);
