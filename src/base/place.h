@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What tells places apart: two vertices are at one place if what is here made of them is equal.
+// What programs make of a full turn seldom meets its beginning.
 #pragma once
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace remesher {
 
 // The sine of a whole turn comes out as -2.4e-16: beside the largest coordinate of its place, what
 // is no more than a few such roundings is zero.
-inline Vec3 placeOf(const Vec3& p) {
+inline Vec3 canonicalPlace(const Vec3& p) {
   constexpr double kRounding = 0x1p-50;
   const double nothing = kRounding * p.cwiseAbs().maxCoeff();
   return p.unaryExpr([nothing](double c) { return std::abs(c) <= nothing ? 0 : c; });

@@ -30,13 +30,13 @@ class PositionTable {
       : slots_(std::bit_ceil(2 * most + 1), kNone), mask_(slots_.size() - 1) {}
 
   Index numberOf(const Vec3& position) {
-    const Vec3 place = placeOf(position);
+    const Vec3 place = canonicalPlace(position);
     for (std::size_t slot = hashOf(place) & mask_;; slot = (slot + 1) & mask_) {
       if (slots_[slot] == kNone) {
         slots_[slot] = static_cast<Index>(positions.size());
         positions.push_back(position);
       }
-      if (placeOf(positions[slots_[slot]]) == place) return slots_[slot];
+      if (canonicalPlace(positions[slots_[slot]]) == place) return slots_[slot];
     }
   }
 

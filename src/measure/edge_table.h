@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Connectivity for the judge, which takes any bag of triangles as it is: corners at equal positions
+// Connectivity for the judge, which takes any bag of triangles as it is: corners at one place
 // are one vertex, and an edge lists however many triangles it has. Nothing is repaired.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// Triangles over distinct positions; only positions that a triangle uses.
+// Triangles over distinct places; only those that a triangle uses.
 struct WeldedMesh {
   std::vector<Vec3> positions;
   std::vector<Index> indices;

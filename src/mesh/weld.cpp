@@ -35,9 +35,9 @@ std::vector<Index> weld(std::span<const Vec3> positions) {
   std::vector<Index> table(size, kNone);
   std::vector<Index> first(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
-    const Vec3 place = placeOf(positions[v]);
+    const Vec3 place = canonicalPlace(positions[v]);
     std::size_t slot = std::size_t(hash(place)) & (size - 1);
-    while (table[slot] != kNone && placeOf(positions[table[slot]]) != place)
+    while (table[slot] != kNone && canonicalPlace(positions[table[slot]]) != place)
       slot = (slot + 1) & (size - 1);
     if (table[slot] == kNone) table[slot] = v;
     first[v] = table[slot];

@@ -10,9 +10,7 @@
 
 namespace remesher {
 
-// Per vertex the first vertex at its position. Places are the same whose coordinates are equal, but
-// for those that are zero but for rounding: what programs make of a full turn, seldom meets its
-// beginning. Positions must be finite.
+// Per vertex the first vertex at its place (base/place.h). Positions must be finite.
 std::vector<Index> weld(std::span<const Vec3> positions);
 
 }  // namespace remesher

@@ -10,7 +10,7 @@ namespace remesher {
 namespace {
 
 constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
-// A walk that ends this near, in units of a side, has found what others would.
+// A walk that ends this near, in units of the first side, has found what others would.
 constexpr double kPlainlyNear = 0.05;
 
 }  // namespace
@@ -26,8 +26,8 @@ void Projector::moveOnto(const OriginalSurface& surface) {
   atlas_.reset();
 }
 
-// Through a patch; where none serves, the closest point found by walking from the nearest corner,
-// and of the walks from the three corners the one that ends nearest.
+// Through a patch; where none serves, the closest point found by walking: of the walks from the
+// three corners the first that ends plainly near, or else the one that ends nearest.
 SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
                                    const Triangle& places, const Vec3& weights) {
   if (mode_ == Projection::Patches && atlas_)

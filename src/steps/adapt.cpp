@@ -22,7 +22,7 @@ constexpr int kRounds = 5, kSweeps = 2;
 constexpr int kSketchRounds = 3, kSketchSweeps = 1;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Of so many times the vertices that are wanted most are thinned out rather than adapted, until
-// edges have this share of the sizes.
+// edges have this share of the sizes; a sketch collapses what is short instead, up to a limit.
 constexpr std::size_t kFarTooMany = 7, kFarTooManyToSketch = 64;
 constexpr double kThinned = 0.5;
 
@@ -160,16 +160,17 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
 }  // namespace
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
-  const std::size_t tooMany = isSketch(run) ? kFarTooManyToSketch : kFarTooMany;
+  const bool isRough = isSketch(run);
+  const std::size_t tooMany = isRough ? kFarTooManyToSketch : kFarTooMany;
   if (run.mesh.mesh().vertexCount() > tooMany * vertices) thinOut(run);
   // Slivers can ask for splits for ever, and not give the vertices back.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
-  const int rounds = isSketch(run) ? kSketchRounds : kRounds;
-  const int sweeps = isSketch(run) ? kSketchSweeps : kSweeps;
+  const int rounds = isRough ? kSketchRounds : kRounds;
+  const int sweeps = isRough ? kSketchSweeps : kSweeps;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
     // What is long among far too many is so still when most have gone.
-    const bool isCrowded = run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
+    const bool isCrowded = isRough && run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
     if (!isCrowded) refine(run, most);
     collapseShort(run);
     if (isCrowded) run.mesh.compact();

@@ -160,7 +160,7 @@ void offerSplits(Run& run, Face f, Best& best) {
 }
 
 // From which vertices a search was in vain, until their stars change: triangles side by side have
-// corners in common.
+// corners in common. Only where a step may be as large as it likes, for else the triangle decides.
 class InVain {
  public:
   // Whether a search from v will gain no more than that.
@@ -212,7 +212,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
     const double before = best.gain;
     if (attempt.inVain.knows(v, before)) continue;
     offerMove(run, v, ground, best);
-    if (best.gain == before) attempt.inVain.note(v, before);
+    if (best.gain == before && !std::isfinite(attempt.shift)) attempt.inVain.note(v, before);
   }
   // Without the original nothing says how far off it a vertex already is.
   const bool mayLift = means == Means::LeaveSurface &&

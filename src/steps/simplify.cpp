@@ -14,7 +14,7 @@ namespace remesher {
 
 namespace {
 
-// A way along the surface counts as a four hundredth of one away from it: on what is flat
+// A way along the surface counts as some 450th of one away from it: on what is flat
 // triangles stay even.
 constexpr double kSideways = 5e-6;
 // What an edge weighs, of its squared length: a border, a seam, and a sharp one within the surface.
@@ -33,7 +33,7 @@ struct Quadric {
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   Vec3 linear = Vec3::Zero();
   double constant = 0;
-  double area = 0;  // of the triangles, and of as much beyond borders
+  double area = 0;  // of the triangles, and of squares over border edges
 
   void addPlane(const Vec3& normal, const Vec3& point, double weight) {
     const double offset = -normal.dot(point);

@@ -4,7 +4,7 @@
 // it, the rules, the flags, the tool, the libraries.
 import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
@@ -85,7 +85,8 @@ function placeInCompany(/** @type {string} */ file) {
   if (text === readText(file)) return join(root, file);
   const copy = join(folder, 'company', file);
   mkdirSync(dirname(copy), { recursive: true });
-  writeFileSync(copy, text);
+  // Another run may be reading it: it is never empty for a moment.
+  if (!existsSync(copy) || readFileSync(copy, 'utf8') !== text) writeFileSync(copy, text);
   return copy;
 }
 

@@ -319,7 +319,8 @@ export default {
     + 'weg.',
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
     + 'mehr aneinander.',
-  'warning.MAP_NOT_PAINTED': 'Eine Textur kann nicht neu gemalt werden und geht verloren.',
+  'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '
+    + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
     + 'weitergegeben werden.',
   'warning.MAX_ERROR_EXCEEDED': 'Das Ergebnis weicht weiter ab als verlangt: die Grenze gilt für '

@@ -321,7 +321,8 @@ export default {
     + 'pas ; elles disparaissent.',
   'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
     + 'plus.',
-  'warning.MAP_NOT_PAINTED': 'Une texture ne peut pas être repeinte et est perdue.',
+  'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
+    + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
     + 'transmises.',
   'warning.MAX_ERROR_EXCEEDED': 'Le résultat s’écarte plus que demandé : la limite vaut pour la '

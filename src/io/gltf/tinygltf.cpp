@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // tinygltf's implementation, which is compiled here, with the type of JSON that keeps the order of
-// names, which is ours: a second one is large. The headers are those it forgets to include, or
-// includes hidden.
+// names, which is ours: a second one is large. Of the headers two are those that it forgets to
+// include, or includes hidden.
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 
 // What tinygltf calls std: the same, but for the streams that it puts its messages together in.
-// Those of the library bring its locales along, a tenth of our module.
+// Those of the library bring its locales along, a fourteenth of our module.
 namespace tinygltf::std {
 
 using namespace ::std;

@@ -130,7 +130,7 @@ TEST_CASE("simplify: a sphere four times as large gets more than six times as ma
   CHECK(inLarge > 6 * (corners - inLarge));
 }
 
-// One shape says little: what is taken first decides the rest. Both sums are over six.
+// One shape says little, for what is taken first decides the rest: the next two take six each.
 constexpr int kShapes = 6, kSide = 40;
 
 TEST_CASE("simplify: a sharp edge that winds is kept before waves are") {
