@@ -41,6 +41,7 @@ class OffReader {
  public:
   OffReader(std::string_view text, const std::string& name) : scanner_(text, name) {}
   TriangleMesh read();
+  std::size_t coloredFaces() const { return coloredFaces_; }
 
  private:
   void requireMore(std::string_view what);
@@ -53,6 +54,7 @@ class OffReader {
   TextScanner scanner_;
   OffHeader header_;
   std::size_t faceCount_ = 0;
+  std::size_t coloredFaces_ = 0;
   std::vector<float> normals_;
   std::vector<float> colors_;  // 4 each
   std::vector<float> texcoords_;
@@ -123,7 +125,8 @@ void OffReader::readFace() {
                     "Repair the file: every face may name only vertices that are there.");
     polygon_.push_back(static_cast<Index>(vertex));
   }
-  while (!scanner_.atLineEnd()) scanner_.word();  // the colour of the face
+  if (!scanner_.atLineEnd()) ++coloredFaces_;
+  while (!scanner_.atLineEnd()) scanner_.word();
   if (corners == 3) {
     mesh_.indices.insert(mesh_.indices.end(), polygon_.begin(), polygon_.end());
     return;
@@ -203,6 +206,9 @@ Model readOff(const File& file, const std::vector<File>&) {
   if (mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");
+  if (reader.coloredFaces() > 0)
+    model.warnings.push_back(
+        {"ATTRIBUTE_NOT_CARRIED", "The colours of faces are not carried.", reader.coloredFaces()});
   model.parts.push_back({file.name, std::move(mesh), {Transform::Identity()}});
   return model;
 }

@@ -28,6 +28,18 @@ TEST_CASE("off: comments, counts on the first line, polygons and face colours ar
   CHECK(model.parts[0].mesh.indices == std::vector<Index>{0, 1, 2, 0, 2, 3});
 }
 
+TEST_CASE("off: that colours of faces are lost is said") {
+  const std::string points = "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  CHECK(
+      io::read(textFile("a.off", points + "3 0 1 2 # none\n3 0 2 3\n3 0 1 3\n")).warnings.empty());
+  const io::Model model =
+      io::read(textFile("a.off", points + "3 0 1 2 255 0 0\n3 0 2 3\n3 0 1 3 7\n"));
+  REQUIRE(model.warnings.size() == 1);
+  CHECK(model.warnings[0].code == "ATTRIBUTE_NOT_CARRIED");
+  CHECK(model.warnings[0].message == "The colours of faces are not carried.");
+  CHECK(model.warnings[0].count == 2);
+}
+
 TEST_CASE("off: normals, colours and texture coordinates are kept") {
   const std::string text =
       "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1 0.25 0.5\n1 0 0 0 0 1 1 0 0 1 0.5 0.5\n"
