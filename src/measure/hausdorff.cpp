@@ -40,24 +40,67 @@ constexpr double kFarBelow = 0.5, kBelow = 0.9;
 // A maximum larger by this share of the diagonal need not be found.
 constexpr double kTolerance = 1e-5;
 
-struct Surface {
-  const TriangleMesh& mesh;
-  TriangleTree tree;
+struct Triangles {
+  std::span<const Vec3> positions;
+  std::span<const Index> indices;
 
-  explicit Surface(const TriangleMesh& m) : mesh(m), tree(m.positions, m.indices) {}
+  explicit Triangles(const TriangleMesh& mesh) : positions(mesh.positions), indices(mesh.indices) {}
+
+  std::size_t size() const { return indices.size() / 3; }
+  Triangle operator[](Index t) const {
+    const Index* const v = &indices[std::size_t{3} * t];
+    return {positions[v[0]], positions[v[1]], positions[v[2]]};
+  }
 };
 
-Triangle cornersOf(const TriangleMesh& mesh, Index t) {
-  const Index* const v = &mesh.indices[std::size_t{3} * t];
-  return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+bool isCopy(const Triangle& t, const Triangle& other) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (t[0] == other[k] && t[1] == other[(k + 1) % 3] && t[2] == other[(k + 2) % 3]) return true;
+  return false;
 }
+
+// Without copies of triangles: all are as near to a point, so that no box would rule one out.
+class Surface {
+ public:
+  explicit Surface(const TriangleMesh& mesh)
+      : triangles(mesh), tree(triangles.positions, triangles.indices) {
+    if (!hasCopies()) return;
+    triangles.indices = distinct_;
+    tree = TriangleTree(triangles.positions, triangles.indices);
+  }
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  Triangles triangles;
+  TriangleTree tree;
+
+ private:
+  // Where they are many, they are close to each other in the tree's order. The others are listed.
+  bool hasCopies() {
+    constexpr std::size_t kClose = 4;
+    std::vector<Index> kept;
+    for (const Index t : tree.order()) {
+      const auto last = std::span(kept).last(std::min(kClose, kept.size()));
+      const auto isAgain = [&](Index other) { return isCopy(triangles[t], triangles[other]); };
+      if (std::none_of(last.begin(), last.end(), isAgain)) kept.push_back(t);
+    }
+    if (kept.size() == triangles.size()) return false;
+    std::sort(kept.data(), kept.data() + kept.size());
+    for (const Index t : kept)
+      for (std::size_t k = 0; k < 3; ++k)
+        distinct_.push_back(triangles.indices[std::size_t{3} * t + k]);
+    return true;
+  }
+
+  std::vector<Index> distinct_;
+};
 
 double areaOf(const Triangle& t) { return area(t[0], t[1], t[2]); }
 
-double pointsPerArea(const TriangleMesh& mesh, const Spread& spread) {
+double pointsPerArea(const Triangles& triangles, const Spread& spread) {
   double total = 0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t) total += areaOf(cornersOf(mesh, t));
-  return total > 0 ? static_cast<double>(spread.points(mesh.triangleCount())) / total : 0;
+  for (Index t = 0; t < triangles.size(); ++t) total += areaOf(triangles[t]);
+  return total > 0 ? static_cast<double>(spread.points(triangles.size())) / total : 0;
 }
 
 // The points of the R2 sequence, which fill the unit square evenly whatever their number, folded
@@ -89,9 +132,9 @@ class Measurement {
   Measurement(const Surface& from, const Surface& to, double diagonal)
       : from_(from),
         to_(to),
-        isSampled_(from.mesh.positions.size(), 0),
-        starts_(from.mesh.triangleCount(), 0),
-        largest_(from.mesh.triangleCount(), 0),
+        isSampled_(from.triangles.positions.size(), 0),
+        starts_(from.triangles.size(), 0),
+        largest_(from.triangles.size(), 0),
         diagonal_(diagonal) {}
 
   Deviation run(Maximum maximum) {
@@ -129,7 +172,7 @@ class Measurement {
 
   void sample(Maximum maximum) {
     const double perArea =
-        pointsPerArea(from_.mesh, maximum == Maximum::Sampled ? kSampled : kProven);
+        pointsPerArea(from_.triangles, maximum == Maximum::Sampled ? kSampled : kProven);
     const std::span<const Index> order = from_.tree.order();
     for (std::size_t i = 0; i < order.size(); i += kBatch)
       sampleTogether(order.subspan(i, std::min(kBatch, order.size() - i)), perArea);
@@ -147,7 +190,7 @@ class Measurement {
       const Triangle corners = from_.tree.corners(t);
       double largest = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Index v = from_.mesh.indices[std::size_t{3} * t + k];
+        const Index v = from_.triangles.indices[std::size_t{3} * t + k];
         if (isSampled_[v]) continue;
         isSampled_[v] = 1;
         largest = std::max(largest, lookAroundBeyond(kFarBelow, corners[k]));
@@ -216,13 +259,13 @@ class Measurement {
 
 // From a few points, which lie too far apart for a look around to serve several. The surface they
 // are on needs no tree.
-Deviation glimpse(const TriangleMesh& from, const TriangleTree& to) {
+Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   const double perArea = pointsPerArea(from, kGlimpsed);
   EvenPoints points;
   TriangleTree::Nearest last;
   double due = 0, largest = 0, sum = 0, count = 0;
-  for (Index t = 0; t < from.triangleCount(); ++t) {
-    const Triangle corners = cornersOf(from, t);
+  for (Index t = 0; t < from.size(); ++t) {
+    const Triangle corners = from[t];
     for (due += areaOf(corners) * perArea; due >= 1; due -= 1) {
       const Vec3 p = at(points.next(), corners);
       last = last.triangle == kNone ? to.nearest(p) : to.nearest(p, last.triangle);
@@ -246,7 +289,8 @@ DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleM
                                    Maximum maximum) {
   const double diagonal = diagonalOf(original);
   if (maximum == Maximum::Glimpsed)
-    return {glimpse(original, TriangleTree(result.positions, result.indices)), {}, diagonal};
+    return {
+        glimpse(Triangles(original), TriangleTree(result.positions, result.indices)), {}, diagonal};
   const Surface first(original), second(result);
   return {Measurement(first, second, diagonal).run(maximum),
           Measurement(second, first, diagonal).run(maximum), diagonal};
