@@ -53,7 +53,7 @@ struct Triangles {
   }
 };
 
-bool isCopy(const Triangle& t, const Triangle& other) {
+bool isSame(const Triangle& t, const Triangle& other) {
   for (std::size_t k = 0; k < 3; ++k)
     if (t[0] == other[k] && t[1] == other[(k + 1) % 3] && t[2] == other[(k + 2) % 3]) return true;
   return false;
@@ -78,18 +78,19 @@ class Surface {
   // Where they are many, they are close to each other in the tree's order. The others are listed.
   bool hasCopies() {
     constexpr std::size_t kClose = 4;
-    std::vector<Index> kept;
-    for (const Index t : tree.order()) {
-      const auto last = std::span(kept).last(std::min(kClose, kept.size()));
-      const auto isAgain = [&](Index other) { return isCopy(triangles[t], triangles[other]); };
-      if (std::none_of(last.begin(), last.end(), isAgain)) kept.push_back(t);
+    std::array<Triangle, kClose> last;
+    std::vector<std::uint8_t> isCopy(triangles.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < isCopy.size(); ++i) {
+      const Index t = tree.order()[i];
+      const Triangle corners = triangles[t];
+      for (std::size_t k = 0; k < std::min(i, kClose); ++k)
+        if (isSame(corners, last[k])) any = isCopy[t] = 1;
+      last[i % kClose] = corners;
     }
-    if (kept.size() == triangles.size()) return false;
-    std::sort(kept.data(), kept.data() + kept.size());
-    for (const Index t : kept)
-      for (std::size_t k = 0; k < 3; ++k)
-        distinct_.push_back(triangles.indices[std::size_t{3} * t + k]);
-    return true;
+    for (std::size_t i = 0; any && i < triangles.indices.size(); ++i)
+      if (isCopy[i / 3] == 0) distinct_.push_back(triangles.indices[i]);
+    return any;
   }
 
   std::vector<Index> distinct_;
