@@ -63,10 +63,12 @@ void forEachBeside(std::size_t texel, Index size, const Visit& visit) {
 void setToMean(io::Image& image, std::size_t texel, std::span<const std::size_t> others) {
   std::array<unsigned, 4> sum{};
   const unsigned count = unsigned(others.size());
+  // Eight bytes at most: of them this is as good as the division.
+  const unsigned inverse = 65536 / count + 1;
   for (const std::size_t j : others)
     for (std::size_t c = 0; c < 4; ++c) sum[c] += image.texels[4 * j + c];
   for (std::size_t c = 0; c < 4; ++c)
-    image.texels[4 * texel + c] = std::uint8_t((sum[c] + count / 2) / count);
+    image.texels[4 * texel + c] = std::uint8_t((sum[c] + count / 2) * inverse >> 16);
 }
 
 }  // namespace
@@ -98,7 +100,7 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
   return {1 - b - c, b, c};
 }
 
-Vec2 keptWithin(const TexelTriangle& t, const std::array<char, 3>& rims, Vec2 point) {
+RimmedTriangle::RimmedTriangle(const TexelTriangle& t, const std::array<char, 3>& rims) {
   // In texels, for the edge is not quite where the original's is; and of the triangle's height.
   constexpr double kInset = 0.25, kMostInset = 0.25;
   const double area = cross(t[1] - t[0], t[2] - t[0]);
@@ -106,11 +108,14 @@ Vec2 keptWithin(const TexelTriangle& t, const std::array<char, 3>& rims, Vec2 po
     if (!rims[k] || !(area > 0)) continue;
     const Vec2 edge = t[(k + 1) % 3] - t[k];
     const double length = edge.norm();
-    const double least = std::min(kMostInset * area / length, kInset);
-    const double inside = cross(edge, point - t[k]) / length;
-    if (inside < least) point += (least - inside) / length * Vec2(-edge.y(), edge.x());
+    rims_[count_++] = {t[k], edge, length, std::min(kMostInset * area / length, kInset)};
   }
-  return point;
+}
+
+Vec2 RimmedTriangle::kept(const Vec2& point, const Rim& rim) {
+  const double missing = rim.least - cross(rim.edge, point - rim.from) / rim.length;
+  if (!(missing > 0)) return point;
+  return point + missing / rim.length * Vec2(-rim.edge.y(), rim.edge.x());
 }
 
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {
@@ -130,18 +135,15 @@ void fillGutters(std::span<io::Image* const> images, std::span<const Index> owne
       beside.clear();
       forEachBeside(i, size, [&](std::size_t j) {
         if (isDone[j] == 1) beside.push_back(j);
-      });
-      for (io::Image* image : images) setToMean(*image, i, beside);
-    }
-    for (const std::size_t i : ring) isDone[i] = 1;
-    next.clear();
-    for (const std::size_t i : ring)
-      forEachBeside(i, size, [&](std::size_t j) {
         if (isDone[j] != 0) return;
         isDone[j] = kWaiting;
         next.push_back(j);
       });
+      for (io::Image* image : images) setToMean(*image, i, beside);
+    }
+    for (const std::size_t i : ring) isDone[i] = 1;
     ring.swap(next);
+    next.clear();
   }
 }
 

@@ -20,9 +20,30 @@ std::vector<Index> coveredTexels(std::span<const TexelTriangle> triangles, Index
 // The weights of a triangle's corners at a point of its plane, also beside it.
 Vec3 weightsAt(const TexelTriangle& triangle, const Vec2& point);
 
-// A point as it is or, beyond one of those edges of a triangle behind which another look begins,
-// the nearest within, or nearly: what lies there is looked at from another chart.
-Vec2 keptWithin(const TexelTriangle& triangle, const std::array<char, 3>& rims, Vec2 point);
+// A triangle of which some edges are rims, behind which another look begins.
+class RimmedTriangle {
+ public:
+  RimmedTriangle() = default;
+  RimmedTriangle(const TexelTriangle& triangle, const std::array<char, 3>& rims);
+
+  // A point as it is or, beyond a rim, the nearest within, or nearly: what lies there is looked at
+  // from another chart.
+  Vec2 kept(Vec2 point) const {
+    for (std::size_t k = 0; k < count_; ++k) point = kept(point, rims_[k]);
+    return point;
+  }
+
+ private:
+  struct Rim {
+    Vec2 from, edge;
+    double length;
+    double least;  // how far within points are kept
+  };
+  static Vec2 kept(const Vec2& point, const Rim& rim);
+
+  std::array<Rim, 3> rims_;
+  std::size_t count_ = 0;
+};
 
 // Every texel that is nobody's becomes the mean of its neighbours that are somebody's, ring after
 // ring: what looks beyond the rim of a chart, as coarse mip levels do, finds what is within. All

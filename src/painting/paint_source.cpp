@@ -31,6 +31,11 @@ Vec3 vectorOf(const Attribute& attribute, Index vertex) {
   return {value[0], value[1], value[2]};
 }
 
+Vec2 pairOf(const Attribute& attribute, Index vertex) {
+  const float* value = &attribute.values[2 * std::size_t{vertex}];
+  return {value[0], value[1]};
+}
+
 }  // namespace
 
 PaintSource::PaintSource(SourceInput input) : input_(std::move(input)) {
@@ -139,16 +144,22 @@ void PaintSource::orient() {
   tangents_ = computeTangents({positions, normals_, texcoords});
 }
 
-Vec2 PaintSource::texcoord(int set, Index vertex) const {
+const Attribute* PaintSource::texcoords(int set) const {
   const Attribute* const at = set >= 0 && set < kTexcoordSets ? texcoords_[set] : nullptr;
-  if (at == nullptr || at->itemSize != 2) return Vec2::Zero();
-  return {at->values[2 * std::size_t{vertex}], at->values[2 * std::size_t{vertex} + 1]};
+  return at != nullptr && at->itemSize == 2 ? at : nullptr;
+}
+
+Vec2 PaintSource::texcoord(int set, Index vertex) const {
+  const Attribute* const at = texcoords(set);
+  return at != nullptr ? pairOf(*at, vertex) : Vec2(0, 0);
 }
 
 Vec2 PaintSource::texcoord(int set, const InputPlace& place) const {
   Vec2 sum = Vec2::Zero();
-  for (Index k = 0; k < 3; ++k)
-    sum += place.weights[k] * texcoord(set, mesh().indices[3 * place.triangle + k]);
+  const Attribute* const at = texcoords(set);
+  if (at == nullptr) return sum;
+  const Index* const corners = &mesh().indices[3 * std::size_t{place.triangle}];
+  for (Index k = 0; k < 3; ++k) sum += place.weights[k] * pairOf(*at, corners[k]);
   return sum;
 }
 
@@ -164,6 +175,9 @@ Vec3 PaintSource::shadingNormal(const InputPlace& place) const {
 }
 
 PaintSource::Texels PaintSource::lookUp(const InputPlace& place) const {
+  // The first and the last channel that a kind of map says anything in.
+  static constexpr std::array<std::pair<std::size_t, std::size_t>, MapKinds> kChannels = {
+      {{0, 3}, {1, 2}, {0, 0}, {0, 2}, {0, 2}}};
   const Maps& maps = mapsOf(place.triangle);
   Texels texels;
   std::array<Texture::Spot, MapKinds> spots;
@@ -172,7 +186,9 @@ PaintSource::Texels PaintSource::lookUp(const InputPlace& place) const {
     texels[i].setOnes();
     if (!map) continue;
     if (maps.like[i] == i) spots[i] = map.spotAt(texcoord(map.texcoord(), place));
-    texels[i] = map.at(spots[maps.like[i]]);
+    const auto [first, last] = kChannels[i];
+    for (std::size_t c = first; c <= last; ++c)
+      texels[i][Eigen::Index(c)] = map.at(spots[maps.like[i]], c);
   }
   return texels;
 }

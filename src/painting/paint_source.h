@@ -76,6 +76,7 @@ class PaintSource {
   void linkTriangles();
   void shade();
   void orient();
+  const Attribute* texcoords(int set) const;  // null: there are none
   Vec2 texcoord(int set, Index vertex) const;
   Vec2 texcoord(int set, const InputPlace& place) const;
   Texels lookUp(const InputPlace& place) const;

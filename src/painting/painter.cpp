@@ -45,30 +45,29 @@ struct Sheet {
   }
 };
 
-Sheet sheetOf(const CanvasTriangle& t, const TexelTriangle& plane, Vec3 CanvasCorner::*member) {
+// By the values at the corners.
+Sheet sheetOf(const TexelTriangle& plane, const std::array<Vec3, 3>& values) {
   const auto at = [&](const Vec2& texel) -> Vec3 {
     const Vec3 weights = weightsAt(plane, texel);
-    return weights[0] * t.corners[0].*member + weights[1] * t.corners[1].*member +
-           weights[2] * t.corners[2].*member;
+    return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
   };
   const Vec3 there = at(plane[0]);
   return {plane[0], there, at(plane[0] + Vec2::UnitX()) - there,
           at(plane[0] + Vec2::UnitY()) - there};
 }
 
-// A direction in the frame that whoever draws the triangle will have there.
-Vec3 inFrame(const CanvasTriangle& t, const Vec3& weights, const Vec3& normal,
-             const Vec3& direction) {
-  Vec3 tangent = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) tangent += weights[k] * t.corners[k].tangent.head<3>();
+// A direction in the frame that whoever draws the triangle will have there. The tangent has any
+// length, the side is that of the bitangent.
+Vec3 inFrame(const Vec3& tangent, double side, const Vec3& normal, const Vec3& direction) {
   const double length = tangent.norm();
   if (!(length > 0)) return Vec3::UnitZ();
-  tangent /= length;
-  Eigen::Matrix3d frame;
-  frame << tangent, t.corners[0].tangent[3] * normal.cross(tangent), normal;
-  const double volume = frame.determinant();
+  const Vec3 along = tangent / length, across = normal.cross(along), bitangent = side * across;
+  const Vec3 facing = bitangent.cross(normal);
+  const double volume = along.dot(facing);
   if (!(std::abs(volume) > 1e-9)) return Vec3::UnitZ();
-  Vec3 result = frame.inverse() * direction;
+  Vec3 result =
+      Vec3(facing.dot(direction), across.dot(direction), along.cross(bitangent).dot(direction)) /
+      volume;
   // What faces away cannot be said: it lies along the surface.
   constexpr double kLowest = 0.05;
   result.z() = std::max(result.z(), kLowest);
@@ -90,6 +89,11 @@ class Painter {
     for (io::Image* image :
          {&result_.baseColor, &result_.surface, &result_.emissive, &result_.normal})
       *image = {rules.size, rules.size, std::vector<std::uint8_t>(4 * owners_.size(), 255)};
+    const int side = int(std::clamp(std::ceil(rules.finer / kAlike), kFewest, kMost));
+    for (int i = 0; i < side * side; ++i) {
+      const int column = i % side, row = i / side;
+      spread_.push_back(Vec2(column + 0.5, row + 0.5) / side);
+    }
   }
 
   Painting run(const Progress& progress) {
@@ -129,8 +133,11 @@ class Painter {
     const auto& c = triangle_->corners;
     finder_->enter(
         {{c[0].position, c[1].position, c[2].position}, {c[0].place, c[1].place, c[2].place}});
-    points_ = sheetOf(*triangle_, plane_[t], &CanvasCorner::position);
-    normals_ = sheetOf(*triangle_, plane_[t], &CanvasCorner::normal);
+    outline_ = RimmedTriangle(plane_[t], triangle_->rims);
+    points_ = sheetOf(plane_[t], {c[0].position, c[1].position, c[2].position});
+    normals_ = sheetOf(plane_[t], {c[0].normal, c[1].normal, c[2].normal});
+    tangents_ = sheetOf(plane_[t],
+                        {c[0].tangent.head<3>(), c[1].tangent.head<3>(), c[2].tangent.head<3>()});
   }
 
   Mixture mixtureAt(std::size_t texel) {
@@ -157,13 +164,11 @@ class Painter {
   // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is
   // in it does the rim go on.
   void findPlaces(std::size_t texel) {
-    const int side = int(std::clamp(std::ceil(rules_.finer / kAlike), kFewest, kMost));
+    const Vec2 corner = cornerOf(texel);
     places_.clear();
     for (const bool isWithin : {true, false}) {
-      for (int i = 0; i < side * side; ++i) {
-        const int column = i % side, row = i / side;
-        const Vec2 point = cornerOf(texel) + Vec2(column + 0.5, row + 0.5) / side;
-        const Vec2 at = keptWithin(plane_[owners_[texel]], triangle_->rims, point);
+      for (const Vec2& offset : spread_) {
+        const Vec2 point = corner + offset, at = outline_.kept(point);
         if (isWithin && at != point) continue;
         places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
       }
@@ -179,8 +184,8 @@ class Painter {
   // A direction as it is written at the middle of a texel.
   Vec3 written(std::size_t texel, const Vec3& direction) const {
     const Vec2 middle = cornerOf(texel) + Vec2::Constant(0.5);
-    const Vec3 weights = weightsAt(plane_[owners_[texel]], middle);
-    return inFrame(*triangle_, weights, normals_.at(middle).normalized(), direction);
+    return inFrame(tangents_.at(middle), triangle_->corners[0].tangent[3],
+                   normals_.at(middle).normalized(), direction);
   }
 
   void put(std::size_t texel, const Mixture& mixture) {
@@ -201,6 +206,7 @@ class Painter {
 
   std::span<const CanvasTriangle> triangles_;
   PaintRules rules_;
+  std::vector<Vec2> spread_;  // the points of a texel, from its corner
   std::vector<const PaintSource*> sources_;
   std::vector<SideFinder> finders_;
   std::vector<TexelTriangle> plane_;
@@ -210,7 +216,8 @@ class Painter {
   const CanvasTriangle* triangle_ = nullptr;
   const PaintSource* source_ = nullptr;
   SideFinder* finder_ = nullptr;
-  Sheet points_, normals_;
+  RimmedTriangle outline_;
+  Sheet points_, normals_, tangents_;
   std::vector<InputPlace> places_;
 };
 

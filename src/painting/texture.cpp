@@ -79,7 +79,7 @@ std::uint8_t srgbOf(double light) {
   return byte;
 }
 
-std::uint8_t byteOf(double fraction) { return std::uint8_t(std::lround(255 * clamped(fraction))); }
+std::uint8_t byteOf(double fraction) { return std::uint8_t(255 * clamped(fraction) + 0.5); }
 
 Texture::Texture(const io::Image* image, const io::Map& map, Coding coding)
     : image_(image),
@@ -107,16 +107,6 @@ Texture::Spot Texture::spotAt(const Vec2& texcoord) const {
   const float s = float(x - double(x0)), t = float(y - double(y0));
   return {{top + left, top + right, bottom + left, bottom + right},
           {(1 - t) * (1 - s), (1 - t) * s, t * (1 - s), t * s}};
-}
-
-Eigen::Vector4d Texture::at(const Spot& spot) const {
-  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint8_t* t = &image_->texels[4 * spot.texels[k]];
-    sum += spot.weights[k] *
-           Eigen::Vector4f(colors_[t[0]], colors_[t[1]], colors_[t[2]], alphas_[t[3]]);
-  }
-  return sum.cast<double>();
 }
 
 }  // namespace remesher

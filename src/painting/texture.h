@@ -39,9 +39,14 @@ class Texture {
   // Whether the spots of one are those of the other; neither may be empty.
   bool liesLike(const Texture& other) const;
 
-  // Mixed from the four texels around; alpha is a fraction always.
-  Eigen::Vector4d at(const Spot& spot) const;
-  Eigen::Vector4d at(const Vec2& texcoord) const { return at(spotAt(texcoord)); }
+  // A channel, mixed from the four texels around; alpha is a fraction always.
+  double at(const Spot& spot, std::size_t channel) const {
+    const float* const values = channel == 3 ? alphas_ : colors_;
+    const std::uint8_t* const bytes = image_->texels.data() + channel;
+    float sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += spot.weights[k] * values[bytes[4 * spot.texels[k]]];
+    return sum;
+  }
 
  private:
   const io::Image* image_ = nullptr;

@@ -30,15 +30,15 @@ TEST_CASE("canvas: texels belong to what lies over their middles, and gutters ar
 
 TEST_CASE("canvas: points keep within the rim of a look, and are free elsewhere") {
   const TexelTriangle triangle = {Vec2(0, 0), Vec2(10, 0), Vec2(0, 10)};
-  const std::array<char, 3> bottom = {1, 0, 0};
+  const RimmedTriangle bottom(triangle, {1, 0, 0}), rimless(triangle, {0, 0, 0});
   for (const double y : {0.2, 0.0, -1.0}) {
-    const Vec2 kept = keptWithin(triangle, bottom, {3, y});
+    const Vec2 kept = bottom.kept({3, y});
     CHECK(kept.x() == doctest::Approx(3));
     CHECK(kept.y() > 0);
     CHECK(kept.y() <= 0.25);
   }
   for (const Vec2& point : {Vec2(3, 0.3), Vec2(-1, 4), Vec2(6, 6)}) {
-    CHECK(keptWithin(triangle, bottom, point) == point);
-    CHECK(keptWithin(triangle, {0, 0, 0}, Vec2(point.x(), -1)) == Vec2(point.x(), -1));
+    CHECK(bottom.kept(point) == point);
+    CHECK(rimless.kept(Vec2(point.x(), -1)) == Vec2(point.x(), -1));
   }
 }

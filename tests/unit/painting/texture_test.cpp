@@ -47,7 +47,8 @@ TEST_CASE("texture: texels at their middles, mixed between, wrapped as asked") {
   io::Image image{2, 1, {0, 0, 0, 255, 255, 255, 255, 255}};
   io::Map map;
   const auto red = [&](double u) {
-    return Texture(&image, map, Coding::Fraction).at(Vec2(u, 0.5))[0];
+    const Texture texture(&image, map, Coding::Fraction);
+    return texture.at(texture.spotAt(Vec2(u, 0.5)), 0);
   };
   CHECK(red(0.25) == 0);
   CHECK(red(0.75) == 1);
