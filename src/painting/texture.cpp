@@ -15,11 +15,16 @@ namespace {
 struct Tables {
   static constexpr int kSteps = 4096;  // of light; a byte is wider than one nearly everywhere
   std::array<double, 256> light;
+  std::array<float, 256> lights, fractions;    // what a byte of a texel means
   std::array<double, 256> bounds;              // from which light on the next byte is nearer
   std::array<std::uint8_t, kSteps + 1> bytes;  // for the light at which a step begins
 
   Tables() {
-    for (int i = 0; i < 256; ++i) light[i] = io::linearFromSrgb(i / 255.0);
+    for (int i = 0; i < 256; ++i) {
+      light[i] = io::linearFromSrgb(i / 255.0);
+      lights[i] = float(light[i]);
+      fractions[i] = float(i) / 255;
+    }
     for (int i = 0; i < 255; ++i) bounds[i] = io::linearFromSrgb((i + 0.5) / 255);
     bounds[255] = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= kSteps; ++i)
@@ -50,23 +55,6 @@ long neighbour(long i, long size, io::Wrap wrap) {
   return std::clamp(i, 0L, size - 1);
 }
 
-// The texels' bytes as numbers: of the colours, and of alpha.
-struct Decoders {
-  std::array<float, 256> light, fraction;
-
-  Decoders() {
-    for (int i = 0; i < 256; ++i) {
-      light[i] = float(lightOf(std::uint8_t(i)));
-      fraction[i] = float(i) / 255;
-    }
-  }
-};
-
-const Decoders& decoders() {
-  static const Decoders kDecoders;
-  return kDecoders;
-}
-
 }  // namespace
 
 double lightOf(std::uint8_t srgb) { return tables().light[srgb]; }
@@ -84,8 +72,8 @@ std::uint8_t byteOf(double fraction) { return std::uint8_t(255 * clamped(fractio
 Texture::Texture(const io::Image* image, const io::Map& map, Coding coding)
     : image_(image),
       map_(&map),
-      colors_(coding == Coding::Light ? decoders().light.data() : decoders().fraction.data()),
-      alphas_(decoders().fraction.data()) {}
+      colors_(coding == Coding::Light ? tables().lights.data() : tables().fractions.data()),
+      alphas_(tables().fractions.data()) {}
 
 bool Texture::liesLike(const Texture& other) const {
   return image_->width == other.image_->width && image_->height == other.image_->height &&
