@@ -79,18 +79,18 @@ class Surface {
   bool hasCopies() {
     constexpr std::size_t kClose = 4;
     std::array<Triangle, kClose> last;
-    std::vector<std::uint8_t> isCopy(triangles.size(), 0);
-    bool any = false;
+    std::vector<char> isCopy(triangles.size(), 0);
     for (std::size_t i = 0; i < isCopy.size(); ++i) {
       const Index t = tree.order()[i];
       const Triangle corners = triangles[t];
       for (std::size_t k = 0; k < std::min(i, kClose); ++k)
-        if (isSame(corners, last[k])) any = isCopy[t] = 1;
+        if (isSame(corners, last[k])) isCopy[t] = 1;
       last[i % kClose] = corners;
     }
-    for (std::size_t i = 0; any && i < triangles.indices.size(); ++i)
+    if (std::find(isCopy.begin(), isCopy.end(), 1) == isCopy.end()) return false;
+    for (std::size_t i = 0; i < triangles.indices.size(); ++i)
       if (isCopy[i / 3] == 0) distinct_.push_back(triangles.indices[i]);
-    return any;
+    return true;
   }
 
   std::vector<Index> distinct_;

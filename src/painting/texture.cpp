@@ -67,7 +67,9 @@ std::uint8_t srgbOf(double light) {
   return byte;
 }
 
-std::uint8_t byteOf(double fraction) { return std::uint8_t(255 * clamped(fraction) + 0.5); }
+std::uint8_t byteOf(double fraction) {
+  return std::uint8_t(std::floor(255 * clamped(fraction) + 0.5));
+}
 
 Texture::Texture(const io::Image* image, const io::Map& map, Coding coding)
     : image_(image),
