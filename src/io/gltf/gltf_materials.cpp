@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "io/gltf/gltf_references.h"
@@ -168,13 +167,6 @@ Json paintedMaterial(Json& tree, const Model& model, const Material& painting) {
   return material;
 }
 
-// Extensions whose numbers are either found below or none of a material, texture or image.
-constexpr std::array<std::string_view, 13> kFound = {
-    "KHR_materials_",          "KHR_texture_", "KHR_lights_punctual", "KHR_node_",
-    "KHR_mesh_quantization",   "KHR_xmp",      "EXT_materials_",      "EXT_texture_",
-    "EXT_mesh_gpu_instancing", "MSFT_",        "ADOBE_materials_",    "VRMC_materials_",
-    "VRMC_springBone"};
-
 using Visitor = std::function<void(Json& number)>;
 
 void forEachMaterialNumber(Json& tree, const Visitor& visit) {
@@ -287,7 +279,7 @@ std::size_t addPaintings(Json& tree, const Model& model) {
 }
 
 std::set<int> dropUnusedImages(Json& tree) {
-  if (hasUnknownReferences(tree, kFound)) return {};
+  if (mayHideReferences(tree, Named::Look)) return {};
   keepUsed(tree, "materials", [&](const Visitor& v) { forEachMaterialNumber(tree, v); });
   keepUsed(tree, "textures", [&](const Visitor& v) {
     if (tree.contains("materials")) forEachTextureNumberIn(tree["materials"], v);

@@ -2,29 +2,11 @@
 #include "io/gltf/gltf_packing.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "io/gltf/gltf_references.h"
 
 namespace remesher::io {
 namespace {
-
-// Extensions whose numbers are known to mean materials, textures, nodes or the like.
-constexpr std::array<std::string_view, 14> kHarmless = {"KHR_materials_",
-                                                        "KHR_texture_",
-                                                        "KHR_lights_",
-                                                        "KHR_node_",
-                                                        "KHR_mesh_quantization",
-                                                        "KHR_xmp",
-                                                        "KHR_animation_pointer",
-                                                        "EXT_materials_",
-                                                        "EXT_texture_",
-                                                        "EXT_lights_image_based",
-                                                        "EXT_mesh_gpu_instancing",
-                                                        "MSFT_",
-                                                        "VRM",
-                                                        "ADOBE_materials_"};
 
 int asIndex(const Json& number) { return number.is_number_integer() ? number.get<int>() : -1; }
 
@@ -140,7 +122,7 @@ Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidd
 }  // namespace
 
 PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned) {
-  const bool keepsAll = hasUnknownReferences(tree, kHarmless);
+  const bool keepsAll = mayHideReferences(tree, Named::Data);
   if (!keepsAll) dropAbandoned(tree, abandoned);
   Bytes data = mergeBuffers(tree, buffers, keepsAll);
   if (data.empty()) {

@@ -2,7 +2,9 @@
 #include "io/gltf/gltf_references.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace remesher::io {
 namespace {
@@ -37,9 +39,20 @@ bool hasInteger(const Json& value) {
   return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
 }
 
-bool beginsWithAny(std::string_view name, std::span<const std::string_view> prefixes) {
-  return std::any_of(prefixes.begin(), prefixes.end(),
-                     [&](std::string_view prefix) { return name.starts_with(prefix); });
+// Extensions that name no data by number, and of which all that they name of looks is found.
+constexpr std::array<std::string_view, 13> kOpen = {
+    "KHR_materials_",          "KHR_texture_", "KHR_lights_punctual", "KHR_node_",
+    "KHR_mesh_quantization",   "KHR_xmp",      "EXT_materials_",      "EXT_texture_",
+    "EXT_mesh_gpu_instancing", "MSFT_",        "ADOBE_materials_",    "VRMC_materials_",
+    "VRMC_springBone"};
+// Those that name no data either, but may name looks.
+constexpr std::array<std::string_view, 4> kOfLooks = {
+    "KHR_animation_pointer", "EXT_lights_image_based", "KHR_lights_", "VRM"};
+
+bool mayHide(std::string_view extension, Named what) {
+  const auto begins = [&](std::string_view prefix) { return extension.starts_with(prefix); };
+  if (std::any_of(kOpen.begin(), kOpen.end(), begins)) return false;
+  return what == Named::Look || std::none_of(kOfLooks.begin(), kOfLooks.end(), begins);
 }
 
 NumberVisitor requiredBelow(const GltfDocument& document, std::size_t end,
@@ -113,13 +126,13 @@ void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit) {
   visitEach(tree, "images", [&](Json& image) { visitMember(image, "bufferView", visit); });
 }
 
-bool hasUnknownReferences(const Json& value, std::span<const std::string_view> harmless) {
+bool mayHideReferences(const Json& value, Named what) {
   if (!value.is_structured()) return false;
   if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
     for (const auto& [name, extension] : value["extensions"].items())
-      if (!beginsWithAny(name, harmless) && hasInteger(extension)) return true;
+      if (mayHide(name, what) && hasInteger(extension)) return true;
   return std::any_of(value.begin(), value.end(),
-                     [&](const Json& member) { return hasUnknownReferences(member, harmless); });
+                     [&](const Json& member) { return mayHideReferences(member, what); });
 }
 
 bool isWholeNumber(const Json& value) {

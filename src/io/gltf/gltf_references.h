@@ -5,8 +5,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
-#include <string_view>
 
 #include "io/gltf/gltf_document.h"
 
@@ -18,9 +16,12 @@ void forEachAccessorNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit);
 
-// Whether there is a whole number in an extension below the value whose name begins with none of
-// the prefixes: it may be that of anything.
-bool hasUnknownReferences(const Json& value, std::span<const std::string_view> harmless);
+// What numbers name: accessors and buffer views; or materials, textures and images.
+enum class Named { Data, Look };
+
+// Whether there is a whole number in an extension below the value that may be one of these without
+// being found.
+bool mayHideReferences(const Json& value, Named what);
 
 // From 0 on.
 bool isWholeNumber(const Json& value);
