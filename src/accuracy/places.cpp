@@ -133,7 +133,17 @@ class Survey {
   Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
 
   bool isDoubtful(const Place& place, double size) const {
-    return place.distance >= std::max(kDoubtful, enough_) * size;
+    return place.distance >= std::max(kDoubtful, enough_) * size ||
+           (place.distance >= enough_ * size && isAcrossEdge(place));
+  }
+
+  // A walk over a wedge ends at the perpendicular's foot on its other side: then the triangle there
+  // faces away from the original's.
+  bool isAcrossEdge(const Place& place) const {
+    const auto [a, b, c] = mesh_.surface().mesh().vertices(place.original.face);
+    const VertexData<Vec3>& p = mesh_.surface().positions();
+    const Triangle t = mesh_.corners(place.nearest);
+    return areaVector(p[a], p[b], p[c]).dot(areaVector(t[0], t[1], t[2])) < 0;
   }
 
   // Walks again from all around where the last one ended. From one start they all end alike.

@@ -104,6 +104,33 @@ TriangleMesh hills() {
   return mesh;
 }
 
+// The triangle that a blade is across: 1.2 long, 0.4 thick at its back.
+const std::array<Vec3, 3> kAcross = {Vec3(0, -0.2, 0), Vec3(1.2, 0, 0), Vec3(0, 0.2, 0)};
+
+// Of height 1.
+TriangleMesh blade() {
+  TriangleMesh mesh;
+  for (const double z : {0.0, 1.0})
+    for (const Vec3& p : kAcross) shapes::addVertex(mesh, p + Vec3(0, 0, z));
+  mesh.indices = {0, 2, 1, 3, 4, 5};
+  for (Index i = 0; i < 3; ++i) {
+    const Index k = (i + 1) % 3;
+    shapes::addTriangle(mesh, i, k, 3 + k);
+    shapes::addTriangle(mesh, i, 3 + k, 3 + i);
+  }
+  return mesh;
+}
+
+// How far a point is from the nearest of the blade's five planes.
+double fromSides(const Vec3& p) {
+  double nearest = std::min(std::abs(p.z()), std::abs(1 - p.z()));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 along = (kAcross[(i + 1) % 3] - kAcross[i]).normalized();
+    nearest = std::min(nearest, std::abs((p - kAcross[i]).cross(along).z()));
+  }
+  return nearest;
+}
+
 RemeshOutcome run(const TriangleMesh& mesh, Index vertices, RemeshOptions options = {}) {
   options.vertices = vertices;
   return remeshSurface(mesh, options, {});
@@ -175,6 +202,19 @@ TEST_CASE("curves: the straight edges and planes of a cube stay exactly straight
     for (int axis = 0; axis < 3; ++axis)
       off = std::min({off, std::abs(p[axis]), std::abs(6 - p[axis])});
     CHECK(off < 1e-12);
+  }
+}
+
+TEST_CASE("curves: the planes of a blade stay plane, however often it is remeshed") {
+  // A walk over an edge of 22° may end at the foot of a perpendicular, inside the other side.
+  const TriangleMesh body = blade();
+  for (const Index vertices : {80, 110, 200}) {
+    const TriangleMesh once = run(body, vertices).mesh;
+    for (const Index again : {vertices, 2 * vertices}) {
+      CAPTURE(vertices);
+      CAPTURE(again);
+      for (const Vec3& p : run(once, again).mesh.positions) CHECK(fromSides(p) < 1e-12);
+    }
   }
 }
 
