@@ -91,7 +91,10 @@ TEST_CASE("follow: pleats narrower than even triangles are kept where textures a
 
 TEST_CASE("follow: what even triangles show has even triangles") {
   for (const TriangleMesh& original : {shapes::icosphere(16), shapes::torus(64, 32)}) {
-    const TriangleMesh result = remeshed(original, 600, Textures::Bake);
-    CHECK(inspectMesh(result).minAngle.mean > 52);
+    double mean = 0;
+    // By the seed of annealing one number gives 53.4° to 56.8°, three together 54.0° to 56.1°.
+    for (const Index vertices : {700u, 750u, 800u})
+      mean += inspectMesh(remeshed(original, vertices, Textures::Bake)).minAngle.mean / 3;
+    CHECK(mean > 52);
   }
 }
