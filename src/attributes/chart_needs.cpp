@@ -77,7 +77,7 @@ class Measurement {
     }
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const double length = chainFrom(Halfedge(i));
-      if (length > 0) result.push_back(need(length, length / shortestChain(1)));
+      if (length > 0) result.push_back(need(length, length / shortestChain(1, 0)));
     }
     return result;
   }

@@ -2,6 +2,7 @@
 #include "curves/curve_simplification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -19,6 +20,8 @@ constexpr double kShort = 0.7;
 // A curve that bends the surface is worth thinner triangles, for the surface leaves its place with
 // it: where it bends by 90° what counts as narrow is less by half of this share.
 constexpr double kWorthOfBends = 0.8;
+// Where it bends by 90° or more, walls as high as a chain is long stay, and so do their corners.
+constexpr double kRight = 0.5;
 // Neighbours that share this much of the longest border are as near as any.
 constexpr double kAlike = 0.8;
 
@@ -225,12 +228,12 @@ class Simplification {
   // From a junction or a loose end to the next; empty if the chain is fixed or long enough.
   std::vector<Halfedge> shortChain(Halfedge first) const {
     std::vector<Halfedge> chain;
-    double sum = 0;
+    Border sum;
     Halfedge h = first;
     while (role_[h] == Role::Free) {
       chain.push_back(h);
-      sum += length(h);
-      if (sum >= shortestChain(size_)) return {};
+      sum.add(border(h));
+      if (sum.length >= shortestChain(size_, sum.bend / sum.length)) return {};
       const std::vector<Halfedge> on = curveEdges(mesh_.tip(h));
       if (on.size() != 2) return chain;
       h = on[on[0] == mesh_.twin(h) ? 1 : 0];
@@ -265,7 +268,9 @@ double narrowestWidth(double size, double bend) {
   return kNarrow * size * (1 - kWorthOfBends * bend);
 }
 
-double shortestChain(double size) { return kShort * size; }
+double shortestChain(double size, double bend) {
+  return std::lerp(kShort, narrowestWidth(1, bend), std::min(1.0, bend / kRight)) * size;
+}
 
 SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                 const CurveEdges& curves, double size) {

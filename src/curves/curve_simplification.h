@@ -26,8 +26,8 @@ struct SimplifiedCurves {
 // target edge length; bend: (1 - cos) / 2 of the dihedral angle at its border.
 double narrowestWidth(double size, double bend);
 
-// And so is a chain between junctions that is shorter than this.
-double shortestChain(double size);
+// And so is a chain between junctions that is shorter than this; bend: along it.
+double shortestChain(double size, double bend);
 
 // size: the target edge length, model units.
 SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/triangle.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
 
@@ -153,6 +154,24 @@ TEST_CASE("curve_simplification: where the surface bends less is narrow") {
   CHECK(simplified(bent, {creases, {}}, 2).size() == 2 * kSide);
   CHECK(simplified(flat, {both(line(flat, 10), line(flat, 11)), {}}, 2).size() == kSide);
   CHECK(simplified(bent, {creases, {}}, 4).size() == kSide);
+}
+
+TEST_CASE("curve_simplification: where a slab's walls stay, so do the edges between them") {
+  const surfaces::Surface slab =
+      surfaces::surface("slab", shapes::cells(kSide, [](int, int, int z) { return z == 0; }));
+  std::vector<Halfedge> edges;
+  for (Index i = 0; i < slab.mesh().halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!slab.mesh().isEdge(h)) continue;
+    const auto normal = [&](Halfedge side) {
+      const auto [a, b, c] = slab.mesh().vertices(HalfedgeMesh::face(side));
+      return areaVector(slab.positions()[a], slab.positions()[b], slab.positions()[c]);
+    };
+    if (normal(h).dot(normal(slab.mesh().twin(h))) == 0) edges.push_back(h);
+  }
+  REQUIRE(edges.size() == 2 * 4 * kSide + 4);
+  // The walls are 1 high.
+  for (const double size : {1.0, 2.0, 3.0}) CHECK(simplified(slab, {edges, {}}, size) == edges);
 }
 
 TEST_CASE("curve_simplification: a narrow strip is absorbed by what is beside it") {
