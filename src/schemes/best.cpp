@@ -161,7 +161,9 @@ void finish(Run& run, const Progress& progress) {
   polish(run, {kSliver});
   if (isLarge(run) || !areFewBelow(run, kFair)) return;
   polish(run, {kFair, kSmallShift});
-  if (areFewBelow(run, kFine)) polish(run, {kFine, kHardlyShift});
+  if (!areFewBelow(run, kFine)) return;
+  polish(run, {kFine, kHardlyShift});
+  polish(run, {kFair, kSmallShift});  // what the number of vertices has cost there
 }
 
 }  // namespace
