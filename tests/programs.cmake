@@ -91,6 +91,7 @@ add_executable(unit_tests
   tests/unit/steps/polish_test.cpp
   tests/unit/steps/relax_test.cpp
   tests/unit/steps/simplify_test.cpp
+  tests/unit/steps/sweeps_test.cpp
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/original_surface_test.cpp
   tests/unit/surface/surface_walk_test.cpp

@@ -109,11 +109,11 @@ Places matchPositions(Run& run, std::size_t vertices) {
   return {countDistinct(run.mesh) == vertices, coincident};
 }
 
-// A draft of many vertices walks: over short edges the straight way leads to where patches do.
+// Of many vertices each walks: over short edges the straight way leads to where patches do.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   constexpr std::size_t kMany = 8000;
-  const bool walks = options.scheme == Scheme::Best && options.quality == Quality::Draft &&
-                     options.projection == Projection::Patches && original.vertices() >= kMany;
+  const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
+                     original.vertices() >= kMany;
   if (walks) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
 }

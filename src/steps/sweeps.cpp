@@ -112,10 +112,12 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
   return areaBasedTarget(star, mu);
 }
 
-// Towards the mean of v's neighbours, each laid into the plane that touches the surface at v at
-// its distance from v; and from there to the surface by the shortest way.
+// Towards the mean of v's neighbours, each laid into the mean plane of the star at its distance
+// from v; and from there to the surface by the shortest way. What the original does beneath the
+// star does not tilt the plane: even where it is rough, a move does not lean towards one side.
 bool walkToMean(Run& run, Vertex v) {
-  const Vec3 &at = run.mesh.position(v), &normal = run.mesh.normal(v);
+  const Vec3& at = run.mesh.position(v);
+  const Vec3 normal = run.mesh.areaVectorAround(v).normalized();
   Vec3 sum = Vec3::Zero();
   int count = 0;
   run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
@@ -145,7 +147,7 @@ void areaBasedSweep(Run& run) {
 bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
   if (run.mesh.kind(v) == VertexKind::Corner || run.mesh.isPinned(v)) return false;
   if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
-  if (run.quality == Quality::Draft && run.projector.walks()) return walkToMean(run, v);
+  if (run.projector.walks()) return walkToMean(run, v);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   return relocateTo(run, star, v, laplacianTarget(star));
 }
