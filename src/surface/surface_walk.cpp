@@ -12,6 +12,9 @@ namespace {
 // A walk that has not ended after this many faces is not a local one any more; where it stands is
 // the answer.
 constexpr int kMaxSteps = 4096;
+// A barycentric coordinate below this is of a point on the opposite edge, which rounding has put
+// beside it: over an edge of 90° a wall stands upon that very point.
+constexpr double kOnEdge = 1e-9;
 
 class Walk {
  public:
@@ -75,10 +78,11 @@ class Walk {
   // The best point on the faces that touch the one found; infinitely far where none is nearer.
   Found closestAround(const Found& found) const {
     const Vec3& w = found.point.barycentric;
-    const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
-    if (zeros == 0) return {};
-    if (zeros == 1) return closestAcross(found, w[0] == 0 ? 1 : w[1] == 0 ? 2 : 0);
-    return closestAtVertex(found, w[0] != 0 ? 0 : w[1] != 0 ? 1 : 2);
+    const bool on[] = {w[0] < kOnEdge, w[1] < kOnEdge, w[2] < kOnEdge};
+    const int edges = on[0] + on[1] + on[2];
+    if (edges == 0) return {};
+    if (edges == 1) return closestAcross(found, on[0] ? 1 : on[1] ? 2 : 0);
+    return closestAtVertex(found, !on[0] ? 0 : !on[1] ? 1 : 2);
   }
 
   Halfedge across(Halfedge h) const {

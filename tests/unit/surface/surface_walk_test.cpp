@@ -65,6 +65,27 @@ TEST_CASE("surface_walk: a target on the surface is reached from the other side 
   }
 }
 
+// The nearest point of the side next to a target's own lies on the edge between them, if rounding
+// puts it there: a cube that stands askew.
+TEST_CASE("surface_walk: a target on a cube is reached from all sides but the opposite one") {
+  const Eigen::AngleAxisd turn(1, Vec3(1, 2, 3).normalized());
+  TriangleMesh cube = shapes::cube(3);
+  for (Vec3& p : cube.positions) p = turn * p;
+  const OriginalSurface surface = shapes::surfaceOf(cube, shapes::Features::None);
+  const auto normal = [&](Face f) {
+    const auto [a, b, c] = surface.mesh().vertices(f);
+    const VertexData<Vec3>& p = surface.positions();
+    return unitNormal(p[a], p[b], p[c]);
+  };
+  soups::Random random(10);
+  for (int round = 0; round < 500; ++round) {
+    const SurfacePoint start = anywhere(surface, random), end = anywhere(surface, random);
+    if (normal(start.face).dot(normal(end.face)) < -0.5) continue;
+    const SurfacePoint found = closestPointFrom(surface, start, surface.position(end));
+    CHECK((surface.position(found) - surface.position(end)).norm() < 1e-12);
+  }
+}
+
 TEST_CASE("surface_walk: it ends where it is near enough, or else where it would without") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(20, 20), shapes::Features::None);
   const HalfedgeMesh& mesh = surface.mesh();
