@@ -20,6 +20,21 @@ function packaged(name) {
   return { positions: new Float32Array(positions.flat()), indices: new Uint32Array(cells.flat()) };
 }
 
+/** A bar of L-shaped section, of 20 triangles, and how far a point is from the nearest side. */
+function bracket() {
+  const section = [[0, 0], [3, 0], [3, 0.3], [0.3, 0.3], [0.3, 2], [0, 2]];
+  const height = 0.5;
+  const positions = [0, height].flatMap((z) => section.flatMap(([x, y]) => [x, y, z]));
+  const n = section.length;
+  const next = (i) => (i + 1) % n;
+  const caps = section.slice(2).flatMap((_, i) => [0, i + 2, i + 1, n, n + i + 1, n + i + 2]);
+  const walls = section.flatMap((_, i) => [i, next(i), n + next(i), i, n + next(i), n + i]);
+  const fromSides = ([x, y, z]) => Math.min(...[x, x - 0.3, x - 3, y, y - 0.3, y - 2, z, z - height]
+    .map(Math.abs));
+  const indices = new Uint32Array([...caps, ...walls]);
+  return { mesh: { positions: new Float64Array(positions), indices }, fromSides };
+}
+
 const run = (mesh, options) => remesh(mesh, { ...options, worker: false });
 
 function assertGood({ report }, vertices, limits) {
@@ -65,6 +80,19 @@ test('an open sheet is as good along its boundary, and keeps it on request', asy
 test('models from packages get good triangles, near the original', async () => {
   assertGood(await run(packaged('bunny'), { vertices: 5000 }), 5000,
     { ...good, worstAngle: 10, hausdorff: 1 });
+});
+
+test('the planes of a bracket stay plane, and the edges between them', async () => {
+  const { mesh, fromSides } = bracket();
+  for (const vertices of [1000, 2500, 4000])
+    for (const quality of /** @type {const} */ (['best', 'draft'])) {
+      const { mesh: { positions }, report } = await run(mesh, { vertices, quality });
+      let farthest = 0;
+      for (let i = 0; i < positions.length; i += 3)
+        farthest = Math.max(farthest, fromSides(positions.subarray(i, i + 3)));
+      assert.ok(farthest < 1e-12, `${vertices} vertices, ${quality}: ${farthest}`);
+      assert.ok(report.fidelity.hausdorff < 1e-9);
+    }
 });
 
 test('a draft keeps every promise, and is near what it is a draft of', async () => {

@@ -8,6 +8,7 @@
 
 #include "gate/angles.h"
 #include "geometry/polar_map.h"
+#include "geometry/triangle.h"
 #include "operators/shift.h"
 #include "steps/adapt.h"
 #include "steps/lengths.h"
@@ -37,6 +38,7 @@ constexpr double kFirstStep = 0.3;  // of the mean spoke
 constexpr double kLastStep = 0.02;
 // Around a sharp tip no place on the surface is better, but one a little off it.
 constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
+constexpr double kRolledOut = 1e-3;                  // radians
 // Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
 constexpr double kSplitAbove = 0.7;
 constexpr double kCollapseBelow = 1.2;
@@ -123,9 +125,21 @@ bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
   return found;
 }
 
+// Whether the angles around v make a full turn: then a place on the surface is as good as one off
+// it.
+bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
+  double turn = 0;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 &tip = mesh.position(mesh.mesh().tip(h)),
+               &next = mesh.position(mesh.mesh().opposite(h));
+    turn += angles(mesh.position(v), tip, next)[0];
+  });
+  return std::abs(2 * std::numbers::pi - turn) < kRolledOut;
+}
+
 // Up and down along the mean normal of the star.
 void offerLifts(Run& run, Vertex v, Best& best) {
-  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
   const Vec3& at = run.mesh.position(v);
   const Vec3 normal = run.mesh.areaVectorAround(v);
   const double spoke = run.mesh.meanSpoke(v);
