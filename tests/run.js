@@ -53,6 +53,8 @@ const passed = () => {
 };
 
 if (chosen.length > 0) {
+  const { href } = new URL('./support/late_tiering.js', import.meta.url);
+  process.env.NODE_OPTIONS = `${process.env.NODE_OPTIONS ?? ''} --import ${href}`.trim();
   run({ files: chosen.map((file) => join(root, file)), concurrency: availableParallelism() + 1,
     timeout: longestRun })
     .on('test:fail', ({ file, name }) => {
