@@ -7,14 +7,14 @@ import { test } from 'node:test';
 
 import { unzipSync, zipSync } from 'fflate';
 
-import { drop, opened, saved, settled, visit } from './support/browser_page.js';
+import { cancelAtOnce, drop, opened, saved, settled, visit } from './support/browser_page.js';
 import { gltfParts, objText, torus } from './support/shape_files.js';
 
 const ring = objText(torus(16, 8));
 const text = (content) => new TextEncoder().encode(content);
 
 const { page, complaints } = await visit(
-  { hash: '#model=bunny&vertices=400', viewport: { width: 800, height: 500 } });
+  { hash: '#model=bunny&vertices=400', unseen: true, viewport: { width: 800, height: 500 } });
 
 /** Waits for a model of that name, remeshed without an error. */
 async function arrived(name) {
@@ -110,13 +110,7 @@ const paste = (content) => page.evaluate((pasted) => {
 }, content);
 
 test('a model is shown even when its run is cancelled at once', async () => {
-  await page.evaluate(() => {
-    const observer = new MutationObserver(() => {
-      observer.disconnect();
-      document.getElementById('cancel').click();
-    });
-    observer.observe(document.getElementById('original-count'), { childList: true });
-  });
+  await cancelAtOnce(page);
   await drop(page, { 'large.obj': objText(torus(60, 40)) });
   await arrived('large.obj');
   assert.equal(await shownVertices(), '2,400');

@@ -8,7 +8,7 @@ import { drop, opened, saved, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 
 const { page, complaints } = await visit(
-  { hash: '#model=bunny&vertices=800', viewport: { width: 800, height: 480 } });
+  { hash: '#model=bunny&vertices=800', unseen: true, viewport: { width: 800, height: 480 } });
 
 /** What the browser keeps of the strokes. */
 const dabs = () => page.evaluate(() =>

@@ -8,7 +8,7 @@ import { drop, opened, reportRow, settled, visit } from './support/browser_page.
 import { objText, torus } from './support/shape_files.js';
 
 const { page, complaints } = await visit({ hash: '#model=gear&vertices=500',
-  viewport: { width: 800, height: 480 }, prepare: noteStates });
+  viewport: { width: 800, height: 480 }, unseen: true, prepare: noteStates });
 
 before(async () => {
   await drop(page, { 'ring.obj': objText(torus(24, 12)) });

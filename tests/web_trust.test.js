@@ -12,7 +12,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 
 import { timeLeft } from '../web/base/format.js';
 import { allCorners, thin } from '../web/view/thinning.js';
-import { drop, openPage, opened, settled, visit } from './support/browser_page.js';
+import { cancelAtOnce, drop, openPage, opened, settled, visit } from './support/browser_page.js';
 import { builtPage } from './support/built_page.js';
 import { objText, torus } from './support/shape_files.js';
 import { stl, torus as ring } from './support/shapes.js';
@@ -20,7 +20,8 @@ import { withMemory } from './support/small_memory.js';
 import { filesUnder, root } from './support/tree.js';
 
 const folder = await builtPage();
-const sight = { hash: '#model=gear&vertices=500', viewport: { width: 800, height: 480 } };
+const sight = { hash: '#model=gear&vertices=500', unseen: true,
+  viewport: { width: 800, height: 480 } };
 const { site, page } = await visit(sight);
 
 const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
@@ -125,6 +126,7 @@ test('leaving asks when a result of one’s own file was not taken home', async 
 test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
   const path = join(scratch, 'large.stl');
   writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
+  await cancelAtOnce(page);
   await page.setInputFiles('#file-input', path);
   await opened(page, 'large.stl');
   assert.match(await page.textContent('#left-thinned'),

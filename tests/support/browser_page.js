@@ -32,9 +32,17 @@ export async function startSite() {
   };
 }
 
+/** Runs in a page: the graphics card, which is software, does all that it is told but draw. */
+function drawNothing() {
+  const { prototype } = WebGL2RenderingContext;
+  Object.assign(prototype, { drawArrays() {}, drawElements() {} });
+}
+
 /** A page with its complaints: whatever it wrote to the console as an error, or threw.
- * `wasm`: served instead of the package's own. */
-export async function openPage(site, { hash = '', prepare = () => {}, wasm, ...options } = {}) {
+ * `wasm`: served instead of the package's own. `unseen`: nobody looks at its pictures, the drawing
+ * of which takes a fourth of the time. */
+export async function openPage(site,
+  { hash = '', prepare = () => {}, wasm, unseen = false, ...options } = {}) {
   const page = await site.browser.newPage({
     viewport: { width: 1200, height: 760 }, locale: 'en-US', ...options });
   page.setDefaultTimeout(patience);
@@ -45,6 +53,7 @@ export async function openPage(site, { hash = '', prepare = () => {}, wasm, ...o
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
   await page.addInitScript(prepare);
+  if (unseen) await page.addInitScript(drawNothing);
   if (wasm) {
     await page.route(/remesher-[\w-]+\.wasm$/, (route) =>
       route.fulfill({ body: Buffer.from(wasm), contentType: 'application/wasm' }));
@@ -73,6 +82,17 @@ export async function opened(page, name) {
   await page.waitForFunction((wanted) =>
     document.getElementById('model-name').textContent === wanted, name);
   await settled(page);
+}
+
+/** The run of the model that is opened next is cancelled as soon as the model is shown. */
+export async function cancelAtOnce(page) {
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      document.getElementById('cancel').click();
+    });
+    observer.observe(document.getElementById('original-count'), { childList: true });
+  });
 }
 
 /** Waits until no job runs. */
