@@ -13,6 +13,7 @@ import * as options from 'remesher/options';
 import * as pool from 'remesher/pool';
 import * as three from 'remesher/three';
 
+import { Stamp } from '../bindings/build/stamp.js';
 import { filesUnder, readText, root } from './support/tree.js';
 
 const reference = 'build/docs';
@@ -20,8 +21,15 @@ const papers =
   ['README.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'src/README.md',
     ...filesUnder('docs', /\.md$/)];
 
-before(() =>
-  execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' }));
+/** It is made of declarations, options and papers, and not again as long as they are the same. */
+before(() => {
+  const stamp = new Stamp('build/docs.stamp', [...papers, 'package.json',
+    'node_modules/.package-lock.json', ...filesUnder('dist', /\.d\.m?ts$/),
+    ...filesUnder('bindings', /\.js$/)]);
+  if (stamp.isCurrent() && existsSync(join(root, reference))) return;
+  execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' });
+  stamp.set();
+});
 
 /** The places a page has names for. */
 const idsOf = (file) => [...readText(file).matchAll(/\sid="([^"]+)"/g)].map(([, id]) => id);

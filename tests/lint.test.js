@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What machines can say about the sources: layout, names, traps, types.
+// What machines can say about the sources: layout, names, traps, types. What they found good they
+// look at again only when something that they read has changed.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -7,17 +8,31 @@ import { test } from 'node:test';
 
 import { ESLint } from 'eslint';
 
+import { Stamp } from '../bindings/build/stamp.js';
 import { clangTidy, complaintsOf, gcc } from './support/cpp_checks.js';
 import { filesUnder, root } from './support/tree.js';
 
+/** What all that is JavaScript is read with: each tool, and every package it may look into. */
+const packages = ['package.json', 'node_modules/.package-lock.json'];
+
+/** @param {string} tool @param {readonly string[]} files all that it reads, but for packages */
+const passedWith = (tool, files) =>
+  new Stamp(`build/checks/${tool}-${process.version}`, [...packages, ...files]);
+
 test('C++ is laid out as .clang-format says', () => {
-  const files = ['src', 'bindings', 'tests/fuzz', 'tests/unit']
-    .flatMap((folder) => filesUnder(folder, /\.(h|cpp)$/));
+  const { stdout: version } = spawnSync('clang-format', ['--version'], { encoding: 'utf8' });
+  const stamps = new Map(['src', 'bindings', 'tests/fuzz', 'tests/unit']
+    .flatMap((folder) => filesUnder(folder, /\.(h|cpp)$/))
+    .map((file) => [file, new Stamp(`build/checks/${version.trim()}/${file}`,
+      ['.clang-format', file])]));
+  const files = [...stamps.keys()].filter((file) => !stamps.get(file).isCurrent());
+  if (files.length === 0) return;
   const { stderr } = spawnSync('clang-format', ['--dry-run', '--Werror', ...files],
     { cwd: root, encoding: 'utf8' });
   const complaints = stderr.matchAll(/^(\S+?):(\d+):\d+: error/gm);
   const wrong = [...complaints].map(([, file, line]) => `${file}:${line}`);
   assert.deepEqual(wrong, []);
+  for (const file of files) stamps.get(file).set();
 });
 
 test('C++ passes clang-tidy', async () => {
@@ -33,6 +48,9 @@ test('C++ compiles with g++ without a warning', async () => {
 });
 
 test('JavaScript passes eslint', async () => {
+  const stamp = passedWith('eslint', ['bindings', 'examples', 'web', 'tests']
+    .flatMap((folder) => filesUnder(folder, /\.js$/)));
+  if (stamp.isCurrent()) return;
   const eslint = new ESLint({
     cwd: root, overrideConfigFile: join(root, 'tests/lint/eslint.config.js'),
   });
@@ -42,11 +60,16 @@ test('JavaScript passes eslint', async () => {
   const complaints = results.flatMap(({ filePath, messages }) => messages.map(
     ({ line, message }) => `${filePath.slice(root.length + 1)}:${line} ${message}`));
   assert.deepEqual(complaints, []);
+  stamp.set();
 });
 
 test('JavaScript passes tsc --strict', () => {
+  const stamp = passedWith('tsc', ['tests/lint/tsconfig.json', ...['bindings', 'dist', 'web']
+    .flatMap((folder) => filesUnder(folder, /\.(m?[jt]s|json)$/))]);
+  if (stamp.isCurrent()) return;
   const tsc = join(root, 'node_modules/typescript-7/bin/tsc');
   const { status, stdout } = spawnSync(tsc, ['-p', 'tests/lint/tsconfig.json'],
     { cwd: root, encoding: 'utf8' });
   assert.equal(status, 0, stdout);
+  stamp.set();
 });
