@@ -25,6 +25,7 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/space_order_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp

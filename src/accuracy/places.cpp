@@ -172,7 +172,7 @@ class Survey {
     retry(place, size);
     if (isDoubtful(place, size)) {
       if (!tree_) tree_.emplace(mesh_.mesh(), mesh_.positions());
-      const MeshTree::Nearest nearest = tree_->nearest(place.position);
+      const MeshTree::Nearest nearest = tree_->nearest(place.position, place.nearest);
       place.nearest = nearest.face;
       place.distance = nearest.distance;
     }

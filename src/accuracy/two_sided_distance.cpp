@@ -49,14 +49,18 @@ SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
 double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   const OriginalSurface& surface = mesh_.surface();
   double nearest = kFarOff;
+  Face there;
   for (int i = 0; i < 3 && nearest > doubtful_; ++i) {
     const SurfacePoint near =
         closestPointFrom(surface, startAt(HalfedgeMesh::halfedge(f, i)), sample);
-    nearest = std::min(nearest, (surface.position(near) - sample).norm());
+    const double distance = (surface.position(near) - sample).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    there = near.face;
   }
   if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
-  const MeshTree::Nearest found = tree_->nearest(sample);
+  const MeshTree::Nearest found = tree_->nearest(sample, there);
   looked_ += found.looked;
   return found.distance;
 }

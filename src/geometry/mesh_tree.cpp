@@ -9,7 +9,7 @@ MeshTree::MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
     : positions_(positions.values()),
       triangles_(mesh.triangles()),
       number_(mesh.faceCapacity(), kNone),
-      tree_(positions_, triangles_, TriangleTree::Growth::WhereAsked) {
+      tree_(positions_, triangles_) {
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     if (!mesh.isAlive(Face(i))) continue;
     number_[Face(i)] = Index(faces_.size());
@@ -17,8 +17,8 @@ MeshTree::MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
   }
 }
 
-MeshTree::Nearest MeshTree::nearest(const Vec3& p) const {
-  const TriangleTree::Nearest nearest = tree_.nearest(p);
+MeshTree::Nearest MeshTree::nearest(const Vec3& p, Face start) const {
+  const TriangleTree::Nearest nearest = start ? tree_.nearest(p, number_[start]) : tree_.nearest(p);
   return {faces_[nearest.triangle], std::sqrt(nearest.squaredDistance), nearest.looked};
 }
 

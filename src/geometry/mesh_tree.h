@@ -22,7 +22,8 @@ class MeshTree {
   MeshTree(const MeshTree&) = delete;  // the tree refers to the lists beside it
   MeshTree& operator=(const MeshTree&) = delete;
 
-  Nearest nearest(const Vec3& p) const;
+  // Faster where `start` is a face near p, if any.
+  Nearest nearest(const Vec3& p, Face start = {}) const;
 
   // Where the triangle was when the tree was built.
   Triangle corners(Face f) const { return tree_.corners(number_[f]); }

@@ -2,8 +2,9 @@
 #include "geometry/triangle_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "geometry/space_order.h"
 
 namespace remesher {
 
@@ -20,54 +21,6 @@ float roundedUp(double x) {
 }
 
 }  // namespace
-
-struct TriangleTree::Splitting {
-  static std::size_t longestSide(std::span<const Item> items) {
-    std::array<float, 3> low = items[0].centre, high = low;
-    for (const Item& item : items)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], item.centre[axis]);
-        high[axis] = std::max(high[axis], item.centre[axis]);
-      }
-    std::size_t longest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-      if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-    return longest;
-  }
-
-  // The first of them along their longest side come first. Ties are broken by number, so that equal
-  // input gives an equal tree.
-  static void split(std::span<Item> items, std::size_t first) {
-    const std::size_t axis = longestSide(items);
-    std::nth_element(items.begin(), items.begin() + first, items.end(),
-                     [axis](const Item& x, const Item& y) {
-                       return x.centre[axis] < y.centre[axis] ||
-                              (x.centre[axis] == y.centre[axis] && x.triangle < y.triangle);
-                     });
-  }
-
-  // Halves the items until one group is left. The parts but the last are full: a power of four, or
-  // twice that.
-  static void intoGroups(std::span<Item> items) {
-    if (items.size() <= 4) return;
-    std::size_t unit = 4;
-    while (4 * unit <= items.size() / 2) unit *= 4;
-    const std::size_t half = (items.size() / 2 + unit / 2) / unit * unit;
-    split(items, half);
-    intoGroups(items.first(half));
-    intoGroups(items.subspan(half));
-  }
-
-  // Four parts of so many each, of which the last may have fewer, or be missing.
-  static void intoMembers(std::span<Item> items, std::size_t each) {
-    if (items.size() <= each) return;
-    const std::size_t half = items.size() > 2 * each ? 2 * each : each;
-    split(items, half);
-    if (half == each) return;
-    intoMembers(items.first(half), each);
-    intoMembers(items.subspan(half), each);
-  }
-};
 
 TriangleTree::Group::Group() {
   for (Lanes& lanes : low) lanes.setConstant(std::numeric_limits<float>::infinity());
@@ -90,17 +43,22 @@ Box TriangleTree::Group::hull() const {
   return box;
 }
 
-TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
-                           Growth growth)
+TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices)
     : positions_(positions), indices_(indices) {
   if (indices.empty()) return;
   for (const Index v : indices) box_.extend(positions[v]);
   origin_ = middle();
-  items_ = itemsInOrder();
-  order_.resize(items_.size());
-  for (std::size_t groups = items_.size(); levels_.empty() || groups > 1;)
+  order_ = orderInSpace(centres());
+  for (std::size_t groups = order_.size(); levels_.empty() || groups > 1;)
     levels_.emplace_back(groups = (groups + 3) / 4);
-  if (growth == Growth::AtOnce) growAtOnce();
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const Box box = boxOf(order_[i]);
+    levels_[0][i / 4].set(static_cast<Eigen::Index>(i % 4),
+                          {box.low - origin_, box.high - origin_});
+  }
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+    for (std::size_t i = 0; i < levels_[level - 1].size(); ++i)
+      levels_[level][i / 4].set(static_cast<Eigen::Index>(i % 4), levels_[level - 1][i].hull());
 }
 
 // Of the box; or, where that is as large as a spike, of the small part of it that has a quarter of
@@ -127,45 +85,14 @@ Vec3 TriangleTree::middle() const {
   return 0.5 * (box.low + box.high);
 }
 
-std::vector<TriangleTree::Item> TriangleTree::itemsInOrder() const {
-  std::vector<Item> items(indices_.size() / 3);
-  for (Index t = 0; t < items.size(); ++t) {
+std::vector<std::array<float, 3>> TriangleTree::centres() const {
+  std::vector<std::array<float, 3>> result(indices_.size() / 3);
+  for (Index t = 0; t < result.size(); ++t) {
     const Box box = boxOf(t);
     const Eigen::Vector3f centre = (0.5 * (box.low + box.high) - origin_).cast<float>();
-    items[t] = {{centre[0], centre[1], centre[2]}, t};
+    result[t] = {centre[0], centre[1], centre[2]};
   }
-  return items;
-}
-
-void TriangleTree::growAtOnce() {
-  Splitting::intoGroups(items_);
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    order_[i] = items_[i].triangle;
-    const Box box = boxOf(order_[i]);
-    levels_[0][i / 4].set(static_cast<Eigen::Index>(i % 4),
-                          {box.low - origin_, box.high - origin_});
-  }
-  items_ = {};
-  for (std::size_t level = 1; level < levels_.size(); ++level)
-    for (std::size_t i = 0; i < levels_[level - 1].size(); ++i)
-      levels_[level][i / 4].set(static_cast<Eigen::Index>(i % 4), levels_[level - 1][i].hull());
-}
-
-void TriangleTree::grow(Index level, Index group) const {
-  const std::size_t each = std::size_t{1} << (2 * level), begin = 4 * each * group;
-  const std::span<Item> items =
-      std::span(items_).subspan(begin, std::min(4 * each, items_.size() - begin));
-  Splitting::intoMembers(items, each);
-  std::array<Box, 4> boxes;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const Box own = boxOf(items[i].triangle);
-    boxes[i / each].extend(own.low);
-    boxes[i / each].extend(own.high);
-    if (level == 0) order_[begin + i] = items[i].triangle;
-  }
-  for (std::size_t k = 0; k * each < items.size(); ++k)
-    levels_[level][group].set(static_cast<Eigen::Index>(k),
-                              {boxes[k].low - origin_, boxes[k].high - origin_});
+  return result;
 }
 
 // A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,
@@ -226,7 +153,7 @@ void TriangleTree::lookEverywhere(Query& query) const {
   while (top > 0) {
     const Pending next = stack[--top];
     if (next.squaredDistance >= query.bound) continue;
-    const Group& group = groupAt(next.level, next.group);
+    const Group& group = levels_[next.level][next.group];
     if (next.level == 0) {
       lookInto(group, 4 * next.group, query);
       if (query.best.squaredDistance <= query.squaredEnough) return;
@@ -264,33 +191,6 @@ TriangleTree::Nearest TriangleTree::nearestBeyond(double distance, const Vec3& p
   query.squaredEnough = distance * distance;
   lookAt(start, query);
   if (query.best.squaredDistance > query.squaredEnough) lookEverywhere(query);
-  return query.best;
-}
-
-void TriangleTree::enter(Region& region, const Box& box, double reach) const {
-  region.reach_ = reach;
-  region.groups_.clear();
-  const Vec3 margin = Vec3::Constant(reach);
-  visitGroups({box.low - margin, box.high + margin},
-              [&](Index group, const auto&) { region.groups_.push_back(group); });
-}
-
-TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, Index start,
-                                            const Region& region) const {
-  return nearestBeyond(0, p, start, region);
-}
-
-TriangleTree::Nearest TriangleTree::nearestBeyond(double distance, const Vec3& p, Index start,
-                                                  const Region& region) const {
-  Query query = ask(p);
-  query.squaredEnough = distance * distance;
-  lookAt(start, query);
-  for (const Index group : region.groups_) {
-    if (query.best.squaredDistance <= query.squaredEnough) return query.best;
-    lookInto(levels_[0][group], 4 * group, query);
-  }
-  // What is not in the region is out of its reach.
-  if (query.best.squaredDistance > region.reach_ * region.reach_) lookEverywhere(query);
   return query.best;
 }
 

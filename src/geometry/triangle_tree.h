@@ -5,9 +5,6 @@
 // The triangles are put in an order along which neighbours are close in space; four consecutive
 // ones make a group, four consecutive groups one of the next level, up to a single one. So no
 // pointers are needed, and the boxes of a group's members lie side by side for the vector unit.
-//
-// Most trees are asked about a few places only. Such a one grows where it is asked: a group's
-// triangles are dealt out to its members when a search first comes there.
 #pragma once
 
 #include <array>
@@ -42,19 +39,8 @@ class TriangleTree {
     Index looked = 0;  // at so many triangles
   };
 
-  // Where to look for points that are all in one place: the groups of triangles near a box.
-  class Region {
-    friend class TriangleTree;
-    double reach_ = 0;
-    std::vector<Index> groups_;
-  };
-
-  enum class Growth { AtOnce, WhereAsked };
-
-  // indices: three per triangle. Every index must name a position, every coordinate be finite; and
-  // they stay as they are while the tree grows.
-  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
-               Growth growth = Growth::AtOnce);
+  // indices: three per triangle. Every index must name a position, every coordinate be finite.
+  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices);
 
   // The point of the triangles nearest to p; none when there are no triangles.
   Nearest nearest(const Vec3& p) const;
@@ -63,20 +49,14 @@ class TriangleTree {
   // The start is kept when no other is nearer.
   Nearest nearest(const Vec3& p, Index start) const;
 
-  // The same again for one of many points in a box, fastest when the answer is within reach of it.
-  Nearest nearest(const Vec3& p, Index start, const Region& region) const;
-  void enter(Region& region, const Box& box, double reach) const;
-
   // Any triangle within the distance of p, as soon as one is found; the nearest when there is none.
   Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
-  Nearest nearestBeyond(double distance, const Vec3& p, Index start, const Region& region) const;
 
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
 
-  // The triangles in the tree's order: neighbours in it are close in space. Of a tree that was
-  // grown at once.
+  // The triangles in the tree's order: neighbours in it are close in space.
   std::span<const Index> order() const { return order_; }
 
   Triangle corners(Index triangle) const {
@@ -96,13 +76,7 @@ class TriangleTree {
     Group();
     void set(Eigen::Index member, const Box& box);
     Box hull() const;
-    bool isBlank() const { return high[0][0] < low[0][0]; }
   };
-  struct Item {
-    std::array<float, 3> centre;
-    Index triangle;
-  };
-  struct Splitting;
   // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
   // order_[4g + k].
   using Level = std::vector<Group>;
@@ -114,30 +88,20 @@ class TriangleTree {
 
   Box boxOf(Index triangle) const;
   Vec3 middle() const;
-  std::vector<Item> itemsInOrder() const;
-  void growAtOnce();
-  [[gnu::noinline]] void grow(Index level, Index group) const;
-  const Group& groupAt(Index level, Index group) const {
-    if (levels_[level][group].isBlank()) grow(level, group);
-    return levels_[level][group];
-  }
+  std::vector<std::array<float, 3>> centres() const;  // relative to the origin
   struct Query;
 
   Query ask(const Vec3& p) const;
   void lookAt(Index triangle, Query& query) const;
   void lookInto(const Group& group, Index firstPlace, Query& query) const;
   void lookEverywhere(Query& query) const;
-  template <class Visit>
-  void visitGroups(const Box& box, Visit&& visit) const;
 
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
   Box box_;
   Vec3 origin_ = Vec3::Zero();  // see middle()
-  // Where it has grown:
-  mutable std::vector<Item> items_;  // none where it has grown at once
-  mutable std::vector<Index> order_;
-  mutable std::vector<Level> levels_;  // the last one is a single group
+  std::vector<Index> order_;
+  std::vector<Level> levels_;  // the last one is a single group
 };
 
 inline Box TriangleTree::boxOf(Index triangle) const {
@@ -145,9 +109,8 @@ inline Box TriangleTree::boxOf(Index triangle) const {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
-// Calls visit(group of level 0, its members' overlaps) for each group that overlaps the box.
 template <class Visit>
-void TriangleTree::visitGroups(const Box& box, Visit&& visit) const {
+void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
   if (levels_.empty() || !box.overlaps(box_)) return;
   Group wanted;
   wanted.set(0, {box.low - origin_, box.high - origin_});
@@ -156,26 +119,20 @@ void TriangleTree::visitGroups(const Box& box, Visit&& visit) const {
   stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};
   while (top > 0) {
     const Pending next = stack[--top];
-    const Group& group = groupAt(next.level, next.group);
+    const Group& group = levels_[next.level][next.group];
     const Eigen::Array<bool, 4, 1> overlaps =
         group.low[0] <= wanted.high[0][0] && group.high[0] >= wanted.low[0][0] &&
         group.low[1] <= wanted.high[1][0] && group.high[1] >= wanted.low[1][0] &&
         group.low[2] <= wanted.high[2][0] && group.high[2] >= wanted.low[2][0];
-    if (next.level == 0) {
-      visit(next.group, overlaps);
-      continue;
+    for (Index k = 0; k < 4; ++k) {
+      if (!overlaps[k]) continue;
+      const Index member = 4 * next.group + k;
+      if (next.level > 0)
+        stack[top++] = {next.level - 1, member, 0};
+      else if (boxOf(order_[member]).overlaps(box))
+        visit(order_[member]);
     }
-    for (Index k = 0; k < 4; ++k)
-      if (overlaps[k]) stack[top++] = {next.level - 1, 4 * next.group + k, 0};
   }
-}
-
-template <class Visit>
-void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
-  visitGroups(box, [&](Index group, const Eigen::Array<bool, 4, 1>& overlaps) {
-    for (Index k = 0; k < 4; ++k)
-      if (overlaps[k] && boxOf(order_[4 * group + k]).overlaps(box)) visit(order_[4 * group + k]);
-  });
 }
 
 }  // namespace remesher

@@ -27,9 +27,6 @@ struct Spread {
 };
 constexpr Spread kGlimpsed = {16, 2000, 10'000}, kSampled = {4, 5000, 50'000},
                  kProven = {1, 20'000, 200'000};
-// So many triangles share one look around, as far as this share of their extent and distance.
-constexpr std::size_t kBatch = 16;
-constexpr double kReach = 0.1;
 // The triangles with the largest distances found, where points are then set denser: so many, and a
 // grid of so many points along an edge.
 constexpr std::size_t kSearchedTriangles = 64;
@@ -78,14 +75,20 @@ class Surface {
   // Where they are many, they are close to each other in the tree's order. The others are listed.
   bool hasCopies() {
     constexpr std::size_t kClose = 4;
-    std::array<Triangle, kClose> last;
+    struct Seen {
+      double low, high;  // the least and the largest x, which tell most triangles apart
+      Triangle corners;
+    };
+    std::array<Seen, kClose> last;
     std::vector<char> isCopy(triangles.size(), 0);
     for (std::size_t i = 0; i < isCopy.size(); ++i) {
       const Index t = tree.order()[i];
       const Triangle corners = triangles[t];
+      const auto [low, high] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
       for (std::size_t k = 0; k < std::min(i, kClose); ++k)
-        if (isSame(corners, last[k])) isCopy[t] = 1;
-      last[i % kClose] = corners;
+        if (last[k].low == low && last[k].high == high && isSame(corners, last[k].corners))
+          isCopy[t] = 1;
+      last[i % kClose] = {low, high, corners};
     }
     if (std::find(isCopy.begin(), isCopy.end(), 1) == isCopy.end()) return false;
     for (std::size_t i = 0; i < triangles.indices.size(); ++i)
@@ -133,7 +136,7 @@ class Measurement {
   Measurement(const Surface& from, const Surface& to, double diagonal)
       : from_(from),
         to_(to),
-        isSampled_(from.triangles.positions.size(), 0),
+        atVertices_(from.triangles.positions.size(), kUnknown),
         starts_(from.triangles.size(), 0),
         largest_(from.triangles.size(), 0),
         diagonal_(diagonal) {}
@@ -161,43 +164,25 @@ class Measurement {
     return note(last_ == kNone ? to_.tree.nearest(p) : to_.tree.nearest(p, last_));
   }
 
-  double lookAround(const Vec3& p) { return note(to_.tree.nearest(p, last_, region_)); }
-
   // The same for what may decide the maximum: what cannot comes out too large, but below the share.
   double lookBeyond(double share, const Vec3& p) {
+    if (last_ == kNone) return look(p);
     return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_));
-  }
-  double lookAroundBeyond(double share, const Vec3& p) {
-    return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_, region_));
   }
 
   void sample(Maximum maximum) {
     const double perArea =
         pointsPerArea(from_.triangles, maximum == Maximum::Sampled ? kSampled : kProven);
-    const std::span<const Index> order = from_.tree.order();
-    for (std::size_t i = 0; i < order.size(); i += kBatch)
-      sampleTogether(order.subspan(i, std::min(kBatch, order.size() - i)), perArea);
-  }
-
-  // Triangles close to each other: one look around finds all that can be near them.
-  void sampleTogether(std::span<const Index> triangles, double perArea) {
-    Box box;
-    for (const Index t : triangles)
-      for (const Vec3& p : from_.tree.corners(t)) box.extend(p);
-    const double distance =
-        std::sqrt(look(at(Vec3::Constant(1.0 / 3), from_.tree.corners(triangles[0]))));
-    to_.tree.enter(region_, box, kReach * ((box.high - box.low).norm() + distance));
-    for (const Index t : triangles) {
+    for (const Index t : from_.tree.order()) {
       const Triangle corners = from_.tree.corners(t);
       double largest = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Index v = from_.triangles.indices[std::size_t{3} * t + k];
-        if (isSampled_[v]) continue;
-        isSampled_[v] = 1;
-        largest = std::max(largest, lookAroundBeyond(kFarBelow, corners[k]));
+        float& own = atVertices_[from_.triangles.indices[std::size_t{3} * t + k]];
+        if (own == kUnknown) own = static_cast<float>(lookBeyond(kFarBelow, corners[k]));
+        largest = std::max(largest, double{own});
       }
-      for (due_ += area(corners[0], corners[1], corners[2]) * perArea; due_ >= 1; due_ -= 1) {
-        const double squaredDistance = lookAround(at(points_.next(), corners));
+      for (due_ += areaOf(corners) * perArea; due_ >= 1; due_ -= 1) {
+        const double squaredDistance = look(at(points_.next(), corners));
         largest = std::max(largest, squaredDistance);
         sumOfSquares_ += squaredDistance;
         ++sampleCount_;
@@ -245,13 +230,13 @@ class Measurement {
 
   const Surface& from_;
   const Surface& to_;
-  std::vector<std::uint8_t> isSampled_;  // per vertex of `from`
-  std::vector<Index> starts_;            // per triangle of `from`: one of `to` near it
-  std::vector<float> largest_;  // per triangle of `from`: the largest squared distance sampled
+  static constexpr float kUnknown = -1;
+  std::vector<float> atVertices_;  // per vertex of `from`: the squared distance
+  std::vector<Index> starts_;      // per triangle of `from`: one of `to` near it
+  std::vector<float> largest_;     // per triangle of `from`: the largest squared distance sampled
   double diagonal_;
   Index last_ = kNone;
   double squaredMaximum_ = 0;
-  TriangleTree::Region region_;
   EvenPoints points_;
   double due_ = 0;  // samples owed to the area passed
   double sumOfSquares_ = 0;

@@ -133,13 +133,15 @@ double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
   const MeshTree tree(mesh, positions);
   double sum = 0, total = 0;
+  Face last;
   for (Index f = 0; f < original.mesh.faceCapacity(); ++f) {
     const auto [a, b, c] = original.mesh.vertices(Face(f));
     const auto& p = original.positions;
     const double share = area(p[a], p[b], p[c]) / double(weights.size());
     for (const Vec3& w : weights) {
-      const double distance = tree.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]).distance;
-      sum += share * distance * distance;
+      const MeshTree::Nearest nearest = tree.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
+      last = nearest.face;
+      sum += share * nearest.distance * nearest.distance;
       total += share;
     }
   }

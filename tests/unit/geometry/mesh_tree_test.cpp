@@ -19,6 +19,7 @@ TEST_CASE("mesh tree: the nearest face is none that was removed, and is as near 
   REQUIRE(mesh.mesh().faceCount() < mesh.mesh().faceCapacity());
   const MeshTree tree(mesh.mesh(), mesh.positions());
   Random random(3);
+  Face last;
   for (int k = 0; k < 200; ++k) {
     const Vec3 p(2 * random.uniform() - 1, 2 * random.uniform() - 1, 2 * random.uniform() - 1);
     double nearest = 10;
@@ -28,10 +29,13 @@ TEST_CASE("mesh tree: the nearest face is none that was removed, and is as near 
       const Vec3 q = closestPoint(p, mesh.position(a), mesh.position(b), mesh.position(c));
       nearest = std::min(nearest, (q - p).norm());
     }
-    const MeshTree::Nearest found = tree.nearest(p);
-    REQUIRE(mesh.mesh().isAlive(found.face));
-    const Triangle t = tree.corners(found.face);
-    CHECK((closestPoint(p, t[0], t[1], t[2]) - p).norm() == doctest::Approx(nearest));
-    CHECK(found.distance == doctest::Approx(nearest));
+    for (const Face start : {Face(), last}) {
+      const MeshTree::Nearest found = tree.nearest(p, start);
+      REQUIRE(mesh.mesh().isAlive(found.face));
+      const Triangle t = tree.corners(found.face);
+      CHECK((closestPoint(p, t[0], t[1], t[2]) - p).norm() == doctest::Approx(nearest));
+      CHECK(found.distance == doctest::Approx(nearest));
+      last = found.face;
+    }
   }
 }

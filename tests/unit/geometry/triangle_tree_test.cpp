@@ -12,8 +12,6 @@ using namespace remesher;
 
 namespace {
 
-using Growth = TriangleTree::Growth;
-
 double bruteForce(const TriangleMesh& mesh, const Vec3& p) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
@@ -67,38 +65,15 @@ TEST_CASE("triangle_tree: nearest agrees with looking at every triangle, from an
   for (const std::size_t n : {1u, 4u, 5u, 17u, 300u}) {
     const TriangleMesh mesh = soups::randomSoup(n, 0.2, n);
     const TriangleTree tree(mesh.positions, mesh.indices);
-    const TriangleTree growing(mesh.positions, mesh.indices, Growth::WhereAsked);
     soups::Random random(7);
     for (int round = 0; round < 500; ++round) {
       const Vec3 p = 2 * random.point() - 0.5 * Vec3::Ones();
       const double expected = bruteForce(mesh, p);
       const Index start = static_cast<Index>(random.number() * static_cast<double>(n));
-      for (const TriangleTree::Nearest& hit : {tree.nearest(p), tree.nearest(p, start),
-                                               growing.nearest(p), growing.nearest(p, start)}) {
+      for (const TriangleTree::Nearest& hit : {tree.nearest(p), tree.nearest(p, start)}) {
         CHECK(hit.squaredDistance == doctest::Approx(expected).epsilon(1e-12));
         CHECK((hit.point - p).squaredNorm() == hit.squaredDistance);
         CHECK(hit.triangle < n);
-      }
-    }
-  }
-}
-
-TEST_CASE("triangle_tree: a region changes nothing but the time, however short its reach") {
-  const TriangleMesh mesh = soups::randomSoup(300, 0.1, 9);
-  for (const Growth growth : {Growth::AtOnce, Growth::WhereAsked}) {
-    const TriangleTree tree(mesh.positions, mesh.indices, growth);
-    soups::Random random(8);
-    TriangleTree::Region region;
-    for (const double reach : {0.0, 0.05, 3.0}) {
-      Box box;
-      box.extend(0.5 * random.point());
-      box.extend(0.5 * random.point());
-      tree.enter(region, box, reach);
-      for (int round = 0; round < 200; ++round) {
-        const Vec3 p = box.low + random.point().cwiseProduct(box.high - box.low);
-        const double expected = bruteForce(mesh, p);
-        CHECK(tree.nearest(p, 0, region).squaredDistance ==
-              doctest::Approx(expected).epsilon(1e-12));
       }
     }
   }
@@ -114,13 +89,6 @@ TEST_CASE("triangle_tree: what is beyond a distance is the nearest, what is with
     const double found = tree.nearestBeyond(distance, p, 0).squaredDistance;
     if (found > distance * distance) CHECK(found == doctest::Approx(expected).epsilon(1e-12));
     CHECK((found <= distance * distance) == (expected <= distance * distance));
-    Box box;
-    box.extend(p);
-    TriangleTree::Region region;
-    tree.enter(region, box, 0.1 * random.number());
-    const double inRegion = tree.nearestBeyond(distance, p, 0, region).squaredDistance;
-    if (inRegion > distance * distance) CHECK(inRegion == doctest::Approx(expected).epsilon(1e-12));
-    CHECK((inRegion <= distance * distance) == (expected <= distance * distance));
   }
 }
 
@@ -164,25 +132,23 @@ TEST_CASE("triangle_tree: few triangles are looked at, beside a spike of any len
 
 TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
   const TriangleMesh mesh = soups::randomSoup(300, 0.2, 3);
-  for (const Growth growth : {Growth::AtOnce, Growth::WhereAsked}) {
-    const TriangleTree tree(mesh.positions, mesh.indices, growth);
-    soups::Random random(5);
-    for (int round = 0; round < 200; ++round) {
-      Box box;
-      box.extend(random.point());
-      box.extend(random.point());
-      std::vector<Index> visited, expected;
-      tree.visitOverlapping(box, [&](Index t) { visited.push_back(t); });
-      for (Index t = 0; t < mesh.triangleCount(); ++t) {
-        Box own;
-        for (Index k = 0; k < 3; ++k) own.extend(mesh.positions[3 * t + k]);
-        if ((own.low.array() <= box.high.array()).all() &&
-            (own.high.array() >= box.low.array()).all())
-          expected.push_back(t);
-      }
-      std::sort(visited.begin(), visited.end());
-      CHECK(visited == expected);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  soups::Random random(5);
+  for (int round = 0; round < 200; ++round) {
+    Box box;
+    box.extend(random.point());
+    box.extend(random.point());
+    std::vector<Index> visited, expected;
+    tree.visitOverlapping(box, [&](Index t) { visited.push_back(t); });
+    for (Index t = 0; t < mesh.triangleCount(); ++t) {
+      Box own;
+      for (Index k = 0; k < 3; ++k) own.extend(mesh.positions[3 * t + k]);
+      if ((own.low.array() <= box.high.array()).all() &&
+          (own.high.array() >= box.low.array()).all())
+        expected.push_back(t);
     }
+    std::sort(visited.begin(), visited.end());
+    CHECK(visited == expected);
   }
 }
 
