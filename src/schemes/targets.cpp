@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
@@ -29,25 +30,19 @@ double mostVertices(const BuiltMesh& built) {
 }
 
 std::size_t fewestVertices(const HalfedgeMesh& mesh) {
-  VertexData<char> seen(mesh.vertexCapacity(), 0);
-  std::size_t fewest = 0;
-  std::vector<Vertex> stack;
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
-    if (!mesh.isAlive(Vertex(i)) || seen[Vertex(i)]) continue;
-    stack.assign(1, Vertex(i));
-    seen[Vertex(i)] = 1;
-    bool open = false;
-    while (!stack.empty()) {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      open = open || mesh.isBoundary(v);
-      mesh.forEachNeighbor(v, [&](Vertex w) {
-        if (!seen[w]) stack.push_back(w);
-        seen[w] = 1;
-      });
-    }
-    fewest += open ? 3 : 4;
+  DisjointSets components(mesh.vertexCapacity());
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    components.unite(a.index, b.index);
+    components.unite(b.index, c.index);
   }
+  std::size_t fewest = 0;
+  VertexData<char> isOpen(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
+      isOpen[Vertex(components.find(i))] = 1;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)) && components.find(i) == i) fewest += isOpen[Vertex(i)] ? 3 : 4;
   return std::max(fewest, kFewestVertices);
 }
 
