@@ -99,35 +99,40 @@ async function buildByWebpack(place) {
   write(`${place}/out/index.html`, html());
 }
 
-test('Vite', limit, async () => {
-  writePage('vite', "import wasmUrl from 'remesher/remesher.wasm?url';");
-  await buildByVite('vite');
-  await requireLine('vite/out');
+/** What Node says of the textures that it paints. */
+let painted = '';
+before(() => {
+  write('paint.mjs', nodeProgram);
+  painted = call(process.execPath, ['paint.mjs'], folder).trim();
+  assert.match(painted, /^\d{4,} \d+ \d{4,} \d+$/);
 });
 
-test('webpack', limit, async () => {
-  writePage('webpack', "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);");
-  await buildByWebpack('webpack');
-  await requireLine('webpack/out');
-});
+/**
+ * A page that paints textures in the worker, and then reaches every entry: what one bundler makes
+ * of it does what Node does, and the line of each program comes out.
+ * @param {string} place @param {string} wasm as moduleProgram takes it
+ * @param {(place: string) => Promise<void>} build
+ */
+async function requireBoth(place, wasm, build) {
+  write(`${place}/index.html`, html());
+  write(`${place}/paint.js`, pageProgram);
+  write(`${place}/entries.js`, moduleProgram(wasm, 'export default '));
+  write(`${place}/page.js`, `const { default: first } = await import('./paint.js');
+const { default: second } = await import('./entries.js');\ntell(first + ' ' + second);\n`);
+  await build(place);
+  assert.deepEqual(await lineOfPage(browser, join(folder, place, 'out')),
+    { line: `${painted} ${expected}`, complaints: [] });
+  // The engine, and the two halves of each codec; PNG has both in one.
+  const built = readdirSync(join(folder, place, 'out'), { recursive: true });
+  assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 6);
+}
 
-test('pages of Vite and webpack paint textures in the worker, the bytes Node paints', limit,
-  async () => {
-    write('paint.mjs', nodeProgram);
-    const inNode = call(process.execPath, ['paint.mjs'], folder).trim();
-    assert.match(inNode, /^\d{4,} \d+ \d{4,} \d+$/);
-    for (const [place, build] of
-      /** @type {const} */ ([['vite_paint', buildByVite], ['webpack_paint', buildByWebpack]])) {
-      write(`${place}/index.html`, html());
-      write(`${place}/page.js`, pageProgram);
-      await build(place);
-      assert.deepEqual(await lineOfPage(browser, join(folder, place, 'out')),
-        { line: inNode, complaints: [] }, place);
-      // The engine, and the two halves of each codec; PNG has both in one.
-      const built = readdirSync(join(folder, place, 'out'), { recursive: true });
-      assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 6, place);
-    }
-  });
+test('Vite, with textures painted to the bytes that Node paints', limit, () =>
+  requireBoth('vite', "import wasmUrl from 'remesher/remesher.wasm?url';", buildByVite));
+
+test('webpack, with textures painted to the bytes that Node paints', limit, () =>
+  requireBoth('webpack', "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);",
+    buildByWebpack));
 
 test('esbuild', limit, async () => {
   const page = writePage('esbuild', beside);

@@ -31,6 +31,6 @@ const imports = "import { init, remeshFile } from 'remesher';\n";
 /** For Node, which finds the codecs by itself. */
 export const nodeProgram = `${imports}${body}\nconsole.log(line);\n`;
 
-/** For a page that has `tell`. */
+/** For a page, as a module whose default is the line. */
 export const pageProgram = `${imports}import { codecs } from 'remesher/codecs';
-await init({ codecs });${body}\ntell(line);\n`;
+await init({ codecs });${body}\nexport default line;\n`;
