@@ -16,7 +16,7 @@ namespace remesher {
 
 namespace {
 
-constexpr std::size_t kMostThinned = 16;
+constexpr std::size_t kMostThinned = 32;
 
 Index groupOf(const TriangleMesh& input, Index triangle) {
   return input.groups.empty() ? 0 : input.groups[triangle];
