@@ -85,6 +85,7 @@ add_executable(unit_tests
   tests/unit/schemes/rounds_test.cpp
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
+  tests/unit/steps/adapt_test.cpp
   tests/unit/steps/apart_test.cpp
   tests/unit/steps/boundaries_test.cpp
   tests/unit/steps/decimate_test.cpp

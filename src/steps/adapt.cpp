@@ -18,6 +18,9 @@ namespace {
 
 // So short an edge goes even at the price of a fold.
 constexpr double kMustGo = 0.4;
+// Halving all sides of a triangle of such edges, whatever its shape, would pile vertices up beside
+// its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
+constexpr double kGiant = 3;
 constexpr int kRounds = 5, kSweeps = 2;
 constexpr int kSketchRounds = 3, kSketchSweeps = 1;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
@@ -26,27 +29,44 @@ constexpr double kTuning = 1.1;  // the scale changes by at most this factor a r
 constexpr std::size_t kFarTooMany = 7, kFarTooManyToSketch = 64;
 constexpr double kThinned = 0.5;
 
-// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time.
-// Returns the number of splits.
+bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
+  const double length = sizes.relativeLength(h);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    if (!side) continue;
+    for (const Halfedge other : {mesh.next(side), mesh.prev(side)})
+      if (sizes.relativeLength(other) > length) return false;
+  }
+  return true;
+}
+
+// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time, and
+// so do giants that are not the longest beside them. Returns how many were split or wait.
 std::size_t splitLong(Run& run, std::size_t limit) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  std::size_t splits = 0;
+  std::size_t count = 0;
   const Index present = Index(mesh.halfedgeCapacity());
   VertexSizes sizes(run);
   for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
     const Halfedge h(i);
-    if (!mesh.isEdge(h) || sizes.relativeLength(h) <= kLong) continue;
-    if (proposeSplit(run.mesh, run.projector, h, run.change)) splits += commit(run);
+    if (!mesh.isEdge(h)) continue;
+    const double length = sizes.relativeLength(h);
+    if (length <= kLong) continue;
+    if (length > kGiant && !isLongestBeside(mesh, h, sizes))
+      ++count;
+    else if (proposeSplit(run.mesh, run.projector, h, run.change))
+      count += commit(run);
   }
-  return splits;
+  return count;
 }
 
 // Much too long edges need several halvings, with Delaunay flips between or slivers would be split
 // into ever thinner ones.
 void refine(Run& run, std::size_t limit) {
-  constexpr int kHalvings = 16;
+  constexpr int kHalvings = 48;
   for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
-    if (splitLong(run, limit) * 10 < run.mesh.mesh().vertexCount()) return;
+    const std::size_t before = run.mesh.mesh().vertexCount();
+    const std::size_t longOnes = splitLong(run, limit), vertices = run.mesh.mesh().vertexCount();
+    if (vertices == before || longOnes * 10 < vertices) return;
     delaunayFlips(run.mesh, run.rule);
   }
 }
