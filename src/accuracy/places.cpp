@@ -10,7 +10,6 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "steps/lengths.h"
 #include "surface/surface_walk.h"
 
 namespace remesher {
@@ -101,7 +100,6 @@ class Survey {
         enough_(enough),
         surely_(surely),
         mesh_(run.mesh),
-        sizes_(run),
         nearby_(run.mesh),
         near_(run.mesh.surface().mesh().vertexCapacity(), 0) {}
 
@@ -120,12 +118,12 @@ class Survey {
  private:
   // Whether a place lies in the tangent plane of the vertex nearby and faces its way: a look that
   // spares most places a walk.
-  bool isSurelyNear(Vertex v) {
+  bool isSurelyNear(Vertex v) const {
     const Vertex w = nearby_[v];
     // A boundary's tangent plane goes on where the mesh does not.
     if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
-    const double size = run_.scale * sizes_.at(w);
+    const double size = run_.scale * run_.sizes.at(mesh_.at(w));
     return offset.squaredNorm() < size * size &&
            std::abs(offset.dot(mesh_.normal(w))) < surely_ * size &&
            mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
@@ -274,7 +272,6 @@ class Survey {
   const Run& run_;
   const double enough_, surely_;
   const WorkingMesh& mesh_;
-  VertexSizes sizes_;  // each is asked for by many vertices of the original
   const NearbyVertices nearby_;
   // For the few places that no walk finds the nearest triangle for: those inside triangles of the
   // original far larger than the mesh's.

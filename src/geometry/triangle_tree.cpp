@@ -10,15 +10,14 @@ namespace remesher {
 
 namespace {
 
-float roundedDown(double x) {
-  const float f = static_cast<float>(x);
-  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+// Above what rounding to float takes or adds.
+double rounding(double x) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return 0x1p-23 * std::min(std::abs(x), kLargest) + 0x1p-148;
 }
 
-float roundedUp(double x) {
-  const float f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
+float roundedDown(double x) { return static_cast<float>(x - rounding(x)); }
+float roundedUp(double x) { return static_cast<float>(x + rounding(x)); }
 
 }  // namespace
 
