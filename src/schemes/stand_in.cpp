@@ -17,6 +17,9 @@ struct StandIn::Thinned {
 
 namespace {
 
+// A stand-in may have a few vertices more than it has to.
+constexpr double kWorthwhile = 0.05;
+
 // The vertices of which the heirs are, each of which has kept its place.
 VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
   VertexData<Vertex> result(thinned.mesh().vertexCapacity());
@@ -32,7 +35,7 @@ StandIn::StandIn(const OriginalSurface& original, double edge)
     : StandIn(original, [&] {
         WorkingMesh mesh(original);
         const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
-        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing);
+        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing, kWorthwhile);
         VertexData<Vertex> onOriginal = ancestors(mesh);
         BuiltMesh built;
         built.mesh = mesh.mesh();

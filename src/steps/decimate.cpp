@@ -16,7 +16,6 @@ constexpr double kFlat = 0.07;
 constexpr double kTooLong = 1.7;
 constexpr double kStep = 1.2;  // from pass to pass; a third of the vertices go for it
 constexpr double kFinest = 1e-3;
-constexpr double kWorthwhile = 0.02;  // of the vertices: what a pass has to take
 constexpr int kLargestValence = 9;
 
 class Decimation {
@@ -28,10 +27,10 @@ class Decimation {
         spacing_(spacing),
         into_(mesh_.vertexCapacity()) {}
 
-  void run() {
+  void run(double worthwhile) {
     for (share_ = std::max(kFinest, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
     share_ = 1;
-    while (double(pass()) > kWorthwhile * double(mesh_.vertexCount())) {
+    while (double(pass()) > worthwhile * double(mesh_.vertexCount())) {
     }
   }
 
@@ -151,9 +150,9 @@ class Decimation {
 }  // namespace
 
 VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
-                            const VertexData<double>& spacing) {
+                            const VertexData<double>& spacing, double worthwhile) {
   Decimation decimation(mesh, rule, spacing);
-  decimation.run();
+  decimation.run(worthwhile);
   VertexData<Vertex> heirs = decimation.heirs();
   mesh.compact();
   return heirs;
