@@ -105,6 +105,8 @@ const refused = {
   'a NaN': ['a.obj', encode('v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n'), 'NON_FINITE'],
   'an infinity': ['a.off', encode('OFF\n3 1 0\n0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n'), 'NON_FINITE'],
   'an index out of range': ['a.obj', encode('v 0 0 0\nf 1 2 3\n'), 'INDEX_OUT_OF_RANGE'],
+  'a text in UTF-16': ['a.obj',
+    new Uint8Array(Uint16Array.of(0xFEFF, ...encode('v 0 0 0\n')).buffer), 'UNSUPPORTED'],
   'an unknown format': ['a.doc', encode('Hello'), 'UNKNOWN_FORMAT'],
 };
 

@@ -67,6 +67,13 @@ const Format* findByMagic(const File& file) {
   return found == std::end(kFormats) ? nullptr : &*found;
 }
 
+// Text as shells of Windows may write it: a mark, then two bytes a letter, of which one is zero.
+bool isUtf16(const File& file) {
+  const auto& b = file.bytes;
+  return b.size() >= 4 && ((b[0] == 0xFF && b[1] == 0xFE && b[3] == 0) ||
+                           (b[0] == 0xFE && b[1] == 0xFF && b[2] == 0));
+}
+
 bool hasMaps(const GroupInfo& group) {
   const Material& look = group.look;
   return look.baseColorMap || look.metalRoughMap || look.occlusionMap || look.emissiveMap ||
@@ -86,6 +93,9 @@ Model read(const File& file, const std::vector<File>& resources) {
   if (file.bytes.empty())
     throw Error(ErrorCode::EmptyFile, legible(file.name) + " is empty.",
                 "Was it copied completely?");
+  if (isUtf16(file))
+    throw Error(ErrorCode::Unsupported, legible(file.name) + " is text in UTF-16.",
+                "Save it as UTF-8.");
   const Format* const byName = findByExtension(file.name);
   const Format* const format = byName != nullptr ? byName : findByMagic(file);
   if (format == nullptr)

@@ -37,7 +37,7 @@ Number load(const File& file, std::size_t at) {
 bool isText(const File& file) {
   constexpr std::size_t kLooked = 512;
   const std::string_view start = textOf(file).substr(0, kLooked);
-  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == std::string_view::npos) return false;
   std::string word(start.substr(first, 5));
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -79,7 +79,7 @@ TEST_CASE("stl: a binary file may begin with solid, and have bytes behind its fa
   CHECK(modelOf(stl.bytes() + "some more").parts[0].mesh.triangleCount() == 4);
 }
 
-TEST_CASE("stl: a text says what the binary file says, whatever its case, and wherever lines end") {
+TEST_CASE("stl: a text says what the binary does, in any case, with any line ends, with a mark") {
   std::string text = "  Solid cube # 1\r\n";
   for (const Facet& facet : kTetrahedron) text += textFacet(facet);
   text += "EndSolid cube\n";
@@ -87,6 +87,7 @@ TEST_CASE("stl: a text says what the binary file says, whatever its case, and wh
     if (c == 'v') c = 'V';
   const TriangleMesh mesh = modelOf(text).parts[0].mesh;
   CHECK(mesh.indices == modelOf(BinaryStl().bytes()).parts[0].mesh.indices);
+  CHECK(modelOf("\xEF\xBB\xBF" + text).parts[0].mesh.indices == mesh.indices);
   std::string inOneLine = text;
   for (std::size_t i = text.find('\n') + 1; i < inOneLine.size(); ++i)
     if (inOneLine[i] == '\n') inOneLine[i] = ' ';
