@@ -16,6 +16,10 @@ namespace {
 // large meshes, where a pass costs and few triangles are near any limit, and in drafts, sooner.
 constexpr double kStillMoves = 0.003, kStillMovesMuch = 0.01;
 constexpr double kNeighbors = 6;  // of most vertices
+// Of the way to the mean of its neighbours, which come after it: waves of many edges' length settle
+// in far fewer passes (successive over-relaxation). Only where there are many vertices: a few of
+// them never quite come to rest.
+constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
   const double unrest = run.mesh.unrest(v);
@@ -39,9 +43,13 @@ VertexData<char> narrowCorners(const Run& run) {
 }  // namespace
 
 void relax(Run& run, int passes) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
   const bool isHasty = isLarge(run) || run.quality == Quality::Draft;
-  const double share = isHasty ? kStillMovesMuch : kStillMoves;
+  relax(run, passes, isHasty ? kStillMovesMuch : kStillMoves);
+}
+
+void relax(Run& run, int passes, double share) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double part = run.projector.walks() ? kBeyondMean : 1;
   PolarMap star;
   for (int pass = 0; pass < passes; ++pass)
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
@@ -49,7 +57,7 @@ void relax(Run& run, int passes) {
       if (!mesh.isAlive(v) || isAtRest(run, v, share)) continue;
       run.mesh.settle(v);
       const Vec3 before = run.mesh.position(v);
-      if (laplacianMove(run, star, v))
+      if (laplacianMove(run, star, v, part))
         run.mesh.stirNeighbors(v, (run.mesh.position(v) - before).norm());
     }
 }

@@ -115,7 +115,7 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
 // Towards the mean of v's neighbours, each laid into the mean plane of the star at its distance
 // from v; and from there to the surface by the shortest way. What the original does beneath the
 // star does not tilt the plane: even where it is rough, a move does not lean towards one side.
-bool walkToMean(Run& run, Vertex v) {
+bool walkToMean(Run& run, Vertex v, double part) {
   const Vec3& at = run.mesh.position(v);
   const Vec3 normal = run.mesh.areaVectorAround(v).normalized();
   Vec3 sum = Vec3::Zero();
@@ -127,7 +127,8 @@ bool walkToMean(Run& run, Vertex v) {
     if (squared > 0) sum += flat * std::sqrt(spoke.squaredNorm() / squared);
     ++count;
   });
-  const SurfacePoint to = closestPointFrom(run.mesh.surface(), run.mesh.at(v), at + sum / count);
+  const Vec3 target = at + part / count * sum;
+  const SurfacePoint to = closestPointFrom(run.mesh.surface(), run.mesh.at(v), target);
   proposePlacement(run.mesh, v, run.mesh.onSurface(to), run.change);
   return commit(run);
 }
@@ -144,12 +145,12 @@ void areaBasedSweep(Run& run) {
   curveSweep(run);
 }
 
-bool laplacianMove(Run& run, PolarMap& star, Vertex v) {
+bool laplacianMove(Run& run, PolarMap& star, Vertex v, double part) {
   if (run.mesh.kind(v) == VertexKind::Corner || run.mesh.isPinned(v)) return false;
   if (run.mesh.kind(v) == VertexKind::Curve) return slide(run, v);
-  if (run.projector.walks()) return walkToMean(run, v);
+  if (run.projector.walks()) return walkToMean(run, v, part);
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
-  return relocateTo(run, star, v, laplacianTarget(star));
+  return relocateTo(run, star, v, part * laplacianTarget(star));
 }
 
 bool widenAround(Run& run, PolarMap& star, Vertex v) {

@@ -20,8 +20,9 @@ void areaBasedSweep(Run& run);
 // Laplacian smoothing in the polar map.
 void laplacianSweep(Run& run);
 
-// The same for one vertex, of any kind. `star` is scratch space.
-bool laplacianMove(Run& run, PolarMap& star, Vertex v);
+// The same for one vertex, of any kind; an interior one goes so large a part of the way. `star` is
+// scratch space.
+bool laplacianMove(Run& run, PolarMap& star, Vertex v, double part = 1);
 
 // Moves an inner vertex to where the angles around it are widest, if on the surface, too, the
 // smallest of them is larger there, or wide enough.

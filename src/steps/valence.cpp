@@ -8,6 +8,7 @@
 
 #include "gate/angles.h"
 #include "steps/delaunay.h"
+#include "steps/relax.h"
 #include "steps/sweeps.h"
 
 namespace remesher {
@@ -18,6 +19,8 @@ constexpr std::uint32_t kSeed = 2003;
 constexpr double kStartProbability = 0.5;
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
+// Of the target length: between flips only what lies around them has to give way.
+constexpr double kGivesWay = 0.02;
 // At a boundary there are fewer neighbours to even an irregular vertex out: better have it inside.
 // Not so where the boundary is kept, and edges are as long as they happen to be.
 constexpr int kAtBoundary = 2;
@@ -101,6 +104,14 @@ std::size_t flipsWhere(Run& run, ValenceExcess& excess, double smallestAngle, Ac
   return flips;
 }
 
+// Where patches are needed vertices are few, and every sweep over all of them is worth it.
+void giveWay(Run& run) {
+  if (run.projector.walks())
+    relax(run, 1, kGivesWay);
+  else
+    laplacianSweep(run);
+}
+
 }  // namespace
 
 std::size_t valenceFlips(Run& run) {
@@ -116,10 +127,10 @@ void annealValences(Run& run, int rounds, const Progress& progress) {
     const double probability = kStartProbability * (1 - double(i) / rounds);
     flipsWhere(run, *excess, kSmallestAngle,
                [&](int cost) { return cost < 0 || (cost == 0 && random.uniform() < probability); });
-    laplacianSweep(run);
+    giveWay(run);
     excess->moved();
     flipsWhere(run, *excess, kSmallestAngle, [](int cost) { return cost < 0; });
-    laplacianSweep(run);
+    giveWay(run);
     excess->moved();
     if ((i + 1) % kDelaunayEvery != 0) continue;
     if (delaunayFlips(run.mesh, run.rule) > 0) excess.emplace(run.mesh);

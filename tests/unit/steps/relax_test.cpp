@@ -68,6 +68,18 @@ TEST_CASE("relax: what lies still stays, and only what has gone far stirs its ne
   }
 }
 
+TEST_CASE("relax: a vertex waits until its neighbours' mean has gone by the share asked for") {
+  shapes::TestRun test(shapes::icosphere(8));
+  disturb(test);
+  relax(test.run, 300);
+  const VertexData<Vec3> still = test.mesh.positions();
+  test.mesh.stirNeighbors(Vertex(40), 6 * 0.04 * test.sizes.mean());
+  relax(test.run, 1, 0.05);
+  CHECK(movedSince(still, test.mesh).empty());
+  relax(test.run, 1, 0.03);
+  CHECK_FALSE(movedSince(still, test.mesh).empty());
+}
+
 TEST_CASE("relax: smoothing does not undo fitting, but around what changes") {
   shapes::TestRun test(shapes::icosphere(8));
   disturb(test);
