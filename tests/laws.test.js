@@ -69,6 +69,7 @@ const found = [
   908105, // a flat fan folded onto itself, edges of which came upon each other
   826166, // values that are no numbers, of a mesh that is not touched
   605896, // a ring lost to rounding, samples of which were near no triangle
+  1314146, // a spike so long that a vertex on its way there made steps without end
 ];
 
 const seeds = [...found, ...Array.from({ length: last - first + 1 }, (_, i) => first + i)];

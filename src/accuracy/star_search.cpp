@@ -18,6 +18,9 @@ namespace {
 // Steps in units of the mean spoke.
 constexpr double kFirstStep = 0.4, kLastStep = 0.04;
 constexpr int kDirections = 8;
+// Few rounds find what there is to find nearby. To a place a billion spokes away it is as many
+// steps, each of them a little nearer.
+constexpr int kMostRounds = 64;
 constexpr std::size_t kAlongNormal = 2;
 // A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
 constexpr double kRoom = 0.1;
@@ -86,7 +89,8 @@ Placement StarSearch::at(const Vec3& position) const {
 }
 
 void StarSearch::move(double enough, std::span<const Vec3> directions) {
-  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+  double step = kFirstStep;
+  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i) {
     bool better = false;
     const Vec3 from = best_.position;
     for (const Vec3& direction : directions) {
@@ -104,7 +108,8 @@ void StarSearch::slide(double enough) {
   const auto [first, last] =
       std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
   const double room = kRoom * (last - first);
-  for (double step = kFirstStep; step >= kLastStep && distance_ > enough;) {
+  double step = kFirstStep;
+  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i) {
     bool better = false;
     const double from = best_.on.arc;
     for (const double way : {step * spoke_, -step * spoke_}) {
