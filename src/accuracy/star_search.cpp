@@ -88,38 +88,44 @@ Placement StarSearch::at(const Vec3& position) const {
   return place;
 }
 
-void StarSearch::move(double enough, std::span<const Vec3> directions) {
+// Rounds of steps, each half as long as the one before where that brought nothing; look: offers
+// places a step away and says whether one was better.
+template <typename Look>
+void StarSearch::search(double enough, const Look& look) {
   double step = kFirstStep;
-  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i) {
+  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i)
+    if (!look(step * spoke_)) step /= 2;
+}
+
+void StarSearch::move(double enough, std::span<const Vec3> directions) {
+  search(enough, [&](double step) {
     bool better = false;
     const Vec3 from = best_.position;
     for (const Vec3& direction : directions) {
-      const Vec3 to = from + step * spoke_ * direction;
+      const Vec3 to = from + step * direction;
       better = (keepsAngles(to) && offer(at(to))) || better;
     }
-    if (!better) step /= 2;
-  }
+    return better;
+  });
 }
 
 // Between its neighbours along the curve, or the curve would turn back.
 void StarSearch::slide(double enough) {
   const auto [before, after] = curveNeighbors(mesh_, v_);
   const Index chain = best_.on.chain;
-  const auto [first, last] =
+  const auto ends =
       std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
-  const double room = kRoom * (last - first);
-  double step = kFirstStep;
-  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i) {
+  const double room = kRoom * (ends.second - ends.first);
+  search(enough, [&](double step) {
     bool better = false;
     const double from = best_.on.arc;
-    for (const double way : {step * spoke_, -step * spoke_}) {
-      const double arc = from + way;
-      if (arc <= first + room || arc >= last - room) continue;
+    for (const double arc : {from + step, from - step}) {
+      if (arc <= ends.first + room || arc >= ends.second - room) continue;
       const Placement place = mesh_.onCurve({chain, arc});
       better = (keepsAngles(place.position) && offer(place)) || better;
     }
-    if (!better) step /= 2;
-  }
+    return better;
+  });
 }
 
 void StarSearch::descend(double enough) {

@@ -33,6 +33,8 @@ class StarSearch {
   bool offer(const Placement& place);  // one that keeps them
   bool isAllowed(const Placement& place);
   Placement at(const Vec3& position) const;
+  template <typename Look>
+  void search(double enough, const Look& look);
   void move(double enough, std::span<const Vec3> steps);
   void slide(double enough);
 

@@ -38,8 +38,7 @@ struct Range {
 struct Region {
   double area = 0;
   double rim = 0;             // length of its border
-  double shown = 0;           // of that, where something else is shown on the other side
-  double bend = 0;            // (1 - cos) / 2 of the dihedral angle there, summed along the length
+  Border shown;               // of that, where something else is shown on the other side
   std::vector<Range> values;  // of all components of what is seen, behind one another
 };
 
@@ -71,13 +70,14 @@ class Measurement {
   std::vector<ChartNeed> needs() const {
     std::vector<ChartNeed> result;
     for (const Region& region : regions_) {
-      if (region.shown <= 0) continue;
+      if (region.shown.length <= 0) continue;
       const double width = 2 * region.area / region.rim;
-      result.push_back(need(width, width / narrowestWidth(1, region.bend / region.shown)));
+      result.push_back(need(width, width / narrowestWidth(1, region.shown.meanBend())));
     }
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
-      const double length = chainFrom(Halfedge(i));
-      if (length > 0) result.push_back(need(length, length / shortestChain(1, 0)));
+      const Border chain = chainFrom(Halfedge(i));
+      if (chain.length > 0)
+        result.push_back(need(chain.length, chain.length / shortestChain(1, chain.meanBend())));
     }
     return result;
   }
@@ -116,16 +116,16 @@ class Measurement {
 
   Index region(Halfedge h) const { return region_[mesh_.face(h)]; }
 
-  // The length of the border that begins here at a junction; 0 if none does, or nothing else is
+  // The border that begins here at a junction; without length if none does, or nothing else is
   // shown beyond it.
-  double chainFrom(Halfedge first) const {
-    if (isInside(first) || curvesAt_[mesh_.origin(first)] == 2) return 0;
+  Border chainFrom(Halfedge first) const {
+    if (isInside(first) || curvesAt_[mesh_.origin(first)] == 2) return {};
     if (mesh_.isBoundary(first) || region(first) == region(mesh_.twin(first)) ||
         !showsAnother(regions_[region(first)], regions_[region(mesh_.twin(first))]))
-      return 0;
-    double sum = 0;
+      return {};
+    Border sum;
     for (Halfedge h = first; h;) {
-      sum += length(h);
+      sum.add(border(h));
       const Vertex end = mesh_.tip(h);
       Halfedge next;
       if (curvesAt_[end] == 2)
@@ -141,10 +141,7 @@ class Measurement {
     return (built_.positions[mesh_.tip(h)] - built_.positions[mesh_.origin(h)]).norm();
   }
 
-  Vec3 normal(Face f) const {
-    const auto [a, b, c] = mesh_.vertices(f);
-    return unitNormal(built_.positions[a], built_.positions[b], built_.positions[c]);
-  }
+  Border border(Halfedge h) const { return borderAlong(mesh_, built_.positions, h); }
 
   void addFace(Face f) {
     Region& mine = regions_[region_[f]];
@@ -178,8 +175,7 @@ class Measurement {
     Region& own = regions_[region(h)];
     own.rim += length(h);
     if (isEnd || !showsAnother(own, regions_[region(twin)])) return;
-    own.shown += length(h);
-    own.bend += length(h) * (0.5 - 0.5 * normal(mesh_.face(h)).dot(normal(mesh_.face(twin))));
+    own.shown.add(border(h));
   }
 
   const HalfedgeMesh& mesh_;

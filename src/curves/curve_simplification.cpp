@@ -55,16 +55,6 @@ class Simplification {
   }
 
  private:
-  struct Border {
-    double length = 0;
-    double bend = 0;  // (1 - cos) / 2 of the dihedral angle, summed along the length
-
-    void add(const Border& other) {
-      length += other.length;
-      bend += other.bend;
-    }
-  };
-
   struct Region {
     double area = 0;
     double rim = 0;                     // length of its border
@@ -79,16 +69,6 @@ class Simplification {
 
   double length(Halfedge h) const {
     return (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).norm();
-  }
-
-  Vec3 normal(Halfedge h) const {
-    const auto [a, b, c] = mesh_.vertices(mesh_.face(h));
-    return unitNormal(positions_[a], positions_[b], positions_[c]);
-  }
-
-  Border border(Halfedge h) const {
-    const double bend = 0.5 - 0.5 * normal(h).dot(normal(mesh_.twin(h)));
-    return {length(h), length(h) * bend};
   }
 
   // Numbers the parts into which the curves divide the surface.
@@ -128,7 +108,7 @@ class Simplification {
       const Index other = role_[h] == Role::Free ? region_[mesh_.face(mesh_.twin(h))] : kNone;
       if (own == other) continue;
       regions[own].rim += length(h);
-      if (other != kNone) regions[own].neighbors[other].add(border(h));
+      if (other != kNone) regions[own].neighbors[other].add(borderAlong(mesh_, positions_, h));
     }
     return regions;
   }
@@ -136,7 +116,7 @@ class Simplification {
   bool isNarrow(const std::vector<Region>& regions, Index r) const {
     if (regions[r].neighbors.empty()) return false;
     const Border& border = regions[r].neighbors.at(partnerOf(regions, r));
-    return regions[r].width() < narrowestWidth(size_, border.bend / border.length);
+    return regions[r].width() < narrowestWidth(size_, border.meanBend());
   }
 
   // The narrowest first, each into a neighbour.
@@ -232,8 +212,8 @@ class Simplification {
     Halfedge h = first;
     while (role_[h] == Role::Free) {
       chain.push_back(h);
-      sum.add(border(h));
-      if (sum.length >= shortestChain(size_, sum.bend / sum.length)) return {};
+      sum.add(borderAlong(mesh_, positions_, h));
+      if (sum.length >= shortestChain(size_, sum.meanBend())) return {};
       const std::vector<Halfedge> on = curveEdges(mesh_.tip(h));
       if (on.size() != 2) return chain;
       h = on[on[0] == mesh_.twin(h) ? 1 : 0];
@@ -263,6 +243,14 @@ class Simplification {
 };
 
 }  // namespace
+
+Border borderAlong(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h) {
+  const Vec3 &a = positions[mesh.origin(h)], &b = positions[mesh.tip(h)];
+  const Vec3 here = unitNormal(a, b, positions[mesh.opposite(h)]);
+  const Vec3 beyond = unitNormal(b, a, positions[mesh.opposite(mesh.twin(h))]);
+  const double length = (b - a).norm();
+  return {length, length * (0.5 - 0.5 * here.dot(beyond))};
+}
 
 double narrowestWidth(double size, double bend) {
   return kNarrow * size * (1 - kWorthOfBends * bend);

@@ -22,11 +22,26 @@ struct SimplifiedCurves {
   FaceData<char> absorbed;      // faces in regions that a larger one has taken over
 };
 
+struct Border {
+  double length = 0;
+  double bend = 0;  // (1 - cos) / 2 of the dihedral angle, summed along the length
+
+  void add(const Border& other) {
+    length += other.length;
+    bend += other.bend;
+  }
+
+  double meanBend() const { return length > 0 ? bend / length : 0; }
+};
+
+// An edge with a face on both sides as a border between them.
+Border borderAlong(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h);
+
 // What lies between curves is let go if it is narrower than this. Both in model units; size: the
-// target edge length; bend: (1 - cos) / 2 of the dihedral angle at its border.
+// target edge length; bend: the mean one of its border.
 double narrowestWidth(double size, double bend);
 
-// And so is a chain between junctions that is shorter than this; bend: along it.
+// And so is a chain between junctions that is shorter than this; bend: its mean.
 double shortestChain(double size, double bend);
 
 // size: the target edge length, model units.

@@ -14,8 +14,8 @@ import { filesUnder, readText, root } from './tree.js';
 const memory = join(root, 'build/checks');
 /** Programs that are made of the checkout. */
 const made = ['build/test/unit_tests', 'build/test/fuzz_replay'];
-/** All other packages, which anybody may import. */
-const packages = 'node_modules/.package-lock.json';
+/** What every test reads without saying so: packages, and what Node starts the files with. */
+const everywhere = ['node_modules/.package-lock.json', 'tests/support/late_tiering.js'];
 
 const isThere = (/** @type {string} */ file) => existsSync(join(root, file));
 
@@ -41,7 +41,7 @@ function programs() {
 function memories(files) {
   const parts = checkout();
   if (parts.length === 0) return undefined;
-  const common = [packages].filter(isThere);
+  const common = everywhere.filter(isThere);
   const readingsOf =
     readings([...parts, ...filesUnder('dist', /./), ...made.filter(isThere)], readText);
   /** @type {Map<string, string>} */
