@@ -7,7 +7,7 @@ import { test } from 'node:test';
 
 import { inspect, remesh } from 'remesher';
 
-import { sheet, signetRing, torus } from './support/shapes.js';
+import { drilledTorus, sheet, signetRing, torus } from './support/shapes.js';
 
 const require = createRequire(import.meta.url);
 
@@ -57,6 +57,16 @@ test('a torus gets triangles as good as a sphere’s', async () => {
   const result = await run(torus(), { vertices: 4000 });
   assertGood(result, 4000,
     { ...good, meanAngle: 55, above50: 91.5, worstAngle: 30, hausdorff: 0.3 });
+});
+
+test('shafts narrower than a triangle cost few vertices, and the rest is good', async () => {
+  // Each of 72 needs six vertices or more, whatever the size of triangles: what remains of 1500
+  // would be as good as of any torus, at 55°, and what leads into the shafts at 15° or so.
+  const { report } = await run(drilledTorus(), { vertices: 1500 });
+  assert.equal(report.output.vertices, 1500);
+  assert.equal(report.output.eulerCharacteristic, report.input.eulerCharacteristic);
+  assert.ok(report.output.minAngle.mean >= 38, `mean minimum angle ${report.output.minAngle.mean}`);
+  assert.ok(report.fidelity.rms <= 0.2, `rms ${report.fidelity.rms} %`);
 });
 
 test('an open sheet is as good along its boundary, and keeps it on request', async () => {

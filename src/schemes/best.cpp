@@ -114,7 +114,10 @@ bool followToCount(Run& run, std::size_t vertices) {
 void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   run.scale = std::pow(2.0, levels.count);
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
-  const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
+  // They come back to as many below: what subdividing makes of them goes.
+  const std::size_t crowded = countCrowded(run);
+  const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count) + crowded -
+                             (crowded >> (2 * levels.count));
   matchCount(run, coarse);
   annealValences(run, annealRounds(run, levels, coarse), progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);
@@ -128,6 +131,7 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
   for (int i = 0; i < levels.count; ++i) {
     progress.phase("refine", double(i) / levels.count, 1);
     subdivide(run);
+    thinCrowds(run);
     smooth(run);
   }
   if (run.quality == Quality::Best) {

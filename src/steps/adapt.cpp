@@ -22,6 +22,9 @@ constexpr double kMustGo = 0.4;
 // its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
 constexpr double kGiant = 3;
 constexpr int kRounds = 5, kSweeps = 2;
+// Where small handles and folds let no edge go vertices crowd; one in so many is mended later.
+constexpr std::size_t kFewCrowded = 20;
+constexpr int kThinnings = 3;
 constexpr int kSketchRounds = 3, kSketchSweeps = 1;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Of so many times the vertices that are wanted most are thinned out rather than adapted, until
@@ -87,21 +90,25 @@ std::array<Halfedge, 2> outermostFirst(const HalfedgeMesh& mesh, Halfedge h, Ver
   return {h, mesh.twin(h)};
 }
 
-// What remains of two vertices stays where it is.
-void collapseShort(Run& run) {
+// What remains of two vertices stays where it is. Returns the number of collapses.
+std::size_t collapseShort(Run& run, double shortest) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t count = 0;
   VertexSizes sizes(run);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
     const double length = sizes.relativeLength(h);
-    if (length >= kShort) continue;
+    if (length >= shortest) continue;
     FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
     for (const Halfedge direction : outermostFirst(mesh, h, sizes)) {
       if (!direction || makesLongEdge(mesh, direction, sizes)) continue;
-      if (proposeCollapseInto(run.mesh, direction, run.change) && commit(run, rule)) break;
+      if (!proposeCollapseInto(run.mesh, direction, run.change) || !commit(run, rule)) continue;
+      ++count;
+      break;
     }
   }
+  return count;
 }
 
 // The coarse level of a draft: each vertex is one of four, and those between them come out regular.
@@ -192,13 +199,31 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
     // What is long among far too many is so still when most have gone.
     const bool isCrowded = isRough && run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
     if (!isCrowded) refine(run, most);
-    collapseShort(run);
+    collapseShort(run, kShort);
     if (isCrowded) run.mesh.compact();
     valenceFlips(run);
     if (i == 0 || i + 1 == rounds) delaunayFlips(run.mesh, run.rule);
     for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
     if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+  }
+}
+
+std::size_t countCrowded(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexSizes sizes(run);
+  VertexData<char> isCrowded(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isEdge(Halfedge(i)) && sizes.relativeLength(Halfedge(i)) < kMustGo)
+      isCrowded[mesh.origin(Halfedge(i))] = 1;
+  const std::vector<char>& marks = isCrowded.values();
+  const auto count = std::size_t(std::count(marks.begin(), marks.end(), 1));
+  return count * kFewCrowded < mesh.vertexCount() ? 0 : count;
+}
+
+void thinCrowds(Run& run) {
+  if (countCrowded(run) == 0) return;
+  for (int i = 0; i < kThinnings && collapseShort(run, kMustGo) > 0; ++i) {
   }
 }
 

@@ -17,6 +17,28 @@ export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) 
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
+/** A hollow torus, to the space in which small shafts lead, each through a cell of its net. */
+export function drilledTorus({ columns = 96, rows = 48, every = 8 } = {}) {
+  const [outer, inner] = [0.8, 0.77].map((tube) => torus({ columns, rows, tube }));
+  const beneath = columns * rows;
+  const indices = [];
+  for (let cell = 0; cell < beneath; cell += 1) {
+    const triangles = outer.indices.subarray(6 * cell, 6 * cell + 6);
+    const [a, b, c, , , d] = triangles;
+    if (Math.floor(cell / rows) % every === 0 && cell % rows % every === 0) {
+      for (const [p, q] of [[a, b], [b, c], [c, d], [d, a]]) {
+        indices.push(p, q, q + beneath, p, q + beneath, p + beneath);
+      }
+    } else {
+      indices.push(...triangles, ...[...triangles].reverse().map((v) => v + beneath));
+    }
+  }
+  return {
+    positions: new Float32Array([...outer.positions, ...inner.positions]),
+    indices: new Uint32Array(indices),
+  };
+}
+
 /** Eight triangles: a closed surface that takes a few milliseconds. */
 export function octahedron() {
   return {
