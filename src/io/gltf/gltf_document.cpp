@@ -149,7 +149,7 @@ Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& b
   if (!buffer.is_object() || !buffer.contains("uri")) {
     if (number != 0 || !chunk)
       document.fail(ErrorCode::ParseError, where + " has neither a URI nor the binary chunk.");
-    bytes.assign(chunk->begin(), chunk->end());
+    bytes.assign(chunk->data(), chunk->data() + chunk->size());
   } else {
     const std::string uri = buffer["uri"].is_string() ? buffer["uri"].get<std::string>() : "";
     if (isDataUri(uri)) {
@@ -256,7 +256,7 @@ Bytes packGlb(const Json& tree, const Bytes& data) {
   if (!data.empty()) {
     appendLittleEndian(bytes, dataSize);
     appendLittleEndian(bytes, kBinaryChunk);
-    bytes.insert(bytes.end(), data.begin(), data.end());
+    bytes.insert(bytes.end(), data.data(), data.data() + data.size());
   }
   bytes.resize(total, 0);
   return bytes;

@@ -84,8 +84,7 @@ void copyRanges(std::vector<Range>& ranges, const Bytes& buffer, Bytes& data) {
   for (Range& range : ranges) {
     while (data.size() % kAlignment != range.begin % kAlignment) data.push_back(0);
     range.target = data.size();
-    data.insert(data.end(), buffer.begin() + static_cast<std::ptrdiff_t>(range.begin),
-                buffer.begin() + static_cast<std::ptrdiff_t>(range.end));
+    data.insert(data.end(), buffer.data() + range.begin, buffer.data() + range.end);
   }
 }
 
