@@ -23,9 +23,6 @@ constexpr int kRetries = 4;
 // Inside a triangle with sides no longer than this, and corners that are near, all is near.
 constexpr double kBetween = 2;    // target edge lengths
 constexpr double kSameWay = 0.9;  // cosine
-// Where places must be spared, a triangle less high than this share of its longest side is looked
-// at in rows along that side.
-constexpr double kThin = 0.125;
 // So many places, per vertex of the mesh and triangle of the original, are as many as can matter.
 constexpr double kMostPlaces = 64;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -180,93 +177,91 @@ class Survey {
     return place.nearest;
   }
 
-  // Steps of half a target edge length over a triangle: along its longest side, and from there to
-  // the corner opposite.
+  // Steps of half a target edge length along the sides of a triangle, and in rows between the
+  // longest and the corner opposite.
   struct Grid {
     int longest = 0;  // the corner where that side begins
     double along = 0, rows = 0;
 
     double places() const { return 0.5 * (along + 1) * (rows + 1); }
+    bool hasPlaces() const { return along >= 2; }
   };
 
-  enum class Rows { AsSteps, ByHeight };
+  using Grids = FaceData<Grid>;
 
-  Grid gridOf(Face f, Rows by) const {
-    const auto corners = mesh_.surface().mesh().vertices(f);
+  double lengthOf(Face f, int side) const {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
     const VertexData<Vec3>& positions = mesh_.surface().positions();
-    const Vec3 &p = positions[corners[0]], &q = positions[corners[1]], &r = positions[corners[2]];
-    const std::array<double, 3> sides = {(q - p).squaredNorm(), (r - q).squaredNorm(),
-                                         (p - r).squaredNorm()};
-    const auto at = std::max_element(sides.begin(), sides.end());
-    const double longest = std::sqrt(*at), size = run_.scale * run_.sizes.at(corners[0]);
+    const Halfedge h = HalfedgeMesh::halfedge(f, side);
+    return (positions[original.tip(h)] - positions[original.origin(h)]).norm();
+  }
+
+  Grid gridOf(Face f) const {
+    const auto corners = mesh_.surface().mesh().vertices(f);
+    const VertexData<Vec3>& p = mesh_.surface().positions();
+    int side = 0;
+    for (const int i : {1, 2}) side = lengthOf(f, i) > lengthOf(f, side) ? i : side;
+    const double longest = lengthOf(f, side), size = run_.scale * run_.sizes.at(corners[0]);
     if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
       return {};
     const double steps = std::ceil(longest / (kSpacing * size));
     if (!(steps > 1) || !nearby_[corners[0]]) return {};
-    const double height = areaVector(p, q, r).norm() / longest;
-    const bool isThin = by == Rows::ByHeight && height < kThin * longest;
-    return {int(at - sides.begin()), steps,
-            isThin ? std::max(1.0, std::ceil(height / (kSpacing * size))) : steps};
+    const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;
+    return {side, steps, std::max(1.0, std::ceil(height / (kSpacing * size)))};
   }
 
   // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area;
   // those with sides much longer than their area tells could ask for any number. Then all steps are
   // longer, and the work stays in proportion to both meshes.
   void addInside() {
-    const Index faces = Index(mesh_.surface().mesh().faceCapacity());
-    const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + faces);
-    const Grids even = gridsOf(Rows::AsSteps);
-    if (even.places <= most) {
-      for (const auto& [f, grid] : even.grids) addEvenly(f, int(grid.along));
-      return;
+    Grids grids(mesh_.surface().mesh().faceCapacity());
+    const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + grids.size());
+    double places = 0;
+    for (Index i = 0; i < grids.size(); ++i) {
+      grids[Face(i)] = gridOf(Face(i));
+      places += grids[Face(i)].places();
     }
-    const Grids thin = gridsOf(Rows::ByHeight);
-    const double coarser = std::max(1.0, thin.places / most);
-    for (auto [f, grid] : thin.grids) {
-      grid.along = std::floor(grid.along / coarser);
-      if (grid.along >= 2) addRows(f, grid, std::min(grid.rows, most));
+    for (Grid& grid : grids.values()) {
+      if (places > most) grid.along = std::floor(grid.along * most / places);
+      grid.rows = std::min(grid.rows, most);
+    }
+    for (Index i = 0; i < grids.size(); ++i)
+      if (grids[Face(i)].hasPlaces()) addOver(Face(i), grids);
+  }
+
+  // A side that two triangles share is looked at once.
+  void addOver(Face f, const Grids& grids) {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
+    const auto& [longest, along, rows] = grids[f];
+    Face start = faceAt(nearby_[original.vertices(f)[0]]);
+    for (int i = 0; i < 3; ++i) {
+      const Halfedge twin = original.twin(HalfedgeMesh::halfedge(f, i));
+      if (twin && HalfedgeMesh::face(twin) < f && grids[HalfedgeMesh::face(twin)].hasPlaces())
+        continue;
+      start = addRow({f, i}, 0, std::ceil(along * lengthOf(f, i) / lengthOf(f, longest)), start);
+    }
+    for (int row = 1; row < rows; ++row) {
+      const double up = row / rows;
+      start = addRow({f, longest}, up, std::ceil(along * (1 - up)), start);
     }
   }
 
-  // Of the triangles that are to have places inside; of the others a trifle counts for each.
-  struct Grids {
-    std::vector<std::pair<Face, Grid>> grids;
-    double places = 0;
+  struct Side {
+    Face face;
+    int corner;  // where it begins
   };
 
-  Grids gridsOf(Rows by) const {
-    Grids result;
-    for (Index i = 0; i < mesh_.surface().mesh().faceCapacity(); ++i) {
-      const Grid grid = gridOf(Face(i), by);
-      result.places += grid.places();
-      if (grid.along > 0) result.grids.emplace_back(Face(i), grid);
+  // Between the other two sides, so far up from this one to the corner opposite.
+  Face addRow(const Side& side, double up, double steps, Face start) {
+    for (int step = 1; step < steps; ++step) {
+      const double on = (1 - up) * step / steps;
+      Vec3 weights;
+      weights[side.corner] = 1 - up - on;
+      weights[(side.corner + 1) % 3] = on;
+      weights[(side.corner + 2) % 3] = up;
+      start = add({side.face, weights}, start);
     }
-    return result;
-  }
-
-  void addEvenly(Face f, int n) {
-    Face start = faceAt(nearby_[mesh_.surface().mesh().vertices(f)[0]]);
-    for (int j = 0; j <= n; ++j)
-      for (int k = 0; k + j <= n; ++k) {
-        if (j == n || k == n || j + k == 0) continue;  // a vertex
-        const double u = double(j) / n, v = double(k) / n;
-        start = add({f, Vec3(1 - u - v, u, v)}, start);
-      }
-  }
-
-  void addRows(Face f, const Grid& grid, double rows) {
-    Face start = faceAt(nearby_[mesh_.surface().mesh().vertices(f)[0]]);
-    for (int row = 0; row < rows; ++row) {
-      const double up = row / rows, steps = std::ceil(grid.along * (1 - up));
-      for (int step = row == 0 ? 1 : 0; step < steps; ++step) {
-        const double on = (1 - up) * step / steps;
-        Vec3 weights;
-        weights[grid.longest] = 1 - up - on;
-        weights[(grid.longest + 1) % 3] = on;
-        weights[(grid.longest + 2) % 3] = up;
-        start = add({f, weights}, start);
-      }
-    }
+    return start;
   }
 
   const Run& run_;
