@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -90,16 +91,27 @@ struct Plan {
   Row moves;      // who is to go where
 };
 
-Plan planFor(const Run& run) {
+// The best places that were found for a stretch, by its chain and the places that it had: where
+// nothing has moved since, they are the same again.
+using Known = std::map<std::pair<Index, std::vector<double>>, std::vector<double>>;
+
+const std::vector<double>& placesFor(const Run& run, Index chain, const std::vector<double>& arcs,
+                                     Known& known) {
   const OriginalSurface& surface = run.mesh.surface();
-  const double tolerance = kTolerance * surface.diagonal();
+  const auto [at, isNew] = known.try_emplace({chain, arcs});
+  if (isNew) at->second = placesAlong(surface, chain, arcs, kTolerance * surface.diagonal());
+  return at->second;
+}
+
+Plan planFor(const Run& run, Known& known) {
+  const double tolerance = kTolerance * run.mesh.surface().diagonal();
   Plan plan;
   for (const Row& row : rowsOf(run))
     for (const auto& [first, last] : stretchesOf(run, row)) {
       const Index chain = row[first].chain;
       std::vector<double> arcs;
       for (std::size_t i = first; i <= last; ++i) arcs.push_back(row[i].arc);
-      const std::vector<double> to = placesAlong(surface, chain, arcs, tolerance);
+      const std::vector<double>& to = placesFor(run, chain, arcs, known);
       for (std::size_t i = 0; i + 1 < to.size(); ++i) {
         const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
         if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
@@ -233,18 +245,20 @@ bool mendStars(Run& run, const VertexData<Vec3>& before) {
 }  // namespace
 
 void followBoundaries(Run& run) {
+  Known known;
   bool changed = true;
   for (int i = 0; i < kMostRounds && changed; ++i) {
-    Plan plan = planFor(run);
+    Plan plan = planFor(run, known);
     changed = split(run, plan.tooLong);
-    if (changed) plan = planFor(run);
+    if (changed) plan = planFor(run, known);
     changed = slide(run, plan.moves) || changed || split(run, plan.far);
   }
   pinNeeded(run);
 }
 
 void settleBoundaries(Run& run) {
-  for (int i = 0; i < kMostRounds && slide(run, planFor(run).moves); ++i) {
+  Known known;
+  for (int i = 0; i < kMostRounds && slide(run, planFor(run, known).moves); ++i) {
   }
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   VertexData<Vec3> before(run.mesh.mesh().vertexCapacity(), Vec3::Constant(kNowhere));

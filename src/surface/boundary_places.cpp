@@ -22,13 +22,11 @@ struct Site {
   std::size_t bend, next;  // the chain's first vertices there or beyond it, and beyond it
 };
 
-Vec3 closestOnChord(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 chord = b - a, fromA = p - a, fromB = p - b;
-  const double beyondA = chord.dot(fromA), beforeB = -chord.dot(fromB);
-  if (beyondA <= 0) return a;
-  if (beforeB <= 0) return b;
-  const double length2 = beyondA + beforeB;
-  return (beforeB / length2) * a + (beyondA / length2) * b;
+double squaredDistanceToChord(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 chord = b - a, fromA = p - a;
+  const double length2 = chord.squaredNorm();
+  const double share = length2 > 0 ? std::clamp(chord.dot(fromA) / length2, 0.0, 1.0) : 0;
+  return (fromA - share * chord).squaredNorm();
 }
 
 class Curve {
@@ -53,11 +51,11 @@ class Curve {
   }
 
   double distance(const Site& from, const Site& to, std::size_t most) const {
-    double farthest = 0;
+    double farthest2 = 0;
     forEachBend(from, to, most, [&](double, const Vec3& p) {
-      farthest = std::max(farthest, (closestOnChord(p, from.position, to.position) - p).norm());
+      farthest2 = std::max(farthest2, squaredDistanceToChord(p, from.position, to.position));
     });
-    return farthest;
+    return std::sqrt(farthest2);
   }
 
  private:
