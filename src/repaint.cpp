@@ -24,7 +24,7 @@ namespace {
 constexpr Index kSmallest = 64, kLargest = 4096;  // of the sizes that are chosen for the caller
 constexpr double kUse = 0.6;                      // the share of a square that charts cover, about
 constexpr double kNearly =
-    0.6;  // of the original's texels per area: the next size has four times as many
+    0.5;  // of the original's texels per area: the next size has four times as many
 constexpr double kBareTexels = 4;  // to a triangle of an original without maps
 // Texels around a chart: for those that a filter takes at a corner of it, and more in larger
 // squares, whose coarser mip levels are looked at as well.
@@ -106,7 +106,7 @@ class Repainting {
           atlas.triangles.push_back({p, t});
     if (atlas.triangles.empty()) return;
     const double texels = originalTexels(number);
-    atlas.size = input_.options.textureSize.value_or(sizeFor(texels));
+    atlas.size = input_.options.textureSize.value_or(sizeFor(texels, storedTexels(number)));
     const std::vector<char> rims = layOut(atlas);
     atlas.finer = std::sqrt(texels / std::max(1.0, paintedTexels(atlas)));
     orient(atlas);
@@ -118,8 +118,8 @@ class Repainting {
       const char* const rim = &rims[3 * canvas.size()];
       canvas.push_back({{corner(0), corner(1), corner(2)}, t.part, {rim[0], rim[1], rim[2]}});
     }
-    const io::Material first = firstOf(number);
-    remember(number, paint(canvas, sources_, {atlas.size, first.isOpaque, atlas.finer}, progress));
+    const bool isOpaque = looksOf(number).front().isOpaque;
+    remember(number, paint(canvas, sources_, {atlas.size, isOpaque, atlas.finer}, progress));
   }
 
   void finish() {
@@ -138,12 +138,11 @@ class Repainting {
         if (classOf(p, g) == number) visit(p, g);
   }
 
-  io::Material firstOf(Index number) const {
-    std::optional<io::Material> first;
-    forEachGroup(number, [&](Index p, Index g) {
-      if (!first) first = lookOf(input_.originals[p], g);
-    });
-    return *first;
+  std::vector<io::Material> looksOf(Index number) const {
+    std::vector<io::Material> looks;
+    forEachGroup(number,
+                 [&](Index p, Index g) { looks.push_back(lookOf(input_.originals[p], g)); });
+    return looks;
   }
 
   double originalTexels(Index number) const {
@@ -159,7 +158,17 @@ class Repainting {
     return std::max(texels, bare);
   }
 
-  static Index sizeFor(double texels) {
+  // All that a class could show once.
+  double storedTexels(Index number) const {
+    double texels = 0;
+    forEachGroup(number, [&](Index p, Index g) { texels += sources_[p]->largestMap(g); });
+    return texels;
+  }
+
+  // What the original shows several times, such as a mirrored half, gets texels each time: coarser
+  // ones, lest there be far more than the original has.
+  static Index sizeFor(double shown, double stored) {
+    const double texels = stored > 0 ? std::sqrt(shown * std::min(shown, stored)) : shown;
     Index size = kSmallest;
     while (size < kLargest && double(size) * size * kUse < kNearly * texels) size *= 2;
     return size;
@@ -260,15 +269,6 @@ class Repainting {
     return map;
   }
 
-  // Whether a class has the same everywhere of what `isSame` compares with its first material.
-  template <class IsSame>
-  bool isConstant(Index number, const IsSame& isSame) const {
-    bool result = true;
-    forEachGroup(number,
-                 [&](Index p, Index g) { result &= isSame(lookOf(input_.originals[p], g)); });
-    return result;
-  }
-
   bool hasColors(Index number) const {
     bool result = false;
     forEachGroup(number, [&](Index p, Index) {
@@ -279,10 +279,14 @@ class Repainting {
 
   // The painted maps as a material; what is the same all over stays a factor.
   void remember(Index number, Painting painting) {
-    const io::Material first = firstOf(number);
+    const std::vector<io::Material> looks = looksOf(number);
+    const io::Material& first = looks.front();
+    const auto isConstant = [&](const auto& isSame) {
+      return std::all_of(looks.begin(), looks.end(), isSame);
+    };
     io::Material made = first;
     made.baseColorMap = made.metalRoughMap = made.occlusionMap = made.emissiveMap = {};
-    const bool plainColor = !hasColors(number) && isConstant(number, [&](const io::Material& m) {
+    const bool plainColor = !hasColors(number) && isConstant([&](const io::Material& m) {
       return !m.baseColorMap && m.baseColor == first.baseColor;
     });
     if (!plainColor) {
@@ -290,20 +294,18 @@ class Repainting {
                               typeFor(first.isOpaque ? Content::Opaque : Content::Alpha));
       made.baseColor.setOnes();
     }
-    const bool plainSurface = isConstant(number, [&](const io::Material& m) {
+    const bool plainSurface = isConstant([&](const io::Material& m) {
       return !m.metalRoughMap && !m.occlusionMap && m.metallic == first.metallic &&
              m.roughness == first.roughness;
     });
     if (!plainSurface) {
-      const bool occludes =
-          !isConstant(number, [](const io::Material& m) { return !m.occlusionMap; });
+      const bool occludes = !isConstant([](const io::Material& m) { return !m.occlusionMap; });
       made.metalRoughMap = add("surface", std::move(painting.surface), typeFor(Content::Opaque));
       if (occludes) made.occlusionMap = made.metalRoughMap;
       made.metallic = made.roughness = made.occlusionStrength = 1;
     }
-    const bool plainLight = isConstant(number, [&](const io::Material& m) {
-      return !m.emissiveMap && m.emissive == first.emissive;
-    });
+    const bool plainLight = isConstant(
+        [&](const io::Material& m) { return !m.emissiveMap && m.emissive == first.emissive; });
     if (!plainLight) {
       made.emissiveMap = add("emissive", std::move(painting.emissive), typeFor(Content::Opaque));
       made.emissive.setOnes();

@@ -248,4 +248,11 @@ double PaintSource::texels(Index triangle) const {
   return most;
 }
 
+double PaintSource::largestMap(Index group) const {
+  double most = 0;
+  for (const Texture& map : maps_[group].textures)
+    if (map) most = std::max(most, map.size());
+  return most;
+}
+
 }  // namespace remesher

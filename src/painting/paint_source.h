@@ -50,6 +50,8 @@ class PaintSource {
 
   // Texels of the finest map of a triangle that lie on it.
   double texels(Index triangle) const;
+  // Texels of the largest map of a group.
+  double largestMap(Index group) const;
 
  private:
   enum Kind : std::size_t {

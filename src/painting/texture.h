@@ -24,11 +24,9 @@ class Texture {
 
   explicit operator bool() const { return image_ != nullptr; }
   int texcoord() const { return map_->texcoord; }
+  double size() const { return double(image_->width) * image_->height; }  // texels
   // To a unit of texture coordinates squared.
-  double texels() const {
-    return double(image_->width) * image_->height *
-           std::abs(map_->transform.leftCols<2>().determinant());
-  }
+  double texels() const { return size() * std::abs(map_->transform.leftCols<2>().determinant()); }
 
   // The four texels around a point, and how much each of them counts there.
   struct Spot {
