@@ -99,11 +99,27 @@ double worstLean(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
   return worst;
 }
 
+// Whether a triangle would face away from all that the change replaces. Between curves the normals
+// of corners say too little: one that lies face down in a flat cap leans no more than the walls
+// around the cap.
+bool turnsOver(const WorkingMesh& mesh, const LocalChange& change) {
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
+  return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& t) {
+    const Vec3 normal = unitNormal(at(t[0]), at(t[1]), at(t[2]));
+    return std::all_of(change.going.begin(), change.going.end(), [&](Face f) {
+      const auto [a, b, c] = mesh.corners(f);
+      return normal.dot(unitNormal(a, b, c)) < kTightFold;
+    });
+  });
+}
+
 Verdict judgeFold(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
   double worst = 1;
   for (const auto& triangle : change.coming)
     if (!isFine(mesh, triangle, change.place, rule))
       worst = std::min(worst, worstLean(mesh, triangle, change.place, rule.fold));
+  if (worst > kFold) return Verdict::Accepted;
+  if (turnsOver(mesh, change)) return Verdict::FoldsOver;
   if (worst > rule.fold) return Verdict::Accepted;
   return worst > -1 && worst >= worstBefore(mesh, change) ? Verdict::Accepted : Verdict::FoldsOver;
 }

@@ -6,7 +6,8 @@
 //   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
 //   loose   some pair and some corner pass  (the report's program)
 //   fold    every  N_i·N_T > fold, or the worst of them is no worse than it was before: than the
-//           worst of the triangles that the operation replaces
+//           worst of the triangles that the operation replaces; and no triangle that leans so
+//           far faces away from all of them
 //
 // Besides, no mode lets through more triangles without area than there are.
 //

@@ -97,6 +97,27 @@ TEST_CASE("fidelity: a fold that is there may be mended and not made worse") {
   CHECK(judgeMove(mesh, v, {3.2, 2.1, 0.4}, fold) == Verdict::FoldsOver);
 }
 
+TEST_CASE("fidelity: what may lean far may not turn over, even where walls stand around it") {
+  // The cap of an L, seen from below, and the flip of a diagonal at its reflex corner, 3.
+  TriangleMesh bracket;
+  for (const double z : {0, 1})
+    for (const Vec2& p : {Vec2(0, 0), Vec2(3, 0), Vec2(3, 1), Vec2(1, 1), Vec2(1, 3), Vec2(0, 3)})
+      bracket.positions.emplace_back(p.x(), p.y(), z);
+  for (Index i = 2; i < 6; ++i)
+    bracket.indices.insert(bracket.indices.end(), {0, i, i - 1, 6, i + 5, i + 6});
+  for (Index i = 0; i < 6; ++i) {
+    const Index next = (i + 1) % 6;
+    bracket.indices.insert(bracket.indices.end(), {i, next, next + 6, i, next + 6, i + 6});
+  }
+  const OriginalSurface surface = shapes::surfaceOf(bracket);
+  const WorkingMesh mesh(surface);
+  LocalChange change;
+  REQUIRE(proposeFlip(mesh, mesh.mesh().find(Vertex(0), Vertex(3)), change));
+  FidelityRule lenient = rule(Fidelity::Fold, 20, 20);
+  lenient.fold = kTightFold;
+  CHECK(judge(mesh, change, lenient) == Verdict::FoldsOver);
+}
+
 TEST_CASE("fidelity: no triangle becomes a line, even where normals say nothing") {
   // A square with both its sides is a flat tetrahedron.
   TriangleMesh square;
