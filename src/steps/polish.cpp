@@ -39,6 +39,9 @@ constexpr double kLastStep = 0.02;
 // Around a sharp tip no place on the surface is better, but one a little off it.
 constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
 constexpr double kRolledOut = 1e-3;                  // radians
+// Beside curves any angle is better than a thin wall's: steps that move the surface farther, in
+// target edge lengths, would cut across its rims.
+constexpr double kMostBesideCurves = 0.25;
 // Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
 constexpr double kSplitAbove = 0.7;
 constexpr double kCollapseBelow = 1.2;
@@ -118,7 +121,6 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   }
 }
 
-// Beside a curve what leaves the surface would show, and be in vain.
 bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
   bool found = mesh.mesh().isBoundary(v);
   mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { found = found || mesh.isCurve(h); });
@@ -216,23 +218,24 @@ std::size_t workOf(const Run& run, Face f) {
 // Whether something was found that makes the worst angle around f larger.
 bool mend(Run& run, Face f, const Attempt& attempt) {
   const Means means = attempt.means;
-  const Vertex corner = run.mesh.mesh().vertices(f)[0];
-  const double size = run.scale * run.sizes.at(run.mesh.at(corner));
-  Best best{means == Means::KeepCount ? run.rule : lenient(run), attempt.shift * size};
+  const auto corners = run.mesh.mesh().vertices(f);
+  const bool isBesideCurve =
+      std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return isOnCurve(run.mesh, v); });
+  const double shift = isBesideCurve ? std::min(attempt.shift, kMostBesideCurves) : attempt.shift;
+  const double size = run.scale * run.sizes.at(run.mesh.at(corners[0]));
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
-  const auto corners = run.mesh.mesh().vertices(f);
   for (const Vertex v : corners) {
     const double before = best.gain;
     if (attempt.inVain.knows(v, before)) continue;
     offerMove(run, v, ground, best);
-    if (best.gain == before && !std::isfinite(attempt.shift)) attempt.inVain.note(v, before);
+    if (best.gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
   }
-  // Without the original nothing says how far off it a vertex already is.
-  const bool mayLift = means == Means::LeaveSurface &&
-                       run.projector.mode() == Projection::Patches &&
-                       std::none_of(corners.begin(), corners.end(),
-                                    [&](Vertex v) { return isOnCurve(run.mesh, v); });
+  // Beside a curve what leaves the surface would show, and be in vain; without the original nothing
+  // says how far off it a vertex already is.
+  const bool mayLift =
+      means == Means::LeaveSurface && !isBesideCurve && run.projector.mode() == Projection::Patches;
   for (int i = 0; mayLift && i < 3; ++i) offerLifts(run, corners[i], best);
   if (means == Means::ChangeCount) {
     offerCollapses(run, f, best);
