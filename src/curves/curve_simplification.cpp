@@ -20,13 +20,21 @@ constexpr double kShort = 0.7;
 // A curve that bends the surface is worth thinner triangles, for the surface leaves its place with
 // it: where it bends by 90° what counts as narrow is less by half of this share.
 constexpr double kWorthOfBends = 0.8;
-// Where it bends by 90° or more, walls as high as a chain is long stay, and so do their corners.
+// And more where it is a wall, as of sheet metal, between surfaces so wide: one without walls is
+// dented all along its rim.
+constexpr double kWorthOfWalls = 1.6, kWide = 1.5;
+// Where a chain bends by 90° or more, walls as high as it is long stay, and so does what is between
+// them. More than that is worth no more.
 constexpr double kRight = 0.5;
 // Neighbours that share this much of the longest border are as near as any.
 constexpr double kAlike = 0.8;
 
 // A chain may become short when one beside it goes, and so on; each time all are looked at.
 constexpr int kMostReleases = 32;
+
+double narrowestWall(double size, double bend) {
+  return kNarrow * size * (1 - kWorthOfWalls * std::min(bend, kRight));
+}
 
 enum class Role : char { None, Free, Fixed };
 
@@ -113,10 +121,27 @@ class Simplification {
     return regions;
   }
 
+  static double longestBorder(const Region& region) {
+    double longest = 0;
+    for (const auto& [other, border] : region.neighbors) longest = std::max(longest, border.length);
+    return longest;
+  }
+
+  // Whether what is beside it along its length is wide.
+  bool isWall(const Region& region, const std::vector<Region>& regions) const {
+    const double along = kAlike * longestBorder(region);
+    return std::all_of(region.neighbors.begin(), region.neighbors.end(), [&](const auto& shared) {
+      return shared.second.length < along || regions[shared.first].width() >= kWide * size_;
+    });
+  }
+
   bool isNarrow(const std::vector<Region>& regions, Index r) const {
-    if (regions[r].neighbors.empty()) return false;
-    const Border& border = regions[r].neighbors.at(partnerOf(regions, r));
-    return regions[r].width() < narrowestWidth(size_, border.meanBend());
+    const Region& region = regions[r];
+    if (region.neighbors.empty()) return false;
+    const double bend = region.neighbors.at(partnerOf(regions, r)).meanBend();
+    const double narrowest =
+        isWall(region, regions) ? narrowestWall(size_, bend) : narrowestWidth(size_, bend);
+    return region.width() < narrowest;
   }
 
   // The narrowest first, each into a neighbour.
@@ -171,12 +196,10 @@ class Simplification {
   // The neighbour with the longest border to it; of several alike the narrowest, so that strips
   // side by side join each other before what is wide swallows one after the other.
   static Index partnerOf(const std::vector<Region>& regions, Index r) {
-    double longest = 0;
-    for (const auto& [other, border] : regions[r].neighbors)
-      longest = std::max(longest, border.length);
+    const double along = kAlike * longestBorder(regions[r]);
     Index best = kNone;
     for (const auto& [other, border] : regions[r].neighbors)
-      if (border.length >= kAlike * longest &&
+      if (border.length >= along &&
           (best == kNone || regions[other].width() < regions[best].width()))
         best = other;
     return best;
@@ -257,7 +280,7 @@ double narrowestWidth(double size, double bend) {
 }
 
 double shortestChain(double size, double bend) {
-  return std::lerp(kShort, narrowestWidth(1, bend), std::min(1.0, bend / kRight)) * size;
+  return std::lerp(kShort, narrowestWall(1, bend), std::min(1.0, bend / kRight)) * size;
 }
 
 SimplifiedCurves simplifyCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,

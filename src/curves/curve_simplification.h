@@ -37,8 +37,9 @@ struct Border {
 // An edge with a face on both sides as a border between them.
 Border borderAlong(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h);
 
-// What lies between curves is let go if it is narrower than this. Both in model units; size: the
-// target edge length; bend: the mean one of its border.
+// What lies between curves is let go if it is narrower than this; a wall between wide surfaces may
+// be narrower still. All in model units; size: the target edge length; bend: the mean one of its
+// border.
 double narrowestWidth(double size, double bend);
 
 // And so is a chain between junctions that is shorter than this; bend: its mean.

@@ -153,7 +153,7 @@ TEST_CASE("curve_simplification: where the surface bends less is narrow") {
   REQUIRE(creases.size() == 2 * kSide);
   CHECK(simplified(bent, {creases, {}}, 2).size() == 2 * kSide);
   CHECK(simplified(flat, {both(line(flat, 10), line(flat, 11)), {}}, 2).size() == kSide);
-  CHECK(simplified(bent, {creases, {}}, 4).size() == kSide);
+  CHECK(simplified(bent, {creases, {}}, 5).size() == kSide);
 }
 
 TEST_CASE("curve_simplification: where a slab's walls stay, so do the edges between them") {
@@ -170,8 +170,10 @@ TEST_CASE("curve_simplification: where a slab's walls stay, so do the edges betw
     if (normal(h).dot(normal(slab.mesh().twin(h))) == 0) edges.push_back(h);
   }
   REQUIRE(edges.size() == 2 * 4 * kSide + 4);
-  // The walls are 1 high.
-  for (const double size : {1.0, 2.0, 3.0}) CHECK(simplified(slab, {edges, {}}, size) == edges);
+  // The walls are 1 high, between squares that have room for triangles of the largest size.
+  for (const double size : {1.0, 2.0, 3.0, 6.0})
+    CHECK(simplified(slab, {edges, {}}, size) == edges);
+  CHECK(simplified(slab, {edges, {}}, 8) != edges);
 }
 
 TEST_CASE("curve_simplification: a narrow strip is absorbed by what is beside it") {
