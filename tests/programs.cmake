@@ -9,6 +9,7 @@ add_executable(unit_tests
   tests/unit/attributes/chart_needs_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/phase_clock_test.cpp
+  tests/unit/base/place_test.cpp
   tests/unit/charts/unwrap_test.cpp
   tests/unit/curves/curve_simplification_test.cpp
   tests/unit/curves/feature_curves_test.cpp
@@ -57,7 +58,6 @@ add_executable(unit_tests
   tests/unit/mesh/mesh_builder_test.cpp
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/topology_test.cpp
-  tests/unit/mesh/weld_test.cpp
   tests/unit/operators/local_operators_test.cpp
   tests/unit/operators/projection_test.cpp
   tests/unit/operators/shift_test.cpp

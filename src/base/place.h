@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "base/types.h"
 
@@ -16,5 +18,8 @@ inline Vec3 canonicalPlace(const Vec3& p) {
   const double nothing = kRounding * p.cwiseAbs().maxCoeff();
   return p.unaryExpr([nothing](double c) { return std::abs(c) <= nothing ? 0 : c; });
 }
+
+// Per vertex the first vertex at its place. Positions must be finite.
+std::vector<Index> weld(std::span<const Vec3> positions);
 
 }  // namespace remesher

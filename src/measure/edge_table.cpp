@@ -2,63 +2,25 @@
 #include "measure/edge_table.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
 #include "base/place.h"
 #include "base/sort_pairs.h"
 
 namespace remesher {
 
-namespace {
-
-std::uint64_t hashOf(const Vec3& p) {
-  std::array<std::uint64_t, 3> words;
-  std::memcpy(words.data(), p.data(), sizeof words);
-  std::uint64_t hash = 0;
-  for (const std::uint64_t word : words) {
-    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
-
-// Positions by open addressing: a position's number is its place in order of first use.
-class PositionTable {
- public:
-  explicit PositionTable(std::size_t most)
-      : slots_(std::bit_ceil(2 * most + 1), kNone), mask_(slots_.size() - 1) {}
-
-  Index numberOf(const Vec3& position) {
-    const Vec3 place = canonicalPlace(position);
-    for (std::size_t slot = hashOf(place) & mask_;; slot = (slot + 1) & mask_) {
-      if (slots_[slot] == kNone) {
-        slots_[slot] = static_cast<Index>(positions.size());
-        positions.push_back(position);
-      }
-      if (canonicalPlace(positions[slots_[slot]]) == place) return slots_[slot];
-    }
-  }
-
-  std::vector<Vec3> positions;
-
- private:
-  std::vector<Index> slots_;
-  std::size_t mask_;
-};
-
-}  // namespace
-
 WeldedMesh weld(const TriangleMesh& mesh) {
-  PositionTable table(mesh.positions.size());
+  const std::vector<Index> first = weld(mesh.positions);
   std::vector<Index> numbers(mesh.positions.size(), kNone);
   WeldedMesh result;
   result.indices.reserve(mesh.indices.size());
   for (const Index v : mesh.indices) {
-    if (numbers[v] == kNone) numbers[v] = table.numberOf(mesh.positions[v]);
-    result.indices.push_back(numbers[v]);
+    Index& number = numbers[first[v]];
+    if (number == kNone) {
+      number = static_cast<Index>(result.positions.size());
+      result.positions.push_back(mesh.positions[v]);
+    }
+    result.indices.push_back(number);
   }
-  result.positions = std::move(table.positions);
   return result;
 }
 

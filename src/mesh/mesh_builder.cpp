@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/place.h"
 #include "mesh/edge_groups.h"
 #include "mesh/manifold_cut.h"
 #include "mesh/orientation.h"
-#include "mesh/weld.h"
 
 namespace remesher {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "mesh/weld.h"
+#include "base/place.h"
 
 namespace remesher {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "mesh/weld.h"
+#include "base/place.h"
 #include "painting/tangents.h"
 
 namespace remesher {

@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "base/place.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "mesh/weld.h"
 #include "steps/simplify.h"
 
 namespace remesher {

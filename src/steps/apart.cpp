@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/weld.h"
+#include "base/place.h"
 #include "steps/sweeps.h"
 
 namespace remesher {

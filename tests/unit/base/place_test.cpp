@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/weld.h"
+#include "base/place.h"
 
 #include <doctest/doctest.h>
 
