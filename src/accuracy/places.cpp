@@ -46,17 +46,33 @@ bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
   return true;
 }
 
-// For each vertex of the original a vertex of the mesh that lies near it along the surface: those
-// on its own faces first, then what its neighbours have.
+// The vertices of the original to measure from: all of them, or those that a stand-in had. Beside
+// these lay what it left out.
+class Posts {
+ public:
+  explicit Posts(const Run& run) : original_(run.mesh.surface().mesh()), thinned_(run.thinned) {}
+
+  // Which are neighbours. Its vertices are the posts, by numbers of their own.
+  const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
+  Vertex near(Vertex original) const { return thinned_ ? (*thinned_->heirs)[original] : original; }
+  Vertex original(Vertex post) const { return thinned_ ? (*thinned_->onOriginal)[post] : post; }
+
+ private:
+  const HalfedgeMesh& original_;
+  const std::optional<Thinned> thinned_;
+};
+
+// For each post a vertex of the mesh that lies near it along the surface: those on its own faces
+// first, then what its neighbours have.
 class NearbyVertices {
  public:
-  explicit NearbyVertices(const WorkingMesh& mesh)
-      : original_(mesh.surface().mesh()), near_(original_.vertexCapacity()) {
+  NearbyVertices(const WorkingMesh& mesh, const Posts& posts)
+      : posts_(posts), near_(posts.mesh().vertexCapacity()) {
     seed(mesh);
     spread();
   }
 
-  Vertex operator[](Vertex v) const { return near_[v]; }
+  Vertex operator[](Vertex post) const { return near_[post]; }
 
  private:
   void seed(const WorkingMesh& mesh) {
@@ -64,12 +80,12 @@ class NearbyVertices {
     for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {
       const Vertex w(i);
       if (!mesh.mesh().isAlive(w)) continue;
-      for (const Vertex v : original_.vertices(mesh.at(w).face)) {
-        if (!near_[v]) reached_.push_back(v);
-        const auto distance2 = [&](Vertex u) {
-          return (mesh.position(u) - positions[v]).squaredNorm();
-        };
-        if (!near_[v] || distance2(w) < distance2(near_[v])) near_[v] = w;
+      for (const Vertex v : mesh.surface().mesh().vertices(mesh.at(w).face)) {
+        const Vertex post = posts_.near(v);
+        const Vec3& at = positions[posts_.original(post)];
+        if (!near_[post]) reached_.push_back(post);
+        const auto distance2 = [&](Vertex u) { return (mesh.position(u) - at).squaredNorm(); };
+        if (!near_[post] || distance2(w) < distance2(near_[post])) near_[post] = w;
       }
     }
   }
@@ -77,7 +93,7 @@ class NearbyVertices {
   void spread() {
     for (std::size_t head = 0; head < reached_.size(); ++head) {
       const Vertex from = reached_[head];
-      original_.forEachNeighbor(from, [&](Vertex v) {
+      posts_.mesh().forEachNeighbor(from, [&](Vertex v) {
         if (near_[v]) return;
         near_[v] = near_[from];
         reached_.push_back(v);
@@ -85,7 +101,7 @@ class NearbyVertices {
     }
   }
 
-  const HalfedgeMesh& original_;
+  const Posts& posts_;
   VertexData<Vertex> near_;
   std::vector<Vertex> reached_;
 };
@@ -97,26 +113,27 @@ class Survey {
         enough_(enough),
         surely_(surely),
         mesh_(run.mesh),
-        nearby_(run.mesh),
-        near_(run.mesh.surface().mesh().vertexCapacity(), 0) {}
+        posts_(run),
+        nearby_(run.mesh, posts_),
+        near_(posts_.mesh().vertexCapacity(), 0) {}
 
   std::vector<Place> places() {
-    const HalfedgeMesh& original = mesh_.surface().mesh();
-    for (Index i = 0; i < original.vertexCapacity(); ++i) {
-      const Vertex v(i);
-      if (!original.isAlive(v) || !nearby_[v]) continue;
-      near_[v] = isSurelyNear(v);
-      if (!near_[v]) add(mesh_.surface().at(v), faceAt(nearby_[v]));
+    const HalfedgeMesh& posts = posts_.mesh();
+    for (Index i = 0; i < posts.vertexCapacity(); ++i) {
+      const Vertex post(i);
+      if (!posts.isAlive(post) || !nearby_[post]) continue;
+      const Vertex v = posts_.original(post), w = nearby_[post];
+      near_[post] = isSurelyNear(v, w);
+      if (!near_[post]) add(mesh_.surface().at(v), faceAt(w));
     }
     addInside();
     return std::move(places_);
   }
 
  private:
-  // Whether a place lies in the tangent plane of the vertex nearby and faces its way: a look that
-  // spares most places a walk.
-  bool isSurelyNear(Vertex v) const {
-    const Vertex w = nearby_[v];
+  // Whether a vertex of the original lies in the tangent plane of one nearby and faces its way: a
+  // look that spares most places a walk.
+  bool isSurelyNear(Vertex v, Vertex w) const {
     // A boundary's tangent plane goes on where the mesh does not.
     if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
@@ -202,10 +219,10 @@ class Survey {
     int side = 0;
     for (const int i : {1, 2}) side = lengthOf(f, i) > lengthOf(f, side) ? i : side;
     const double longest = lengthOf(f, side), size = run_.scale * run_.sizes.at(corners[0]);
-    if (longest < kBetween * size && near_[corners[0]] && near_[corners[1]] && near_[corners[2]])
-      return {};
+    const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
+    if (longest < kBetween * size && std::all_of(corners.begin(), corners.end(), isNear)) return {};
     const double steps = std::ceil(longest / (kSpacing * size));
-    if (!(steps > 1) || !nearby_[corners[0]]) return {};
+    if (!(steps > 1) || !nearby_[posts_.near(corners[0])]) return {};
     const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;
     return {side, steps, std::max(1.0, std::ceil(height / (kSpacing * size)))};
   }
@@ -233,7 +250,7 @@ class Survey {
   void addOver(Face f, const Grids& grids) {
     const HalfedgeMesh& original = mesh_.surface().mesh();
     const auto& [longest, along, rows] = grids[f];
-    Face start = faceAt(nearby_[original.vertices(f)[0]]);
+    Face start = faceAt(nearby_[posts_.near(original.vertices(f)[0])]);
     for (int i = 0; i < 3; ++i) {
       const Halfedge twin = original.twin(HalfedgeMesh::halfedge(f, i));
       if (twin && HalfedgeMesh::face(twin) < f && grids[HalfedgeMesh::face(twin)].hasPlaces())
@@ -267,11 +284,12 @@ class Survey {
   const Run& run_;
   const double enough_, surely_;
   const WorkingMesh& mesh_;
+  const Posts posts_;
   const NearbyVertices nearby_;
   // For the few places that no walk finds the nearest triangle for: those inside triangles of the
   // original far larger than the mesh's.
   std::optional<MeshTree> tree_;
-  VertexData<char> near_;     // surely
+  VertexData<char> near_;     // surely, per post
   std::vector<Face> starts_;  // of the walks to the place at hand
   std::vector<Place> places_;
 };

@@ -9,7 +9,7 @@
 
 namespace remesher {
 
-struct StandIn::Thinned {
+struct StandIn::Parts {
   BuiltMesh built;
   FeatureCurves curves;
   VertexData<Vertex> heirs, onOriginal;
@@ -43,11 +43,10 @@ StandIn::StandIn(const OriginalSurface& original, double edge)
         for (const Vertex v : onOriginal.values())
           built.sources.values().push_back(original.built().sources[v]);
         FeatureCurves curves(built.mesh, original.curves(), heirs);
-        return Thinned{std::move(built), std::move(curves), std::move(heirs),
-                       std::move(onOriginal)};
+        return Parts{std::move(built), std::move(curves), std::move(heirs), std::move(onOriginal)};
       }()) {}
 
-StandIn::StandIn(const OriginalSurface& original, Thinned&& thinned)
+StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
     : original_(&original),
       heirs_(std::move(thinned.heirs)),
       onOriginal_(std::move(thinned.onOriginal)),
@@ -86,6 +85,7 @@ void land(Run& run) {
   run.mesh.moveOnto(standIn.original(), places);
   run.projector.moveOnto(standIn.original());
   run.sizes.moveOnto(standIn.original(), standIn.heirs());
+  run.thinned = standIn.thinned();
 }
 
 }  // namespace remesher

@@ -22,10 +22,11 @@ class StandIn {
   SurfacePoint onOriginal(const SurfacePoint& p) const;
   // Per vertex of the original the one of the stand-in that it went into.
   const VertexData<Vertex>& heirs() const { return heirs_; }
+  Thinned thinned() const { return {&surface_.mesh(), &onOriginal_, &heirs_}; }
 
  private:
-  struct Thinned;
-  StandIn(const OriginalSurface& original, Thinned&& thinned);
+  struct Parts;
+  StandIn(const OriginalSurface& original, Parts&& thinned);
 
   const OriginalSurface* original_;
   VertexData<Vertex> heirs_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/progress.h"
 #include "gate/fidelity.h"
@@ -18,6 +19,13 @@ enum class Boundaries { Even, Staggered };
 
 class StandIn;
 
+// A part of the original's vertices, how they hang together, and which of them each has gone into.
+struct Thinned {
+  const HalfedgeMesh* mesh;
+  const VertexData<Vertex>* onOriginal;
+  const VertexData<Vertex>* heirs;
+};
+
 struct Run {
   WorkingMesh& mesh;
   Projector& projector;
@@ -28,8 +36,9 @@ struct Run {
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
-  LocalChange change = {};           // the proposal at hand
-  Vertex result = {};                // what the last change made, moved or kept; none after a flip
+  std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
+  LocalChange change = {};              // the proposal at hand
+  Vertex result = {};  // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
 };
 

@@ -3,7 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
+#include "accuracy/places.h"
 #include "mesh/topology.h"
+#include "steps/decimate.h"
 #include "steps/sweeps.h"
 #include "support/runs.h"
 
@@ -44,6 +48,30 @@ TEST_CASE("stand_in: curves are the same, place by place") {
                 .norm() == 0);
     }
   }
+}
+
+TEST_CASE("stand_in: what is far from a coarse mesh is seen from its vertices, which are few") {
+  const OriginalSurface original = shapes::surfaceOf(shapes::icosphere(24), shapes::Features::None);
+  const StandIn standIn(original, 0.1);
+  SizeField sizes(standIn.surface(), {.vertices = 40});
+  Projector projector(standIn.surface());
+  WorkingMesh mesh(standIn.surface());
+  decimate(mesh, {}, VertexData<double>(mesh.mesh().vertexCapacity(), 0.6));
+  Run run{mesh, projector, sizes, {}};
+  run.standIn = &standIn;
+  land(run);
+  const auto look = [&] { return measurePlaces(run, 0, 0); };
+  const auto farthest = [](const std::vector<Place>& places) {
+    double most = 0;
+    for (const Place& place : places) most = std::max(most, place.distance);
+    return most;
+  };
+  const std::vector<Place> few = look();
+  run.thinned.reset();
+  const std::vector<Place> all = look();
+  CHECK(few.size() <= standIn.surface().mesh().vertexCount());
+  CHECK(all.size() > 2 * few.size());
+  CHECK(farthest(few) > 0.9 * farthest(all));
 }
 
 TEST_CASE("stand_in: a mesh that lands lies on the original, its curve vertices where they were") {
