@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Sizes: modules in a folder, lines of a file, lines and parameters of a function. A header and its
 // source are one module; a function that has no name is part of the one it stands in.
-import { dirname } from 'node:path';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 
 import { Linter } from 'eslint';
 
 import { cppFunctions } from './cpp_functions.js';
-import { filesUnder, readText } from './tree.js';
+import { filesUnder, readText, root } from './tree.js';
 
 /** @typedef {{ name: string, line: number, lines: number, parameters: number }} FunctionSize */
 
@@ -39,16 +41,37 @@ export function jsFunctions(text) {
   return found;
 }
 
+/** What looks for functions, by its hash. */
+const parser = createHash('sha256').update(process.version).update(
+  ['tests/support/figures.js', 'tests/support/cpp_functions.js',
+    'node_modules/.package-lock.json'].map(readText).join()).digest('hex');
+
+/**
+ * The functions of each file. To parse JavaScript takes seconds: what was found in a text before is
+ * remembered by its hash.
+ * @param {string} top a folder
+ * @param {readonly { path: string, text: string }[]} files
+ */
+function functionsOf(top, files) {
+  const memory = join(root, 'build/checks');
+  const place = join(memory, `functions-${top}.json`);
+  const known = existsSync(place) ? JSON.parse(readFileSync(place, 'utf8')) : {};
+  const found = new Map(files.map(({ path, text }) => {
+    const hash = createHash('sha256').update(`${parser}${path}\n${text}`);
+    const key = hash.digest('hex');
+    return [key, known[key] ?? (path.endsWith('.js') ? jsFunctions(text) : cppFunctions(text))];
+  }));
+  mkdirSync(memory, { recursive: true });
+  writeFileSync(place, JSON.stringify(Object.fromEntries(found)));
+  return [...found.values()];
+}
+
 /** @param {string} top a folder @returns the sizes of each source file below it */
 export function filesWithSizes(top) {
-  return filesUnder(top, /\.(h|cpp|js)$/).map((path) => {
-    const text = readText(path);
-    return {
-      path,
-      lines: text.trimEnd().split('\n').length,
-      functions: path.endsWith('.js') ? jsFunctions(text) : cppFunctions(text),
-    };
-  });
+  const files = filesUnder(top, /\.(h|cpp|js)$/).map((path) => ({ path, text: readText(path) }));
+  const functions = functionsOf(top, files);
+  return files.map(({ path, text }, at) =>
+    ({ path, lines: text.trimEnd().split('\n').length, functions: functions[at] }));
 }
 
 /**
