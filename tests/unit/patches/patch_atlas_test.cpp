@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <map>
 
 #include "support/soups.h"
@@ -63,11 +64,14 @@ void subdivide(Subdivision& mesh, PatchAtlas& atlas) {
 
 // The fine vertex nearest to each coarse one.
 SurfacePoint nearest(const Surface& fine, const Vec3& p) {
-  Vertex best(0);
-  for (Index v = 0; v < fine.mesh().vertexCapacity(); ++v)
-    if ((fine.positions()[Vertex(v)] - p).squaredNorm() <
-        (fine.positions()[best] - p).squaredNorm())
-      best = Vertex(v);
+  Vertex best;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index v = 0; v < fine.mesh().vertexCapacity(); ++v) {
+    const double distance = (fine.positions()[Vertex(v)] - p).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best = Vertex(v);
+  }
   return fine.at(best);
 }
 
