@@ -47,7 +47,7 @@ TriangleMesh strips() {
   return sheetOf([](Index x) { return x; });
 }
 
-// A floor 8 wide, a step of 0.5 down and a floor 16 wide, each with normals of its own. The texture
+// A floor 8 wide, a step of 0.2 down and a floor 16 wide, each with normals of its own. The texture
 // goes on from the first floor over the step and jumps at the second.
 TriangleMesh step() {
   struct Column {
@@ -68,10 +68,10 @@ TriangleMesh step() {
       }
   };
   std::vector<Column> upper, lower;
-  for (int x = 0; x <= 8; ++x) upper.push_back({double(x), 0.5, float(x)});
+  for (int x = 0; x <= 8; ++x) upper.push_back({double(x), 0.2, float(x)});
   for (int x = 8; x <= kSide; ++x) lower.push_back({double(x), 0, kApart + float(x)});
   add(upper, {0, 0, 1});
-  add({{8, 0.5, 8}, {8, 0, 8.5F}}, {1, 0, 0});
+  add({{8, 0.2, 8}, {8, 0, 8.2F}}, {1, 0, 0});
   add(lower, {0, 0, 1});
   mesh.attributes = {std::move(uv), std::move(normals)};
   return mesh;
@@ -155,7 +155,7 @@ TEST_CASE("chart_keeper: a triangle all within what is absorbed shows what is no
 TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shading") {
   const TriangleMesh input = step();
   RemeshOptions options;
-  options.vertices = 100;  // edges 2.6 long, and a step of 0.5
+  options.vertices = 100;  // edges 2.6 long, and a step of 0.2: less than a tenth
   const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
   const Attribute* normals = findAttribute(mesh, "NORMAL");
   REQUIRE(normals);
