@@ -38,6 +38,14 @@ const mixed = (values, size, { corners, weights }) => Array.from({ length: size 
 
 const off = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
+/** Where on the tube's flat sides given texture coordinates are. */
+function placeOf([u, v]) {
+  const side = Math.min(Math.floor(u * columns), columns - 1);
+  const share = u * columns - side;
+  const [from, to] = [side, side + 1].map((i) => positions.slice(3 * i, 3 * i + 3));
+  return new Vector3(...from.map((x, c) => x + share * (to[c] - x))).setY(v * length);
+}
+
 test('texture coordinates are those of the nearest point of the same chart', async () => {
   const { mesh } = await remesh({
     positions: new Float64Array(positions),
@@ -50,7 +58,11 @@ test('texture coordinates are those of the nearest point of the same chart', asy
     .map((place) => off(mixed(texcoords, 2, place), uv)));
   for (let v = 0; v < carried.length / 2; v += 1) {
     const uv = [carried[2 * v], carried[2 * v + 1]];
-    assert.ok(error(vertexOf(mesh.positions, v), uv) < 1e-4, `vertex ${v} carries ${uv}`);
+    const vertex = vertexOf(mesh.positions, v);
+    // Vertices that lie off the tube carry what is beneath them, hardly further away than the nearest.
+    const { distance } = original.find(vertex);
+    assert.ok(placeOf(uv).distanceTo(vertex) < 1.01 * distance + 5e-5 * diagonal,
+      `vertex ${v} carries ${uv}`);
   }
   const inside = [];
   for (let t = 0; t < mesh.indices.length; t += 3) {
