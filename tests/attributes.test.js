@@ -59,7 +59,7 @@ test('texture coordinates are those of the nearest point of the same chart', asy
   for (let v = 0; v < carried.length / 2; v += 1) {
     const uv = [carried[2 * v], carried[2 * v + 1]];
     const vertex = vertexOf(mesh.positions, v);
-    // Vertices that lie off the tube carry what is beneath them, hardly further away than the nearest.
+    // Off the tube a vertex carries what is beneath it, hardly further away than the nearest.
     const { distance } = original.find(vertex);
     assert.ok(placeOf(uv).distanceTo(vertex) < 1.01 * distance + 5e-5 * diagonal,
       `vertex ${v} carries ${uv}`);
