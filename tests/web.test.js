@@ -9,7 +9,8 @@ import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 const shape = torus(24, 12);
 
 /** One page that most tests share, each leaving it idle. */
-const { site, page, complaints } = await visit({ hash: '#model=bunny&vertices=1200' });
+const { site, page, complaints } = await visit(
+  { hash: '#model=bunny&vertices=1200', viewport: { width: 800, height: 480 } });
 
 /** Asks for a number of vertices and waits for the result. */
 async function remeshTo(vertices) {
@@ -138,7 +139,8 @@ test('nothing can be sent elsewhere', async () => {
 });
 
 test('a telephone shows all without scrolling sideways, and errors where one looks', async () => {
-  const phone = await openPage(site, { viewport: { width: 390, height: 844 }, hasTouch: true });
+  const phone = await openPage(site,
+    { hash: '#vertices=400', viewport: { width: 390, height: 844 }, hasTouch: true });
   await settled(phone.page);
   assert.equal(await phone.page.evaluate(() => document.documentElement.scrollWidth), 390);
   assert.deepEqual(phone.complaints, []);

@@ -9,7 +9,7 @@ import { drop, opened, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 
 const { page, complaints } = await visit(
-  { hash: '#model=gear&vertices=500', viewport: { width: 900, height: 560 } });
+  { hash: '#model=gear&vertices=500', unseen: true, viewport: { width: 900, height: 560 } });
 
 const ring = objText(torus(16, 8));
 

@@ -23,7 +23,7 @@ const size = { width: 800, height: 480 };
 const button = (name) => `.takeaway button:text-is("${name}")`;
 
 const { page } = await visit({ hash: '#model=vase&vertices=1000&adaptivity=0.25',
-  viewport: size, permissions: ['clipboard-read', 'clipboard-write'] });
+  unseen: true, viewport: size, permissions: ['clipboard-read', 'clipboard-write'] });
 
 for (const format of ['OBJ', 'OFF', 'PLY', 'STL', 'Download GLB', 'glTF (ZIP)']) {
   test(`${format} has the vertices of the report`, async () => {
@@ -52,6 +52,7 @@ test('the report is JSON', async () => {
 
 test('pictures are twice the size, with the background or without', async () => {
   const canvas = await page.locator('#canvas').boundingBox();
+  await page.evaluate(() => { globalThis.isSeen = true; });
   for (const [name, alpha] of [['Picture', 255], ['Picture, no background', 0]]) {
     const picture = decode((await saved(page, button(name))).bytes);
     await settled(page);
@@ -61,6 +62,7 @@ test('pictures are twice the size, with the background or without', async () => 
     const middle = 4 * (Math.round(picture.height / 2) * picture.width + picture.width / 4);
     assert.equal(picture.data[Math.round(middle) + 3], 255, 'the model');
   }
+  await page.evaluate(() => { globalThis.isSeen = false; });
 });
 
 /** What the copy button beside a heading puts on the clipboard. */

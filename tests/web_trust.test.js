@@ -20,7 +20,7 @@ import { withMemory } from './support/small_memory.js';
 import { filesUnder, root } from './support/tree.js';
 
 const folder = await builtPage();
-const sight = { hash: '#model=gear&vertices=500', unseen: true,
+const sight = { hash: '#model=gear&vertices=500', unseen: true, isKept: true,
   viewport: { width: 800, height: 480 } };
 const { site, page } = await visit(sight);
 

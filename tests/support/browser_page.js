@@ -13,10 +13,10 @@ import { startChromium } from './chromium.js';
 const patience = 110_000;
 
 /** Serves the built page, and starts a browser; `close` undoes both. */
-export async function startSite() {
+export async function startSite({ isLean = false } = {}) {
   const build = { outDir: await builtPage() };
   const server = await preview({ configFile, logLevel: 'error', build, preview: { port: 0 } });
-  const browser = await startChromium();
+  const browser = await startChromium({ isLean });
   return {
     url: server.resolvedUrls.local[0],
     browser,
@@ -32,28 +32,57 @@ export async function startSite() {
   };
 }
 
-/** Runs in a page: the graphics card, which is software, does all that it is told but draw. */
+/** Runs in a page: the graphics card, which is software, does all that it is told but draw, unless
+ * `isSeen`. */
 function drawNothing() {
   const { prototype } = WebGL2RenderingContext;
-  Object.assign(prototype, { drawArrays() {}, drawElements() {} });
+  for (const name of ['drawArrays', 'drawElements']) {
+    const draw = prototype[name];
+    prototype[name] = function drawSeen(...request) {
+      if (globalThis.isSeen) draw.apply(this, request);
+    };
+  }
+}
+
+/** Runs in a page: the browser keeps no page for when there is no network. */
+function keepNothing() {
+  delete Navigator.prototype.serviceWorker;
+}
+
+/** A lean browser reads the canvas back itself, and complains of that. */
+const isBrowsersOwn = (text) => text.includes('GPU stall due to ReadPixels');
+
+/** Runs in a page, which then complains where it does so itself. */
+function tellReading() {
+  const { prototype } = WebGL2RenderingContext;
+  const read = prototype.readPixels;
+  prototype.readPixels = function readAndTell(...request) {
+    console.warn('The page waits for the graphics card: readPixels');
+    read.apply(this, request);
+  };
 }
 
 /** A page with its complaints: whatever it wrote to the console as an error, or threw.
  * `wasm`: served instead of the package's own. `unseen`: nobody looks at its pictures, the drawing
- * of which takes a fourth of the time. */
+ * of which takes a fourth of the time. `isKept`: for when there is no network. */
 export async function openPage(site,
-  { hash = '', prepare = () => {}, wasm, unseen = false, ...options } = {}) {
+  { hash = '', prepare = () => {}, wasm, unseen = false, isKept = true, ...options } = {}) {
   const page = await site.browser.newPage({
-    viewport: { width: 1200, height: 760 }, locale: 'en-US', ...options });
+    viewport: { width: 1200, height: 760 }, deviceScaleFactor: unseen ? 0.5 : 1, locale: 'en-US',
+    ...options });
   page.setDefaultTimeout(patience);
   const complaints = [];
   page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+    const text = message.text();
+    if (isBrowsersOwn(text)) return;
+    if (['error', 'warning'].includes(message.type())) complaints.push(text);
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
   page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
   await page.addInitScript(prepare);
+  await page.addInitScript(tellReading);
   if (unseen) await page.addInitScript(drawNothing);
+  if (!isKept) await page.addInitScript(keepNothing);
   if (wasm) {
     await page.route(/remesher-[\w-]+\.wasm$/, (route) =>
       route.fulfill({ body: Buffer.from(wasm), contentType: 'application/wasm' }));
@@ -63,12 +92,13 @@ export async function openPage(site,
 }
 
 /** The page that most tests of a file share, idle with its sample; closed behind the last of them.
+ * Keeping it takes as long as loading it, and is not done unless asked for.
  * @param {Parameters<typeof openPage>[1]} options */
 export async function visit(options) {
-  const site = await startSite();
+  const site = await startSite({ isLean: true });
   after(() => site.close());
   try {
-    const arrived = await openPage(site, options);
+    const arrived = await openPage(site, { isKept: false, ...options });
     await settled(arrived.page);
     return { site, ...arrived };
   } catch (error) {

@@ -11,6 +11,10 @@ const options = [
   '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 
-export function startChromium() {
-  return chromium.launch({ executablePath: findChromium(thisSystem()), args: options });
+/** What stands for a graphics card does WebGL, and nothing else of a page. */
+const leanOptions = ['--disable-gpu-compositing', '--disable-gpu-rasterization'];
+
+export function startChromium({ isLean = false } = {}) {
+  const args = isLean ? [...options, ...leanOptions] : options;
+  return chromium.launch({ executablePath: findChromium(thisSystem()), args });
 }
