@@ -95,6 +95,7 @@ add_executable(unit_tests
   tests/unit/steps/simplify_test.cpp
   tests/unit/steps/sweeps_test.cpp
   tests/unit/surface/boundary_places_test.cpp
+  tests/unit/surface/curvature_test.cpp
   tests/unit/surface/original_surface_test.cpp
   tests/unit/surface/surface_walk_test.cpp
 )

@@ -116,6 +116,18 @@ test('bent sheet metal keeps its walls where edges are many times as long as the
       }
   });
 
+test('a thin ring stays round where its tube is a few edges around', async () => {
+  const tube = 0.05;
+  const mesh = torus({ columns: 96, rows: 16, radius: 1, tube });
+  const diagonal = 2 * Math.hypot(1 + tube, 1 + tube, tube);
+  for (const vertices of [400, 600, 800, 1000])
+    for (const quality of /** @type {const} */ (['best', 'draft'])) {
+      const { report } = await run(mesh, { vertices, quality });
+      const off = (report.fidelity.hausdorff / 100) * diagonal;
+      assert.ok(off < tube / 2, `${vertices} vertices, ${quality}: ${off} of ${tube}`);
+    }
+});
+
 test('a draft keeps every promise, and is near what it is a draft of', async () => {
   const mesh = packaged('bunny');
   const draft = await run(mesh, { vertices: 5000, quality: 'draft' });

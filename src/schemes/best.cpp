@@ -17,6 +17,7 @@
 #include "steps/subdivide.h"
 #include "steps/sweeps.h"
 #include "steps/valence.h"
+#include "surface/curvature.h"
 
 namespace remesher {
 
@@ -42,6 +43,9 @@ constexpr std::size_t kManyVertices = 40000;
 constexpr std::size_t kFewVertices = 400;
 // Corners never move: a coarse mesh needs so many vertices to each.
 constexpr std::size_t kVerticesPerCorner = 6;
+// On average, over a coarse edge. Six edges as long as its radius go around a tube (a bend of 1);
+// with fewer it falls flat, and no vertex that comes later raises it again.
+constexpr double kMostBend = 0.9;
 
 // How the vertices come about: a coarse mesh, subdivided so often.
 struct Levels {
@@ -60,7 +64,13 @@ Levels planLevels(const Run& run, std::size_t vertices) {
       std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
   if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices};
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
-  while (levels > 0 && (vertices >> (2 * levels)) < kVerticesPerCorner * corners) --levels;
+  const double area = run.mesh.surface().area();
+  const double bend = levels > 0 ? meanBend(run.mesh.surface()) : 0;
+  const auto isTooCoarse = [&](std::size_t coarse) {
+    return coarse < kVerticesPerCorner * corners ||
+           bend * evenEdgeLength(area, double(coarse)) > kMostBend;
+  };
+  while (levels > 0 && isTooCoarse(vertices >> (2 * levels))) --levels;
   return {levels, vertices >> (2 * levels), vertices};
 }
 

@@ -70,6 +70,24 @@ VertexData<double> curvatures(const OriginalSurface& surface) {
   return result;
 }
 
+double meanBend(const OriginalSurface& surface) {
+  const HalfedgeMesh& mesh = surface.mesh();
+  const auto& p = surface.positions();
+  double growth = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const Halfedge h = mesh.halfedge(Face(i));
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    const Vec3 ab = p[b] - p[a], ac = p[c] - p[a], across = ab.cross(ac);
+    const double twice = across.norm();
+    if (!(twice > 0)) continue;
+    const Vec3& normal = surface.cornerNormal(h);
+    const Vec3 toB = surface.cornerNormal(mesh.next(h)) - normal;
+    const Vec3 toC = surface.cornerNormal(mesh.prev(h)) - normal;
+    growth += 0.5 * std::abs(across.dot(ab.cross(toC) + toB.cross(ac))) / twice;
+  }
+  return surface.area() > 0 ? growth / surface.area() : 0;
+}
+
 VertexData<double> vertexAreas(const OriginalSurface& surface) {
   const HalfedgeMesh& mesh = surface.mesh();
   VertexData<double> areas(mesh.vertexCapacity(), 0);
