@@ -89,44 +89,33 @@ class Row {
   void fill(const CellRun& run) {
     for (int i = run.begin; i < run.end();) {
       const int count = std::min(kBits - i % kBits, run.end() - i);
-      words_[i / kBits] |= ~std::uint64_t{} >> (kBits - count) << (i % kBits);
+      words_[i / kBits] |= kAll >> (kBits - count) << (i % kBits);
       i += count;
     }
   }
 
-  // Each bit takes the place of the one so far below it.
-  Row moved(int distance) const {
-    Row result;
+  // Sets those whose bit in another row, so much farther on, is set; from a cell on at least.
+  void add(const Row& other, int distance, int from) {
     const std::size_t whole = distance / kBits;
     const int rest = distance % kBits;
-    for (std::size_t i = 0; i + whole < kWords; ++i) {
-      result.words_[i] = words_[i + whole] >> rest;
+    for (std::size_t i = from / kBits; i + whole < kWords; ++i) {
+      words_[i] |= other.words_[i + whole] >> rest;
       if (rest > 0 && i + whole + 1 < kWords)
-        result.words_[i] |= words_[i + whole + 1] << (kBits - rest);
+        words_[i] |= other.words_[i + whole + 1] << (kBits - rest);
     }
-    return result;
   }
 
-  Row& operator|=(const Row& other) {
-    for (std::size_t i = 0; i < kWords; ++i) words_[i] |= other.words_[i];
-    return *this;
-  }
-
-  bool isSet(int i) const { return (words_[i / kBits] >> (i % kBits) & kOne) != 0; }
-
-  // The first cell whose bit is not set.
-  int firstFree() const {
-    std::size_t i = 0;
-    while (i < kWords && ~words_[i] == 0) ++i;
-    return int(i) * kBits + (i < kWords ? std::countr_one(words_[i]) : 0);
-  }
+  // The first cell from this one on whose bit is set, or is not; kCells: there is none.
+  int firstSet(int from) const { return first(from, 0); }
+  int firstFree(int from) const { return first(from, kAll); }
 
   // How many cells without a bit lie side by side at most.
   int longestFree(int cells) const {
     int longest = 0;
-    for (int i = 0, begin = 0; i < cells; ++i) {
-      if (isSet(i)) begin = i + 1;
-      longest = std::max(longest, i + 1 - begin);
+    for (int begin = firstFree(0); begin < cells;) {
+      const int end = firstSet(begin);
+      longest = std::max(longest, std::min(end, cells) - begin);
+      begin = firstFree(end);
     }
     return longest;
   }
@@ -134,7 +123,15 @@ class Row {
  private:
   static constexpr int kBits = 64;
   static constexpr std::size_t kWords = kCells / kBits;
-  static constexpr std::uint64_t kOne = 1;
+  static constexpr std::uint64_t kAll = ~std::uint64_t{};
+
+  int first(int from, std::uint64_t flipped) const {
+    std::uint64_t mask = kAll << (from % kBits);
+    for (std::size_t i = from / kBits; i < kWords; ++i, mask = kAll)
+      if (const std::uint64_t word = (words_[i] ^ flipped) & mask)
+        return int(i) * kBits + std::countr_zero(word);
+    return kCells;
+  }
 
   std::array<std::uint64_t, kWords> words_{};
 };
@@ -145,10 +142,9 @@ class TakenRow {
   explicit TakenRow(int cells) : cells_(cells), longestFree_(cells) {}
 
   void fill(const CellRun& run) {
-    blocked_[0].fill(run);
-    for (std::size_t i = 1; i < blocked_.size(); ++i) {
-      blocked_[i] = blocked_[i - 1];
-      blocked_[i] |= blocked_[i - 1].moved(1 << (i - 1));
+    for (std::size_t i = 0; i < blocked_.size(); ++i) {
+      const int begin = std::max(0, run.begin - (1 << i) + 1);
+      blocked_[i].fill({run.end() - begin, 0, begin});
     }
     longestFree_ = blocked_[0].longestFree(cells_);
   }
@@ -156,13 +152,12 @@ class TakenRow {
   // How many cells are free side by side at most.
   int longestFree() const { return longestFree_; }
 
-  // Where a mask cannot begin, for this run of it would come upon what is taken.
-  Row blocked(const CellRun& run) const {
-    const auto power = std::size_t(std::bit_width(unsigned(run.length)) - 1);
-    Row result = blocked_[power];
-    const int rest = run.length - (1 << power);
-    if (rest > 0) result |= result.moved(rest);
-    return result.moved(run.begin);
+  // Adds, from a cell on, where a mask cannot begin, for this run of it would come upon what is
+  // taken.
+  void addBlocked(Row& to, const CellRun& run, int from) const {
+    const int power = std::bit_width(unsigned(run.length)) - 1, rest = run.length - (1 << power);
+    to.add(blocked_[power], run.begin, from);
+    if (rest > 0) to.add(blocked_[power], run.begin + rest, from);
   }
 
  private:
@@ -242,14 +237,12 @@ class Packer {
     Mask mask;
     mask.height = int(rows.size());
     for (int r = 0; r < mask.height; ++r)
-      for (int i = 0; i < int(kCells); ++i) {
-        if (!rows[r].isSet(i)) continue;
-        CellRun run{0, r, i};
-        while (i < int(kCells) && rows[r].isSet(i)) ++i;
-        run.length = i - run.begin;
-        mask.width = std::max(mask.width, i);
-        mask.cells += run.length;
-        mask.runs.push_back(run);
+      for (int i = rows[r].firstSet(0); i < int(kCells);) {
+        const int begin = i, end = rows[r].firstFree(begin);
+        mask.width = std::max(mask.width, end);
+        mask.cells += end - begin;
+        mask.runs.push_back({end - begin, r, begin});
+        i = rows[r].firstSet(end);
       }
     std::sort(mask.runs.rbegin(), mask.runs.rend());
     return mask;
@@ -298,8 +291,8 @@ class Packer {
       Row blocked;
       int x = 0;
       for (const CellRun& run : mask.runs) {
-        blocked |= square[y + run.row].blocked(run);
-        x = blocked.firstFree();
+        square[y + run.row].addBlocked(blocked, run, x);
+        x = blocked.firstFree(x);
         if (x + mask.width > cells_) break;
       }
       if (x + mask.width <= cells_) return Berth{x, y, 0};
