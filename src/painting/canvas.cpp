@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace remesher {
@@ -61,14 +62,24 @@ void forEachBeside(std::size_t texel, Index size, const Visit& visit) {
 }
 
 void setToMean(io::Image& image, std::size_t texel, std::span<const std::size_t> others) {
-  std::array<unsigned, 4> sum{};
+  // Two bytes side by side, each with room for a sum of eight.
+  constexpr std::uint32_t kPair = 0x00ff00ff;
+  std::array<std::uint32_t, 2> sums{};
+  for (const std::size_t j : others) {
+    std::uint32_t bytes;
+    std::memcpy(&bytes, &image.texels[4 * j], sizeof bytes);
+    sums[0] += bytes & kPair;
+    sums[1] += bytes >> 8 & kPair;
+  }
   const unsigned count = unsigned(others.size());
   // Eight bytes at most: of them this is as good as the division.
   const unsigned inverse = 65536 / count + 1;
-  for (const std::size_t j : others)
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += image.texels[4 * j + c];
-  for (std::size_t c = 0; c < 4; ++c)
-    image.texels[4 * texel + c] = std::uint8_t((sum[c] + count / 2) * inverse >> 16);
+  const auto mean = [&](std::uint32_t sum) { return (sum + count / 2) * inverse >> 16; };
+  const auto means = [&](std::uint32_t pair) {
+    return mean(pair & 0xffff) | mean(pair >> 16) << 16;
+  };
+  const std::uint32_t bytes = means(sums[0]) | means(sums[1]) << 8;
+  std::memcpy(&image.texels[4 * texel], &bytes, sizeof bytes);
 }
 
 }  // namespace
