@@ -222,10 +222,11 @@ void requireImages(const io::Model& model, const std::vector<Picture>& pictures)
         require(*map);
 }
 
-std::vector<io::NamedImage> imagesFrom(const std::vector<Picture>& pictures) {
+std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures) {
   std::vector<io::NamedImage> images;
-  for (const Picture& picture : pictures)
-    images.push_back({picture.name, {picture.width, picture.height, picture.texels}});
+  for (Picture& picture : pictures)
+    images.push_back(
+        {std::move(picture.name), {picture.width, picture.height, std::move(picture.texels)}});
   return images;
 }
 
@@ -238,13 +239,13 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
 }
 
 // The model's parts remeshed, and its textures painted for them.
-Run remeshBaked(io::Model& model, const std::vector<Picture>& pictures,
-                const RemeshOptions& options, const Progress& progress) {
+Run remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+                const Progress& progress) {
   requirePaint(model);
   requireImages(model, pictures);
   std::erase_if(model.warnings,
                 [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
-  const Repaint repaint(model, imagesFrom(pictures));
+  const Repaint repaint(model, imagesFrom(std::move(pictures)));
   Run run = remeshScaled(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
   model.parts = std::move(run.parts);
   withinMemory([&] {
@@ -330,7 +331,7 @@ RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const Remesh
   return result;
 }
 
-RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
+RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
   if (options.textures == Textures::Bake) requireTextured(outputName, options);
@@ -342,7 +343,7 @@ RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputNa
   std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
     const Progress body = whole.part(kReadShare, 1);
     if (options.textures == Textures::Keep) return remeshAll(model.parts, options, body);
-    return {remeshBaked(model, input.pictures, options, body)};
+    return {remeshBaked(model, std::move(input.pictures), options, body)};
   });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = inFile(input.file.name, [&] {

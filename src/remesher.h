@@ -65,7 +65,7 @@ struct RemeshFileResult {
   Report report;
 };
 
-RemeshFileResult remeshFile(const FileBundle& input, const std::string& outputName,
+RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
 
 struct ConvertFileResult {
