@@ -124,7 +124,8 @@ class Borders {
       normal += weights[k] * surface_.normal(h);
       h = nextCorner(h);
     }
-    return shownBy(source_.at(finder_.find(point, normal.normalized())));
+    const InputPlace place = finder_.find(point, normal.normalized());
+    return shownBy(source_.at({&place, 1}));
   }
 
   const NewSurface& surface_;

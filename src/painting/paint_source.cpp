@@ -38,6 +38,12 @@ Vec2 pairOf(const Attribute& attribute, Index vertex) {
 
 }  // namespace
 
+InputPlace middleOf(std::span<const InputPlace> places) {
+  Vec3 sum = Vec3::Zero();
+  for (const InputPlace& place : places) sum += place.weights;
+  return {places.front().triangle, sum / double(places.size())};
+}
+
 PaintSource::PaintSource(SourceInput input) : input_(std::move(input)) {
   for (const io::Material& m : input_.materials) maps_.push_back(mapsFor(m));
   for (int i = 0; i < kTexcoordSets; ++i)
@@ -144,23 +150,14 @@ void PaintSource::orient() {
   tangents_ = computeTangents({positions, normals_, texcoords});
 }
 
-const Attribute* PaintSource::texcoords(int set) const {
-  const Attribute* const at = set >= 0 && set < kTexcoordSets ? texcoords_[set] : nullptr;
-  return at != nullptr && at->itemSize == 2 ? at : nullptr;
-}
-
 Vec2 PaintSource::texcoord(int set, Index vertex) const {
-  const Attribute* const at = texcoords(set);
-  return at != nullptr ? pairOf(*at, vertex) : Vec2(0, 0);
+  const Attribute* const at = set >= 0 && set < kTexcoordSets ? texcoords_[set] : nullptr;
+  return at != nullptr && at->itemSize == 2 ? pairOf(*at, vertex) : Vec2(0, 0);
 }
 
-Vec2 PaintSource::texcoord(int set, const InputPlace& place) const {
-  Vec2 sum = Vec2::Zero();
-  const Attribute* const at = texcoords(set);
-  if (at == nullptr) return sum;
-  const Index* const corners = &mesh().indices[3 * std::size_t{place.triangle}];
-  for (Index k = 0; k < 3; ++k) sum += place.weights[k] * pairOf(*at, corners[k]);
-  return sum;
+std::array<Vec2, 3> PaintSource::texcoords(int set, Index triangle) const {
+  const Index* const corners = &mesh().indices[3 * std::size_t{triangle}];
+  return {texcoord(set, corners[0]), texcoord(set, corners[1]), texcoord(set, corners[2])};
 }
 
 Vec3 PaintSource::position(const InputPlace& place) const {
@@ -174,22 +171,34 @@ Vec3 PaintSource::shadingNormal(const InputPlace& place) const {
   return unitOr(sum, faceNormals_[place.triangle]);
 }
 
-PaintSource::Texels PaintSource::lookUp(const InputPlace& place) const {
-  // The first and the last channel that a kind of map says anything in.
+PaintSource::Texels PaintSource::lookUp(std::span<const InputPlace> places) const {
+  const Index triangle = places.front().triangle;
+  const Maps& maps = mapsOf(triangle);
+  // From which to which channel a kind of map says anything.
   static constexpr std::array<std::pair<std::size_t, std::size_t>, MapKinds> kChannels = {
-      {{0, 3}, {1, 2}, {0, 0}, {0, 2}, {0, 2}}};
-  const Maps& maps = mapsOf(place.triangle);
+      {{0, 4}, {1, 3}, {0, 1}, {0, 3}, {0, 3}}};
+  const double share = 1.0 / double(places.size());
   Texels texels;
-  std::array<Texture::Spot, MapKinds> spots;
+  std::array<std::array<Vec2, 3>, MapKinds> corners;
   for (std::size_t i = 0; i < MapKinds; ++i) {
     const Texture& map = maps.textures[i];
     texels[i].setOnes();
     if (!map) continue;
-    if (maps.like[i] == i) spots[i] = map.spotAt(texcoord(map.texcoord(), place));
-    const auto [first, last] = kChannels[i];
-    for (std::size_t c = first; c <= last; ++c)
-      texels[i][Eigen::Index(c)] = map.at(spots[maps.like[i]], c);
+    for (auto c = kChannels[i].first; c < kChannels[i].second; ++c) texels[i][Eigen::Index(c)] = 0;
+    if (maps.like[i] == i) corners[i] = texcoords(map.texcoord(), triangle);
   }
+  std::array<Texture::Spot, MapKinds> spots;
+  for (const auto& [_, weights] : places)
+    for (std::size_t i = 0; i < MapKinds; ++i) {
+      const Texture& map = maps.textures[i];
+      if (!map) continue;
+      const auto& uv = corners[i];
+      if (maps.like[i] == i)
+        spots[i] = map.spotAt(weights[0] * uv[0] + weights[1] * uv[1] + weights[2] * uv[2]);
+      const Texture::Spot& spot = spots[maps.like[i]];
+      for (auto c = kChannels[i].first; c < kChannels[i].second; ++c)
+        texels[i][Eigen::Index(c)] += share * map.at(spot, c);
+    }
   return texels;
 }
 
@@ -221,9 +230,10 @@ Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place,
                 normal);
 }
 
-Look PaintSource::at(const InputPlace& place) const {
+Look PaintSource::at(std::span<const InputPlace> places) const {
+  const InputPlace place = middleOf(places);
   const io::Material& material = materialOf(place.triangle);
-  const Texels texels = lookUp(place);
+  const Texels texels = lookUp(places);
   Look look;
   look.baseColor =
       material.baseColor.cwiseProduct(texels[BaseColorMap]).cwiseProduct(vertexColor(place));
@@ -239,9 +249,7 @@ double PaintSource::texels(Index triangle) const {
   double most = 0;
   for (const Texture& map : mapsOf(triangle).textures) {
     if (!map) continue;
-    std::array<Vec2, 3> uv;
-    for (Index k = 0; k < 3; ++k)
-      uv[k] = texcoord(map.texcoord(), mesh().indices[3 * triangle + k]);
+    const std::array<Vec2, 3> uv = texcoords(map.texcoord(), triangle);
     const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0];
     most = std::max(most, 0.5 * std::abs(a.x() * b.y() - a.y() * b.x()) * map.texels());
   }

@@ -31,6 +31,9 @@ struct SourceInput {
   Unshaded unshaded;
 };
 
+// Of places on one triangle.
+InputPlace middleOf(std::span<const InputPlace> places);
+
 class PaintSource {
  public:
   // What the input refers to must outlive the object.
@@ -46,7 +49,9 @@ class PaintSource {
 
   Vec3 position(const InputPlace& place) const;
   Vec3 shadingNormal(const InputPlace& place) const;  // without the normal map; unit
-  Look at(const InputPlace& place) const;
+  // The mean over places on one triangle, of which the maps are looked up at each, and all else in
+  // the middle.
+  Look at(std::span<const InputPlace> places) const;
 
   // Texels of the finest map of a triangle that lie on it.
   double texels(Index triangle) const;
@@ -68,7 +73,7 @@ class PaintSource {
     std::array<Texture, MapKinds> textures;
     std::array<std::size_t, MapKinds> like;
   };
-  // What the maps say at a place; 1 where there is none.
+  // What the maps say; 1 where there is none.
   using Texels = std::array<Eigen::Vector4d, MapKinds>;
 
   Maps mapsFor(const io::Material& material) const;
@@ -78,10 +83,9 @@ class PaintSource {
   void linkTriangles();
   void shade();
   void orient();
-  const Attribute* texcoords(int set) const;  // null: there are none
   Vec2 texcoord(int set, Index vertex) const;
-  Vec2 texcoord(int set, const InputPlace& place) const;
-  Texels lookUp(const InputPlace& place) const;
+  std::array<Vec2, 3> texcoords(int set, Index triangle) const;
+  Texels lookUp(std::span<const InputPlace> places) const;
   Eigen::Vector4d vertexColor(const InputPlace& place) const;
   Vec3 bent(const Vec3& normal, const InputPlace& place, const Eigen::Vector4d& texel) const;
 

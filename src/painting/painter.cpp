@@ -16,6 +16,10 @@ constexpr double kFewest = 2, kMost = 8;
 // Texels of the original up to so much finer, two to one of ours, are mixed well enough by looking
 // up once, for that is between four of them.
 constexpr double kAlike = std::numbers::sqrt2;
+// Up to here two looks on a texel's diagonal are no farther apart, for those of all texels are the
+// corners and the middles of squares. With twice as many texels they would see one half of a
+// chequerboard only.
+constexpr double kDiagonal = 1.9;
 
 // What the points of a texel come to.
 struct Mixture {
@@ -90,8 +94,10 @@ class Painter {
          {&result_.baseColor, &result_.surface, &result_.emissive, &result_.normal})
       *image = {rules.size, rules.size, std::vector<std::uint8_t>(4 * owners_.size(), 255)};
     const int side = int(std::clamp(std::ceil(rules.finer / kAlike), kFewest, kMost));
+    const bool isDiagonal = rules.finer > kAlike && rules.finer <= kDiagonal;
     for (int i = 0; i < side * side; ++i) {
       const int column = i % side, row = i / side;
+      if (isDiagonal && column != row) continue;
       spread_.push_back(Vec2(column + 0.5, row + 0.5) / side);
     }
   }
@@ -143,12 +149,13 @@ class Painter {
   Mixture mixtureAt(std::size_t texel) {
     findPlaces(texel);
     Mixture mixture;
-    for (std::size_t i = 0; i < places_.size();) {
-      const std::size_t end = rules_.finer <= kAlike ? endOfTriangle(i) : i + 1;
-      Vec3 sum = Vec3::Zero();
-      for (std::size_t k = i; k < end; ++k) sum += places_[k].weights;
-      mixture.add(source_->at({places_[i].triangle, sum / double(end - i)}), int(end - i));
-      i = end;
+    const bool isAlike = rules_.finer <= kAlike;
+    for (std::size_t i = 0, end = 0; i < places_.size(); i = end) {
+      end = isAlike || rules_.isOpaque ? endOfTriangle(i) : i + 1;
+      std::span<const InputPlace> here(&places_[i], end - i);
+      const InputPlace middle = middleOf(here);
+      if (isAlike) here = {&middle, 1};
+      mixture.add(source_->at(here), int(end - i));
     }
     return mixture;
   }
@@ -165,6 +172,7 @@ class Painter {
   // in it does the rim go on.
   void findPlaces(std::size_t texel) {
     const Vec2 corner = cornerOf(texel);
+    if (findTogether(corner)) return;
     places_.clear();
     for (const bool isWithin : {true, false}) {
       for (const Vec2& offset : spread_) {
@@ -174,6 +182,28 @@ class Painter {
       }
       if (!places_.empty()) return;
     }
+  }
+
+  // The same from the place of the texel's middle, if all points are within the rims and on one
+  // triangle: most are, and a search is dear.
+  bool findTogether(const Vec2& corner) {
+    const auto isCutOff = [&](const Vec2& offset) {
+      const Vec2 point = corner + offset;
+      return outline_.kept(point) != point;
+    };
+    if (std::any_of(spread_.begin(), spread_.end(), isCutOff)) return false;
+    const Vec2 half = Vec2::Constant(0.5), middle = corner + half;
+    const auto found = finder_->findMoving(points_.at(middle), normals_.at(middle).normalized(),
+                                           {points_.perX, points_.perY});
+    if (!found) return false;
+    places_.clear();
+    for (const Vec2& offset : spread_) {
+      const Vec2 way = offset - half;
+      places_.push_back({found->place.triangle,
+                         found->place.weights + way.x() * found->perX + way.y() * found->perY});
+    }
+    return std::all_of(places_.begin(), places_.end(),
+                       [](const InputPlace& place) { return place.weights.minCoeff() >= 0; });
   }
 
   Vec2 cornerOf(std::size_t texel) const {

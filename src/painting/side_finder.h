@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "painting/paint_source.h"
@@ -19,6 +20,12 @@ struct NewTriangle {
   std::array<InputPlace, 3> places;  // of the corners on the original
 };
 
+// A place, and how its weights change where the point that it is the place of moves two ways.
+struct MovingPlace {
+  InputPlace place;
+  Vec3 perX, perY;
+};
+
 class SideFinder {
  public:
   explicit SideFinder(const PaintSource& source);
@@ -28,6 +35,11 @@ class SideFinder {
 
   // The place for a point of it, or a little beside it; normal: unit.
   InputPlace find(const Vec3& point, const Vec3& normal);
+
+  // The same, if it is along the normal, for a point that may move two ways: as long as no weight
+  // falls below zero, the place is on the same triangle.
+  std::optional<MovingPlace> findMoving(const Vec3& point, const Vec3& normal,
+                                        const std::array<Vec3, 2>& ways);
 
  private:
   // A triangle looked at, with what a line is met by.
