@@ -20,7 +20,7 @@ const colourOf = (i, j) => [
   Math.round(127 + 100 * Math.cos((2 * Math.PI * j) / rows)), 90];
 
 /** The texture of a torus of scraps. */
-const torusTexture = () => {
+const torusTexture = (() => {
   const charts = layOut(scraps);
   return png(texels, texels, (x, y) => {
     const on = charts.find(({ left, top, width, height }) => x >= left - 4 && x < left + width + 4
@@ -28,17 +28,16 @@ const torusTexture = () => {
     return colourOf(on.i0 + ((on.i1 - on.i0) * (x + 0.5 - on.left)) / on.width,
       on.j0 + ((on.j1 - on.j0) * (y + 0.5 - on.top)) / on.height);
   });
-};
+})();
 
 /** A torus of scraps, its colours continuous over every seam; `change` has a say in it. */
 function paintedTorus(change = () => {}) {
   const charts = layOut(scraps);
   const mesh = { positions: [], texcoords: [], indices: [] };
   charts.forEach((chart) => addChart(mesh, chart));
-  const texture = torusTexture();
   const maker = new GltfMaker();
   Object.assign(maker.tree, {
-    images: [{ bufferView: maker.addView(texture), mimeType: 'image/png' }],
+    images: [{ bufferView: maker.addView(torusTexture), mimeType: 'image/png' }],
     textures: [{ source: 0 }],
     materials: [{ name: 'paint', pbrMetallicRoughness: {
       baseColorTexture: { index: 0 }, metallicFactor: 0.25 } }],
@@ -344,7 +343,7 @@ function objOfTorus() {
   const library = 'newmtl paint\nmap_Kd -s 1 1 1 the paint.png\nmap_Bump bumps.png\n';
   const encode = (text) => new TextEncoder().encode(text);
   return { name: 'torus.obj', bytes: encode(`${lines.join('\n')}\n`),
-    resources: { 'paint.mtl': encode(library), 'the paint.png': torusTexture() } };
+    resources: { 'paint.mtl': encode(library), 'the paint.png': torusTexture } };
 }
 
 test('an OBJ is painted from what its material library says', async () => {

@@ -67,21 +67,22 @@ export const linear = (byte) => {
   return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
 };
 
-const unit = (v) => v.map((x) => x / Math.hypot(...v));
+const unit = (v) => {
+  const length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return [v[0] / length, v[1] / length, v[2] / length];
+};
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0]];
 
-/** Whole numbers from the least of some numbers to the greatest. */
-const range = (values) => {
-  const first = Math.floor(Math.min(...values));
-  return Array.from({ length: Math.max(0, Math.ceil(Math.max(...values)) - first) },
-    (_, i) => first + i);
-};
+/** The texels along a side that three numbers reach over: from the first to before the last. */
+const span = (a, b, c) => [Math.floor(Math.min(a, b, c)), Math.ceil(Math.max(a, b, c))];
 
 /** What a texel says, given the weights of a triangle's corners. */
 function texel({ primitive, images }, corners, weights, at) {
-  const mix = (name) => primitive[name][0].map((_, k) =>
-    weights.reduce((sum, weight, i) => sum + weight * primitive[name][corners[i]][k], 0));
+  const mix = (name) => {
+    const [a, b, c] = corners.map((corner) => primitive[name][corner]);
+    return a.map((x, k) => weights[0] * x + weights[1] * b[k] + weights[2] * c[k]);
+  };
   const normal = unit(mix('NORMAL'));
   const tangent = unit(mix('TANGENT').slice(0, 3));
   const bitangent = cross(normal, tangent).map((s) => s * primitive.TANGENT[corners[0]][3]);
@@ -93,22 +94,27 @@ function texel({ primitive, images }, corners, weights, at) {
   };
 }
 
-/** For every texel within a triangle: its place, its colour, and the normal that it stands for. */
-export function forEachTexel(model, visit) {
+/** The same as below, of one triangle. */
+function visitWithin(model, corners, visit) {
   const { primitive, images: { baseColor: { width, height } } } = model;
-  for (let t = 0; t < primitive.indices.length; t += 3) {
-    const corners = [0, 1, 2].map((k) => primitive.indices[t + k]);
-    const [a, b, c] = corners.map((i) =>
-      [primitive.TEXCOORD_0[i][0] * width, primitive.TEXCOORD_0[i][1] * height]);
-    const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    const places = range([a[1], b[1], c[1]]).flatMap((y) =>
-      range([a[0], b[0], c[0]]).map((x) => [x, y]));
-    for (const [x, y] of places) {
-      const [p, q] = [x + 0.5 - a[0], y + 0.5 - a[1]];
+  const [a, b, c] = corners.map((i) =>
+    [primitive.TEXCOORD_0[i][0] * width, primitive.TEXCOORD_0[i][1] * height]);
+  const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const [left, right] = span(a[0], b[0], c[0]);
+  const [top, bottom] = span(a[1], b[1], c[1]);
+  for (let y = top; y < bottom; y += 1) {
+    for (let x = left; x < right; x += 1) {
+      const p = x + 0.5 - a[0], q = y + 0.5 - a[1];
       const v = (p * (c[1] - a[1]) - q * (c[0] - a[0])) / area;
       const w = ((b[0] - a[0]) * q - (b[1] - a[1]) * p) / area;
       const isInside = v >= 0 && w >= 0 && v + w <= 1;
       if (isInside) visit(texel(model, corners, [1 - v - w, v, w], 4 * (y * width + x)));
     }
   }
+}
+
+/** For every texel within a triangle: its place, its colour, and the normal that it stands for. */
+export function forEachTexel(model, visit) {
+  const { indices } = model.primitive;
+  for (let t = 0; t < indices.length; t += 3) visitWithin(model, indices.slice(t, t + 3), visit);
 }
