@@ -26,7 +26,6 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
-  tests/unit/geometry/space_order_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
@@ -57,6 +56,7 @@ add_executable(unit_tests
   tests/unit/mesh/manifold_cut_test.cpp
   tests/unit/mesh/mesh_builder_test.cpp
   tests/unit/mesh/orientation_test.cpp
+  tests/unit/mesh/space_order_test.cpp
   tests/unit/mesh/topology_test.cpp
   tests/unit/operators/local_operators_test.cpp
   tests/unit/operators/projection_test.cpp

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/space_order.h"
+#include "mesh/space_order.h"
 
 namespace remesher {
 

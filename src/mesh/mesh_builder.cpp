@@ -2,6 +2,8 @@
 #include "mesh/mesh_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -10,16 +12,22 @@
 #include "mesh/edge_groups.h"
 #include "mesh/manifold_cut.h"
 #include "mesh/orientation.h"
+#include "mesh/space_order.h"
 
 namespace remesher {
 
 namespace {
 
-// The triangles still kept: corners by place (the first vertex there), wedges by input vertex.
+// Of a mesh with more places than the caches hold, what lies side by side in space is to do so in
+// memory, however the input has it: whatever looks around a vertex waits less.
+constexpr std::size_t kManyPlaces = 100'000;
+
+// The triangles still kept: corners by place, wedges by input vertex.
 struct Soup {
   std::vector<Index> corners;
   std::vector<Index> wedges;
   std::vector<Index> triangles;
+  std::vector<Index> sources;  // per place: the first vertex there
 };
 
 void warn(std::vector<Warning>& warnings, const char* code, const char* message,
@@ -27,14 +35,56 @@ void warn(std::vector<Warning>& warnings, const char* code, const char* message,
   if (count > 0) warnings.push_back({code, message, count});
 }
 
+// In the order of the places: the first vertex at each.
+std::vector<Index> sourcesOf(const TriangleMesh& input, const std::vector<Index>& first) {
+  std::vector<Index> sources;
+  for (Index v = 0; v < first.size(); ++v)
+    if (first[v] == v) sources.push_back(v);
+  if (sources.size() < kManyPlaces) return sources;
+  std::vector<std::array<float, 3>> points(sources.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      points[i][axis] = float(input.positions[sources[i]][axis]);
+  std::vector<Index> order = orderInSpace(points);
+  for (Index& place : order) place = sources[place];
+  return order;
+}
+
+// Per vertex of the input its place.
+std::vector<Index> placesOf(const std::vector<Index>& first, const std::vector<Index>& sources) {
+  std::vector<Index> places(first.size());
+  for (Index i = 0; i < sources.size(); ++i) places[sources[i]] = i;
+  for (Index v = 0; v < first.size(); ++v) places[v] = places[first[v]];
+  return places;
+}
+
+// The triangles of the input: where places are put in order, by the first place of each.
+std::vector<Index> orderOfTriangles(const TriangleMesh& input, const std::vector<Index>& places,
+                                    std::size_t placeCount) {
+  std::vector<Index> order(input.triangleCount());
+  std::iota(order.begin(), order.end(), Index{0});
+  if (placeCount < kManyPlaces) return order;
+  std::vector<Index> begins(placeCount + 1, 0);
+  const auto firstPlace = [&](std::size_t f) {
+    const Index* wedge = &input.indices[3 * f];
+    return std::min({places[wedge[0]], places[wedge[1]], places[wedge[2]]});
+  };
+  for (std::size_t f = 0; f < order.size(); ++f) ++begins[firstPlace(f) + 1];
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  for (Index f = 0; f < order.size(); ++f) order[begins[firstPlace(f)]++] = f;
+  return order;
+}
+
 Soup gather(const TriangleMesh& input) {
-  const std::vector<Index> place = weld(input.positions);
+  const std::vector<Index> first = weld(input.positions);
   Soup soup;
+  soup.sources = sourcesOf(input, first);
+  const std::vector<Index> place = placesOf(first, soup.sources);
   soup.corners.reserve(input.indices.size());
   soup.wedges.reserve(input.indices.size());
   soup.triangles.reserve(input.triangleCount());
-  for (Index f = 0; f < input.triangleCount(); ++f) {
-    const Index* wedge = &input.indices[3 * f];
+  for (const Index f : orderOfTriangles(input, place, soup.sources.size())) {
+    const Index* wedge = &input.indices[3 * std::size_t{f}];
     const Index a = place[wedge[0]], b = place[wedge[1]], c = place[wedge[2]];
     if (a == b || b == c || c == a) continue;
     soup.corners.insert(soup.corners.end(), {a, b, c});
@@ -121,8 +171,10 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
   built.mesh = cut.twins.empty() ? HalfedgeMesh(cut.origins.size(), cut.corners)
                                  : HalfedgeMesh(cut.origins.size(), cut.corners, cut.twins);
   built.positions.reserve(cut.origins.size());
-  for (const Index source : cut.origins)
+  for (Index& source : cut.origins) {
+    source = soup.sources[source];
     built.positions.values().push_back(input.positions[source]);
+  }
   built.sources.values() = std::move(cut.origins);
   built.wedges.values() = std::move(soup.wedges);
   built.triangles.values() = std::move(soup.triangles);
@@ -130,12 +182,13 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
 }
 
 // Without copies of triangles, and with neighbours that face the same side.
-void makeConsistent(Soup& soup, std::size_t vertexCount, std::vector<Warning>& warnings) {
-  EdgeGroups edges(vertexCount, soup.corners);
+void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
+  const std::size_t placeCount = soup.sources.size();
+  EdgeGroups edges(placeCount, soup.corners);
   const std::size_t duplicates = removeDuplicates(soup, edges);
   warn(warnings, "DUPLICATE_TRIANGLES_REMOVED",
        "Triangles that repeat another one exactly were removed.", duplicates);
-  if (duplicates > 0) edges = EdgeGroups(vertexCount, soup.corners);
+  if (duplicates > 0) edges = EdgeGroups(placeCount, soup.corners);
 
   const Orientation orientation = orient(soup.corners, edges);
   warn(warnings, "INCONSISTENT_ORIENTATION_FIXED",
@@ -147,34 +200,37 @@ void makeConsistent(Soup& soup, std::size_t vertexCount, std::vector<Warning>& w
 }
 
 ManifoldCut cutApart(const TriangleMesh& input, const Soup& soup, std::vector<Index> twins) {
-  const std::size_t vertexCount = input.positions.size();
-  if (!twins.empty()) return cutFans(soup.corners, vertexCount, std::move(twins));
-  return cutToManifold(input.positions, soup.corners, EdgeGroups(vertexCount, soup.corners));
+  const std::size_t placeCount = soup.sources.size();
+  if (!twins.empty()) return cutFans(soup.corners, placeCount, std::move(twins));
+  std::vector<Vec3> positions;
+  positions.reserve(placeCount);
+  for (const Index source : soup.sources) positions.push_back(input.positions[source]);
+  return cutToManifold(positions, soup.corners, EdgeGroups(placeCount, soup.corners));
 }
 
 }  // namespace
 
 BuiltMesh buildMesh(const TriangleMesh& input) {
   requireValid(input);
-  const std::size_t vertexCount = input.positions.size();
   std::vector<Warning> warnings;
 
   Soup soup = gather(input);
+  const std::size_t placeCount = soup.sources.size();
   warn(warnings, "DEGENERATE_TRIANGLES_REMOVED",
        "Triangles without three distinct corners were removed.",
        input.triangleCount() - soup.triangles.size());
 
-  std::vector<Index> twins = plainTwins(vertexCount, soup.corners);
+  std::vector<Index> twins = plainTwins(placeCount, soup.corners);
   if (twins.empty()) {
-    makeConsistent(soup, vertexCount, warnings);
-    twins = plainTwins(vertexCount, soup.corners);
+    makeConsistent(soup, warnings);
+    twins = plainTwins(placeCount, soup.corners);
   }
   ManifoldCut cut = cutApart(input, soup, std::move(twins));
   std::size_t backToBack = 0;
   // Without some of them the surface is cut elsewhere, which may set others free.
   while (const std::size_t removed = removeBackToBack(soup, cut)) {
     backToBack += removed;
-    cut = cutApart(input, soup, plainTwins(vertexCount, soup.corners));
+    cut = cutApart(input, soup, plainTwins(placeCount, soup.corners));
   }
   warn(warnings, "BACK_TO_BACK_TRIANGLES_REMOVED",
        "Triangles back to back, which enclose nothing, were removed.", backToBack);

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/check.h"
@@ -62,6 +64,29 @@ TriangleMesh randomBag(soups::Random& random) {
   return bag;
 }
 
+// The same surface, its vertices and triangles in no order.
+TriangleMesh shuffled(const TriangleMesh& mesh) {
+  soups::Random random(5);
+  const auto anyOrder = [&](std::size_t size) {
+    std::vector<Index> order(size);
+    for (Index i = 0; i < size; ++i) {
+      const auto k = std::size_t((i + 1) * random.number());
+      order[i] = order[k];
+      order[k] = i;
+    }
+    return order;
+  };
+  const std::vector<Index> vertices = anyOrder(mesh.positions.size());
+  TriangleMesh result;
+  result.positions.resize(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    result.positions[vertices[v]] = mesh.positions[v];
+  for (const Index t : anyOrder(mesh.triangleCount()))
+    for (std::size_t k = 0; k < 3; ++k)
+      result.indices.push_back(vertices[mesh.indices[3 * std::size_t{t} + k]]);
+  return result;
+}
+
 // A vertex with two neighbours inside the surface: all its faces are two, back to back.
 bool hasPocket(const HalfedgeMesh& mesh) {
   for (Index v = 0; v < mesh.vertexCapacity(); ++v)
@@ -114,6 +139,29 @@ TEST_CASE("mesh_builder: vertices keep the order of the input, unused ones are l
   CHECK(built.mesh.vertexCount() == 12);
   for (Index v = 0; v < 12; ++v) CHECK(built.sources[Vertex(v)] == v + 1);
   CHECK(built.mesh.triangles().size() == input.indices.size());
+}
+
+TEST_CASE("mesh_builder: of a large mesh neighbours come to lie side by side, in any order given") {
+  const TriangleMesh input = shuffled(shapes::grid(350, 300));
+  const BuiltMesh built = buildMesh(input);
+  CHECK(check(built.mesh) == "");
+  CHECK(built.warnings.empty());
+  CHECK(built.mesh.vertexCount() == input.positions.size());
+  CHECK(built.mesh.faceCount() == input.triangleCount());
+  std::vector<double> gaps;
+  std::size_t wrong = 0;
+  for (Index i = 0; i < built.mesh.halfedgeCapacity(); ++i) {
+    const Vertex from = built.mesh.origin(Halfedge(i)), to = built.mesh.tip(Halfedge(i));
+    gaps.push_back(std::abs(double(from.index) - double(to.index)));
+    const Index triangle = built.triangles[HalfedgeMesh::face(Halfedge(i))];
+    const Index wedge = built.wedges[Halfedge(i)];
+    const auto corner = input.indices.begin() + 3 * triangle;
+    wrong += std::count(corner, corner + 3, wedge) != 1 || built.sources[from] != wedge ||
+             input.positions[wedge] != built.positions[from];
+  }
+  CHECK(wrong == 0);
+  std::nth_element(gaps.begin(), gaps.begin() + gaps.size() / 2, gaps.end());
+  CHECK(gaps[gaps.size() / 2] < 16);
 }
 
 TEST_CASE("mesh_builder: triangles without three distinct corners are removed") {

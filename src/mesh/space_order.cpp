@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curve by tables, after Hamilton: Compact Hilbert Indices, 2006 (entry points, directions and
 // the Gray code, section 2).
-#include "geometry/space_order.h"
+#include "mesh/space_order.h"
 
 #include <algorithm>
 #include <bit>

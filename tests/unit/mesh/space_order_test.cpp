@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/space_order.h"
+#include "mesh/space_order.h"
 
 #include <doctest/doctest.h>
 
