@@ -15,34 +15,36 @@ constexpr int kSmoothing = 4;
 // The largest turn of the normal per length along an edge at v, on v's own side of every curve.
 VertexData<double> sharpestTurns(const OriginalSurface& surface) {
   const HalfedgeMesh& mesh = surface.mesh();
-  VertexData<double> result(mesh.vertexCapacity(), 0);
+  VertexData<double> result(mesh.vertexCapacity(), 0);  // squared, at first
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     // Both sides of an edge have the same ends, and the same normals there, except at a curve.
     if (!mesh.isEdge(h) && !surface.curves().isCurve(h)) continue;
     const Vertex a = mesh.origin(h), b = mesh.tip(h);
-    const double length = (surface.positions()[b] - surface.positions()[a]).norm();
-    if (!(length > 0)) continue;
-    const double turn = (surface.cornerNormal(mesh.next(h)) - surface.cornerNormal(h)).norm();
-    for (const Vertex v : {a, b}) result[v] = std::max(result[v], turn / length);
+    const double length2 = (surface.positions()[b] - surface.positions()[a]).squaredNorm();
+    if (!(length2 > 0)) continue;
+    const Vec3 turn = surface.cornerNormal(mesh.next(h)) - surface.cornerNormal(h);
+    const double sharpness = turn.squaredNorm() / length2;
+    for (const Vertex v : {a, b}) result[v] = std::max(result[v], sharpness);
   }
+  for (double& turn : result.values()) turn = std::sqrt(turn);
   return result;
 }
 
+// Each the mean of itself and its neighbours. Edge after edge: a turn around each vertex would wait
+// for every step.
 VertexData<double> smoothed(const HalfedgeMesh& mesh, const VertexData<double>& values) {
-  VertexData<double> result(values.size(), 0);
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
-    const Vertex v(i);
-    if (!mesh.isAlive(v)) continue;
-    double sum = values[v];
-    int n = 1;
-    mesh.forEachNeighbor(v, [&](Vertex w) {
-      sum += values[w];
-      ++n;
-    });
-    result[v] = sum / n;
+  VertexData<double> sums = values, counts(values.size(), 1);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const Vertex a = mesh.origin(h), b = mesh.tip(h);
+    sums[a] += values[b];
+    sums[b] += values[a];
+    ++counts[a], ++counts[b];
   }
-  return result;
+  for (Index i = 0; i < values.size(); ++i) sums[Vertex(i)] /= counts[Vertex(i)];
+  return sums;
 }
 
 // A curve bends too, where the surfaces on both its sides may be flat.

@@ -2,7 +2,11 @@
 #include "surface/size_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
 #include <queue>
 
 #include "geometry/triangle.h"
@@ -17,6 +21,7 @@ namespace {
 constexpr double kFinest = 0.25;
 constexpr double kCoarsest = 2.25;
 constexpr int kNormalizations = 3;
+constexpr double kNormalEnough = 1e-3;  // so far from being normal sizes are as good
 // Longer edges, in units of the mean of the sizes at their ends, do not outlast a run.
 constexpr double kLongestEdge = 5.0 / 3;
 // Beside kept edges, in units of the smaller size: the sooner sizes are back to what they should
@@ -28,22 +33,41 @@ constexpr double kLongestBesideKept = 4.0 / 3;
 constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
 constexpr double kShortestChord = 0.75, kLongestChord = 4;
 
+// Of values that are not negative, which rise as their bits do: 16 bits after the other, by how
+// much area lies below.
+double medianByArea(const VertexData<double>& values, const VertexData<double>& areas) {
+  constexpr int kBits = 16;
+  constexpr std::size_t kDigits = 1 << kBits;
+  const double total = std::accumulate(areas.values().begin(), areas.values().end(), 0.0);
+  double below = 0;
+  std::uint64_t median = 0;
+  for (int shift = 64 - kBits; shift >= 0; shift -= kBits) {
+    std::vector<double> shares(kDigits, 0);
+    for (Index i = 0; i < values.size(); ++i) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &values[Vertex(i)], sizeof bits);
+      if ((bits ^ median) >> shift >> kBits == 0)
+        shares[std::size_t(bits >> shift) % kDigits] += areas[Vertex(i)];
+    }
+    std::uint64_t found = 0;
+    for (std::size_t digit = 0; digit < kDigits; ++digit) {
+      if (shares[digit] == 0) continue;
+      found = digit;
+      if (below + shares[digit] >= total / 2) break;
+      below += shares[digit];
+    }
+    median |= found << shift;
+  }
+  double result;
+  std::memcpy(&result, &median, sizeof result);
+  return result;
+}
+
 // Relative sizes by curvature, 1 where it is the median (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
                     const VertexData<double>& areas, VertexData<double>& sizes) {
   const VertexData<double> k = curvatures(surface);
-  std::vector<std::pair<double, double>> byCurvature;
-  double total = 0;
-  for (Index i = 0; i < k.size(); ++i) {
-    byCurvature.emplace_back(k[Vertex(i)], areas[Vertex(i)]);
-    total += areas[Vertex(i)];
-  }
-  std::sort(byCurvature.begin(), byCurvature.end());
-  double median = 0, below = 0;
-  for (const auto& [curvature, share] : byCurvature) {
-    median = curvature;
-    if ((below += share) >= total / 2) break;
-  }
+  double median = medianByArea(k, areas);
   if (!(median > 0)) median = 1 / surface.diagonal();
   // h ∝ k^-1/4 at half adaptivity, k^-3/8 at full.
   const double strength = adaptivity * (1.25 - adaptivity / 2);
@@ -54,16 +78,15 @@ void applyCurvature(const OriginalSurface& surface, double adaptivity,
   }
 }
 
-// Scales the sizes so that a mesh of them has as many vertices as an even one of edge length
-// `mean`.
-void normalize(const VertexData<double>& areas, double mean, VertexData<double>& sizes) {
+// By what to scale the sizes so that a mesh of them has as many vertices as an even one of edge
+// length `mean`.
+double normalScale(const VertexData<double>& areas, double mean, const VertexData<double>& sizes) {
   double total = 0, weighted = 0;
   for (Index i = 0; i < sizes.size(); ++i) {
     total += areas[Vertex(i)];
     weighted += areas[Vertex(i)] / (sizes[Vertex(i)] * sizes[Vertex(i)]);
   }
-  const double scale = mean * std::sqrt(weighted / total);
-  for (double& size : sizes.values()) size *= scale;
+  return mean * std::sqrt(weighted / total);
 }
 
 // Edges lie as densely as vertices: in proportion to area / size².
@@ -98,24 +121,42 @@ double steepestSlope(double gradation) {
   return 2 * (gradation - 1) / (kLongestEdge * (gradation + 1));
 }
 
-// No size exceeds what the nearest smaller one allows: along a way of length d it may grow by
-// slope·d. In rounds, each over those that the last one has lowered: limits reach a few edges only,
-// and a queue by size would cost more than the few vertices that are lowered twice.
+// Whether the size at w, the larger one, had to be lowered to what that at v allows: along a way of
+// length d it may grow by slope·d. From several places: one copy is enough.
+[[gnu::noinline]] bool limitBy(const OriginalSurface& surface, double slope,
+                               const std::array<Vertex, 2>& edge, VertexData<double>& sizes) {
+  const auto [v, w] = edge;
+  const double most = (sizes[w] - sizes[v]) / slope;
+  const double squaredWay = (surface.positions()[w] - surface.positions()[v]).squaredNorm();
+  if (most * most <= squaredWay) return false;
+  const double limit = sizes[v] + slope * std::sqrt(squaredWay);
+  if (sizes[w] <= limit) return false;
+  sizes[w] = limit;
+  return true;
+}
+
+// No size exceeds what the nearest smaller one allows. Over all edges once, then in rounds, each
+// over those that the last one has lowered: limits reach a few edges only, and a queue by size
+// would cost more than the few vertices that are lowered twice.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
+  const HalfedgeMesh& mesh = surface.mesh();
   std::vector<Vertex> lowered, next;
-  VertexData<char> waits(sizes.size(), 1);
+  VertexData<char> waits(sizes.size(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    std::array<Vertex, 2> edge = {mesh.origin(h), mesh.tip(h)};
+    if (sizes[edge[1]] < sizes[edge[0]]) std::swap(edge[0], edge[1]);
+    if (limitBy(surface, slope, edge, sizes)) waits[edge[1]] = 1;
+  }
   for (Index i = 0; i < sizes.size(); ++i)
-    if (surface.mesh().isAlive(Vertex(i))) lowered.emplace_back(i);
+    if (waits[Vertex(i)]) lowered.emplace_back(i);
   for (; !lowered.empty(); lowered.swap(next), next.clear())
     for (const Vertex v : lowered) {
       waits[v] = 0;
-      surface.mesh().forEachNeighbor(v, [&](Vertex w) {
-        if (sizes[w] <= sizes[v]) return;
-        const double limit =
-            sizes[v] + slope * (surface.positions()[w] - surface.positions()[v]).norm();
-        if (sizes[w] <= limit) return;
-        sizes[w] = limit;
-        if (!waits[w]) next.push_back(w);
+      mesh.forEachNeighbor(v, [&](Vertex w) {
+        if (sizes[w] <= sizes[v] || !limitBy(surface, slope, {v, w}, sizes) || waits[w]) return;
+        next.push_back(w);
         waits[w] = 1;
       });
     }
@@ -228,7 +269,9 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   if (rules.adaptivity > 0) chords = chordLimits(surface, mean_);
   if (rules.error > 0) largest = largestSizes(surface, rules.error);
   for (int i = 0; i < kNormalizations; ++i) {
-    normalize(areas, mean_, sizes_);
+    const double scale = normalScale(areas, mean_, sizes_);
+    if (i > 0 && std::abs(scale - 1) < kNormalEnough) break;
+    for (double& size : sizes_.values()) size *= scale;
     limit(largest, sizes_);
     limit(chords, sizes_);
     for (Index v = 0; v < kept.size(); ++v)
