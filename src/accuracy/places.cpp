@@ -206,21 +206,27 @@ class Survey {
 
   using Grids = FaceData<Grid>;
 
-  double lengthOf(Face f, int side) const {
+  // From several places: one copy is enough.
+  [[gnu::noinline]] double squaredLengthOf(Face f, int side) const {
     const HalfedgeMesh& original = mesh_.surface().mesh();
     const VertexData<Vec3>& positions = mesh_.surface().positions();
     const Halfedge h = HalfedgeMesh::halfedge(f, side);
-    return (positions[original.tip(h)] - positions[original.origin(h)]).norm();
+    return (positions[original.tip(h)] - positions[original.origin(h)]).squaredNorm();
   }
+
+  double lengthOf(Face f, int side) const { return std::sqrt(squaredLengthOf(f, side)); }
 
   Grid gridOf(Face f) const {
     const auto corners = mesh_.surface().mesh().vertices(f);
     const VertexData<Vec3>& p = mesh_.surface().positions();
-    int side = 0;
-    for (const int i : {1, 2}) side = lengthOf(f, i) > lengthOf(f, side) ? i : side;
-    const double longest = lengthOf(f, side), size = run_.scale * run_.sizes.at(corners[0]);
+    const std::array<double, 3> squared = {squaredLengthOf(f, 0), squaredLengthOf(f, 1),
+                                           squaredLengthOf(f, 2)};
+    const auto side = int(std::max_element(squared.begin(), squared.end()) - squared.begin());
+    const double size = run_.scale * run_.sizes.at(corners[0]), between = kBetween * size;
     const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
-    if (longest < kBetween * size && std::all_of(corners.begin(), corners.end(), isNear)) return {};
+    if (squared[side] < between * between && std::all_of(corners.begin(), corners.end(), isNear))
+      return {};
+    const double longest = std::sqrt(squared[side]);
     const double steps = std::ceil(longest / (kSpacing * size));
     if (!(steps > 1) || !nearby_[posts_.near(corners[0])]) return {};
     const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;
