@@ -19,6 +19,7 @@ namespace remesher {
 namespace {
 
 constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6;
+constexpr int kMeansByTurns = 2;  // see meansOf
 // Where so large a share of the bad triangles outlasts two rounds, or one of a draft, the surface
 // allows no better: the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
@@ -309,17 +310,22 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     work -= own;
     return true;
   };
+  std::vector<Face> bad;
+  int inVainSince = 0;  // rounds; what has been in vain with all means but the last will be again
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
-    const std::vector<Face> bad = badTriangles(run, goal.angle);
+    if (inVainSince == 0) bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
     if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
+    if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;
     const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};
     const int tries = attempt.means == Means::LeaveSurface ? kLastTries : kTries;
     for (const Face f : bad)
-      for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i)
+      for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i) {
         if (!mend(run, f, attempt)) break;
+        inVainSince = 0;
+      }
     if (run.mesh.mesh().vertexCount() == vertices) continue;
     matchCount(run, vertices);
     relax(run, 2);
