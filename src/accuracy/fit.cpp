@@ -20,7 +20,8 @@ constexpr int kPasses = 3, kPassesInLarge = 2, kPassesInDraft = 1;
 constexpr double kBeyond = 1.3;
 // A vertex that a pass has moved by less than this is left alone by the next.
 constexpr double kStillMoves = 0.003;  // of the target length
-// Angles above this may shrink, but never below it; what is below may not shrink at all.
+// Angles above this may shrink, but never below it; what is below may not shrink at all. In a
+// draft, which moves vertices once, the last polish sees to that.
 constexpr double kKeepAngle = radians(33);
 
 // Sample points of a triangle: two symmetric orbits of three and the centre.
@@ -95,13 +96,13 @@ bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 // Along the mean normal of the triangles around v, by the mean of their samples' distances.
 void offsetVertex(Run& run, Vertex v, double distance) {
-  const Vec3 normal = run.mesh.areaVectorAround(v);
+  run.star.gather(run.mesh, v);
+  const Vec3 normal = run.star.areaVector(run.mesh.position(v));
   if (!(normal.norm() > 0)) return;
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();
-  if (!staysGood(run.mesh, v, place.position)) return;
-  proposePlacement(run.mesh, v, place, run.change);
-  commit(run);
+  if (run.quality == Quality::Best && !staysGood(run.mesh, v, place.position)) return;
+  commitMove(run, v, place);
 }
 
 bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners) {

@@ -54,12 +54,18 @@ bool isPlain(double longer, double area, const Grain& grain) {
   return area > longer * (kPlain * longer + kPlainGrains * grain.size * grain.size);
 }
 
+// Whether a triangle of this area vector, whose square is given, surely is no fold by one of its
+// corners' normals, of which that is the least product with it.
+bool isUpright(double lean, double squared, const FidelityRule& rule) {
+  constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
+  return lean > 0 && lean * lean > kSurely * rule.fold * rule.fold * squared;
+}
+
 // Whether a triangle is far from a line and from a fold, by a look at what is at hand, which is all
 // that most proposals need: of a corner where curves meet the normal of one side, beside which that
 // of the side that the triangle faces can only be better.
 bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
             const FidelityRule& rule) {
-  constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
   std::array<const Vec3*, 3> p, n;
   for (int i = 0; i < 3; ++i) {
     const bool isMoved = triangle[i] == kMoved;
@@ -68,8 +74,7 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
   }
   const Vec3 ab = *p[1] - *p[0], ac = *p[2] - *p[0], normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
-  const double limit = kSurely * rule.fold * rule.fold * squared;
-  const auto isFold = [&](double lean) { return !(lean > 0 && lean * lean > limit); };
+  const auto isFold = [&](double lean) { return !isUpright(lean, squared, rule); };
   const bool isFolded = isFold(std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])}));
   for (int i = 0; isFolded && i < 3; ++i) {
     if (!isFold(normal.dot(*n[i]))) continue;
@@ -191,6 +196,24 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
   const Fidelity byScheme = options.scheme == Scheme::Rounds ? Fidelity::Loose : Fidelity::Fold;
   return {options.fidelity.value_or(byScheme), std::cos(radians(options.vertexAngle)),
           std::cos(radians(options.triangleAngle))};
+}
+
+bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule) {
+  if (rule.mode != Fidelity::Fold || rule.bound) return false;
+  const std::size_t last = star.size() - 1;
+  Vec3 before = star.position(last) - place.position;
+  double length2Before = before.squaredNorm();
+  for (std::size_t i = 0, k = last; i <= last; k = i++) {
+    const Vec3 spoke = star.position(i) - place.position, normal = before.cross(spoke);
+    const double length2 = spoke.squaredNorm(), squared = normal.squaredNorm();
+    const double lean = std::min(
+        {normal.dot(place.normal), normal.dot(star.normal(k)), normal.dot(star.normal(i))});
+    if (!isUpright(lean, squared, rule)) return false;
+    if (!isPlain(std::max(length2Before, length2), squared, rule.grain)) return false;
+    before = spoke;
+    length2Before = length2;
+  }
+  return true;
 }
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {

@@ -17,6 +17,7 @@
 #include "base/options.h"
 #include "gate/error_bound.h"
 #include "operators/local_change.h"
+#include "operators/star.h"
 
 namespace remesher {
 
@@ -55,6 +56,10 @@ bool isLine(const Triangle& triangle, const Grain& grain);
 // corners at one place, which in a file would be one vertex, and sheets grown together. Projections
 // of different points may end in one corner of the original, or on one edge.
 bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain);
+
+// Whether a vertex inside may surely move there, by a first look at its star, which is all that
+// most moves need. What fails has to be judged.
+bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule);
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule);
 

@@ -38,6 +38,7 @@ struct Run {
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
   std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
   LocalChange change = {};              // the proposal at hand
+  Star star = {};                       // the star at hand
   Vertex result = {};  // what the last change made, moved or kept; none after a flip
   std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
 };
@@ -52,6 +53,19 @@ inline bool commit(Run& run, const FidelityRule& rule) {
 }
 
 inline bool commit(Run& run) { return commit(run, run.rule); }
+
+// Moves a vertex inside, whose star is at hand, if that is accepted. From several places:
+// one copy is enough.
+[[gnu::noinline]] inline bool commitMove(Run& run, Vertex v, const Placement& place) {
+  if (!mayMove(run.star, place, run.rule)) {
+    proposePlacement(run.mesh, v, place, run.change);
+    return commit(run);
+  }
+  ++run.verdicts[std::size_t(Verdict::Accepted)];
+  run.mesh.move(v, place);
+  run.result = v;
+  return true;
+}
 
 // For what is to be done even where that folds the mesh over: carries out the proposal at hand
 // unless triangles become lines.

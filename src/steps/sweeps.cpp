@@ -116,21 +116,20 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
 // from v; and from there to the surface by the shortest way. What the original does beneath the
 // star does not tilt the plane: even where it is rough, a move does not lean towards one side.
 bool walkToMean(Run& run, Vertex v, double part) {
+  const Star& star = run.star;
+  run.star.gather(run.mesh, v);
   const Vec3& at = run.mesh.position(v);
-  const Vec3 normal = run.mesh.areaVectorAround(v).normalized();
+  const Vec3 normal = star.areaVector(at).normalized();
   Vec3 sum = Vec3::Zero();
-  int count = 0;
-  run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
-    const Vec3 spoke = run.mesh.position(w) - at;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Vec3 spoke = star.position(i) - at;
     const Vec3 flat = spoke - normal * normal.dot(spoke);
     const double squared = flat.squaredNorm();
     if (squared > 0) sum += flat * std::sqrt(spoke.squaredNorm() / squared);
-    ++count;
-  });
-  const Vec3 target = at + part / count * sum;
+  }
+  const Vec3 target = at + part / double(star.size()) * sum;
   const SurfacePoint to = closestPointFrom(run.mesh.surface(), run.mesh.at(v), target);
-  proposePlacement(run.mesh, v, run.mesh.onSurface(to), run.change);
-  return commit(run);
+  return commitMove(run, v, run.mesh.onSurface(to));
 }
 
 }  // namespace
