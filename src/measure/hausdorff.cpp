@@ -25,7 +25,7 @@ struct Spread {
     return std::clamp(triangles / trianglesEach, fewest, most);
   }
 };
-constexpr Spread kGlimpsed = {16, 2000, 10'000}, kSampled = {4, 5000, 50'000},
+constexpr Spread kGlimpsed = {32, 2000, 10'000}, kSampled = {4, 5000, 50'000},
                  kProven = {1, 20'000, 200'000};
 // The triangles with the largest distances found, where points are then set denser: so many, and a
 // grid of so many points along an edge.

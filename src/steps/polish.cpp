@@ -18,7 +18,7 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6;
+constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6, kPolishRoundsInDraft = 4;
 constexpr int kMeansByTurns = 2;  // see meansOf
 // Where so large a share of the bad triangles outlasts two rounds, or one of a draft, the surface
 // allows no better: the rest is around handles no larger than a triangle.
@@ -282,6 +282,11 @@ Means meansOf(int round, int rounds) {
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
+int roundsOf(const Run& run) {
+  if (run.quality == Quality::Draft) return kPolishRoundsInDraft;
+  return isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
+}
+
 std::size_t mostWork(const Run& run) {
   const double wanted = 2 * run.sizes.vertices();
   const double counted = std::min(double(run.mesh.mesh().faceCount()), kFarBeyond * wanted);
@@ -300,7 +305,7 @@ bool areFewBelow(const Run& run, double angle) {
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
-  const int rounds = isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
+  const int rounds = roundsOf(run);
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = mostWork(run);
   const auto mayTry = [&](Face f) {

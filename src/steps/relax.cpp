@@ -14,7 +14,7 @@ namespace {
 
 // A vertex whose neighbours' mean has moved by less than this share of its target length stays; in
 // large meshes, where a pass costs and few triangles are near any limit, and in drafts, sooner.
-constexpr double kStillMoves = 0.003, kStillMovesMuch = 0.01;
+constexpr double kStillMoves = 0.003, kStillMovesInLarge = 0.01, kStillMovesInDraft = 0.02;
 constexpr double kNeighbors = 6;  // of most vertices
 // Of the way to the mean of its neighbours, which come after it: waves of many edges' length settle
 // in far fewer passes (successive over-relaxation). Only where there are many vertices: a few of
@@ -43,8 +43,11 @@ VertexData<char> narrowCorners(const Run& run) {
 }  // namespace
 
 void relax(Run& run, int passes) {
-  const bool isHasty = isLarge(run) || run.quality == Quality::Draft;
-  relax(run, passes, isHasty ? kStillMovesMuch : kStillMoves);
+  const bool isDraft = run.quality == Quality::Draft;
+  relax(run, passes,
+        isDraft        ? kStillMovesInDraft
+        : isLarge(run) ? kStillMovesInLarge
+                       : kStillMoves);
 }
 
 void relax(Run& run, int passes, double share) {
