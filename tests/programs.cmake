@@ -88,16 +88,16 @@ add_executable(unit_tests
   tests/unit/steps/adapt_test.cpp
   tests/unit/steps/apart_test.cpp
   tests/unit/steps/boundaries_test.cpp
-  tests/unit/steps/decimate_test.cpp
   tests/unit/steps/delaunay_test.cpp
   tests/unit/steps/polish_test.cpp
   tests/unit/steps/relax_test.cpp
-  tests/unit/steps/simplify_test.cpp
   tests/unit/steps/sweeps_test.cpp
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/curvature_test.cpp
   tests/unit/surface/original_surface_test.cpp
   tests/unit/surface/surface_walk_test.cpp
+  tests/unit/thinning/decimate_test.cpp
+  tests/unit/thinning/simplify_test.cpp
 )
 target_include_directories(unit_tests PRIVATE tests/unit)
 # It includes doctest in another way.

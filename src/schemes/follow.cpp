@@ -10,7 +10,7 @@
 #include "base/place.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "steps/simplify.h"
+#include "thinning/simplify.h"
 
 namespace remesher {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "steps/decimate.h"
 #include "surface/surface_walk.h"
+#include "thinning/decimate.h"
 
 namespace remesher {
 

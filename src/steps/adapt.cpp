@@ -6,11 +6,11 @@
 
 #include "base/patience.h"
 #include "steps/coarsen.h"
-#include "steps/decimate.h"
 #include "steps/delaunay.h"
 #include "steps/lengths.h"
 #include "steps/sweeps.h"
 #include "steps/valence.h"
+#include "thinning/decimate.h"
 
 namespace remesher {
 

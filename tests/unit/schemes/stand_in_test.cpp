@@ -7,9 +7,9 @@
 
 #include "accuracy/places.h"
 #include "mesh/topology.h"
-#include "steps/decimate.h"
 #include "steps/sweeps.h"
 #include "support/runs.h"
+#include "thinning/decimate.h"
 
 using namespace remesher;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "steps/simplify.h"
+#include "thinning/simplify.h"
 
 #include <doctest/doctest.h>
 

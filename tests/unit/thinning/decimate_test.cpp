@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "steps/decimate.h"
+#include "thinning/decimate.h"
 
 #include <doctest/doctest.h>
 
