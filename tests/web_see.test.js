@@ -6,7 +6,7 @@ import { test } from 'node:test';
 
 import { BufferAttribute, BufferGeometry } from 'three';
 
-import { withNormals } from '../web/view/normals.js';
+import { withNormals } from '../web/triangles/normals.js';
 import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
 

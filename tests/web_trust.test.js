@@ -11,7 +11,7 @@ import { brotliCompressSync, constants } from 'node:zlib';
 import { BufferAttribute, BufferGeometry } from 'three';
 
 import { timeLeft } from '../web/base/format.js';
-import { allCorners, thin } from '../web/view/thinning.js';
+import { allCorners, thin } from '../web/triangles/thinning.js';
 import { cancelAtOnce, drop, openPage, opened, settled, visit } from './support/browser_page.js';
 import { builtPage } from './support/built_page.js';
 import { objText, torus } from './support/shape_files.js';

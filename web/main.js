@@ -47,7 +47,7 @@ function cancel() {
 }
 
 /** The address speaks for the next model only.
- * @param {Promise<import('./model/files.js').PathedFile[]>} items @param {string | null} source */
+ * @param {Promise<import('./files/files.js').PathedFile[]>} items @param {string | null} source */
 function take(items, source) {
   const { values } = wished;
   steering.stop();

@@ -48,14 +48,16 @@ export const packageRooms = {
 export const pageRooms = {
   texts: [],
   base: ['texts'],
-  model: ['base'],
-  view: ['base', 'model'],
+  files: ['base'],
+  model: ['base', 'files'],
+  triangles: ['base'],
+  view: ['base', 'files', 'triangles'],
   survey: [],
-  panel: ['base', 'model', 'view', 'survey'],
-  report: ['base', 'model', 'view', 'survey', 'panel'],
-  acts: ['base', 'model', 'view', 'survey', 'panel', 'report'],
+  panel: ['base', 'files', 'model', 'view', 'survey'],
+  report: ['base', 'files', 'model', 'view', 'survey', 'panel'],
+  acts: ['base', 'files', 'model', 'view', 'survey', 'panel', 'report'],
   samples: [],
-  '': ['texts', 'base', 'model', 'view', 'panel', 'report', 'acts', 'samples'],
+  '': ['texts', 'base', 'files', 'model', 'view', 'panel', 'report', 'acts', 'samples'],
 };
 
 /** @param {string} path from the rooms' top */

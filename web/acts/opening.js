@@ -2,10 +2,10 @@
 // A model comes in: found among the files, read, shown, and remeshed if that is quickly done.
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
-import { unpacked } from '../model/archives.js';
+import { unpacked } from '../files/archives.js';
 import { remeshAll } from '../model/batch.js';
-import { modelFrom, modelsAmong } from '../model/models.js';
-import { PageError } from '../model/files.js';
+import { modelFrom, modelsAmong } from '../files/models.js';
+import { PageError } from '../files/files.js';
 import { addRecent } from '../model/recent.js';
 import { sampleOf } from '../model/samples.js';
 import { chooseModel } from '../panel/chooser.js';
@@ -16,7 +16,7 @@ import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
-/** @typedef {import('../model/files.js').PathedFile} PathedFile */
+/** @typedef {import('../files/files.js').PathedFile} PathedFile */
 /** @typedef {import('../model/address.js').Values} Values */
 
 /** Larger models wait for the button instead of starting by themselves. */

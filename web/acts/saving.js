@@ -2,12 +2,12 @@
 // A result is taken home: as a file, a report, a picture, a line to type.
 import { withExtension } from '../base/format.js';
 import { t } from '../base/i18n.js';
-import { packed } from '../model/archives.js';
+import { packed } from '../files/archives.js';
 import { download } from '../panel/downloads.js';
 import { announce, showNews } from '../panel/messages.js';
 
 /** @typedef {import('./page.js').Page} Page */
-/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+/** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
 /** How many levels of detail are made. */
 const levelCount = 4;

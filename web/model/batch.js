@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Several models with the same options, one after the other: one ZIP with a report on each.
-import { packed } from './archives.js';
-import { modelFrom } from './models.js';
+import { packed } from '../files/archives.js';
+import { modelFrom } from '../files/models.js';
 
-/** @typedef {import('./files.js').PathedFile} PathedFile */
+/** @typedef {import('../files/files.js').PathedFile} PathedFile */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('./session.js').Session} Session */
 /** @typedef {{ name: string, report?: import('remesher').RemeshReport,
@@ -20,7 +20,7 @@ const isAbort = (error) => error instanceof Error && error.name === 'AbortError'
  * @param {{ models: PathedFile[], items: PathedFile[], values: Values }} request `items`: the
  *   models and all that came with them
  * @param {(name: string, index: number) => void} onStart of each model
- * @returns {Promise<{ file: import('./files.js').NamedBytes, outcomes: Outcome[] }>}
+ * @returns {Promise<{ file: import('../files/files.js').NamedBytes, outcomes: Outcome[] }>}
  */
 export async function remeshAll(session, { models, items, values }, onStart) {
   const files = [];

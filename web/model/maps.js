@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The images inside a GLB, by what they show.
-import { openGlb } from './glb.js';
+import { openGlb } from '../files/glb.js';
 
 /** @typedef {{ name: string, type: string, bytes: Uint8Array }} Map name: what it shows, or '' */
 

@@ -3,7 +3,7 @@
 import { clear, createStore, get, set } from 'idb-keyval';
 import { recall, remember } from '../base/memory.js';
 
-/** @typedef {import('./files.js').PathedFile} PathedFile */
+/** @typedef {import('../files/files.js').PathedFile} PathedFile */
 
 const most = 8;
 const setting = 'keep-files';

@@ -2,9 +2,9 @@
 // One model, what was made of it, and at most one run: a new run ends the one before it. Knows the
 // package and nothing of the page. Every method rejects with AbortError when it was overtaken.
 import { convertFile, inspect, remeshFile } from 'remesher';
-import { extensionOf } from './files.js';
+import { extensionOf } from '../files/files.js';
 
-/** @typedef {import('./models.js').Model} Model */
+/** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('remesher').RemeshFileResult} RemeshFileResult */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */

@@ -4,7 +4,7 @@ import { byId, element } from '../base/dom.js';
 import { fileSize } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
-/** @typedef {import('../model/files.js').PathedFile} PathedFile */
+/** @typedef {import('../files/files.js').PathedFile} PathedFile */
 
 /** @param {PathedFile[]} models
  * @returns {Promise<PathedFile | 'all' | null>} null: none of them */

@@ -2,7 +2,7 @@
 // Hands files to the visitor.
 import { element } from '../base/dom.js';
 
-/** @param {import('../model/files.js').NamedBytes} file */
+/** @param {import('../files/files.js').NamedBytes} file */
 export function download({ name, bytes }) {
   const url = URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)]));
   element('a', { href: url, download: name }).click();

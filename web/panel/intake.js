@@ -4,12 +4,12 @@
 import { addCommand, isTyping } from '../base/commands.js';
 import { byId, element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
-import { droppedFiles, PageError, pastedText, pickedFiles } from '../model/files.js';
+import { droppedFiles, PageError, pastedText, pickedFiles } from '../files/files.js';
 import { keptFiles, recentNames } from '../model/recent.js';
 import { sampleOf, samples } from '../model/samples.js';
-import { servedFiles } from '../model/served.js';
+import { servedFiles } from '../files/served.js';
 
-/** @typedef {import('../model/files.js').PathedFile} PathedFile */
+/** @typedef {import('../files/files.js').PathedFile} PathedFile */
 /** source: what an address can name it by, null for the visitor's own.
  * @typedef {(items: Promise<PathedFile[]>, source: string | null) => void} OnFiles */
 

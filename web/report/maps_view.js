@@ -6,7 +6,7 @@ import { t, textIfAny } from '../base/i18n.js';
 import { mapsOf } from '../model/maps.js';
 
 /** @typedef {import('../model/maps.js').Map} Map */
-/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+/** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
 const extensions = /** @type {Record<string, string>} */ (
   { 'image/png': 'png', 'image/jpeg': 'jpg', 'image/webp': 'webp' });

@@ -5,8 +5,8 @@ import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial,
   MeshNormalMaterial, MeshStandardMaterial,
 } from 'three';
-import { soupOf } from './soup.js';
-import { colorByAngle } from './triangle_angles.js';
+import { soupOf } from '../triangles/soup.js';
+import { colorByAngle } from '../triangles/triangle_angles.js';
 
 /** @typedef {'textured' | 'plain' | 'flat' | 'normals' | 'angles' | 'distance' | 'density'
  *   } Shading */
@@ -96,7 +96,7 @@ export class ModelView {
   #clay;
 
   /** @param {Prepared} prepared @param {string} color of the clay
-   * @param {import('./thinning.js').Thinned | null} thinned */
+   * @param {import('../triangles/thinning.js').Thinned | null} thinned */
   constructor({ scene, bounds, front }, color, thinned) {
     this.thinned = thinned;
     this.#clay = clayOf(color);

@@ -3,11 +3,11 @@
 // answers.
 import { Box3, Sphere } from 'three';
 import { breath } from '../base/breath.js';
-import { openSide } from './facing.js';
+import { openSide } from '../triangles/facing.js';
 import { surfacesOf } from './model_view.js';
-import { withNormals } from './normals.js';
-import { originNear } from './origin.js';
-import { soupOf } from './soup.js';
+import { withNormals } from '../triangles/normals.js';
+import { originNear } from '../triangles/origin.js';
+import { soupOf } from '../triangles/soup.js';
 
 /** @param {import('three').Group} scene as loaded: it is moved to where the stage shows it
  * @param {import('three').Vector3 | null} origin the stage's, in the model's world; null: its own

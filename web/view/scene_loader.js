@@ -5,7 +5,7 @@ import { Cache, LoadingManager } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 
-/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+/** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
 Cache.enabled = false;  // two files may use one name
 

@@ -9,12 +9,12 @@ import { t } from '../base/i18n.js';
 import { surfacesOf } from './model_view.js';
 import { prepare } from './preparation.js';
 import { loadScene } from './scene_loader.js';
-import { thin } from './thinning.js';
+import { thin } from '../triangles/thinning.js';
 import { Viewer } from './viewer.js';
 
 /** @typedef {import('./viewer.js').Side} Side */
 /** @typedef {import('./viewer.js').Shading} Shading */
-/** @typedef {import('../model/files.js').NamedBytes} NamedBytes */
+/** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
 const narrow = '(max-width: 760px)';
 

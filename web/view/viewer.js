@@ -189,7 +189,8 @@ export class Viewer {
 
   /** Shows a model on its side, or nothing there; the eye moves only for a new original.
    * @param {Side} side @param {import('./model_view.js').Prepared | null} prepared
-   * @param {import('./thinning.js').Thinned | null} [thinned] if not all its triangles are there */
+   * @param {import('../triangles/thinning.js').Thinned | null} [thinned] if not all its
+   * triangles are there */
   show(side, prepared, thinned = null) {
     const old = this.#views[side];
     if (old) {
