@@ -108,17 +108,22 @@ std::string withFirstEdge(std::string message, const std::vector<io::Part>& part
   return message.append(".");
 }
 
-std::string angleMessage(const BeforeAndAfter& reports, const std::string& where) {
-  const AngleStatistics &before = reports.before.minAngle, &after = reports.after.minAngle;
-  std::string text = "Triangles are worse than those given: smallest angles of ";
-  text.append(number(after.mean)).append("° on average, not ").append(number(before.mean));
-  text.append("°, and of ").append(number(after.worst)).append("° in the worst, not ");
-  text.append(number(before.worst)).append("°, which lies near (").append(where);
-  return text.append("). More vertices help where parts are thinner than edges are long.");
-}
-
 bool isWorse(double after, double before, double good) {
   return after < std::min(before, good) - kWorthAWord;
+}
+
+// The smallest angles that are worse, "17° on average, not 34°", and joined; empty if none is.
+std::string worseAngles(const AngleStatistics& before, const AngleStatistics& after) {
+  std::string text;
+  const auto add = [&](double now, const char* which, double then) {
+    if (!text.empty()) text.append(", and of ");
+    text.append(number(now)).append(which).append(number(then)).append("°");
+  };
+  if (isWorse(after.mean, before.mean, kGoodMean))
+    add(after.mean, "° on average, not ", before.mean);
+  if (isWorse(after.worst, before.worst, kGoodWorst))
+    add(after.worst, "° in the worst, not ", before.worst);
+  return text;
 }
 
 std::size_t more(std::size_t after, std::size_t before) {
@@ -131,10 +136,13 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result) {
   const auto& [before, after] = reports;
   std::vector<Warning> warnings;
-  const bool isMean = isWorse(after.minAngle.mean, before.minAngle.mean, kGoodMean);
-  if (isMean || isWorse(after.minAngle.worst, before.minAngle.worst, kGoodWorst))
+  const std::string angles = worseAngles(before.minAngle, after.minAngle);
+  if (!angles.empty())
     warnings.push_back(
-        {"ANGLES_WORSE", angleMessage(reports, place(worstTriangle(result).centre, result))});
+        {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
+                             ". The worst lies near (" +
+                             place(worstTriangle(result).centre, result) +
+                             "). More vertices help where parts are thinner than edges are long."});
   if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
     warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
                         "Triangles of the result have no area: parts of the surface are too thin "

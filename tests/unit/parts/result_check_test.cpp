@@ -42,10 +42,14 @@ TEST_CASE("result check: what is as good as before, or good, needs no word") {
 TEST_CASE("result check: worse angles are said, with the figures and the place") {
   CHECK(codes(withAngles(3, 34), withAngles(3, 17)) == "ANGLES_WORSE 1;");
   CHECK(codes(withAngles(20, 50), withAngles(0.1, 55)) == "ANGLES_WORSE 1;");
-  const std::string message =
-      worseThanGiven({withAngles(3, 34), withAngles(2, 17)}, kParts).front().message;
-  for (const char* part : {"17°", "34°", "(0.6667, "})
-    CHECK(message.find(part) != std::string::npos);
+  const auto message = [](const MeshReport& before, const MeshReport& after) {
+    return worseThanGiven({before, after}, kParts).front().message;
+  };
+  const std::string both = message(withAngles(3, 34), withAngles(2, 17));
+  for (const char* part : {"17° on average, not 34°", "2° in the worst, not 3°", "(0.6667, "})
+    CHECK(both.find(part) != std::string::npos);
+  CHECK(message(withAngles(2, 34), withAngles(3, 17)).find("in the worst") == std::string::npos);
+  CHECK(message(withAngles(3, 17), withAngles(2, 34)).find("on average") == std::string::npos);
 }
 
 TEST_CASE("result check: new holes, joined sheets and lines are counted") {
