@@ -33,6 +33,20 @@ double linearFromSrgb(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
+std::vector<float> fractionsOf(std::vector<float> channels) {
+  constexpr float kLargestFraction = 2;
+  const bool areBytes = std::any_of(channels.begin(), channels.end(), [](float channel) {
+    return channel > kLargestFraction && channel != kUncolored;
+  });
+  for (float& channel : channels) {
+    if (channel == kUncolored)
+      channel = 1;
+    else if (areBytes)
+      channel /= 255;
+  }
+  return channels;
+}
+
 TriangleMesh converted(TriangleMesh mesh, Conventions from, Conventions to) {
   if (from == to) return mesh;
   for (Attribute& attribute : mesh.attributes) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "io/model/conventions.h"
 #include "io/model/polygon.h"
 #include "io/text/mtl.h"
 #include "io/text/obj.h"
@@ -74,7 +75,7 @@ void ObjReader::readPosition() {
     extra[extras++] = scanner_.singleNumber("the colour of a vertex");
   // A single extra number is the weight of a rational curve, which triangles have no use for.
   if (extras < 3) return;
-  content_.colors.resize(3 * (content_.positions.size() - 1), 1.0F);
+  content_.colors.resize(3 * (content_.positions.size() - 1), kUncolored);
   content_.colors.insert(content_.colors.end(), extra.begin(), extra.begin() + 3);
 }
 
@@ -276,7 +277,8 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
     mesh.attributes.push_back(
         gathered({"TEXCOORD_0", 2, content.texcoords, &Corner::texcoord}, wedges));
   if (!content.colors.empty()) {
-    content.colors.resize(3 * content.positions.size(), 1.0F);
+    content.colors.resize(3 * content.positions.size(), kUncolored);
+    content.colors = fractionsOf(std::move(content.colors));
     mesh.attributes.push_back(gathered({"COLOR_0", 3, content.colors, &Corner::position}, wedges));
   }
   return mesh;

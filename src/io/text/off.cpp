@@ -8,6 +8,7 @@
 
 #include "base/legible.h"
 #include "io/model/bake.h"
+#include "io/model/conventions.h"
 #include "io/model/dropped.h"
 #include "io/model/polygon.h"
 #include "io/text/text_scanner.h"
@@ -141,12 +142,10 @@ TriangleMesh OffReader::read() {
   const std::size_t vertexCount = readHeader();
   for (std::size_t i = 0; i < vertexCount; ++i) readVertex();
   for (std::size_t i = 0; i < faceCount_; ++i) readFace();
-  // Colours may be bytes or fractions: nothing but the numbers tells.
-  if (std::any_of(colors_.begin(), colors_.end(), [](float channel) { return channel > 1; }))
-    for (float& channel : colors_) channel /= 255;
   if (header_.hasNormals) mesh_.attributes.push_back({"NORMAL", 3, std::move(normals_)});
   if (header_.hasTexcoords) mesh_.attributes.push_back({"TEXCOORD_0", 2, std::move(texcoords_)});
-  if (header_.hasColors) mesh_.attributes.push_back({"COLOR_0", 4, std::move(colors_)});
+  if (header_.hasColors)
+    mesh_.attributes.push_back({"COLOR_0", 4, fractionsOf(std::move(colors_))});
   return std::move(mesh_);
 }
 

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "io/files.h"
 
 using namespace remesher;
@@ -90,6 +92,17 @@ TEST_CASE("obj: vertex colours are read and written") {
   CHECK(model.parts[0].mesh.attributes[0].semantic == "COLOR_0");
   const File written = io::write(model, "out.obj").files[0];
   CHECK(textOf(written) == "v 0 0 0 1 0 0.5\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+}
+
+TEST_CASE("obj: colours as bytes are those of fractions, and a vertex without one is white") {
+  const auto colors = [](const std::string& first) {
+    const io::Model model = io::read(textFile("c.obj", "v 0 0 0 " + first + "v 1 0 0\nf 1 3 2\n"));
+    return model.parts[0].mesh.attributes.at(0).values;
+  };
+  const std::vector<float> bytes = colors("255 51 0\nv 0 1 0 0 102 255\n");
+  CHECK(bytes == colors("1 0.2 0\nv 0 1 0 0 0.4 1\n"));
+  CHECK(std::count(bytes.begin(), bytes.end(), 1.0F) == 5);
+  CHECK(colors("1.5 0.25 0\nv 0 1 0 0 1 1\n").front() == 1.5F);
 }
 
 TEST_CASE("obj: groups, materials and the library come back") {
