@@ -9,10 +9,11 @@
 namespace remesher::io {
 namespace {
 
-// Elements in a buffer: count × size bytes, each `stride` after the one before.
+// Elements in a buffer, each `stride` bytes after the one before.
 struct Elements {
-  const std::uint8_t* first = nullptr;
-  std::size_t stride = 0;
+  const std::uint8_t* first;
+  std::size_t stride;
+  std::size_t count;
 };
 
 struct ElementRange {
@@ -77,12 +78,12 @@ Elements AccessorReader::locate(const ElementRange& range) const {
   const Bytes& buffer = document_.buffers[view.buffer];
   const std::size_t stride = view.byteStride == 0 ? range.size : view.byteStride;
   if (stride < range.size) fail("has elements larger than their stride");
-  if (range.count == 0) return {buffer.data(), stride};
+  if (range.count == 0) return {buffer.data(), stride, 0};
   const bool isInside =
       range.byteOffset <= view.byteLength && range.size <= view.byteLength - range.byteOffset &&
       (range.count - 1) <= (view.byteLength - range.byteOffset - range.size) / stride;
   if (!isInside) fail("reaches beyond its buffer view");
-  return {buffer.data() + view.byteOffset + range.byteOffset, stride};
+  return {buffer.data() + view.byteOffset + range.byteOffset, stride, range.count};
 }
 
 template <class Component>
@@ -121,21 +122,30 @@ Value converted(Component component, bool isNormalized) {
   return static_cast<Value>(component);
 }
 
+// The numbers of all elements, one after the other, whatever they are stored as.
+template <class Value>
+std::vector<Value> decoded(const Elements& elements, const Encoding& encoding) {
+  const auto width = static_cast<std::size_t>(encoding.components);
+  std::vector<Value> values(elements.count * width);
+  withComponentType(encoding.componentType, [&]<class Component>(Component) {
+    for (std::size_t i = 0; i < elements.count; ++i)
+      for (std::size_t k = 0; k < width; ++k)
+        values[i * width + k] = converted<Value>(
+            load<Component>(elements.first + i * elements.stride + k * sizeof(Component)),
+            encoding.normalized);
+  });
+  return values;
+}
+
 template <class Value>
 std::vector<Value> AccessorReader::values() const {
-  const auto width = static_cast<std::size_t>(encoding_.components);
-  std::vector<Value> values(accessor_.count * width);
-  if (accessor_.bufferView >= 0) {
-    const Elements elements =
-        locate({accessor_.bufferView, accessor_.byteOffset, accessor_.count, elementSize()});
-    withComponentType(encoding_.componentType, [&]<class Component>(Component) {
-      for (std::size_t i = 0; i < accessor_.count; ++i)
-        for (std::size_t k = 0; k < width; ++k)
-          values[i * width + k] = converted<Value>(
-              load<Component>(elements.first + i * elements.stride + k * sizeof(Component)),
-              encoding_.normalized);
-    });
-  }
+  std::vector<Value> values;
+  if (accessor_.bufferView >= 0)
+    values = decoded<Value>(
+        locate({accessor_.bufferView, accessor_.byteOffset, accessor_.count, elementSize()}),
+        encoding_);
+  else
+    values.resize(accessor_.count * static_cast<std::size_t>(encoding_.components));
   if (accessor_.sparse.isSparse) applySparse(values);
   return values;
 }
@@ -150,28 +160,20 @@ void AccessorReader::applySparse(std::vector<Value>& values) const {
   const std::size_t indexSize = componentSize(sparse.indices.componentType);
   if (indexSize == 0 || sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT)
     fail("has sparse indices of no integer type");
-  const Elements indices =
+  const std::vector<Index> numbers = decoded<Index>(
       locate({sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
-              indexSize});
-  const Elements replacements =
+              indexSize}),
+      {sparse.indices.componentType, false, 1});
+  const std::vector<Value> replacements = decoded<Value>(
       locate({sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
-              elementSize()});
-  std::vector<std::size_t> numbers(count);
-  withComponentType(sparse.indices.componentType, [&]<class Component>(Component) {
-    for (std::size_t i = 0; i < count; ++i)
-      numbers[i] = converted<Index>(load<Component>(indices.first + i * indices.stride), false);
-  });
-  if (std::any_of(numbers.begin(), numbers.end(),
-                  [&](std::size_t number) { return number >= accessor_.count; }))
-    fail("has a sparse index beyond its end");
-  const auto width = static_cast<std::size_t>(encoding_.components);
-  withComponentType(encoding_.componentType, [&]<class Component>(Component) {
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < width; ++k)
-        values[numbers[i] * width + k] = converted<Value>(
-            load<Component>(replacements.first + i * replacements.stride + k * sizeof(Component)),
-            encoding_.normalized);
-  });
+              elementSize()}),
+      encoding_);
+  const auto width = static_cast<std::ptrdiff_t>(encoding_.components);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (numbers[i] >= accessor_.count) fail("has a sparse index beyond its end");
+    std::copy_n(replacements.begin() + static_cast<std::ptrdiff_t>(i) * width, width,
+                values.begin() + static_cast<std::ptrdiff_t>(numbers[i]) * width);
+  }
 }
 
 std::vector<float> AccessorReader::floats() const { return values<float>(); }

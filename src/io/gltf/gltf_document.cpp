@@ -92,7 +92,9 @@ Json parseTree(const GltfDocument& document, std::span<const std::uint8_t> text)
     document.fail(ErrorCode::ParseError, "the JSON nests deeper than any glTF file does.");
   Json tree;
   try {
-    tree = Json::parse(text.begin(), text.end());
+    // As what tinygltf parses: a second type of text would be a second parser.
+    const auto* const first = reinterpret_cast<const char*>(text.data());
+    tree = Json::parse(first, first + text.size());
   } catch (const Json::parse_error& error) {
     document.fail(ErrorCode::ParseError,
                   "the JSON is broken at byte " + std::to_string(error.byte) + ".",
