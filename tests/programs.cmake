@@ -17,6 +17,7 @@ add_executable(unit_tests
   tests/unit/curves/seams_test.cpp
   tests/unit/curves/shape_angles_test.cpp
   tests/unit/curves/spikes_test.cpp
+  tests/unit/gate/angles_test.cpp
   tests/unit/gate/crossings_test.cpp
   tests/unit/gate/error_bound_test.cpp
   tests/unit/gate/excess_test.cpp

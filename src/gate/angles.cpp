@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -18,6 +19,26 @@ double angleAsWritten(const Triangle& t, const Grain& grain) {
 
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain) {
   return angleAsWritten(mesh.corners(f), grain);
+}
+
+AngleLimit::AngleLimit(double angle) : angle_(angle) {
+  constexpr double kSurely = 1 + 1e-5;  // rounding changes no answer
+  const Vec2 at = onUnitCircle(angle);
+  squaredTangent_ = kSurely * at.y() * at.y() / (at.x() * at.x());
+}
+
+bool AngleLimit::isSurelyBelow(const Triangle& t) const {
+  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0];
+  const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (t[2] - t[1]).squaredNorm();
+  // Times the same two sides: the cosine of the angle opposite the shortest side, and the sine.
+  const double cosine = 0.5 * (a + b + c) - std::min({a, b, c});
+  return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
+}
+
+bool AngleLimit::isAbove(const WorkingMesh& mesh, Face f, const Grain& grain) const {
+  const Triangle t = mesh.corners(f);
+  const bool isFlat = grain.size > 0 && isLine(t, grain);
+  return isFlat || (!isSurelyBelow(t) && minAngle(t[0], t[1], t[2]) < angle_);
 }
 
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,

@@ -9,6 +9,21 @@ namespace remesher {
 
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 
+// An angle up to 60° that all triangles are compared with: most are seen to be wider without
+// working theirs out.
+class AngleLimit {
+ public:
+  explicit AngleLimit(double angle);
+
+  // Whether the smallest angle of f is less.
+  bool isAbove(const WorkingMesh& mesh, Face f, const Grain& grain = {}) const;
+
+ private:
+  bool isSurelyBelow(const Triangle& t) const;
+
+  double angle_, squaredTangent_;
+};
+
 // Of the triangles that a proposal makes, and of those that it takes away. An angle that is not
 // `beyond` answers for all that come.
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,

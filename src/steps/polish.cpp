@@ -24,8 +24,9 @@ constexpr int kMeansByTurns = 2;  // see meansOf
 // allows no better: the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kMany = 200;
-// Per triangle and round; the last one, of small moves, goes on while something is gained.
-constexpr int kTries = 3, kLastTries = 12;
+// Per triangle and round; the last one, of small moves, goes on while something is gained. In a
+// large mesh what one round leaves is for the next.
+constexpr int kTries = 3, kTriesInLarge = 1, kLastTries = 12;
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
 // few triangles are bad a twentieth of it is needed; where all are, and valences high, more is in
 // vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
@@ -257,22 +258,23 @@ bool isSkin(const Run& run, Face f) {
   return std::max({size(a), size(b), size(c)}) > kJump * std::min({size(a), size(b), size(c)});
 }
 
+bool isBad(const Run& run, Face f, const AngleLimit& limit) {
+  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.rule.grain);
+}
+
 std::vector<Face> badTriangles(const Run& run, double angle) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(angle);
   std::vector<std::pair<double, Face>> bad;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    if (!mesh.isAlive(Face(i)) || isSkin(run, Face(i))) continue;
-    const double own = smallestAngle(run.mesh, Face(i), run.rule.grain);
-    if (own < angle) bad.emplace_back(own, Face(i));
+    const Face f(i);
+    if (!isBad(run, f, limit) || isSkin(run, f)) continue;
+    bad.emplace_back(smallestAngle(run.mesh, f, run.rule.grain), f);
   }
   std::sort(bad.begin(), bad.end());
   std::vector<Face> faces;
   for (const auto& [own, f] : bad) faces.push_back(f);
   return faces;
-}
-
-bool isBad(const Run& run, Face f, double angle) {
-  return run.mesh.mesh().isAlive(f) && smallestAngle(run.mesh, f, run.rule.grain) < angle;
 }
 
 // Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
@@ -287,6 +289,11 @@ int roundsOf(const Run& run) {
   return isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
 }
 
+int triesOf(const Run& run, Means means) {
+  if (means == Means::LeaveSurface) return kLastTries;
+  return isLarge(run) ? kTriesInLarge : kTries;
+}
+
 std::size_t mostWork(const Run& run) {
   const double wanted = 2 * run.sizes.vertices();
   const double counted = std::min(double(run.mesh.mesh().faceCount()), kFarBeyond * wanted);
@@ -298,8 +305,9 @@ std::size_t mostWork(const Run& run) {
 bool areFewBelow(const Run& run, double angle) {
   constexpr double kFew = 0.02;
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(angle);
   std::size_t below = 0;
-  for (Index i = 0; i < mesh.faceCapacity(); ++i) below += isBad(run, Face(i), angle) ? 1 : 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) below += isBad(run, Face(i), limit) ? 1 : 0;
   return double(below) <= kFew * double(mesh.faceCount());
 }
 
@@ -315,6 +323,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     work -= own;
     return true;
   };
+  const AngleLimit limit(goal.angle);
   std::vector<Face> bad;
   int inVainSince = 0;  // rounds; what has been in vain with all means but the last will be again
   for (int round = 0; round < rounds; ++round) {
@@ -325,9 +334,9 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;
     const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};
-    const int tries = attempt.means == Means::LeaveSurface ? kLastTries : kTries;
+    const int tries = triesOf(run, attempt.means);
     for (const Face f : bad)
-      for (int i = 0; i < tries && isBad(run, f, goal.angle) && mayTry(f); ++i) {
+      for (int i = 0; i < tries && isBad(run, f, limit) && mayTry(f); ++i) {
         if (!mend(run, f, attempt)) break;
         inVainSince = 0;
       }

@@ -33,9 +33,10 @@ constexpr double kNarrow = radians(52);
 
 VertexData<char> narrowCorners(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(kNarrow);
   VertexData<char> found(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.faceCapacity(); ++i)
-    if (mesh.isAlive(Face(i)) && smallestAngle(run.mesh, Face(i)) < kNarrow)
+    if (mesh.isAlive(Face(i)) && limit.isAbove(run.mesh, Face(i)))
       for (const Vertex v : mesh.vertices(Face(i))) found[v] = 1;
   return found;
 }
