@@ -3,7 +3,7 @@
 
 export const [columns, rows] = [64, 32];
 export const texels = 512;
-const gap = 8;  // texels around a chart
+export const gutter = 8;  // texels around a chart
 
 /** Where on the way around the charts begin and end, in columns or rows of the torus. */
 export const wide = { around: [0, 20, 40, 64], across: [0, 12, 32] };
@@ -17,8 +17,8 @@ export function layOut({ around, across }) {
   const cell = [texels / (around.length - 1), texels / (across.length - 1)];
   return spans(around).flatMap(([i0, i1], a) => spans(across).map(([j0, j1], b) => ({
     i0, i1, j0, j1,
-    left: a * cell[0] + gap, top: b * cell[1] + gap,
-    width: cell[0] - 2 * gap, height: cell[1] - 2 * gap,
+    left: a * cell[0] + gutter, top: b * cell[1] + gutter,
+    width: cell[0] - 2 * gutter, height: cell[1] - 2 * gutter,
   })));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Models whose looks few vertices cannot carry: the colours of a scan lie in scraps of an atlas or
 // in its vertices, sheets touch, alpha is in a map, a skin bends.
-import { addChart, columns, layOut, rows, texels } from './atlas_torus.js';
+import { addChart, columns, gutter, layOut, rows, texels } from './atlas_torus.js';
 import { GltfMaker } from './gltf.js';
 import { png } from './png.js';
 import { skinnedTorus } from './skinned_torus.js';
@@ -17,11 +17,12 @@ const spots = (i, j) => [
 
 const every = (step, count) => Array.from({ length: count / step + 1 }, (_, i) => step * i);
 
-/** Where a texel lies on the torus: on a chart or the few texels around it. */
-function onChart(charts, x, y) {
-  const chart = charts.find(({ left, top, width, height }) => x >= left - 3 && x <= left + width + 3
-    && y >= top - 3 && y <= top + height + 3);
-  return chart && [
+/** Where on the torus a texel of a chart's cell lies: gutters go on as the chart does, up to the
+ * next cell, so that no seam shows on the original either. */
+function onTorus(charts, x, y) {
+  const chart = charts.find(({ left, top, width, height }) => x >= left - gutter
+    && y >= top - gutter && x < left + width + gutter && y < top + height + gutter);
+  return [
     chart.i0 + ((chart.i1 - chart.i0) * (x + 0.5 - chart.left)) / chart.width,
     chart.j0 + ((chart.j1 - chart.j0) * (y + 0.5 - chart.top)) / chart.height];
 }
@@ -57,7 +58,7 @@ const paint = (factor, rest) => ({
 function scrappyScan() {
   const maker = new GltfMaker();
   const charts = layOut({ around: every(4, columns), across: every(4, rows) });
-  addTexture(maker, (x, y) => spots(...onChart(charts, x, y) ?? [0, 0]));
+  addTexture(maker, (x, y) => spots(...onTorus(charts, x, y)));
   maker.tree.materials = [paint([1, 1, 1, 1])];
   return maker.show([addPrimitive(maker, charts, 0)]).glb();
 }
@@ -66,7 +67,7 @@ function scrappyScan() {
 function halfGlass() {
   const maker = new GltfMaker();
   const charts = layOut({ around: every(8, columns), across: every(8, rows) });
-  addTexture(maker, (x, y) => spots(...onChart(charts, x, y) ?? [0, 0]));
+  addTexture(maker, (x, y) => spots(...onTorus(charts, x, y)));
   maker.tree.materials = [paint([1, 1, 1, 1]), paint([1, 1, 1, 0.5], { alphaMode: 'BLEND' })];
   const isFront = ({ i0 }) => i0 < columns / 2;
   return maker.show([
