@@ -187,6 +187,7 @@ bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
   run.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
+  if (run.isInVain && run.isInVain()) return reached;
   const Progress last = progress.part(0.85, 1);
   run.quality == Quality::Draft ? finishDraft(run, last) : finish(run, last);
   return reached;

@@ -31,6 +31,7 @@ constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
 constexpr double kSeen = 5e-4;
 constexpr double kMuchNearer = 2;     // times, or
 constexpr double kNearerSeen = 1e-3;  // of the diagonal: a pixel there
+constexpr double kHopeless = 4;       // times: finishing makes nothing twice as near
 
 // What a run leaves of the original.
 struct Remeshed {
@@ -39,10 +40,56 @@ struct Remeshed {
   std::size_t coincident;  // see moveApart
 };
 
-// What of the input decides how the mesh is treated.
+// Those vertices of the original that its shape needs: taken where even triangles are visibly away
+// from it and these much nearer, or where even triangles cannot be so few.
+class Rival {
+ public:
+  Rival(const Prepared& original, const TriangleMesh& input)
+      : original_(original), input_(input), seen_(kSeen * original.surface().diagonal()) {}
+
+  // Whether even triangles that are not finished yet have lost.
+  bool hasWon(const WorkingMesh& even) {
+    const double distance = distanceOf(even);
+    isSettled_ = distance <= seen_;
+    if (isSettled_) return false;
+    look();
+    return isSettled_ = followed_ && distance > kHopeless * followed_->distance;
+  }
+
+  // What is taken, if not the even triangles.
+  std::optional<Followed> winner(const WorkingMesh& even, bool isReached) {
+    if (isSettled_ && isReached) return std::move(followed_);
+    const double distance = distanceOf(even);
+    if (isReached && distance <= seen_) return {};
+    look();
+    if (!isReached || !followed_) return std::move(followed_);
+    const bool isMuchNearer = distance > kMuchNearer * followed_->distance ||
+                              distance - followed_->distance > kNearerSeen / kSeen * seen_;
+    return isMuchNearer ? std::move(followed_) : std::nullopt;
+  }
+
+ private:
+  double distanceOf(const WorkingMesh& even) const {
+    return distanceTo(even.mesh(), even.positions(), original_.surface().built());
+  }
+
+  void look() {
+    if (!hasLooked_) followed_ = follow(original_.surface().built(), input_, original_.vertices());
+    hasLooked_ = true;
+  }
+
+  const Prepared& original_;
+  const TriangleMesh& input_;
+  double seen_;  // what is no farther is not seen
+  bool isSettled_ = false, hasLooked_ = false;
+  std::optional<Followed> followed_;
+};
+
+// What decides how the mesh is treated.
 struct Manner {
   double stagger;  // see Run
   Grain grain;
+  Rival* rival = nullptr;  // what may be taken in its stead
 };
 
 Manner mannerFor(const TriangleMesh& input) {
@@ -128,6 +175,8 @@ Remeshed remeshOriginal(const Prepared& original, const RemeshOptions& options,
   run.standIn = original.standIn();
   run.stagger = manner.stagger;
   run.quality = options.quality;
+  if (manner.rival && options.quality == Quality::Best)
+    run.isInVain = [&] { return manner.rival->hasWon(mesh); };
   const std::size_t vertices = original.vertices();
   const bool reached = original.bound()
                            ? runWithin(run, {*original.bound(), vertices}, options, progress)
@@ -149,22 +198,6 @@ bool mayFollow(const RemeshOptions& options) {
          options.density.empty() && !options.maxError && !options.splitObtuse;
 }
 
-// Those vertices of the original that its shape needs, where even triangles are visibly away from
-// it and these much nearer, or where even triangles cannot be so few.
-std::optional<Followed> nearer(const Remeshed& even, const Prepared& original,
-                               const TriangleMesh& input) {
-  const BuiltMesh& built = original.surface().built();
-  const bool isReached = even.stopped == Stopped::Target;
-  const double distance = distanceTo(even.mesh.mesh(), even.mesh.positions(), built);
-  if (isReached && distance <= kSeen * original.surface().diagonal()) return {};
-  std::optional<Followed> followed = follow(built, input, original.vertices());
-  if (!isReached || !followed) return followed;
-  const bool isMuchNearer =
-      distance > kMuchNearer * followed->distance ||
-      distance - followed->distance > kNearerSeen * original.surface().diagonal();
-  return isMuchNearer ? std::move(followed) : std::nullopt;
-}
-
 RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {
   return {std::move(followed.mesh), std::move(followed.places), Stopped::Target, vertices,
           std::move(warnings)};
@@ -180,9 +213,13 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& opti
     if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))
       return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
   const Prepared original(std::move(plan), options, progress);
-  const Remeshed remeshed = remeshOriginal(original, options, mannerFor(input), progress);
+  Rival rival(original, input);
+  Manner manner = mannerFor(input);
+  if (mayFollow(options)) manner.rival = &rival;
+  const Remeshed remeshed = remeshOriginal(original, options, manner, progress);
   if (mayFollow(options))
-    if (std::optional<Followed> followed = nearer(remeshed, original, input))
+    if (std::optional<Followed> followed =
+            rival.winner(remeshed.mesh, remeshed.stopped == Stopped::Target))
       return outcomeOf(std::move(*followed), original.vertices(), original.warnings());
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
