@@ -54,14 +54,15 @@ class Outline {
 
 // The texels beside one, as far as there are any.
 template <class Visit>
-void forEachBeside(std::size_t texel, Index size, const Visit& visit) {
-  const long x = long(texel % size), y = long(texel / size);
-  for (long j = std::max(0L, y - 1); j <= std::min(long(size) - 1, y + 1); ++j)
-    for (long i = std::max(0L, x - 1); i <= std::min(long(size) - 1, x + 1); ++i)
-      if (i != x || j != y) visit(std::size_t(j) * size + std::size_t(i));
+void forEachBeside(Index texel, Index size, const Visit& visit) {
+  const Index x = texel % size, y = texel / size;
+  const Index left = x > 0 ? x - 1 : 0, right = std::min(x + 1, size - 1);
+  for (Index j = y > 0 ? y - 1 : 0; j <= std::min(y + 1, size - 1); ++j)
+    for (Index i = left; i <= right; ++i)
+      if (i != x || j != y) visit(j * size + i);
 }
 
-void setToMean(io::Image& image, std::size_t texel, std::span<const std::size_t> others) {
+void setToMean(io::Image& image, std::size_t texel, std::span<const Index> others) {
   // Two bytes side by side, each with room for a sum of eight.
   constexpr std::uint32_t kPair = 0x00ff00ff;
   std::array<std::uint32_t, 2> sums{};
@@ -132,19 +133,19 @@ Vec2 RimmedTriangle::kept(const Vec2& point, const Rim& rim) {
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {
   const Index size = images.front()->width;
   std::vector<std::uint8_t> isDone(owners.size());
-  std::vector<std::size_t> ring, next, beside;
-  for (std::size_t i = 0; i < owners.size(); ++i) isDone[i] = owners[i] != kNone;
-  for (std::size_t i = 0; i < owners.size(); ++i) {
+  std::vector<Index> ring, next, beside;
+  for (Index i = 0; i < owners.size(); ++i) isDone[i] = owners[i] != kNone;
+  for (Index i = 0; i < owners.size(); ++i) {
     bool isBeside = false;
-    if (!isDone[i]) forEachBeside(i, size, [&](std::size_t j) { isBeside |= isDone[j] != 0; });
+    if (!isDone[i]) forEachBeside(i, size, [&](Index j) { isBeside |= isDone[j] != 0; });
     if (isBeside) ring.push_back(i);
   }
   constexpr std::uint8_t kWaiting = 2;
-  for (const std::size_t i : ring) isDone[i] = kWaiting;
+  for (const Index i : ring) isDone[i] = kWaiting;
   while (!ring.empty()) {
-    for (const std::size_t i : ring) {
+    for (const Index i : ring) {
       beside.clear();
-      forEachBeside(i, size, [&](std::size_t j) {
+      forEachBeside(i, size, [&](Index j) {
         if (isDone[j] == 1) beside.push_back(j);
         if (isDone[j] != 0) return;
         isDone[j] = kWaiting;
@@ -152,7 +153,7 @@ void fillGutters(std::span<io::Image* const> images, std::span<const Index> owne
       });
       for (io::Image* image : images) setToMean(*image, i, beside);
     }
-    for (const std::size_t i : ring) isDone[i] = 1;
+    for (const Index i : ring) isDone[i] = 1;
     ring.swap(next);
     next.clear();
   }

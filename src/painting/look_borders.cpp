@@ -40,7 +40,9 @@ double apart(const Shown& a, const Shown& b) { return double((a - b).abs().maxCo
 class Borders {
  public:
   Borders(const NewSurface& surface, const PaintSource& source, double texel)
-      : surface_(surface), source_(source), finder_(source), texel_(texel) {}
+      : surface_(surface), source_(source), texel_(texel) {
+    for (int i = 0; i < 2; ++i) finders_.emplace_back(source);
+  }
 
   std::vector<char> run() {
     const Index count = Index(surface_.mesh().indices.size());
@@ -112,10 +114,17 @@ class Borders {
     return row;
   }
 
+  // One that has entered the triangle, which is dear: the two beside an edge take turns.
+  SideFinder& finderFor(Index triangle) {
+    latest_ = triangle == entered_[latest_] ? latest_ : 1 - latest_;
+    if (triangle != entered_[latest_]) finders_[latest_].enter(surface_.onSource(triangle));
+    entered_[latest_] = triangle;
+    return finders_[latest_];
+  }
+
   // What is seen beside an edge, so many texels away from it.
   Shown shownAt(Index h, double along, double texels) {
-    if (h / 3 != entered_) finder_.enter(surface_.onSource(h / 3));
-    entered_ = h / 3;
+    SideFinder& finder = finderFor(h / 3);
     const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
     const Vec3 weights((1 - in) * (1 - along), (1 - in) * along, in);
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
@@ -124,16 +133,17 @@ class Borders {
       normal += weights[k] * surface_.normal(h);
       h = nextCorner(h);
     }
-    const InputPlace place = finder_.find(point, normal.normalized());
+    const InputPlace place = finder.find(point, normal.normalized());
     return shownBy(source_.at({&place, 1}));
   }
 
   const NewSurface& surface_;
   const PaintSource& source_;
-  SideFinder finder_;
   double texel_;
-  Index entered_ = kNone;  // the triangle that is looked at
-  std::vector<Row> near_;  // per corner: a texel away from the edge from it
+  std::vector<SideFinder> finders_;                // two
+  std::array<Index, 2> entered_ = {kNone, kNone};  // which triangle each looks at
+  std::size_t latest_ = 0;                         // the finder that was used last
+  std::vector<Row> near_;                          // per corner: a texel away from the edge from it
 };
 
 }  // namespace

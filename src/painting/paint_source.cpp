@@ -174,18 +174,13 @@ Vec3 PaintSource::shadingNormal(const InputPlace& place) const {
 PaintSource::Texels PaintSource::lookUp(std::span<const InputPlace> places) const {
   const Index triangle = places.front().triangle;
   const Maps& maps = mapsOf(triangle);
-  // From which to which channel a kind of map says anything.
-  static constexpr std::array<std::pair<std::size_t, std::size_t>, MapKinds> kChannels = {
-      {{0, 4}, {1, 3}, {0, 1}, {0, 3}, {0, 3}}};
-  const double share = 1.0 / double(places.size());
   Texels texels;
+  std::array<Eigen::Vector4f, MapKinds> sums;
   std::array<std::array<Vec2, 3>, MapKinds> corners;
   for (std::size_t i = 0; i < MapKinds; ++i) {
-    const Texture& map = maps.textures[i];
-    texels[i].setOnes();
-    if (!map) continue;
-    for (auto c = kChannels[i].first; c < kChannels[i].second; ++c) texels[i][Eigen::Index(c)] = 0;
-    if (maps.like[i] == i) corners[i] = texcoords(map.texcoord(), triangle);
+    sums[i].setZero();
+    if (maps.textures[i] && maps.like[i] == i)
+      corners[i] = texcoords(maps.textures[i].texcoord(), triangle);
   }
   std::array<Texture::Spot, MapKinds> spots;
   for (const auto& [_, weights] : places)
@@ -195,10 +190,12 @@ PaintSource::Texels PaintSource::lookUp(std::span<const InputPlace> places) cons
       const auto& uv = corners[i];
       if (maps.like[i] == i)
         spots[i] = map.spotAt(weights[0] * uv[0] + weights[1] * uv[1] + weights[2] * uv[2]);
-      const Texture::Spot& spot = spots[maps.like[i]];
-      for (auto c = kChannels[i].first; c < kChannels[i].second; ++c)
-        texels[i][Eigen::Index(c)] += share * map.at(spot, c);
+      sums[i] += map.at(spots[maps.like[i]]);
     }
+  const double share = 1.0 / double(places.size());
+  for (std::size_t i = 0; i < MapKinds; ++i)
+    texels[i] = maps.textures[i] ? Eigen::Vector4d(share * sums[i].cast<double>())
+                                 : Eigen::Vector4d(Eigen::Vector4d::Ones());
   return texels;
 }
 

@@ -147,7 +147,10 @@ class Painter {
   }
 
   Mixture mixtureAt(std::size_t texel) {
-    findPlaces(texel);
+    const Vec2 corner = cornerOf(texel);
+    middle_ = corner + Vec2::Constant(0.5);
+    normal_ = normals_.at(middle_).normalized();
+    findPlaces(corner);
     Mixture mixture;
     const bool isAlike = rules_.finer <= kAlike;
     for (std::size_t i = 0, end = 0; i < places_.size(); i = end) {
@@ -170,8 +173,7 @@ class Painter {
 
   // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is
   // in it does the rim go on.
-  void findPlaces(std::size_t texel) {
-    const Vec2 corner = cornerOf(texel);
+  void findPlaces(const Vec2& corner) {
     if (findTogether(corner)) return;
     places_.clear();
     for (const bool isWithin : {true, false}) {
@@ -192,13 +194,12 @@ class Painter {
       return outline_.kept(point) != point;
     };
     if (std::any_of(spread_.begin(), spread_.end(), isCutOff)) return false;
-    const Vec2 half = Vec2::Constant(0.5), middle = corner + half;
-    const auto found = finder_->findMoving(points_.at(middle), normals_.at(middle).normalized(),
-                                           {points_.perX, points_.perY});
+    const auto found =
+        finder_->findMoving(points_.at(middle_), normal_, {points_.perX, points_.perY});
     if (!found) return false;
     places_.clear();
     for (const Vec2& offset : spread_) {
-      const Vec2 way = offset - half;
+      const Vec2 way = offset - Vec2::Constant(0.5);
       places_.push_back({found->place.triangle,
                          found->place.weights + way.x() * found->perX + way.y() * found->perY});
     }
@@ -211,11 +212,9 @@ class Painter {
     return {double(column), double(row)};
   }
 
-  // A direction as it is written at the middle of a texel.
-  Vec3 written(std::size_t texel, const Vec3& direction) const {
-    const Vec2 middle = cornerOf(texel) + Vec2::Constant(0.5);
-    return inFrame(tangents_.at(middle), triangle_->corners[0].tangent[3],
-                   normals_.at(middle).normalized(), direction);
+  // A direction as it is written at the middle of the texel.
+  Vec3 written(const Vec3& direction) const {
+    return inFrame(tangents_.at(middle_), triangle_->corners[0].tangent[3], normal_, direction);
   }
 
   void put(std::size_t texel, const Mixture& mixture) {
@@ -223,7 +222,7 @@ class Painter {
     const double alpha = share * mixture.baseColor[3];
     Vec3 color = share * mixture.baseColor.head<3>();
     if (!rules_.isOpaque && alpha > 0) color = mixture.weighted / mixture.baseColor[3];
-    const Vec3 normal = written(texel, mixture.normal.normalized());
+    const Vec3 normal = written(mixture.normal.normalized());
     for (std::size_t c = 0; c < 3; ++c) {
       const auto k = Eigen::Index(c);
       result_.baseColor.texels[4 * texel + c] = srgbOf(color[k]);
@@ -248,6 +247,9 @@ class Painter {
   SideFinder* finder_ = nullptr;
   RimmedTriangle outline_;
   Sheet points_, normals_, tangents_;
+  // The texel that is painted.
+  Vec2 middle_ = Vec2::Zero();
+  Vec3 normal_ = Vec3::Zero();  // there
   std::vector<InputPlace> places_;
 };
 

@@ -74,7 +74,7 @@ std::uint8_t byteOf(double fraction) {
 Texture::Texture(const io::Image* image, const io::Map& map, Coding coding)
     : image_(image),
       map_(&map),
-      colors_(coding == Coding::Light ? tables().lights.data() : tables().fractions.data()),
+      values_(coding == Coding::Light ? tables().lights.data() : tables().fractions.data()),
       alphas_(tables().fractions.data()) {}
 
 bool Texture::liesLike(const Texture& other) const {

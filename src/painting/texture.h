@@ -37,19 +37,21 @@ class Texture {
   // Whether the spots of one are those of the other; neither may be empty.
   bool liesLike(const Texture& other) const;
 
-  // A channel, mixed from the four texels around; alpha is a fraction always.
-  double at(const Spot& spot, std::size_t channel) const {
-    const float* const values = channel == 3 ? alphas_ : colors_;
-    const std::uint8_t* const bytes = image_->texels.data() + channel;
-    float sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) sum += spot.weights[k] * values[bytes[4 * spot.texels[k]]];
+  // What is there, mixed from the four texels around; alpha is a fraction always.
+  Eigen::Vector4f at(const Spot& spot) const {
+    Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint8_t* const bytes = &image_->texels[4 * spot.texels[k]];
+      for (Eigen::Index c = 0; c < 3; ++c) sum[c] += spot.weights[k] * values_[bytes[c]];
+      sum[3] += spot.weights[k] * alphas_[bytes[3]];
+    }
     return sum;
   }
 
  private:
   const io::Image* image_ = nullptr;
   const io::Map* map_ = nullptr;
-  const float* colors_ = nullptr;  // what a byte means
+  const float* values_ = nullptr;  // what a byte of a colour means
   const float* alphas_ = nullptr;
 };
 

@@ -48,7 +48,7 @@ TEST_CASE("texture: texels at their middles, mixed between, wrapped as asked") {
   io::Map map;
   const auto red = [&](double u) {
     const Texture texture(&image, map, Coding::Fraction);
-    return texture.at(texture.spotAt(Vec2(u, 0.5)), 0);
+    return double(texture.at(texture.spotAt(Vec2(u, 0.5)))[0]);
   };
   CHECK(red(0.25) == 0);
   CHECK(red(0.75) == 1);
