@@ -48,6 +48,12 @@ test('a path is read wherever it is named, a folder with all that is in it', () 
     ['LICENSE', ...Object.keys(sources).filter((file) => file.startsWith('dist/')).sort()]);
 });
 
+test('a program that was built is read by its whole name only', () => {
+  const built = { 'build/test/cook': '' };
+  assert.deepEqual(readBy("join(root, 'build/test/cook');\n", built), ['build/test/cook']);
+  assert.deepEqual(readBy("at.indexOf('build/'); readText('build/test/log');\n", built), []);
+});
+
 test('comments and documents read nothing, but for the links of the papers', () => {
   assert.deepEqual(readBy("read('README.md');\n", { 'README.md': '[Pots](src/pot.cpp)\n' }),
     ['README.md', 'src/pot.cpp']);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which files of the checkout a test file can read: itself, what it imports, and whatever its text
 // or that of such a file names by a path, from the root or from where it stands. Of a folder that
-// is all that lies in it; of our package what its exports lead to.
+// is all that lies in it, but for programs that are made of the checkout, which go by their whole
+// names; of our package what its exports lead to.
 import { dirname, join, normalize } from 'node:path';
 
 /** Declarations speak of each other by the names of the scripts. */
@@ -25,11 +26,11 @@ function pathsIn(file, whole) {
   return new Set([...paths, ...words]);
 }
 
-/** Every folder with the files in it, however deep. @param {Iterable<string>} files */
+/** Every folder with the files of ours in it, however deep. @param {readonly string[]} files */
 function foldersOf(files) {
   /** @type {Map<string, string[]>} */
   const folders = new Map();
-  for (const file of files) {
+  for (const file of files.filter((path) => !path.startsWith('build/'))) {
     for (let at = dirname(file); at !== '.'; at = dirname(at)) {
       if (!folders.has(at)) folders.set(at, []);
       folders.get(at)?.push(file);
