@@ -88,7 +88,7 @@ test('in the background, without frames, the page goes on and shows its result l
 
 test('where memory ends that is said, the last result stays, and the page goes on', async () => {
   const { page: small } = await openPage(site, { ...sight,
-    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 24) });
+    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 20) });
   await settled(small);
   const refused = async () => {
     await small.waitForSelector('#error:visible');
@@ -98,11 +98,11 @@ test('where memory ends that is said, the last result stays, and the page goes o
     assert.equal(await small.textContent('#result-count'), '500');
     assert.equal(await small.isVisible('.takeaway'), true);
   };
-  await small.fill('#target', '200000');
+  await small.fill('#target', '60000');
   await small.click('form button[type=submit]');
   await refused();
   await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '',
-    buffer: Buffer.from(stl(ring({ columns: 400, rows: 250 }))) });
+    buffer: Buffer.from(stl(ring({ columns: 240, rows: 150 }))) });
   await refused();
   await small.fill('#target', '400');
   await small.click('form button[type=submit]');
