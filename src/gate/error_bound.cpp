@@ -159,7 +159,9 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
 bool ErrorBound::allows(const WorkingMesh& mesh, const LocalChange& change) const {
   if (isSpent()) return false;
   const std::vector<Triangle> coming = comingTriangles(mesh, change);
-  const Vertex rim = mesh.mesh().vertices(change.going[0])[0];
+  // Where a triangle's only neighbour takes over its tip nothing else changes.
+  const Face first = change.going.empty() ? HalfedgeMesh::face(change.halfedge) : change.going[0];
+  const Vertex rim = mesh.mesh().vertices(first)[0];
   NearTree look(tree_, distance_, mesh.at(rim).face.index);
   const SearchLimits limits{kSmallestPiece * distance_, kMostPieces};
   const bool isNear = std::none_of(coming.begin(), coming.end(), [&](const Triangle& t) {
