@@ -28,7 +28,7 @@ bool isAtRest(const Run& run, Vertex v, double share) {
 }
 
 // Where smoothing has settled, angles change little after so many.
-constexpr int kWidenings = 3;
+constexpr int kWidenings = 3, kWideningsInLarge = 2;
 constexpr double kNarrow = radians(52);
 
 VertexData<char> narrowCorners(const Run& run) {
@@ -70,7 +70,8 @@ void widenAngles(Run& run) {
   PolarMap star;
   // Where nothing has moved since, a search finds what it found before: nothing.
   VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
-  for (int pass = 0; pass < kWidenings; ++pass) {
+  const int passes = isLarge(run) ? kWideningsInLarge : kWidenings;
+  for (int pass = 0; pass < passes; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);
     for (Index i = 0; i < narrow.size(); ++i) {
       const Vertex v(i);
