@@ -21,11 +21,12 @@ constexpr double kMustGo = 0.4;
 // Halving all sides of a triangle of such edges, whatever its shape, would pile vertices up beside
 // its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
 constexpr double kGiant = 3;
-constexpr int kRounds = 5, kSweeps = 2;
+// A coarse level is annealed, divided and smoothed after that.
+constexpr int kRounds = 5, kSweeps = 2, kCoarseSweeps = 1;
 // Where small handles and folds let no edge go vertices crowd; one in so many is mended later.
 constexpr std::size_t kFewCrowded = 20;
 constexpr int kThinnings = 3;
-constexpr int kSketchRounds = 3, kSketchSweeps = 1;
+constexpr int kSketchRounds = 3;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Of so many times the vertices that are wanted most are thinned out rather than adapted, until
 // edges have this share of the sizes; a sketch collapses what is short instead, up to a limit.
@@ -193,16 +194,18 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
   // Slivers can ask for splits for ever, and not give the vertices back.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
   const int rounds = isRough ? kSketchRounds : kRounds;
-  const int sweeps = isRough ? kSketchSweeps : kSweeps;
+  const int sweeps = run.scale > 1 ? kCoarseSweeps : kSweeps;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
+    const bool isFirstOrLast = i == 0 || i + 1 == rounds;
     // What is long among far too many is so still when most have gone.
     const bool isCrowded = isRough && run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
     if (!isCrowded) refine(run, most);
     collapseShort(run, kShort);
-    if (isCrowded) run.mesh.compact();
+    // All that follows goes over the holes as well.
+    if (isFirstOrLast) run.mesh.compact();
     valenceFlips(run);
-    if (i == 0 || i + 1 == rounds) delaunayFlips(run.mesh, run.rule);
+    if (isFirstOrLast) delaunayFlips(run.mesh, run.rule);
     for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
     if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
