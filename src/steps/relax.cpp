@@ -55,15 +55,19 @@ void relax(Run& run, int passes, double share) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const double part = run.projector.walks() ? kBeyondMean : 1;
   PolarMap star;
-  for (int pass = 0; pass < passes; ++pass)
+  bool isStill = false;
+  for (int pass = 0; pass < passes && !isStill; ++pass) {
+    isStill = true;
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (!mesh.isAlive(v) || isAtRest(run, v, share)) continue;
+      isStill = false;
       run.mesh.settle(v);
       const Vec3 before = run.mesh.position(v);
       if (laplacianMove(run, star, v, part))
         run.mesh.stirNeighbors(v, (run.mesh.position(v) - before).norm());
     }
+  }
 }
 
 void widenAngles(Run& run) {
