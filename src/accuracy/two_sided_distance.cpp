@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFarOff = std::numeric_limits<double>::infinity();
 // What is beside a vertex and nearer to its tangent plane than this decides nothing.
-constexpr double kBesideIt = 0.02;  // of the target edge length
+constexpr double kBesideIt = 0.05;  // of the target edge length
 // An edge follows the original where its slope to both tangent planes is less and they face the
 // same way: sine and cosine.
 constexpr double kSlope = 0.1, kAlongIt = 0.97;
