@@ -11,6 +11,7 @@
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "measure/distance_bound.h"
+#include "measure/salient_vertices.h"
 
 namespace remesher {
 
@@ -243,8 +244,9 @@ class Measurement {
   std::size_t sampleCount_ = 0;
 };
 
-// From a few points, which lie too far apart for a look around to serve several. The surface they
-// are on needs no tree.
+// From a few points, which lie too far apart for a look around to serve several, and from as many
+// vertices as stand out most: the largest distance is mostly at one of them. The surface they are
+// on needs no tree.
 Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   const double perArea = pointsPerArea(from, kGlimpsed);
   EvenPoints points;
@@ -259,6 +261,13 @@ Deviation glimpse(const Triangles& from, const TriangleTree& to) {
       sum += last.squaredDistance;
       ++count;
     }
+  }
+  const std::size_t most = kGlimpsed.points(from.size());
+  for (const Index v : salientVertices(from.positions, from.indices, most)) {
+    const Vec3& p = from.positions[v];
+    last = last.triangle == kNone ? to.nearest(p)
+                                  : to.nearestBeyond(kBelow * std::sqrt(largest), p, last.triangle);
+    largest = std::max(largest, last.squaredDistance);
   }
   return {std::sqrt(largest), count > 0 ? std::sqrt(sum / count) : 0};
 }

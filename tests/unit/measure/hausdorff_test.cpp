@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "measure/edge_table.h"
 #include "support/soups.h"
 
 using namespace remesher;
@@ -120,6 +121,17 @@ TEST_CASE("hausdorff: a glimpse sees what the result lacks, not what juts out of
   CHECK(measureFidelity(fin, soups::square(5), Maximum::Glimpsed).hausdorff > 30);
   CHECK(measureFidelity(soups::square(5), fin, Maximum::Glimpsed).hausdorff < 1e-10);
   CHECK(measureFidelity(soups::square(5), fin, Maximum::Sampled).hausdorff > 30);
+}
+
+TEST_CASE("hausdorff: a glimpse sees a lost tip, however small its area is") {
+  const WeldedMesh ball = weld(soups::sphere(40));
+  TriangleMesh spiked;
+  spiked.positions = ball.positions;
+  spiked.indices = ball.indices;
+  spiked.positions[7] *= 1.05;
+  const double exact = measureFidelity(spiked, soups::sphere(40), Maximum::Proven).hausdorff;
+  CHECK(measureFidelity(spiked, soups::sphere(40), Maximum::Glimpsed).hausdorff ==
+        Approx(exact).epsilon(0.01));
 }
 
 TEST_CASE("hausdorff: fewer points change the root mean square by no more than a few percent") {
