@@ -244,9 +244,9 @@ class Measurement {
   std::size_t sampleCount_ = 0;
 };
 
-// From a few points, which lie too far apart for a look around to serve several, and from as many
-// vertices as stand out most: the largest distance is mostly at one of them. The surface they are
-// on needs no tree.
+// From a few points, which lie too far apart for a look around to serve several, and from the
+// vertices that stand out most, a quarter as many: the largest distance is mostly at one of them.
+// The surface they are on needs no tree.
 Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   const double perArea = pointsPerArea(from, kGlimpsed);
   EvenPoints points;
@@ -262,7 +262,7 @@ Deviation glimpse(const Triangles& from, const TriangleTree& to) {
       ++count;
     }
   }
-  const std::size_t most = kGlimpsed.points(from.size());
+  const std::size_t most = kGlimpsed.points(from.size()) / 4;
   for (const Index v : salientVertices(from.positions, from.indices, most)) {
     const Vec3& p = from.positions[v];
     last = last.triangle == kNone ? to.nearest(p)
