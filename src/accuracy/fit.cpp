@@ -13,7 +13,8 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPasses = 2, kPassesInDraft = 1;
+// The last pass gains little; a large mesh does without it.
+constexpr int kPasses = 3, kPassesInLarge = 2, kPassesInDraft = 1;
 // The least squares of offsets that neighbours share, by relaxation: a little beyond each vertex's
 // own mean few passes come nearest.
 constexpr double kBeyond = 1.3;
@@ -108,6 +109,11 @@ bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners)
   return marked[corners[0]] || marked[corners[1]] || marked[corners[2]];
 }
 
+int passesOf(const Run& run) {
+  if (run.quality == Quality::Draft) return kPassesInDraft;
+  return isLarge(run) ? kPassesInLarge : kPasses;
+}
+
 }  // namespace
 
 void fit(Run& run, const Progress& progress) {
@@ -117,7 +123,7 @@ void fit(Run& run, const Progress& progress) {
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
-  const int passes = isDraft ? kPassesInDraft : kPasses;
+  const int passes = passesOf(run);
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     VertexData<Offset> offsets(mesh.vertexCapacity());
