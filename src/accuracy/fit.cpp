@@ -13,8 +13,9 @@ namespace remesher {
 
 namespace {
 
-// The last pass gains little; a large mesh does without it.
-constexpr int kPasses = 3, kPassesInLarge = 2, kPassesInDraft = 1;
+// The last pass gains little; only a mesh of few vertices, where it costs little, has it.
+constexpr std::size_t kFew = 8000;
+constexpr int kPasses = 2, kPassesOfFew = 3, kPassesInDraft = 1;
 // The least squares of offsets that neighbours share, by relaxation: a little beyond each vertex's
 // own mean few passes come nearest.
 constexpr double kBeyond = 1.3;
@@ -111,7 +112,7 @@ bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners)
 
 int passesOf(const Run& run) {
   if (run.quality == Quality::Draft) return kPassesInDraft;
-  return isLarge(run) ? kPassesInLarge : kPasses;
+  return run.mesh.mesh().vertexCount() < kFew ? kPassesOfFew : kPasses;
 }
 
 }  // namespace
