@@ -11,7 +11,7 @@ import { assembly } from './assembly.js';
 import { loadModel } from './models.js';
 import { phaseTable } from './phases.js';
 import { fixed, markdownTable } from './table.js';
-import { median, ownClock, timeYardstick } from './yardstick.js';
+import { collectGarbage, median, ownClock, timeYardstick } from './yardstick.js';
 
 const columns = ['case', 'U', 'at most', 'ms', 'memory MiB', 'worst °', 'mean °', '50–60° %',
   'Hausdorff %', 'RMS %'];
@@ -40,6 +40,7 @@ async function timeInUnits(run, yardstick, runs) {
   let report;
   for (let k = 0; k < runs; k += 1) {
     units.push(1000 * await timeYardstick(yardstick, horse.vertices, 3, ownClock));
+    collectGarbage();
     const start = ownClock();
     ({ report } = await run());
     times.push(ownClock() - start);
