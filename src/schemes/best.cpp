@@ -182,12 +182,12 @@ void finish(Run& run, const Progress& progress) {
 
 }  // namespace
 
-bool runBest(Run& run, std::size_t vertices, const Progress& progress) {
+bool runBest(Run& run, std::size_t vertices, Rival* rival, const Progress& progress) {
   const Levels levels = planLevels(run, vertices);
   run.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
-  if (run.isInVain && run.isInVain()) return reached;
+  if (rival && run.quality == Quality::Best && rival->hasWon(run.mesh)) return reached;
   const Progress last = progress.part(0.85, 1);
   run.quality == Quality::Draft ? finishDraft(run, last) : finish(run, last);
   return reached;

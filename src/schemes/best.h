@@ -4,11 +4,13 @@
 // polish; fit; lower the largest distances; polish what slivers are left.
 #pragma once
 
+#include "schemes/rival.h"
 #include "steps/run.h"
 
 namespace remesher {
 
-// Returns whether the number of vertices was reached.
-bool runBest(Run& run, std::size_t vertices, const Progress& progress);
+// Returns whether the number of vertices was reached. Against a rival that has won, the mesh is not
+// finished.
+bool runBest(Run& run, std::size_t vertices, Rival* rival, const Progress& progress);
 
 }  // namespace remesher

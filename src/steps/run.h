@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <optional>
 
 #include "base/progress.h"
@@ -38,7 +37,6 @@ struct Run {
   Boundaries boundaries = Boundaries::Even;
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
   std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
-  std::function<bool()> isInVain = {};  // asked, if it is there, before a mesh is finished
   LocalChange change = {};              // the proposal at hand
   Star star = {};                       // the star at hand
   Vertex result = {};  // what the last change made, moved or kept; none after a flip
