@@ -2,7 +2,10 @@
 #include "surface/curvature.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "geometry/triangle.h"
 
@@ -31,20 +34,28 @@ VertexData<double> sharpestTurns(const OriginalSurface& surface) {
   return result;
 }
 
-// Each the mean of itself and its neighbours. Edge after edge: a turn around each vertex would wait
-// for every step.
-VertexData<double> smoothed(const HalfedgeMesh& mesh, const VertexData<double>& values) {
-  VertexData<double> sums = values, counts(values.size(), 1);
+// Each the mean of itself and its neighbours, so many times. Edge after edge: a turn around each
+// vertex would wait for every step.
+VertexData<double> smoothed(const HalfedgeMesh& mesh, VertexData<double> values) {
+  std::vector<std::array<Vertex, 2>> edges;
+  edges.reserve(mesh.halfedgeCapacity() / 2);
+  VertexData<double> counts(values.size(), 1);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h)) continue;
-    const Vertex a = mesh.origin(h), b = mesh.tip(h);
-    sums[a] += values[b];
-    sums[b] += values[a];
-    ++counts[a], ++counts[b];
+    edges.push_back({mesh.origin(h), mesh.tip(h)});
+    for (const Vertex v : edges.back()) ++counts[v];
   }
-  for (Index i = 0; i < values.size(); ++i) sums[Vertex(i)] /= counts[Vertex(i)];
-  return sums;
+  for (int k = 0; k < kSmoothing; ++k) {
+    VertexData<double> sums = values;
+    for (const auto& [a, b] : edges) {
+      sums[a] += values[b];
+      sums[b] += values[a];
+    }
+    for (Index i = 0; i < values.size(); ++i) sums[Vertex(i)] /= counts[Vertex(i)];
+    values = std::move(sums);
+  }
+  return values;
 }
 
 // A curve bends too, where the surfaces on both its sides may be flat.
@@ -68,8 +79,7 @@ void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
 VertexData<double> curvatures(const OriginalSurface& surface) {
   VertexData<double> result = sharpestTurns(surface);
   addCurves(surface, result);
-  for (int i = 0; i < kSmoothing; ++i) result = smoothed(surface.mesh(), result);
-  return result;
+  return smoothed(surface.mesh(), std::move(result));
 }
 
 double meanBend(const OriginalSurface& surface) {
