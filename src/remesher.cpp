@@ -31,6 +31,7 @@ constexpr double kMeasureShare = 0.15;
 // Every part remeshed, and a report on all but reading and writing.
 struct Run {
   std::vector<io::Part> parts;
+  std::vector<Welding> weldings;                // of those given that are not remeshed yet
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   Report report;
 };
@@ -39,7 +40,7 @@ struct Run {
 std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
                        const Progress& progress) {
   io::Part& own = run.parts[part];
-  RemeshOutcome outcome = remeshSurface(own.mesh, options, progress);
+  RemeshOutcome outcome = remeshSurface(own.mesh, std::move(run.weldings[part]), options, progress);
   RoundedMesh rounded = inPrecisionOf(own.mesh, std::move(outcome.mesh));
   if (const std::size_t count = std::max(rounded.coincident, outcome.coincident); count > 0)
     outcome.warnings.push_back({"VERTICES_COINCIDE",
@@ -55,9 +56,10 @@ std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                 const Progress& progress) {
-  Run run{originals, std::vector<std::vector<InputPlace>>(originals.size()), {}};
   progress.phase("inspect", 0, 0);
-  run.report.input = inspectParts(originals);
+  Run run{
+      originals, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
+  run.report.input = inspectParts(originals, run.weldings);
   PartTargets targets(originals, options);
   const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
   double done = 0;
@@ -68,7 +70,7 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
     done += share;
   }
   progress.phase("measure", 1 - kMeasureShare, 1);
-  run.report.output = inspectParts(run.parts);
+  run.report.output = inspectParts(run.parts, weldingsOf(run.parts));
   // Whether a bound is kept shows from both sides only.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
@@ -159,7 +161,9 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
 
 MeshReport inspectScaled(const std::vector<io::Part>& parts) {
   const PartScale scale(parts);
-  return inspectParts(scale.isNeeded() ? scale.applied(parts) : parts);
+  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts));
+  const std::vector<io::Part> scaled = scale.applied(parts);
+  return inspectParts(scaled, weldingsOf(scaled));
 }
 
 // Errors that speak of a vertex or a triangle alone do not say of which file.

@@ -49,7 +49,6 @@ add_executable(unit_tests
   tests/unit/measure/mesh_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
-  tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
@@ -86,6 +85,8 @@ add_executable(unit_tests
   tests/unit/schemes/rounds_test.cpp
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
+  tests/unit/soup/edge_groups_test.cpp
+  tests/unit/soup/welding_test.cpp
   tests/unit/steps/adapt_test.cpp
   tests/unit/steps/apart_test.cpp
   tests/unit/steps/boundaries_test.cpp

@@ -74,4 +74,11 @@ std::vector<Index> weld(std::span<const Vec3> positions) {
   return first;
 }
 
+std::size_t countPlaces(std::span<const Vec3> positions) {
+  const std::vector<Index> first = weld(positions);
+  std::size_t count = 0;
+  for (Index v = 0; v < first.size(); ++v) count += first[v] == v;
+  return count;
+}
+
 }  // namespace remesher

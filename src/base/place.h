@@ -3,6 +3,7 @@
 // What programs make of a full turn seldom meets its beginning.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -15,11 +16,15 @@ namespace remesher {
 // is no more than a few such roundings is zero.
 inline Vec3 canonicalPlace(const Vec3& p) {
   constexpr double kRounding = 0x1p-50;
-  const double nothing = kRounding * p.cwiseAbs().maxCoeff();
-  return p.unaryExpr([nothing](double c) { return std::abs(c) <= nothing ? 0 : c; });
+  const double nothing = kRounding * std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  const auto rounded = [nothing](double c) { return std::abs(c) <= nothing ? 0 : c; };
+  return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
 // Per vertex the first vertex at its place. Positions must be finite.
 std::vector<Index> weld(std::span<const Vec3> positions);
+
+// How many places there are.
+std::size_t countPlaces(std::span<const Vec3> positions);
 
 }  // namespace remesher

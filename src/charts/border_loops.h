@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/types.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

@@ -13,7 +13,7 @@
 #include "charts/chart_overlap.h"
 #include "charts/plane_frame.h"
 #include "geometry/triangle.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

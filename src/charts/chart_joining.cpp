@@ -11,7 +11,7 @@
 #include "charts/chart_overlap.h"
 #include "charts/chart_relaxing.h"
 #include "charts/plane_frame.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

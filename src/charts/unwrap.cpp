@@ -3,7 +3,7 @@
 
 #include "charts/chart_growth.h"
 #include "charts/chart_joining.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

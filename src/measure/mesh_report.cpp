@@ -10,7 +10,6 @@
 #include "base/disjoint_sets.h"
 #include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
-#include "measure/edge_table.h"
 
 namespace remesher {
 
@@ -19,59 +18,46 @@ namespace {
 // How far beyond 180° two opposite angles may go by rounding (radians).
 constexpr double kAngleRounding = 1e-7;
 
-Triangle cornersOf(const WeldedMesh& mesh, std::size_t t) {
-  const std::array<Index, 3> v = mesh.triangle(t);
-  return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
+// Positions that triangles use.
+std::size_t countVertices(const TriangleMesh& mesh, const Welding& welding) {
+  std::vector<char> isUsed(mesh.positions.size(), 0);
+  for (const Index v : mesh.indices) isUsed[welding.first[v]] = 1;
+  return static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), 1));
 }
 
-// The place of a vertex of the edge opposite to a corner, as a corner of the same triangle.
-Index cornerAt(const WeldedMesh& mesh, Index opposite, Index vertex) {
-  const Index triangle = opposite / 3, next = 3 * triangle + (opposite + 1) % 3;
-  return mesh.indices[next] == vertex ? next : 3 * triangle + (opposite + 2) % 3;
-}
-
-// How many fans of triangles, each joined by edges, stand around all vertices together: one per
-// vertex but where the surface is pinched.
-std::size_t countFans(const WeldedMesh& mesh, const EdgeTable& edges) {
-  DisjointSets fans(mesh.indices.size());
-  std::size_t count = 0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-    count += hasDistinctVertices(mesh.triangle(t)) ? 3 : 0;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeTable::Edge edge = edges[e];
-    for (const Index vertex : {edge.low, edge.high})
-      for (const Index opposite : edge.opposites.subspan(1))
-        count -=
-            fans.unite(cornerAt(mesh, edge.opposites[0], vertex), cornerAt(mesh, opposite, vertex));
-  }
-  return count;
-}
-
-// Fills in what only connectivity decides.
-void reportConnectivity(const WeldedMesh& mesh, MeshReport& report) {
-  const EdgeTable edges(mesh);
-  std::size_t faces = 0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t) faces += hasDistinctVertices(mesh.triangle(t));
-  report.components = faces;  // less one for each two that are found to be joined
-  DisjointSets components(mesh.triangleCount());
-  std::vector<Index> valence(mesh.positions.size(), 0);
-  std::vector<std::uint8_t> isInterior(mesh.positions.size(), 1);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeTable::Edge edge = edges[e];
-    ++valence[edge.low], ++valence[edge.high];
-    report.boundaryEdges += edge.opposites.size() == 1;
-    report.nonManifoldEdges += edge.opposites.size() > 2;
-    if (edge.opposites.size() != 2) isInterior[edge.low] = isInterior[edge.high] = 0;
-    for (const Index corner : edge.opposites.subspan(1))
-      report.components -= components.unite(edge.opposites[0] / 3, corner / 3);
-  }
+// Fills in what only connectivity decides. Around all vertices together stand so many fans of
+// triangles, each joined by edges: one per vertex but where the surface is pinched.
+void reportConnectivity(const Welding& welding, MeshReport& report) {
+  const std::vector<Index>& corners = welding.corners;
+  const std::size_t faces = corners.size() / 3;
+  // Of both there is one less for each two that are found to be joined.
+  std::size_t edges = 0, fanCount = corners.size();
+  report.components = faces;
+  DisjointSets components(faces), fans(corners.size());
+  std::vector<Index> valence(welding.first.size(), 0);
+  std::vector<char> isInterior(valence.size(), 1);
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    const Index h = edge[0], next = nextCorner(h), from = corners[h], to = corners[next];
+    ++edges;
+    ++valence[from], ++valence[to];
+    report.boundaryEdges += edge.size() == 1;
+    report.nonManifoldEdges += edge.size() > 2;
+    if (edge.size() != 2) isInterior[from] = isInterior[to] = 0;
+    for (const Index other : edge.subspan(1)) {
+      report.components -= components.unite(h / 3, other / 3);
+      const bool isSameWay = corners[other] == from;
+      const Index beyond = nextCorner(other);
+      fanCount -= fans.unite(h, isSameWay ? other : beyond);
+      fanCount -= fans.unite(next, isSameWay ? beyond : other);
+    }
+  });
   std::size_t interior = 0, regular = 0;
   for (std::size_t v = 0; v < valence.size(); ++v) {
     interior += valence[v] > 0 && isInterior[v];
     regular += valence[v] == 6 && isInterior[v];
   }
-  report.eulerCharacteristic = static_cast<long>(countFans(mesh, edges)) -
-                               static_cast<long>(edges.size()) + static_cast<long>(faces);
+  report.eulerCharacteristic =
+      static_cast<long>(fanCount) - static_cast<long>(edges) + static_cast<long>(faces);
   if (interior > 0)
     report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
 }
@@ -95,7 +81,7 @@ struct Sides {
   double angleOpposite(double side) const { return angleOf(twiceArea, cosineOpposite(side)); }
 };
 
-void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
+void reportAngles(const TriangleMesh& mesh, const Welding& welding, MeshReport& report) {
   const std::size_t n = mesh.triangleCount();
   if (n == 0) return;
   std::array<std::size_t, 6> counts{};
@@ -103,7 +89,10 @@ void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
   // Above it a cosine is too large, for its sine, for the angle to be the largest yet.
   double leastRatio = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < n; ++t) {
-    const Triangle corners = cornersOf(mesh, t);
+    const auto at = [&](std::size_t i) -> const Vec3& {
+      return mesh.positions[welding.first[mesh.indices[i]]];
+    };
+    const Triangle corners = {at(3 * t), at(3 * t + 1), at(3 * t + 2)};
     const Sides sides(corners);
     report.degenerateTriangles += sides.flatness() <= kFlattest;
     const double smallest = sides.angleOpposite(sides.shortest);
@@ -126,46 +115,45 @@ void reportAngles(const WeldedMesh& mesh, MeshReport& report) {
 
 }  // namespace
 
-MeshReport inspectMesh(const TriangleMesh& mesh) {
-  const WeldedMesh welded = weld(mesh);
+MeshReport inspectMesh(const TriangleMesh& mesh, const Welding& welding) {
   MeshReport report;
-  report.vertices = welded.positions.size();
-  report.triangles = welded.triangleCount();
-  reportConnectivity(welded, report);
-  reportAngles(welded, report);
+  report.vertices = countVertices(mesh, welding);
+  report.triangles = mesh.triangleCount();
+  reportConnectivity(welding, report);
+  reportAngles(mesh, welding, report);
   return report;
 }
 
 double nonDelaunayPercentage(const TriangleMesh& mesh) {
-  const WeldedMesh welded = weld(mesh);
-  const EdgeTable edges(welded);
+  const Welding welding(mesh);
+  const auto at = [&](Index corner) -> const Vec3& {
+    return mesh.positions[welding.corners[corner]];
+  };
   std::size_t inner = 0, bad = 0;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeTable::Edge edge = edges[e];
-    if (edge.opposites.size() != 2) continue;
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    if (edge.size() != 2) return;
     double sum = 0;
-    for (const Index corner : edge.opposites) {
-      const Vec3& apex = welded.positions[welded.indices[corner]];
-      const Vec3 a = welded.positions[edge.low] - apex, b = welded.positions[edge.high] - apex;
+    for (const Index h : edge) {
+      const Vec3& apex = at(prevCorner(h));
+      const Vec3 a = at(h) - apex, b = at(nextCorner(h)) - apex;
       sum += std::atan2(a.cross(b).norm(), a.dot(b));
     }
     ++inner;
     bad += sum > std::numbers::pi + kAngleRounding;
-  }
+  });
   return inner > 0 ? 100.0 * static_cast<double>(bad) / static_cast<double>(inner) : 0;
 }
 
 std::size_t countBoundaryLoops(const TriangleMesh& mesh) {
-  const WeldedMesh welded = weld(mesh);
-  const EdgeTable edges(welded);
-  DisjointSets pieces(welded.positions.size());
-  std::vector<std::uint8_t> isOnBoundary(welded.positions.size(), 0);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeTable::Edge edge = edges[e];
-    if (edge.opposites.size() != 1) continue;
-    isOnBoundary[edge.low] = isOnBoundary[edge.high] = 1;
-    pieces.unite(edge.low, edge.high);
-  }
+  const Welding welding(mesh);
+  DisjointSets pieces(mesh.positions.size());
+  std::vector<char> isOnBoundary(mesh.positions.size(), 0);
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    if (edge.size() != 1) return;
+    const Index from = welding.corners[edge[0]], to = welding.corners[nextCorner(edge[0])];
+    isOnBoundary[from] = isOnBoundary[to] = 1;
+    pieces.unite(from, to);
+  });
   std::size_t loops = 0;
   for (Index v = 0; v < isOnBoundary.size(); ++v) loops += isOnBoundary[v] && pieces.find(v) == v;
   return loops;

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/report.h"
-#include "base/triangle_mesh.h"
+#include "soup/welding.h"
 
 namespace remesher {
 
@@ -14,7 +14,8 @@ namespace remesher {
 // component when a chain of shared edges joins them. A triangle is degenerate when two of its
 // corners coincide or its area is nothing but rounding. The Euler characteristic is that of the
 // surface cut apart where it only touches itself in a vertex.
-MeshReport inspectMesh(const TriangleMesh& mesh);
+MeshReport inspectMesh(const TriangleMesh& mesh, const Welding& welding);
+inline MeshReport inspectMesh(const TriangleMesh& mesh) { return inspectMesh(mesh, Welding(mesh)); }
 
 // The share of the edges between two triangles, in percent, whose opposite angles sum to more than
 // 180°: a Delaunay mesh has none.

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/place.h"
 #include "geometry/predicates.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
-#include "measure/edge_table.h"
 
 namespace remesher {
 
@@ -114,17 +114,18 @@ std::size_t alignShared(std::array<Index, 3>& s, std::array<Index, 3>& t) {
 class Search {
  public:
   explicit Search(const TriangleMesh& mesh)
-      : mesh_(weld(mesh)),
-        tree_(mesh_.positions, mesh_.indices),
-        isHit_(mesh_.triangleCount(), 0) {}
+      : positions_(mesh.positions),
+        corners_(cornerPlaces(mesh)),
+        tree_(positions_, corners_),
+        isHit_(mesh.triangleCount(), 0) {}
 
   std::vector<Index> run() {
-    std::vector<std::uint8_t> counts(mesh_.triangleCount());
-    for (Index t = 0; t < counts.size(); ++t) counts[t] = hasArea(corners(mesh_.triangle(t)));
+    std::vector<std::uint8_t> counts(isHit_.size());
+    for (Index t = 0; t < counts.size(); ++t) counts[t] = hasArea(places(triangle(t)));
     for (const Index s : tree_.order()) {
       if (!counts[s]) continue;
       Box box;
-      for (const Vec3& p : corners(mesh_.triangle(s))) box.extend(p);
+      for (const Vec3& p : places(triangle(s))) box.extend(p);
       tree_.visitOverlapping(box, [&](Index t) {
         if (s < t && counts[t] && !(isHit_[s] && isHit_[t]) && trianglesMeet(s, t))
           isHit_[s] = isHit_[t] = 1;
@@ -137,25 +138,38 @@ class Search {
   }
 
  private:
-  Triangle corners(const std::array<Index, 3>& v) const {
-    return {mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]};
+  static std::vector<Index> cornerPlaces(const TriangleMesh& mesh) {
+    const std::vector<Index> first = weld(mesh.positions);
+    std::vector<Index> corners = mesh.indices;
+    for (Index& v : corners) v = first[v];
+    return corners;
+  }
+
+  std::array<Index, 3> triangle(Index t) const {
+    const Index* const v = &corners_[std::size_t{3} * t];
+    return {v[0], v[1], v[2]};
+  }
+
+  Triangle places(const std::array<Index, 3>& v) const {
+    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
   }
 
   bool trianglesMeet(Index first, Index second) const {
-    std::array<Index, 3> s = mesh_.triangle(first), t = mesh_.triangle(second);
+    std::array<Index, 3> s = triangle(first), t = triangle(second);
     switch (alignShared(s, t)) {
       case 0:
-        return disjointTrianglesMeet(corners(s), corners(t));
+        return disjointTrianglesMeet(places(s), places(t));
       case 1:
-        return cornersMeet(corners(s), corners(t));
+        return cornersMeet(places(s), places(t));
       case 2:
-        return flapsMeet(corners(s), corners(t));
+        return flapsMeet(places(s), places(t));
       default:
         return true;
     }
   }
 
-  WeldedMesh mesh_;
+  const std::vector<Vec3>& positions_;
+  const std::vector<Index> corners_;  // each the first vertex at its place
   TriangleTree tree_;
   std::vector<std::uint8_t> isHit_;
 };

@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/place.h"
-#include "mesh/edge_groups.h"
 #include "mesh/manifold_cut.h"
 #include "mesh/orientation.h"
 #include "mesh/space_order.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 
@@ -28,6 +27,12 @@ struct Soup {
   std::vector<Index> wedges;
   std::vector<Index> triangles;
   std::vector<Index> sources;  // per place: the first vertex there
+
+  void resize(std::size_t count) {
+    corners.resize(3 * count);
+    wedges.resize(3 * count);
+    triangles.resize(count);
+  }
 };
 
 void warn(std::vector<Warning>& warnings, const char* code, const char* message,
@@ -75,28 +80,40 @@ std::vector<Index> orderOfTriangles(const TriangleMesh& input, const std::vector
   return order;
 }
 
-Soup gather(const TriangleMesh& input) {
-  const std::vector<Index> first = weld(input.positions);
+Soup gather(const TriangleMesh& input, const std::vector<Index>& first) {
   Soup soup;
   soup.sources = sourcesOf(input, first);
   const std::vector<Index> place = placesOf(first, soup.sources);
-  soup.corners.reserve(input.indices.size());
-  soup.wedges.reserve(input.indices.size());
-  soup.triangles.reserve(input.triangleCount());
+  soup.resize(input.triangleCount());
+  Index kept = 0;
   for (const Index f : orderOfTriangles(input, place, soup.sources.size())) {
     const Index* wedge = &input.indices[3 * std::size_t{f}];
     const Index a = place[wedge[0]], b = place[wedge[1]], c = place[wedge[2]];
     if (a == b || b == c || c == a) continue;
-    soup.corners.insert(soup.corners.end(), {a, b, c});
-    soup.wedges.insert(soup.wedges.end(), wedge, wedge + 3);
-    soup.triangles.push_back(f);
+    Index* const corners = &soup.corners[3 * std::size_t{kept}];
+    corners[0] = a, corners[1] = b, corners[2] = c;
+    for (Index i = 0; i < 3; ++i) soup.wedges[3 * std::size_t{kept} + i] = wedge[i];
+    soup.triangles[kept++] = f;
   }
+  soup.resize(kept);
   if (soup.triangles.empty())
     throw Error(
         ErrorCode::NoTriangles,
         "No triangle of " + std::to_string(input.triangleCount()) + " has three distinct corners.",
         "The mesh may have been scaled to zero or rounded too coarsely.");
   return soup;
+}
+
+// The twins of the triangles as they were given, of which these are those that have three corners.
+std::vector<Index> twinsOf(const Soup& soup, std::size_t given, std::vector<Index> twins) {
+  if (twins.empty() || soup.sources.size() < kManyPlaces) return twins;
+  std::vector<Index> numbers(given, kNone);  // of each here
+  for (Index f = 0; f < soup.triangles.size(); ++f) numbers[soup.triangles[f]] = f;
+  std::erase(numbers, kNone);
+  const auto here = [&](Index h) { return h == kNone ? kNone : 3 * numbers[h / 3] + h % 3; };
+  std::vector<Index> result(twins.size());
+  for (Index h = 0; h < twins.size(); ++h) result[here(h)] = here(twins[h]);
+  return result;
 }
 
 // Returns how many there were.
@@ -110,9 +127,7 @@ std::size_t remove(Soup& soup, std::span<const char> unwanted) {
     }
     soup.triangles[kept++] = soup.triangles[f];
   }
-  soup.corners.resize(3 * std::size_t{kept});
-  soup.wedges.resize(3 * std::size_t{kept});
-  soup.triangles.resize(kept);
+  soup.resize(kept);
   return unwanted.size() - kept;
 }
 
@@ -210,17 +225,16 @@ ManifoldCut cutApart(const TriangleMesh& input, const Soup& soup, std::vector<In
 
 }  // namespace
 
-BuiltMesh buildMesh(const TriangleMesh& input) {
-  requireValid(input);
+BuiltMesh buildMesh(const TriangleMesh& input, Welding welding) {
   std::vector<Warning> warnings;
 
-  Soup soup = gather(input);
+  Soup soup = gather(input, welding.first);
   const std::size_t placeCount = soup.sources.size();
   warn(warnings, "DEGENERATE_TRIANGLES_REMOVED",
        "Triangles without three distinct corners were removed.",
        input.triangleCount() - soup.triangles.size());
 
-  std::vector<Index> twins = plainTwins(placeCount, soup.corners);
+  std::vector<Index> twins = twinsOf(soup, input.triangleCount(), std::move(welding.twins));
   if (twins.empty()) {
     makeConsistent(soup, warnings);
     twins = plainTwins(placeCount, soup.corners);

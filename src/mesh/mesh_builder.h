@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/report.h"
-#include "base/triangle_mesh.h"
 #include "mesh/halfedge_mesh.h"
+#include "soup/welding.h"
 
 namespace remesher {
 
@@ -22,7 +22,13 @@ struct BuiltMesh {
   std::vector<Warning> warnings;
 };
 
-// Throws Error: NO_TRIANGLES, INDEX_OUT_OF_RANGE, NON_FINITE, each naming the triangle or vertex.
-BuiltMesh buildMesh(const TriangleMesh& input);
+// Throws Error: NO_TRIANGLES.
+BuiltMesh buildMesh(const TriangleMesh& input, Welding welding);
+
+// Throws as requireValid does as well.
+inline BuiltMesh buildMesh(const TriangleMesh& input) {
+  requireValid(input);
+  return buildMesh(input, Welding(input));
+}
 
 }  // namespace remesher

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geometry/triangle.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

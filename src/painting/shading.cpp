@@ -5,7 +5,7 @@
 
 #include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

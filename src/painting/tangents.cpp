@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "base/disjoint_sets.h"
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 namespace remesher {
 

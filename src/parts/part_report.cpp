@@ -46,15 +46,14 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
 
 // What has two corners in one place is a line, which the remesher does not know; where all are,
 // they stay.
-std::vector<Index> withoutLines(const TriangleMesh& mesh) {
-  std::vector<Index> kept;
-  kept.reserve(mesh.indices.size());
+void removeLines(TriangleMesh& mesh) {
+  std::size_t kept = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Index* const t = &mesh.indices[i];
     if (hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]])) continue;
-    kept.insert(kept.end(), t, t + 3);
+    for (int k = 0; k < 3; ++k) mesh.indices[kept++] = t[k];
   }
-  return kept.empty() ? mesh.indices : kept;
+  if (kept > 0) mesh.indices.resize(kept);
 }
 
 // Whether a cube can be had back from where it is shown: rounding leaves no shape of what is shown
@@ -75,12 +74,19 @@ Transform placeOf(const io::Part& part) {
 
 }  // namespace
 
-MeshReport inspectParts(const std::vector<io::Part>& parts) {
-  std::vector<MeshReport> reports;
+std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts) {
+  std::vector<Welding> weldings;
   for (const io::Part& part : parts) {
     requireValid(part.mesh);
-    reports.push_back(inspectMesh(part.mesh));
+    weldings.emplace_back(part.mesh);
   }
+  return weldings;
+}
+
+MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings) {
+  std::vector<MeshReport> reports;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    reports.push_back(inspectMesh(parts[i].mesh, weldings[i]));
   return combined(reports);
 }
 
@@ -101,7 +107,7 @@ TriangleMesh gathered(const std::vector<io::Part>& parts) {
     all.indices.reserve(all.indices.size() + part.mesh.indices.size());
     for (const Index i : part.mesh.indices) all.indices.push_back(first + i);
   }
-  all.indices = withoutLines(all);
+  removeLines(all);
   return all;
 }
 

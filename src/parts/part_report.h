@@ -6,12 +6,15 @@
 
 #include "base/report.h"
 #include "io/model/model.h"
+#include "soup/welding.h"
 
 namespace remesher {
 
-// Counts add up; shares and means are weighted by what they are shares and means of.
 // Throws Error as requireValid does.
-MeshReport inspectParts(const std::vector<io::Part>& parts);
+std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts);
+
+// Counts add up; shares and means are weighted by what they are shares and means of.
+MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings);
 
 // All parts where they are first shown, beside the first of them, as one bag of triangles without
 // those that are lines.

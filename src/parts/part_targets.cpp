@@ -59,7 +59,8 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const RemeshOptions
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
-  for (const io::Part& part : parts) areas_.push_back(worldArea(part));
+  // One alone shares with nobody.
+  for (const io::Part& part : parts) areas_.push_back(parts.size() > 1 ? worldArea(part) : 1);
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(),
                    [&](std::size_t a, std::size_t b) { return areas_[a] < areas_[b]; });

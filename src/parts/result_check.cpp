@@ -11,7 +11,7 @@
 #include <string>
 
 #include "geometry/triangle.h"
-#include "measure/edge_table.h"
+#include "soup/welding.h"
 
 namespace remesher {
 namespace {
@@ -97,13 +97,13 @@ std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
 std::string withFirstEdge(std::string message, const std::vector<io::Part>& parts,
                           const std::function<bool(std::size_t triangles)>& isWanted) {
   for (const io::Part& part : parts) {
-    const WeldedMesh mesh = weld(part.mesh);
-    const EdgeTable edges(mesh);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (!isWanted(edges[e].opposites.size())) continue;
-      const Vec3 middle = (mesh.positions[edges[e].low] + mesh.positions[edges[e].high]) / 2;
-      return message.append(", the first near (").append(place(middle, parts)).append(").");
-    }
+    const Welding welding(part.mesh);
+    const auto at = [&](Index h) -> const Vec3& { return part.mesh.positions[welding.corners[h]]; };
+    std::optional<Vec3> middle;
+    welding.forEachEdge([&](std::span<const Index> edge) {
+      if (!middle && isWanted(edge.size())) middle = (at(edge[0]) + at(nextCorner(edge[0]))) / 2;
+    });
+    if (middle) return message.append(", the first near (").append(place(*middle, parts)) + ").";
   }
   return message.append(".");
 }

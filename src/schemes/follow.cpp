@@ -119,10 +119,7 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   places.reserve(mesh.vertexCount());
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) places.push_back(positions[Vertex(i)]);
-  const std::vector<Index> first = weld(places);
-  std::size_t count = 0;
-  for (Index i = 0; i < first.size(); ++i) count += first[i] == i ? 1 : 0;
-  return count;
+  return countPlaces(places);
 }
 
 // Four points to a triangle, for its corners are where vertices may have stayed.

@@ -119,9 +119,10 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
 
 }  // namespace
 
-Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Progress& progress) {
+Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+             const Progress& progress) {
   progress.phase("build", 0, 0);
-  BuiltMesh built = buildMesh(input);
+  BuiltMesh built = buildMesh(input, std::move(welding));
   const std::size_t vertices = targetVertices(built, options);
   const double whole = surfaceArea(built);
   Spikes spikes = findSpikes(built.mesh, built.positions,

@@ -29,7 +29,8 @@ struct Plan {
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
 // OUT_OF_MEMORY, CANCELLED.
-Plan planRun(const TriangleMesh& input, const RemeshOptions& options, const Progress& progress);
+Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+             const Progress& progress);
 
 // The plan carried out as far as the original goes; const from then on.
 class Prepared {

@@ -154,10 +154,10 @@ RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<War
 
 }  // namespace
 
-RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
-                            const Progress& progress) {
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
   checkOptions(options, input.positions.size());
-  Plan plan = planRun(input, options, progress);
+  Plan plan = planRun(input, std::move(welding), options, progress);
   const bool isRivalled = mayFollow(options);
   if (isRivalled && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
     if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))

@@ -8,7 +8,7 @@
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
-#include "base/triangle_mesh.h"
+#include "soup/welding.h"
 
 namespace remesher {
 
@@ -23,7 +23,12 @@ struct RemeshOutcome {
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
 // TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
-RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
-                            const Progress& progress);
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress);
+inline RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
+                                   const Progress& progress) {
+  requireValid(input);
+  return remeshSurface(input, Welding(input), options, progress);
+}
 
 }  // namespace remesher

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "geometry/triangle.h"
-#include "measure/edge_table.h"
 #include "measure/mesh_report.h"
+#include "soup/welding.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -23,21 +23,19 @@ using Segment = std::array<Vec3, 2>;
 enum class Which { Open, Sharp };
 
 std::vector<Segment> edgesOf(const TriangleMesh& input, Which which) {
-  const WeldedMesh mesh = weld(input);
-  const EdgeTable table(mesh);
-  const auto normal = [&](Index corner) {
-    const auto [a, b, c] = mesh.triangle(corner / 3);
-    return unitNormal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+  const Welding welding(input);
+  const auto at = [&](Index h) { return input.positions[welding.corners[h]]; };
+  const auto normal = [&](Index h) {
+    const Index next = nextCorner(h);
+    return unitNormal(at(h), at(next), at(nextCorner(next)));
   };
   std::vector<Segment> result;
-  for (std::size_t e = 0; e < table.size(); ++e) {
-    const EdgeTable::Edge edge = table[e];
-    const bool isOpen = edge.opposites.size() == 1;
-    const bool isSharp =
-        !isOpen && normal(edge.opposites[0]).dot(normal(edge.opposites[1])) < std::cos(radians(40));
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    const bool isOpen = edge.size() == 1;
+    const bool isSharp = !isOpen && normal(edge[0]).dot(normal(edge[1])) < std::cos(radians(40));
     if (which == Which::Open ? isOpen : isSharp)
-      result.push_back({mesh.positions[edge.low], mesh.positions[edge.high]});
-  }
+      result.push_back({at(edge[0]), at(nextCorner(edge[0]))});
+  });
   return result;
 }
 

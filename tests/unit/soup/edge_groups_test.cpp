@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/edge_groups.h"
+#include "soup/edge_groups.h"
 
 #include <doctest/doctest.h>
 
