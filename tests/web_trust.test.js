@@ -102,7 +102,7 @@ test('where memory ends that is said, the last result stays, and the page goes o
   await small.click('form button[type=submit]');
   await refused();
   await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '',
-    buffer: Buffer.from(stl(ring({ columns: 240, rows: 150 }))) });
+    buffer: Buffer.from(stl(ring({ columns: 320, rows: 200 }))) });
   await refused();
   await small.fill('#target', '400');
   await small.click('form button[type=submit]');
