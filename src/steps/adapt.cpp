@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/patience.h"
 #include "steps/coarsen.h"
@@ -121,7 +122,7 @@ void thinOut(Run& run) {
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
-  decimate(run.mesh, run.rule, spacing);
+  decimate(run.mesh, run.rule, std::move(spacing));
 }
 
 struct Ranked {

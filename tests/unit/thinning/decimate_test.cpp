@@ -42,6 +42,23 @@ TEST_CASE("decimate: a plane is thinned to the spacing, its boundary not at all"
   CHECK(mesh.mesh().vertexCount() - boundary < 39 * 39 / 7);
 }
 
+TEST_CASE("decimate: each vertex keeps its own spacing when most others have gone") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(40, 40));
+  WorkingMesh mesh(surface);
+  const auto isFine = [](const Vec3& p) { return p.x() + p.y() > 60; };
+  VertexData<double> spacing = evenly(mesh, 4);
+  std::size_t fine = 0;
+  for (Index v = 0; v < spacing.size(); ++v) {
+    if (!isFine(surface.positions()[Vertex(v)])) continue;
+    spacing[Vertex(v)] = 0.5;
+    ++fine;
+  }
+  decimate(mesh, {}, spacing);
+  CHECK(mesh.mesh().vertexCount() < surface.mesh().vertexCount() / 2);
+  for (const Vec3& p : mesh.positions().values()) fine -= isFine(p);
+  CHECK(fine == 0);
+}
+
 TEST_CASE("decimate: what is as coarse as it should be stays as it is") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(8), shapes::Features::None);
   WorkingMesh mesh(surface);
