@@ -5,9 +5,9 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
 
-import { remesh } from 'remesher';
+import { inspect, remesh } from 'remesher';
 
-import { octahedron } from './support/shapes.js';
+import { octahedron, torus } from './support/shapes.js';
 import { root } from './support/tree.js';
 
 test('a thousand runs leave memory as it was, in the calling thread and in the worker', () => {
@@ -21,6 +21,29 @@ test('a thousand runs leave memory as it was, in the calling thread and in the w
     assert.ok(externalPerRun < 8, `${externalPerRun} bytes beside it a run, worker: ${worker}`);
     // One whose memory grows would be exchanged for another.
     assert.equal(instances, 1);
+  }
+});
+
+test('what a run held is used again where it is little, given back where it is much', async () => {
+  const { instantiate } = WebAssembly;
+  let instances = 0;
+  WebAssembly.instantiate = (...given) => {
+    instances += 1;
+    return instantiate.apply(WebAssembly, given);
+  };
+  const madeBy = async (/** @type {number} */ columns) => {
+    const before = instances;
+    await inspect(torus({ columns, rows: 100 }), { worker: false });
+    return instances - before;
+  };
+  try {
+    await madeBy(10);
+    assert.equal(await madeBy(500), 0);
+    assert.equal(await madeBy(5000), 0);
+    assert.equal(await madeBy(10), 1);
+    assert.equal(await madeBy(10), 0);
+  } finally {
+    WebAssembly.instantiate = instantiate;
   }
 });
 

@@ -133,7 +133,8 @@
 
 /**
  * @typedef {object} Memory
- * @property {number} peakBytes The most that WebAssembly held.
+ * @property {number} peakBytes The most that WebAssembly held, in this run or in one before it that
+ *   left up to 64 MiB for the next.
  */
 
 /**

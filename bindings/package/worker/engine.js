@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The only file that touches the WebAssembly instance: makes it, calls it, turns what comes back
 // into plain objects and errors. An instance that has failed in itself, or whose memory has grown
-// (it never shrinks), is dropped; the next call makes a new one from the compiled module.
+// large (it never shrinks), is dropped; the next call makes a new one from the compiled module.
 
 import createInstance from '../remesher.mjs';
 import { decompress } from '../codecs/decompress.js';
@@ -13,8 +13,9 @@ import { RemeshError } from '../base/errors.js';
 /** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 
-// What an instance starts with, by Emscripten's default.
-const initialMemory = 16 * 2 ** 20;
+// So much memory is kept for the next run, in bytes: to get it from the system takes a tenth of a
+// draft of ten thousand vertices.
+const keptMemory = 64 * 2 ** 20;
 
 /**
  * @param {WebAssembly.Module} module
@@ -138,7 +139,7 @@ export class Engine {
     const ask = onProgress && ((/** @type {string} */ phase, /** @type {number} */ fraction) =>
       onProgress({ phase, fraction }) !== false);
     const outcome = this.#call(instance, job, ask);
-    if (instance.HEAPU8.length > initialMemory) this.#instance = undefined;
+    if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
