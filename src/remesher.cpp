@@ -36,37 +36,40 @@ struct Run {
   Report report;
 };
 
-// Returns the number of vertices that it took.
-std::size_t remeshPart(Run& run, std::size_t part, const RemeshOptions& options,
-                       const Progress& progress) {
-  io::Part& own = run.parts[part];
-  RemeshOutcome outcome = remeshSurface(own.mesh, std::move(run.weldings[part]), options, progress);
-  RoundedMesh rounded = inPrecisionOf(own.mesh, std::move(outcome.mesh));
+// All of a part but its mesh.
+io::Part withoutMesh(const io::Part& part) {
+  return {part.name, {}, part.instances, part.groups, part.lods};
+}
+
+void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh& original) {
+  RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
   if (const std::size_t count = std::max(rounded.coincident, outcome.coincident); count > 0)
     outcome.warnings.push_back({"VERTICES_COINCIDE",
                                 "Vertices of the result lie where others do: parts of the surface "
                                 "are nearer to each other than its coordinates can tell apart.",
                                 count});
-  own.mesh = std::move(rounded.mesh);
+  run.parts[part].mesh = std::move(rounded.mesh);
   run.places[part] = std::move(outcome.places);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
-  return outcome.vertices;
 }
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                 const Progress& progress) {
   progress.phase("inspect", 0, 0);
-  Run run{
-      originals, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
+  Run run{{}, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
+  for (const io::Part& part : originals) run.parts.push_back(withoutMesh(part));
   run.report.input = inspectParts(originals, run.weldings);
   PartTargets targets(originals, options);
   const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
   double done = 0;
   for (const std::size_t i : targets.order()) {
     const double share = double(originals[i].mesh.triangleCount()) / total;
-    const Progress part = progress.part(done, done + share);
-    targets.given(i, remeshPart(run, i, targets.of(i), part));
+    const TriangleMesh& mesh = originals[i].mesh;
+    RemeshOutcome outcome = remeshSurface(mesh, std::move(run.weldings[i]), targets.of(i),
+                                          progress.part(done, done + share));
+    targets.given(i, outcome.vertices);
+    take(run, i, std::move(outcome), mesh);
     done += share;
   }
   progress.phase("measure", 1 - kMeasureShare, 1);
@@ -315,14 +318,14 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
   return result;
 }
 
-RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const RemeshOptions& options,
+RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress) {
   if (options.textures == Textures::Bake)
     throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
                 "Give the file, with its images, to remeshFile.");
   PhaseClock clock;
   std::vector<io::Part> parts;
-  for (const auto& [mesh, places] : scene) parts.push_back({"", mesh, places});
+  for (auto& [mesh, places] : scene) parts.push_back({"", std::move(mesh), std::move(places)});
   std::vector<Run> runs = remeshAll(parts, options, progress.timedBy(clock));
   std::vector<std::vector<TriangleMesh>> levels;
   for (Run& run : runs) {

@@ -39,7 +39,7 @@ struct RemeshSceneResult {
 };
 
 // Meshes that share what is asked for, as those of one file do: vertices by area in the world.
-RemeshSceneResult remeshScene(const std::vector<PlacedMesh>& scene, const RemeshOptions& options,
+RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress = {});
 
 // A file with those it refers to (a .bin, images, a .mtl), by the names it uses for them.
