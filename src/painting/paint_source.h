@@ -31,6 +31,8 @@ struct SourceInput {
   Unshaded unshaded;
 };
 
+Vec3 unitOr(const Vec3& v, const Vec3& otherwise);  // otherwise: where it has no direction
+
 // Of places on one triangle.
 InputPlace middleOf(std::span<const InputPlace> places);
 
