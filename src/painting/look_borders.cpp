@@ -130,7 +130,7 @@ class Borders {
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
     for (Eigen::Index k = 0; k < 3; ++k) {
       point += weights[k] * surface_.position(h);
-      normal += weights[k] * surface_.normal(h);
+      normal += weights[k] * surface_.facing(h);
       h = nextCorner(h);
     }
     const InputPlace place = finder.find(point, normal.normalized());

@@ -32,8 +32,8 @@ NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> pla
   for (const Vec3& p : mesh.positions) positions_.push_back(rounded(p));
   const std::vector<Index> first = weld(mesh.positions);
   for (const Index v : mesh.indices) welded_.push_back(first[v]);
-  for (const Vec3& normal : shade(positions_, welded_, places, source))
-    normals_.push_back(rounded(normal));
+  for (const auto& [shape, light] : shade(positions_, welded_, places, source))
+    normals_.push_back({rounded(shape), rounded(light)});
 }
 
 void NewSurface::setTexcoord(Index corner, const Vec2& texel, Index size) {
@@ -41,8 +41,8 @@ void NewSurface::setTexcoord(Index corner, const Vec2& texel, Index size) {
 }
 
 CanvasCorner NewSurface::canvasCorner(Index corner, Index size) const {
-  return {position(corner), normal(corner), tangents_[corner], texcoord(corner) * size,
-          places_[corner]};
+  return {position(corner),  facing(corner),          normal(corner),
+          tangents_[corner], texcoord(corner) * size, places_[corner]};
 }
 
 TriangleMesh NewSurface::painted() const {
@@ -53,7 +53,7 @@ TriangleMesh NewSurface::painted() const {
   std::map<CopyKey, Index> copies;
   for (Index h = 0; h < mesh_.indices.size(); ++h) {
     const Index v = mesh_.indices[h];
-    const Vec3& n = normals_[h];
+    const Vec3& n = normal(h);
     const Vec2& uv = texcoords_[h];
     const Eigen::Vector4d& t = tangents_[h];
     const CopyKey key = {double(v), n.x(), n.y(), n.z(), uv.x(),

@@ -33,7 +33,8 @@ class NewSurface {
   void setTexcoord(Index corner, const Vec2& texel, Index size);
   void setTangent(Index corner, const Eigen::Vector4d& tangent) { tangents_[corner] = tangent; }
   const Vec3& position(Index corner) const { return positions_[mesh_.indices[corner]]; }
-  const Vec3& normal(Index corner) const { return normals_[corner]; }
+  const Vec3& normal(Index corner) const { return normals_[corner].light; }
+  const Vec3& facing(Index corner) const { return normals_[corner].shape; }
   const Vec2& texcoord(Index corner) const { return texcoords_[corner]; }
   CanvasCorner canvasCorner(Index corner, Index size) const;
 
@@ -46,7 +47,7 @@ class NewSurface {
   std::span<const InputPlace> places_;
   std::vector<Vec3> positions_;
   std::vector<Index> welded_;
-  std::vector<Vec3> normals_;
+  std::vector<CornerNormals> normals_;
   std::vector<Vec2> texcoords_;
   std::vector<Eigen::Vector4d> tangents_;
 };

@@ -141,6 +141,7 @@ class Painter {
         {{c[0].position, c[1].position, c[2].position}, {c[0].place, c[1].place, c[2].place}});
     outline_ = RimmedTriangle(plane_[t], triangle_->rims);
     points_ = sheetOf(plane_[t], {c[0].position, c[1].position, c[2].position});
+    facings_ = sheetOf(plane_[t], {c[0].facing, c[1].facing, c[2].facing});
     normals_ = sheetOf(plane_[t], {c[0].normal, c[1].normal, c[2].normal});
     tangents_ = sheetOf(plane_[t],
                         {c[0].tangent.head<3>(), c[1].tangent.head<3>(), c[2].tangent.head<3>()});
@@ -149,7 +150,6 @@ class Painter {
   Mixture mixtureAt(std::size_t texel) {
     const Vec2 corner = cornerOf(texel);
     middle_ = corner + Vec2::Constant(0.5);
-    normal_ = normals_.at(middle_).normalized();
     findPlaces(corner);
     Mixture mixture;
     const bool isAlike = rules_.finer <= kAlike;
@@ -180,7 +180,7 @@ class Painter {
       for (const Vec2& offset : spread_) {
         const Vec2 point = corner + offset, at = outline_.kept(point);
         if (isWithin && at != point) continue;
-        places_.push_back(finder_->find(points_.at(at), normals_.at(at).normalized()));
+        places_.push_back(finder_->find(points_.at(at), facings_.at(at).normalized()));
       }
       if (!places_.empty()) return;
     }
@@ -194,8 +194,8 @@ class Painter {
       return outline_.kept(point) != point;
     };
     if (std::any_of(spread_.begin(), spread_.end(), isCutOff)) return false;
-    const auto found =
-        finder_->findMoving(points_.at(middle_), normal_, {points_.perX, points_.perY});
+    const auto found = finder_->findMoving(points_.at(middle_), facings_.at(middle_).normalized(),
+                                           {points_.perX, points_.perY});
     if (!found) return false;
     places_.clear();
     for (const Vec2& offset : spread_) {
@@ -214,7 +214,8 @@ class Painter {
 
   // A direction as it is written at the middle of the texel.
   Vec3 written(const Vec3& direction) const {
-    return inFrame(tangents_.at(middle_), triangle_->corners[0].tangent[3], normal_, direction);
+    return inFrame(tangents_.at(middle_), triangle_->corners[0].tangent[3],
+                   normals_.at(middle_).normalized(), direction);
   }
 
   void put(std::size_t texel, const Mixture& mixture) {
@@ -246,10 +247,9 @@ class Painter {
   const PaintSource* source_ = nullptr;
   SideFinder* finder_ = nullptr;
   RimmedTriangle outline_;
-  Sheet points_, normals_, tangents_;
+  Sheet points_, facings_, normals_, tangents_;
   // The texel that is painted.
   Vec2 middle_ = Vec2::Zero();
-  Vec3 normal_ = Vec3::Zero();  // there
   std::vector<InputPlace> places_;
 };
 

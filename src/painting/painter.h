@@ -15,7 +15,7 @@ namespace remesher {
 
 struct CanvasCorner {
   Vec3 position;
-  Vec3 normal;              // unit
+  Vec3 facing, normal;      // unit: of the shape, and for light
   Eigen::Vector4d tangent;  // and its side, as computeTangents says it
   Vec2 texel;
   InputPlace place;

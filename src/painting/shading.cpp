@@ -13,13 +13,15 @@ namespace {
 
 // Normals on the two sides of a curve that are farther apart were meant to be two.
 const double kHard = std::cos(radians(30));
+// Normals farther than this from their own shape were meant to be: a cube's, rounded, are 55° off.
+const double kForeign = std::cos(radians(60));
 
 class Shader {
  public:
   Shader(std::span<const Vec3> positions, std::span<const Index> indices)
       : positions_(positions), indices_(indices), shared_(indices.size()) {}
 
-  std::vector<Vec3> run(std::span<const InputPlace> places, const PaintSource& source) {
+  std::vector<CornerNormals> run(std::span<const InputPlace> places, const PaintSource& source) {
     std::vector<Vec3> original;
     for (const InputPlace& place : places) original.push_back(source.shadingNormal(place));
     const EdgeGroups edges(positions_.size(), indices_);
@@ -32,7 +34,14 @@ class Shader {
       shared_.unite(a, nextCorner(b));
       shared_.unite(nextCorner(a), b);
     }
-    return sharedNormals();
+    std::vector<CornerNormals> result;
+    const std::vector<Vec3> given = foreignNormals(original, places, source);
+    for (const Vec3& shape : sharedNormals()) {
+      const Vec3& light = given[shared_.find(Index(result.size()))];
+      const bool isForeign = !light.isZero() && light.dot(shape) < kForeign;
+      result.push_back({shape, isForeign ? light : shape});
+    }
+    return result;
   }
 
  private:
@@ -60,6 +69,21 @@ class Shader {
     return result;
   }
 
+  // By the first of the corners that share it, the mean of the original's normals there; zero where
+  // the original's shape has it, too.
+  std::vector<Vec3> foreignNormals(std::span<const Vec3> original,
+                                   std::span<const InputPlace> places, const PaintSource& source) {
+    std::vector<Vec3> sums(indices_.size(), Vec3::Zero());
+    std::vector<double> beyond(indices_.size(), 0);  // how much less than allowed normals agree
+    for (Index h = 0; h < indices_.size(); ++h) {
+      sums[shared_.find(h)] += original[h];
+      beyond[shared_.find(h)] += kForeign - original[h].dot(source.faceNormal(places[h].triangle));
+    }
+    for (Index h = 0; h < indices_.size(); ++h)
+      sums[h] = beyond[h] > 0 ? sums[h].stableNormalized() : Vec3(Vec3::Zero());
+    return sums;
+  }
+
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
   DisjointSets shared_;  // corners
@@ -67,8 +91,8 @@ class Shader {
 
 }  // namespace
 
-std::vector<Vec3> shade(std::span<const Vec3> positions, std::span<const Index> indices,
-                        std::span<const InputPlace> places, const PaintSource& source) {
+std::vector<CornerNormals> shade(std::span<const Vec3> positions, std::span<const Index> indices,
+                                 std::span<const InputPlace> places, const PaintSource& source) {
   return Shader(positions, indices).run(places, source);
 }
 

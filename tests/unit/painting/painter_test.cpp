@@ -48,7 +48,7 @@ struct MappedSquare {
       const Vec3& p = mesh.positions[mesh.indices[h]];
       InputPlace place{h / 3, Vec3::Unit(h % 3)};
       canvas[h / 3].corners[h % 3] = {
-          p, Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
+          p, Vec3::UnitZ(), Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
       canvas[h / 3].source = 0;
       canvas[h / 3].rims[h % 3] = h != 2 && h != 3;  // the diagonal
     }
@@ -105,6 +105,7 @@ TEST_CASE("painter: a texel shows the point that it is at, and beyond a rim what
       const Vec3& p = corners[std::array<Index, 6>{0, 1, 2, 0, 2, 3}[h]];
       canvas[h / 3].corners[h % 3] = {p,
                                       Vec3::UnitZ(),
+                                      Vec3::UnitZ(),
                                       {1, 0, 0, -1},
                                       Vec2(3.5 + 10 * p.x(), 3 + 10 * p.y()),
                                       {h / 3, Vec3::Unit(h % 3)}};
@@ -142,6 +143,7 @@ TEST_CASE("painter: triangles count by how much of the texel lies on them") {
   const std::array<Vec2, 3> corners = {Vec2(0, 0), Vec2(2, 0), Vec2(0, 2)};
   for (std::size_t k = 0; k < 3; ++k)
     all.corners[k] = {Vec3(corners[k].x(), corners[k].y(), 0),
+                      Vec3::UnitZ(),
                       Vec3::UnitZ(),
                       {1, 0, 0, -1},
                       corners[k],

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Textures painted anew and light: normals that no shape explains stay.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { remeshFile } from 'remesher';
+
+import { baked, forEachTexel } from './support/baked.js';
+import { GltfMaker, validate } from './support/gltf.js';
+import { torus } from './support/shapes.js';
+
+const bake = ({ name, bytes }) => remeshFile(bytes,
+  { name, vertices: 150, textures: 'bake', textureFormat: 'png', textureSize: 128 });
+
+/** A torus in two colours as a primitive; `more`: of its attributes. */
+function addTorus(maker, { material, ...more }) {
+  const { positions, indices } = torus();
+  const colours = positions.map((v, at) => (at % 3 ? 0.2 : Number(v > 0)));
+  const add = (values) => maker.add(Float32Array.from(values), 'VEC3');
+  return {
+    attributes: {
+      POSITION: add(positions),
+      COLOR_0: add(colours),
+      ...Object.fromEntries(Object.entries(more).map(([name, of]) => [name, add(of(positions))])),
+    },
+    indices: maker.addIndices(indices),
+    material,
+  };
+}
+
+/** A turn that takes up to up, and each direction about it by as much. */
+const turned = ([x, y, z], [cos, sin]) => [cos * x - sin * y, sin * x + cos * y, z];
+
+test('a body lit as no body of its shape would be stays lit so', async () => {
+  const up = [0, 0.6, 0.8];
+  for (const [what, normalAt] of Object.entries({
+    'lit from one side': () => up,
+    'lit like a sphere about it': ([x, y, z]) => [x, y, z].map((v) => v / Math.hypot(x, y, z)),
+    'turned by 120° about its axis': (place) => {
+      const [x, y] = turned(place, [-0.5, Math.sqrt(0.75)]);
+      return [x / Math.hypot(x, y), y / Math.hypot(x, y), 0];
+    },
+  })) {
+    const maker = new GltfMaker();
+    maker.tree.materials = [{}];
+    const NORMAL = (positions) => Array.from({ length: positions.length / 3 },
+      (_, v) => normalAt(positions.subarray(3 * v, 3 * v + 3))).flat();
+    const result = await bake(maker.show([addTorus(maker, { material: 0, NORMAL })]).glb());
+    assert.deepEqual(await validate(result), []);
+    const angles = [];
+    forEachTexel(await baked(result), ({ position, normal }) => {
+      const cosine = normalAt(position).reduce((sum, v, k) => sum + v * normal[k], 0);
+      angles.push((180 / Math.PI) * Math.acos(Math.min(1, cosine)));
+    });
+    angles.sort((a, b) => a - b);
+    const most = angles[Math.floor(0.98 * angles.length)];
+    assert.ok(angles.length > 2000 && most < 6, `${what}: ${most}° in 98 % of the texels`);
+  }
+});
