@@ -109,7 +109,7 @@ class Repainting {
     atlas.size = input_.options.textureSize.value_or(sizeFor(texels, storedTexels(number)));
     const std::vector<char> rims = layOut(atlas);
     atlas.finer = std::sqrt(texels / std::max(1.0, paintedTexels(atlas)));
-    orient(atlas);
+    if (!looksOf(number).front().isUnlit) orient(atlas);
     std::vector<CanvasTriangle> canvas;
     for (const AtlasTriangle& t : atlas.triangles) {
       const auto corner = [&](Index k) {
@@ -285,7 +285,8 @@ class Repainting {
       return std::all_of(looks.begin(), looks.end(), isSame);
     };
     io::Material made = first;
-    made.baseColorMap = made.metalRoughMap = made.occlusionMap = made.emissiveMap = {};
+    made.baseColorMap = made.metalRoughMap = made.occlusionMap = made.emissiveMap =
+        made.normalMap = {};
     const bool plainColor = !hasColors(number) && isConstant([&](const io::Material& m) {
       return !m.baseColorMap && m.baseColor == first.baseColor;
     });
@@ -310,13 +311,15 @@ class Repainting {
       made.emissiveMap = add("emissive", std::move(painting.emissive), typeFor(Content::Opaque));
       made.emissive.setOnes();
     }
-    made.normalMap = add("normal", std::move(painting.normal), typeFor(Content::Normals));
+    if (!first.isUnlit)
+      made.normalMap = add("normal", std::move(painting.normal), typeFor(Content::Normals));
     made.normalScale = 1;
     forEachGroup(number, [&](Index p, Index g) {
       io::Part& part = model_.parts[p];
       if (part.groups.size() <= g) part.groups.resize(std::size_t{g} + 1);
       part.groups[g].painted = int(model_.paintings.size());
       std::erase_if(part.groups[g].lacks, isPainted);
+      if (first.isUnlit) part.groups[g].lacks.push_back("TANGENT");
     });
     model_.paintings.push_back(std::move(made));
   }

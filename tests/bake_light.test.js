@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew and light: normals that no shape explains stay.
+// Textures painted anew and light: normals that no shape explains stay, and what is shown without
+// light gets no normals to carry.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -12,14 +13,14 @@ import { torus } from './support/shapes.js';
 const bake = ({ name, bytes }) => remeshFile(bytes,
   { name, vertices: 150, textures: 'bake', textureFormat: 'png', textureSize: 128 });
 
-/** A torus in two colours as a primitive; `more`: of its attributes. */
-function addTorus(maker, { material, ...more }) {
+/** A torus in two colours, above others, as a primitive; `more`: of its attributes. */
+function addTorus(maker, { height = 0, material, ...more }) {
   const { positions, indices } = torus();
   const colours = positions.map((v, at) => (at % 3 ? 0.2 : Number(v > 0)));
   const add = (values) => maker.add(Float32Array.from(values), 'VEC3');
   return {
     attributes: {
-      POSITION: add(positions),
+      POSITION: add(positions.map((v, at) => (at % 3 === 2 ? v + height : v))),
       COLOR_0: add(colours),
       ...Object.fromEntries(Object.entries(more).map(([name, of]) => [name, add(of(positions))])),
     },
@@ -55,5 +56,28 @@ test('a body lit as no body of its shape would be stays lit so', async () => {
     angles.sort((a, b) => a - b);
     const most = angles[Math.floor(0.98 * angles.length)];
     assert.ok(angles.length > 2000 && most < 6, `${what}: ${most}° in 98 % of the texels`);
+  }
+});
+
+test('what is shown without light gets neither normal maps nor tangents', async () => {
+  const maker = new GltfMaker();
+  Object.assign(maker.tree, {
+    extensionsUsed: ['KHR_materials_unlit'],
+    materials: [{ name: 'shown', extensions: { KHR_materials_unlit: {} } }, { name: 'lit' }],
+  });
+  const shown = addTorus(maker, { material: 0 });
+  const [alone, ofBoth] = await Promise.all([[], [addTorus(maker, { material: 1, height: 3 })]]
+    .map(async (others) => {
+      const result = await bake(maker.show([shown, ...others]).glb());
+      assert.deepEqual(await validate(result), []);
+      return (await baked(result)).tree;
+    }));
+  assert.deepEqual(alone.images.map(({ name }) => name), ['baseColor']);
+  assert.ok(alone.accessors.every(({ type }) => type !== 'VEC4'));
+  assert.equal(ofBoth.images.filter(({ name }) => name === 'normal').length, 1);
+  for (const { attributes, material } of ofBoth.meshes[0].primitives) {
+    const { name, normalTexture } = ofBoth.materials[material];
+    assert.equal('TANGENT' in attributes, name === 'lit');
+    assert.equal(normalTexture !== undefined, name === 'lit');
   }
 });

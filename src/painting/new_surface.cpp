@@ -70,7 +70,7 @@ TriangleMesh NewSurface::painted() const {
   }
   result.groups = mesh_.groups;
   for (Attribute* const made : {&normals, &tangents, &texcoords})
-    result.attributes.push_back(std::move(*made));
+    if (made != &tangents || hasTangents_) result.attributes.push_back(std::move(*made));
   return result;
 }
 

@@ -31,15 +31,18 @@ class NewSurface {
 
   // texel: from the corner of a square of so many.
   void setTexcoord(Index corner, const Vec2& texel, Index size);
-  void setTangent(Index corner, const Eigen::Vector4d& tangent) { tangents_[corner] = tangent; }
+  void setTangent(Index corner, const Eigen::Vector4d& tangent) {
+    tangents_[corner] = tangent;
+    hasTangents_ = true;
+  }
   const Vec3& position(Index corner) const { return positions_[mesh_.indices[corner]]; }
   const Vec3& normal(Index corner) const { return normals_[corner].light; }
   const Vec3& facing(Index corner) const { return normals_[corner].shape; }
   const Vec2& texcoord(Index corner) const { return texcoords_[corner]; }
   CanvasCorner canvasCorner(Index corner, Index size) const;
 
-  // The mesh with normals, tangents and texture coordinates, a vertex in as many copies as they
-  // need.
+  // The mesh with normals, texture coordinates and, if any were set, tangents; a vertex in as many
+  // copies as they need.
   TriangleMesh painted() const;
 
  private:
@@ -50,6 +53,7 @@ class NewSurface {
   std::vector<CornerNormals> normals_;
   std::vector<Vec2> texcoords_;
   std::vector<Eigen::Vector4d> tangents_;
+  bool hasTangents_ = false;
 };
 
 }  // namespace remesher

@@ -256,6 +256,7 @@ Material readMaterial(const Json& tree, int number) {
   material.occlusionMap = mapIn(tree, json, "occlusionTexture");
   material.emissiveMap = mapIn(tree, json, "emissiveTexture");
   material.isOpaque = json.value("alphaMode", "OPAQUE") == "OPAQUE";
+  material.isUnlit = objectIn(json, "extensions").contains("KHR_materials_unlit");
   const Json rest = restOf(json);
   material.rest = rest.dump(-1, ' ', false, Json::error_handler_t::replace);
   collectMaps(rest, material.unpaintable);

@@ -182,14 +182,25 @@ std::optional<WrittenFiles> asItCame(const GltfDocument& document, const std::st
   return written;
 }
 
+// Whether any primitive of a pool has an attribute.
+bool hasAny(const Part& part, const VertexPool& pool, const char* semantic) {
+  return std::any_of(pool.primitives.begin(), pool.primitives.end(), [&](int primitive) {
+    const auto group = static_cast<std::size_t>(primitive);
+    if (group >= part.groups.size()) return true;
+    const std::vector<std::string>& lacks = part.groups[group].lacks;
+    return std::find(lacks.begin(), lacks.end(), semantic) == lacks.end();
+  });
+}
+
 // The pools of a part that was painted: what was, goes; what is painted comes anew.
-std::vector<VertexPool> paintedPools(std::vector<VertexPool> pools) {
+std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> pools) {
   for (VertexPool& pool : pools) {
     std::erase_if(pool.accessors, [](const auto& entry) {
       const std::string own = entry.first.substr(entry.first.find('/') + 1);
       return own == "TANGENT" || own.starts_with("TEXCOORD_") || own.starts_with("COLOR_");
     });
-    for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"}) pool.accessors[made] = -1;
+    for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"})
+      if (hasAny(part, pool, made)) pool.accessors[made] = -1;
   }
   return pools;
 }
@@ -237,7 +248,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
     const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
     std::vector<VertexPool> pools = vertexPools(document, mesh);
     if (isPainted) {
-      pools = paintedPools(std::move(pools));
+      pools = paintedPools(model.parts[i], std::move(pools));
       lostVariants +=
           usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }

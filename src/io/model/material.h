@@ -46,6 +46,7 @@ struct Material {
   double normalScale = 1, occlusionStrength = 1;
   Map baseColorMap, metalRoughMap, occlusionMap, emissiveMap, normalMap;
   bool isOpaque = true;
+  bool isUnlit = false;  // shown in its colours, whatever the light
   // What cannot be painted, in some spelling: materials that agree in it can share their maps.
   std::string rest;
   std::vector<std::string> unpaintable;  // maps of extensions, by their names
