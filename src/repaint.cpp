@@ -26,6 +26,8 @@ constexpr double kUse = 0.6;                      // the share of a square that 
 constexpr double kNearly =
     0.5;  // of the original's texels per area: the next size has four times as many
 constexpr double kBareTexels = 4;  // to a triangle of an original without maps
+// To steps between colours of vertices: no more than a small square for their sake.
+constexpr double kMostForSteps = kUse * 512 * 512;
 // Texels around a chart: for those that a filter takes at a corner of it, and more in larger
 // squares, whose coarser mip levels are looked at as well.
 constexpr Index kLeastPadding = 2, kPaddingShare = 256;
@@ -146,16 +148,17 @@ class Repainting {
   }
 
   double originalTexels(Index number) const {
-    double texels = 0, bare = 0;
+    double texels = 0, bare = 0, steps = 0;
     for (Index p = 0; p < sources_.size(); ++p) {
       const TriangleMesh& mesh = sources_[p]->mesh();
       for (Index t = 0; t < mesh.triangleCount(); ++t) {
         if (classOf(p, groupOf(mesh, t)) != number) continue;
         texels += sources_[p]->texels(t);
         bare += kBareTexels;
+        steps += sources_[p]->colorTexels(t);
       }
     }
-    return std::max(texels, bare);
+    return std::max({texels, bare, std::min(steps, kMostForSteps)});
   }
 
   // All that a class could show once.

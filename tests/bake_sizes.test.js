@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How large new textures are if nobody says: as fine as the old ones, but not for the sake of what
-// these show several times.
+// these show several times, and as fine as colours of vertices need.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -36,11 +36,45 @@ function sheets([width, height], begins, wide) {
   }]).glb();
 }
 
+/** How many texels wide the new texture is. */
+async function widthOf({ name, bytes }) {
+  const options = { name, vertices: 80, textures: 'bake', textureFormat: 'png' };
+  return (await baked(await remeshFile(bytes, options))).images.baseColor.width;
+}
+
 test('texels that are shown twice make no larger map, texels side by side do', async () => {
-  const sizeOf = async ({ name, bytes }) => {
-    const options = { name, vertices: 80, textures: 'bake', textureFormat: 'png' };
-    return (await baked(await remeshFile(bytes, options))).images.baseColor.width;
-  };
-  assert.equal(await sizeOf(sheets([512, 512], [0, 0], 1)), 512);
-  assert.equal(await sizeOf(sheets([1024, 512], [0, 0.5], 0.5)), 1024);
+  assert.equal(await widthOf(sheets([512, 512], [0, 0], 1)), 512);
+  assert.equal(await widthOf(sheets([1024, 512], [0, 0.5], 0.5)), 1024);
+});
+
+/** A sheet of so many cells along a side, its vertices coloured by a formula. */
+function colouredSheet(cells, colourAt) {
+  const [positions, colours, indices] = [[], [], []];
+  for (let at = 0; at < (cells + 1) ** 2; at += 1) {
+    const [i, j] = [Math.floor(at / (cells + 1)), at % (cells + 1)];
+    positions.push(i, j, 0);
+    colours.push(...colourAt(i, j));
+    const next = at + cells + 1;
+    if (i < cells && j < cells) indices.push(at, next, next + 1, at, next + 1, at + 1);
+  }
+  const maker = new GltfMaker();
+  return maker.show([{
+    attributes: {
+      POSITION: maker.add(Float32Array.from(positions), 'VEC3'),
+      COLOR_0: maker.add(Float32Array.from(colours), 'VEC3'),
+    },
+    indices: maker.addIndices(Uint32Array.from(indices)),
+  }]).glb();
+}
+
+test('colours of vertices get texels for their steps, up to a small map of them', async () => {
+  const smooth = (i, j) => [i, j, 0].map((x) => 0.3 + x / 200);
+  const checks = (i, j) => Array(3).fill((Math.floor(i / 6) + Math.floor(j / 6)) % 2 ? 0.9 : 0.3);
+  const sizeOf = (cells, colourAt) => widthOf(colouredSheet(cells, colourAt));
+  // Four texels to a triangle, of which there are 1152 and 18,432.
+  assert.equal(await sizeOf(24, smooth), 64);
+  assert.equal(await sizeOf(96, smooth), 256);
+  // A step of 0.4 of what is seen, in every third triangle: a dozen texels along its edges.
+  assert.equal(await sizeOf(24, checks), 256);
+  assert.equal(await sizeOf(96, checks), 512);
 });

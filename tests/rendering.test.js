@@ -171,3 +171,11 @@ for (const [what, shape] of Object.entries(lookAlikes)) {
   test(`${what} looks at a third of its vertices as with its charts kept`,
     () => looksAsIfKept(shape));
 }
+
+test('steps between the colours of neighbours are steps in the texture, too', async () => {
+  const shape = lookAlikes['a folded sheet'];
+  const { name, bytes } = shape.make();
+  const baked = await remeshFile(bytes, { name, ratio: 1 / 10, textures: 'bake' });
+  const { ssim, difference } = await likeness(bytes, baked.bytes, shape);
+  assert.ok(ssim > 0.99 && difference < 0.01, `${ssim}, ${difference}`);
+});

@@ -57,6 +57,9 @@ class PaintSource {
 
   // Texels of the finest map of a triangle that lie on it.
   double texels(Index triangle) const;
+  // Texels that a triangle takes for the colours of its corners to go over into each other in steps
+  // that hardly show.
+  double colorTexels(Index triangle) const;
   // Texels of the largest map of a group.
   double largestMap(Index group) const;
 

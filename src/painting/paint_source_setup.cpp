@@ -123,6 +123,18 @@ double PaintSource::texels(Index triangle) const {
   return most;
 }
 
+double PaintSource::colorTexels(Index triangle) const {
+  constexpr double kStep = 1.0 / 32;  // about eight of a byte's levels, from a texel to the next
+  double most = 0;
+  std::array<Eigen::Vector4d, 3> shown;
+  for (Index k = 0; k < 3; ++k)
+    shown[k] = vertexColor({triangle, Vec3::Unit(k)}).cwiseMax(0).cwiseMin(1).cwiseSqrt();
+  for (std::size_t k = 0; k < 3; ++k)
+    most = std::max(most, (shown[k] - shown[(k + 1) % 3]).cwiseAbs().maxCoeff());
+  const double side = most / kStep;
+  return std::sqrt(3.0) / 4 * side * side;
+}
+
 double PaintSource::largestMap(Index group) const {
   double most = 0;
   for (const Texture& map : maps_[group].textures)
