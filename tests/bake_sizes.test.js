@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How large new textures are if nobody says: as fine as the old ones, but not for the sake of what
-// these show several times, and as fine as colours of vertices need.
+// these show several times; as fine as colours of vertices need; and what is lost in files.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { remeshFile } from 'remesher';
 
+import { compileCodec } from '../bindings/package/platform_node.js';
+import { ImageCodecs } from '../bindings/package/textures/image_codecs.js';
 import { baked } from './support/baked.js';
 import { GltfMaker } from './support/gltf.js';
 import { png } from './support/png.js';
@@ -77,4 +79,21 @@ test('colours of vertices get texels for their steps, up to a small map of them'
   // A step of 0.4 of what is seen, in every third triangle: a dozen texels along its edges.
   assert.equal(await sizeOf(24, checks), 256);
   assert.equal(await sizeOf(96, checks), 512);
+});
+
+/** How far a JPEG is from an image of steps and noise, of 255, in the mean. */
+async function lossOf(width) {
+  const codecs = new ImageCodecs({ compile: compileCodec });
+  const texels = Uint8Array.from({ length: 4 * width * width }, (_, at) => {
+    const [x, y] = [(at >> 2) % width, Math.floor((at >> 2) / width)];
+    return at % 4 === 3 ? 255 : 60 + 120 * ((x >> 3) + (y >> 3) & 1) + (7 * x * y + 31 * at) % 17;
+  });
+  const bytes = await codecs.encode({ name: '', type: 'image/jpeg', width, height: width, texels });
+  const decoded = await codecs.decode({ name: 'decoded', bytes });
+  return decoded.texels.reduce((sum, v, at) => sum + Math.abs(v - texels[at]), 0) / texels.length;
+}
+
+test('small images, which are seen from near, lose less than large ones', async () => {
+  const [small, large] = [await lossOf(512), await lossOf(1024)];
+  assert.ok(small < 0.75 * large, `${small}, ${large}`);
 });
