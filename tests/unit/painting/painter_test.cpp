@@ -151,3 +151,25 @@ TEST_CASE("painter: triangles count by how much of the texel lies on them") {
   const auto painted = paint({&all, 1}, sources, {1, true, 1}, Progress());
   CHECK(painted.baseColor.texels[0] == srgbOf(0.5));
 }
+
+TEST_CASE("painter: looks along the shape's normal and writes for that which light takes") {
+  TriangleMesh mesh;
+  addSquare(mesh, 0, Facing::Up);
+  std::vector<std::unique_ptr<PaintSource>> sources;
+  sources.push_back(sourceOf(mesh));
+  CanvasTriangle half{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& p = mesh.positions[mesh.indices[k]];
+    half.corners[k] = {p,
+                       Vec3::UnitZ(),
+                       Vec3(0, 0.6, 0.8),
+                       {1, 0, 0, -1},
+                       Vec2(4 * p.x(), 4 * p.y()),
+                       {0, Vec3::Unit(Eigen::Index(k))}};
+  }
+  const auto painted = paint({&half, 1}, sources, {4, true, 1}, Progress());
+  // Up is 0.8 of that normal and 0.6 of the bitangent, (0, -0.8, 0.6).
+  CHECK(painted.normal.texels[0] == 128);
+  CHECK(painted.normal.texels[1] == byteOf(0.5 + 0.5 * 0.6));
+  CHECK(painted.normal.texels[2] == byteOf(0.5 + 0.5 * 0.8));
+}
