@@ -127,9 +127,11 @@ test('a clang without the libraries of its sanitizers is none', () => {
     answers: { '/usr/bin/clang++': runtime } })), undefined);
 });
 
-test('any Chromium will do, the named one before all', () => {
+test('any Chromium will do, the named one before all, then the one without windows', () => {
   const chrome = { files: ['/usr/bin/google-chrome'] };
   assert.equal(findChromium(system(chrome)), '/usr/bin/google-chrome');
+  const shell = '/usr/bin/chromium-headless-shell';
+  assert.equal(findChromium(system({ files: ['/usr/bin/chromium', shell] })), shell);
   assert.equal(findChromium(system({ ...chrome,
     environment: { REMESHER_CHROMIUM: '/my/chrome' } })), '/my/chrome');
 });

@@ -2,18 +2,22 @@
 // Brings what is missing where that can be done without asking, which is with apt; elsewhere says
 // what is missing and how to get it.
 import { advice, missingNeeds } from './needs.js';
-import { BuildError, run, say } from './say.js';
+import { ask, BuildError, run, say } from './say.js';
 import { Stamp } from './stamp.js';
 import { packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 
-/** @param {System} system @param {readonly string[]} packages */
-async function installDebianPackages(system, packages) {
-  say(`Installing Debian packages: ${packages.join(' ')}`);
+const isInArchive = (/** @type {string} */ name) => ask('apt-cache', ['show', name]) !== '';
+
+/** @param {System} system @param {readonly import('./needs.js').Need[]} needs */
+async function installDebianPackages(system, needs) {
+  say(`Installing what is missing: ${needs.map(({ name }) => name).join(', ')}`);
   const [command, ...first] = [...(system.isRoot ? [] : ['sudo', '-n']), 'env',
     'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
   await run(command, [...first, 'update', '-qq']);
+  const packages = needs.flatMap(({ lighter, packages: { apt = '' } }) =>
+    (lighter && isInArchive(lighter) ? lighter : apt).split(' '));
   await run(command, [...first, 'install', '-y', '-qq', '--no-install-recommends', ...packages]);
 }
 
@@ -24,8 +28,7 @@ async function installDebianPackages(system, packages) {
 export async function installTools(system, parts) {
   let missing = missingNeeds(system, parts);
   if (missing.length > 0 && packageManager(system) === 'apt') {
-    await installDebianPackages(system,
-      missing.flatMap(({ packages }) => (packages.apt ?? '').split(' ')));
+    await installDebianPackages(system, missing);
     missing = missingNeeds(system, parts);
   }
   if (missing.length === 0) return;

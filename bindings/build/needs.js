@@ -14,6 +14,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
  * @property {Part[]} parts what is built or run with it
  * @property {(system: System) => string | undefined} find where it is
  * @property {Partial<Record<Manager, string>>} packages
+ * @property {string} [lighter] taken instead of apt's where the archive has it, as Debian's does
  * @property {string} [variable] names the place where it is; PATH if it does not say
  */
 
@@ -37,10 +38,15 @@ export function findEmscripten(system) {
   return folders.map((folder) => join(folder, platformFile)).find(system.exists);
 }
 
-/** A browser that tests can drive. @param {System} system */
+/**
+ * A browser that tests can drive. Where there is one without windows, that: its pages take a fifth
+ * less time.
+ * @param {System} system
+ */
 export function findChromium(system) {
   if (system.environment.REMESHER_CHROMIUM) return system.environment.REMESHER_CHROMIUM;
-  const names = ['chromium', 'google-chrome', 'google-chrome-stable', 'chromium-browser', 'chrome'];
+  const names = ['chromium-headless-shell', 'chrome-headless-shell', 'chromium', 'google-chrome',
+    'google-chrome-stable', 'chromium-browser', 'chrome'];
   const onMac = ['Google Chrome', 'Chromium'].map((name) =>
     `/Applications/${name}.app/Contents/MacOS/${name}`);
   return names.map((name) => findProgram(system, name)).find(Boolean)
@@ -118,6 +124,7 @@ export const needs = [
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
   { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',
+    lighter: 'chromium-headless-shell',
     packages: { apt: 'chromium', dnf: 'chromium', pacman: 'chromium', apk: 'chromium',
       brew: '--cask chromium', nix: 'chromium' } },
   { name: 'Redis', parts: ['tests'], find: program('redis-server'),
