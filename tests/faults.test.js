@@ -12,8 +12,8 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 
 import {
-  interrupted, makeReadOnly, mountSmall, randomFrom, run, runHere, runLimited, snapshot, start,
-  statesDuring,
+  endedAtUnlock, interrupted, makeReadOnly, mountSmall, randomFrom, run, runHere, runLimited,
+  snapshot, start, statesDuring,
 } from './support/faults.js';
 import { glbBytes, gltfParts, objText, torus } from './support/shape_files.js';
 import { root } from './support/tree.js';
@@ -153,6 +153,12 @@ for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
     }
   });
 }
+
+test('a signal when all is written but the lock is there leaves no lock', async () => {
+  const { folder, wanted, words } = await prepared('unlock', 'gltf', 'small');
+  endedAtUnlock(top, words);
+  assert.deepEqual(snapshot(folder), wanted);
+});
 
 test('two runs, and four, to one output do not mix', async () => {
   const { folder, before, wanted, words } = await prepared('race', 'gltf');

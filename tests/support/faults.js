@@ -72,6 +72,23 @@ export function statesDuring(cwd, words, folder) {
   return Array.from(readdirSync(copies), (_, i) => join(copies, String(i)));
 }
 
+/** What asks the process to end at the moment when it is about to unlock. */
+const endAtUnlock = `data:text/javascript,${encodeURIComponent(`
+  import fs from 'node:fs';
+  import { syncBuiltinESMExports } from 'node:module';
+  const remove = fs.rmSync;
+  fs.rmSync = (path, ...words) => {
+    if (String(path).endsWith('.lock')) process.kill(process.pid, 'SIGTERM');
+    return remove(path, ...words);
+  };
+  syncBuiltinESMExports();
+`)}`;
+
+/** Runs, and gets a signal between the last change and the end of the lock. */
+export function endedAtUnlock(cwd, words) {
+  return spawnSync(process.execPath, ['--import', endAtUnlock, cli, ...words], { cwd });
+}
+
 /**
  * Runs, and sends a signal at a moment: after so many milliseconds, or so many after the first
  * change in a folder.

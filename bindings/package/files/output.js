@@ -146,9 +146,13 @@ export async function writeOutput(files, output) {
   const unlock = () => lock.release();
   try {
     await undoneIfInterrupted(unlock, async () => {
-      if (files.length > 1) await lock.acquire();
-      await writeDrafts(files, output);
-    }).finally(unlock);
+      try {
+        if (files.length > 1) await lock.acquire();
+        await writeDrafts(files, output);
+      } finally {
+        unlock();  // while signals are still waited for
+      }
+    });
   } catch (error) {
     throw error instanceof RemeshError ? error : unwritable(output.path, reason(error));
   }
