@@ -12,6 +12,9 @@
 
 namespace remesher::io {
 
+// Of a binary file: a header, how many facets there are in 32 bits, the facets.
+inline constexpr std::size_t kHeaderBytes = 80, kFacetsAt = 84, kFacetBytes = 50;
+
 Model readStl(const File& file, const std::vector<File>& resources);
 WrittenFiles writeStl(const Model& model, const std::string& outputName);
 

@@ -17,10 +17,6 @@
 namespace remesher::io {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80;
-constexpr std::size_t kFacetsAt = 84;
-constexpr std::size_t kFacetBytes = 50;
-
 std::string_view textOf(const File& file) {
   return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
 }

@@ -14,7 +14,6 @@
 namespace remesher::io {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80;
 // Not `solid`: readers take that for the other kind.
 constexpr std::string_view kHeader = "binary STL written by remesher";
 
@@ -52,7 +51,7 @@ void append(std::vector<std::uint8_t>& bytes, const Eigen::Vector3f& vector) {
 std::vector<std::uint8_t> stlBytes(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> bytes(kHeader.begin(), kHeader.end());
   bytes.resize(kHeaderBytes, ' ');
-  bytes.reserve(kHeaderBytes + 4 + 50 * mesh.triangleCount());
+  bytes.reserve(kFacetsAt + kFacetBytes * mesh.triangleCount());
   append(bytes, static_cast<std::uint32_t>(mesh.triangleCount()));
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     Corners corners;
