@@ -156,7 +156,7 @@ test('sizes that follow curvature lower the error at the same count', async () =
   const mesh = signetRing();
   const found = { rms: 0, hausdorff: 0 }, plain = { rms: 0, hausdorff: 0 };
   // The largest distance of one number gains 0.998 to 2.7 times by luck, 1.66 on average; that of
-  // six is less than 1.5 one time of ten, that of twelve less than 1.4 one of a thousand.
+  // six is less than 1.5 one time of ten.
   const numbers = Array.from({ length: 12 }, (_, i) => 3000 + 25 * i);
   for (const vertices of numbers) {
     const even = await run(mesh, { vertices, adaptivity: 0 });
@@ -169,7 +169,7 @@ test('sizes that follow curvature lower the error at the same count', async () =
   }
   assert.ok(plain.hausdorff / numbers.length < 0.2, 'even triangles lose no part');
   assert.ok(found.rms < plain.rms / 1.1, `${found.rms} against ${plain.rms}`);
-  assert.ok(found.hausdorff < plain.hausdorff / 1.4, `${found.hausdorff}, ${plain.hausdorff}`);
+  assert.ok(found.hausdorff < plain.hausdorff / 1.5, `${found.hausdorff}, ${plain.hausdorff}`);
 });
 
 test('edges are as long as asked for, on average', async () => {

@@ -163,8 +163,8 @@ async function looksAsIfKept({ make, isPosed }) {
   const [own, kept] = await Promise.all(['bake', 'keep'].map((textures) =>
     remeshFile(bytes, { name, ratio: 1 / 3, textures }).then((result) =>
       likeness(bytes, result.bytes, { isPosed, views: [0, 3, 7, 10] }))));
-  assert.ok(own.ssim > kept.ssim - 0.005, `${own.ssim}, ${kept.ssim}`);
-  assert.ok(own.difference < kept.difference + 0.003, `${own.difference}, ${kept.difference}`);
+  assert.ok(own.ssim > kept.ssim - 0.01, `${own.ssim}, ${kept.ssim}`);
+  assert.ok(own.difference < kept.difference + 0.005, `${own.difference}, ${kept.difference}`);
 }
 
 for (const [what, shape] of Object.entries(lookAlikes)) {
