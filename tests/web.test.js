@@ -128,6 +128,17 @@ test('every option of the table is in the form', async () => {
   }
 });
 
+test('on a wide screen the panel scrolls, and the page never', async () => {
+  const narrow = page.viewportSize();
+  await page.setViewportSize({ width: 1000, height: 480 });
+  const [panel, whole, screen] = await page.evaluate(() => [
+    document.querySelector('.panel').scrollHeight, document.documentElement.scrollHeight,
+    innerHeight]);
+  await page.setViewportSize(narrow);
+  assert.ok(panel > screen);
+  assert.equal(whole, screen);
+});
+
 test('nothing can be sent elsewhere', async () => {
   const blocked = await page.evaluate(() => new Promise((resolve) => {
     addEventListener('securitypolicyviolation', (event) => resolve(event.violatedDirective));
