@@ -73,37 +73,9 @@ double unitScale(const HalfBox& box) {
   return std::ldexp(1.0, -std::clamp(power, -kFarthest, kFarthest));
 }
 
-// Whether it shows at a glance that the box of these is neither far out nor tiny: no vertex is, not
-// even a stray one, and a triangle is large enough.
-bool isPlain(const TriangleMesh& mesh, const Transform* place) {
-  const double far = std::ldexp(1.0, kUsual - 2), tiny = 1 / far;
-  const std::vector<Vec3>& positions = mesh.positions;
-  const auto at = [&](const Vec3& p) { return place ? Vec3(*place * p) : p; };
-  const auto isNear = [&](const Vec3& p) { return (at(p).array().abs() <= far).all(); };
-  if (!std::all_of(positions.begin(), positions.end(), isNear)) return false;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Index* const t = &mesh.indices[i];
-    if (std::max({t[0], t[1], t[2]}) >= positions.size()) continue;
-    if (hasTwins(positions[t[0]], positions[t[1]], positions[t[2]])) continue;
-    if ((at(positions[t[1]]) - at(positions[t[0]])).cwiseAbs().maxCoeff() > tiny) return true;
-  }
-  return false;
-}
-
-bool arePlain(const std::vector<io::Part>& parts) {
-  return std::all_of(parts.begin(), parts.end(), [](const io::Part& part) {
-    return isPlain(part.mesh, nullptr) &&
-           (part.instances.empty() || isPlain(part.mesh, &part.instances.front()));
-  });
-}
-
 }  // namespace
 
 PartScale::PartScale(const std::vector<io::Part>& parts) {
-  if (arePlain(parts)) {
-    local_.assign(parts.size(), 1);
-    return;
-  }
   HalfBox world;
   for (const io::Part& part : parts) {
     const HalfBox box = halfBox(part.mesh, nullptr);
