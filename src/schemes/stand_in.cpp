@@ -34,8 +34,8 @@ VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
 StandIn::StandIn(const OriginalSurface& original, double edge)
     : StandIn(original, [&] {
         WorkingMesh mesh(original);
-        VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
-        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, std::move(spacing), kWorthwhile);
+        const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
+        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing, kWorthwhile);
         VertexData<Vertex> onOriginal = ancestors(mesh);
         BuiltMesh built;
         built.mesh = mesh.mesh();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/patience.h"
 #include "steps/coarsen.h"
@@ -122,7 +121,7 @@ void thinOut(Run& run) {
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
-  decimate(run.mesh, run.rule, std::move(spacing));
+  decimate(run.mesh, run.rule, spacing);
 }
 
 struct Ranked {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "operators/local_operators.h"
 
@@ -18,54 +17,25 @@ constexpr double kTooLong = 1.7;
 constexpr double kStep = 1.2;  // from pass to pass; a third of the vertices go for it
 constexpr double kFinest = 1e-3;
 constexpr int kLargestValence = 9;
-// Where fewer of the vertices are left the holes are closed: what is looked at together lies
-// together in memory.
-constexpr double kHoley = 0.5;
 
 class Decimation {
  public:
-  Decimation(WorkingMesh& mesh, const FidelityRule& rule, VertexData<double> spacing)
+  Decimation(WorkingMesh& mesh, const FidelityRule& rule, const VertexData<double>& spacing)
       : working_(mesh),
         mesh_(mesh.mesh()),
         rule_(rule),
-        spacing_(std::move(spacing)),
-        heirs_(mesh_.vertexCapacity()),
-        into_(mesh_.vertexCapacity()) {
-    for (Index i = 0; i < heirs_.size(); ++i)
-      if (mesh_.isAlive(Vertex(i))) heirs_[Vertex(i)] = Vertex(i);
-  }
+        spacing_(spacing),
+        into_(mesh_.vertexCapacity()) {}
 
-  VertexData<Vertex> run(double worthwhile) {
-    for (share_ = std::max(kFinest, kStep * meanShare()); share_ < 1; share_ *= kStep) {
-      pass();
-      if (isHoley()) closeHoles();
-    }
+  void run(double worthwhile) {
+    for (share_ = std::max(kFinest, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
     share_ = 1;
-    while (double(pass()) > worthwhile * double(mesh_.vertexCount()))
-      if (isHoley()) closeHoles();
-    closeHoles();
-    return std::move(heirs_);
+    while (double(pass()) > worthwhile * double(mesh_.vertexCount())) {
+    }
   }
 
- private:
-  bool isHoley() const {
-    return double(mesh_.vertexCount()) < kHoley * double(mesh_.vertexCapacity());
-  }
-
-  void closeHoles() {
-    const VertexData<Vertex> now = renumbered();
-    for (Vertex& heir : heirs_.values())
-      if (heir) heir = now[heir];
-    // The order is kept: no place is written before it is read.
-    for (Index i = 0; i < spacing_.size(); ++i)
-      if (mesh_.isAlive(Vertex(i))) spacing_[now[Vertex(i)]] = spacing_[Vertex(i)];
-    working_.compact();
-    spacing_.resize(mesh_.vertexCapacity());
-    into_.assign(mesh_.vertexCapacity(), Vertex());
-  }
-
-  // What each vertex is or has gone into, by the numbers there will be when the holes are closed.
-  VertexData<Vertex> renumbered() const {
+  // By the numbers that the vertices will have when the holes are closed.
+  VertexData<Vertex> heirs() const {
     VertexData<Vertex> result(into_.size());
     Index count = 0;
     for (Index i = 0; i < into_.size(); ++i)
@@ -80,6 +50,7 @@ class Decimation {
     return result;
   }
 
+ private:
   double squaredLength(Vertex a, Vertex b) const {
     return (working_.position(b) - working_.position(a)).squaredNorm();
   }
@@ -169,19 +140,22 @@ class Decimation {
   WorkingMesh& working_;
   const HalfedgeMesh& mesh_;
   const FidelityRule& rule_;
-  VertexData<double> spacing_;
+  const VertexData<double>& spacing_;
   double share_ = 1;          // of the spacing, in the present pass
   VertexData<char> touched_;  // whether the star has changed in the present pass
-  VertexData<Vertex> heirs_;  // of each vertex there was, when the holes were closed last
-  VertexData<Vertex> into_;   // what a vertex has gone into since, which may be gone; or none
+  VertexData<Vertex> into_;   // what a vertex has gone into, which may be gone since; or none
   LocalChange change_;
 };
 
 }  // namespace
 
-VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule, VertexData<double> spacing,
-                            double worthwhile) {
-  return Decimation(mesh, rule, std::move(spacing)).run(worthwhile);
+VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
+                            const VertexData<double>& spacing, double worthwhile) {
+  Decimation decimation(mesh, rule, spacing);
+  decimation.run(worthwhile);
+  VertexData<Vertex> heirs = decimation.heirs();
+  mesh.compact();
+  return heirs;
 }
 
 }  // namespace remesher

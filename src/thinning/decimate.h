@@ -9,10 +9,10 @@
 namespace remesher {
 
 // Until edges are about as long as `spacing`, per vertex, asks for; not where the surface bends
-// more than such edges could follow, nor on curves. Closes the holes. Returns the heir,
+// more than such edges could follow, nor on curves. Closes the holes in the end. Returns the heir,
 // by its new number, of each vertex that there was: itself, or what it has gone into. The pass that
 // takes no more than the share `worthwhile` of the vertices is the last one.
-VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule, VertexData<double> spacing,
-                            double worthwhile = 0.02);
+VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
+                            const VertexData<double>& spacing, double worthwhile = 0.02);
 
 }  // namespace remesher
