@@ -11,6 +11,7 @@ import { ImageCodecs } from '../bindings/package/textures/image_codecs.js';
 import { baked } from './support/baked.js';
 import { GltfMaker } from './support/gltf.js';
 import { png } from './support/png.js';
+import { sheetOf } from './support/shapes.js';
 
 /** Two sheets side by side, the texture's column where each begins, and how wide they are on it. */
 function sheets([width, height], begins, wide) {
@@ -51,21 +52,15 @@ test('texels that are shown twice make no larger map, texels side by side do', a
 
 /** A sheet of so many cells along a side, its vertices coloured by a formula. */
 function colouredSheet(cells, colourAt) {
-  const [positions, colours, indices] = [[], [], []];
-  for (let at = 0; at < (cells + 1) ** 2; at += 1) {
-    const [i, j] = [Math.floor(at / (cells + 1)), at % (cells + 1)];
-    positions.push(i, j, 0);
-    colours.push(...colourAt(i, j));
-    const next = at + cells + 1;
-    if (i < cells && j < cells) indices.push(at, next, next + 1, at, next + 1, at + 1);
-  }
+  const { positions, indices } = sheetOf(cells, (i, j) => [i, j, 0]);
+  const colours = sheetOf(cells, colourAt).positions;
   const maker = new GltfMaker();
   return maker.show([{
     attributes: {
       POSITION: maker.add(Float32Array.from(positions), 'VEC3'),
       COLOR_0: maker.add(Float32Array.from(colours), 'VEC3'),
     },
-    indices: maker.addIndices(Uint32Array.from(indices)),
+    indices: maker.addIndices(indices),
   }]).glb();
 }
 

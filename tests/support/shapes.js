@@ -64,20 +64,25 @@ export function signetRing() {
   return { positions, indices };
 }
 
-/** A wavy square sheet of side 1: one boundary loop, Euler characteristic 1. */
-export function sheet(n = 24) {
+/** A square of so many cells along a side, two triangles each. @param {number} cells
+ * @param {(row: number, column: number) => number[]} placeAt */
+export function sheetOf(cells, placeAt) {
   const positions = [];
   const indices = [];
-  for (let i = 0; i <= n; i += 1) {
-    for (let j = 0; j <= n; j += 1) {
-      positions.push(i / n, j / n, 0.1 * Math.sin((4 * i) / n) * Math.cos((3 * j) / n));
-      if (i === n || j === n) continue;
-      const at = (a, b) => (i + a) * (n + 1) + j + b;
+  for (let i = 0; i <= cells; i += 1) {
+    for (let j = 0; j <= cells; j += 1) {
+      positions.push(...placeAt(i, j));
+      if (i === cells || j === cells) continue;
+      const at = (a, b) => (i + a) * (cells + 1) + j + b;
       indices.push(at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1));
     }
   }
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
+
+/** A wavy square sheet of side 1: one boundary loop, Euler characteristic 1. */
+export const sheet = (n = 24) => sheetOf(n, (i, j) =>
+  [i / n, j / n, 0.1 * Math.sin((4 * i) / n) * Math.cos((3 * j) / n)]);
 
 /** The mesh as the text of a PLY file. */
 export function plyText({ positions, indices }) {
