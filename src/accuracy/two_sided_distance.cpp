@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <tuple>
+#include <utility>
 
 #include "geometry/triangle.h"
 #include "surface/surface_walk.h"
@@ -46,33 +49,57 @@ SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
   return wouldMove ? to_.at : mesh_.cornerPoint(corner);
 }
 
-double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
+// The corner of f that is nearest to a sample, as the place of a walk's start.
+SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
+  const Triangle corners = mesh_.corners(f);
+  const auto distance2 = [&](int i) { return (corners[i] - sample).squaredNorm(); };
+  int nearest = 0;
+  for (const int i : {1, 2})
+    if (distance2(i) < distance2(nearest)) nearest = i;
+  return startAt(HalfedgeMesh::halfedge(f, nearest));
+}
+
+// By a walk from `place`, which is moved to where it ends. Where that is far off the corners are
+// tried, and then all of the original: at once where it has come to that before.
+double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f, SurfacePoint& place) const {
   const OriginalSurface& surface = mesh_.surface();
-  double nearest = kFarOff;
-  Face there;
-  for (int i = 0; i < 3 && nearest > doubtful_; ++i) {
-    const SurfacePoint near =
-        closestPointFrom(surface, startAt(HalfedgeMesh::halfedge(f, i)), sample);
-    const double distance = (surface.position(near) - sample).norm();
+  const auto walk = [&](const SurfacePoint& start) {
+    const SurfacePoint near = closestPointFrom(surface, start, sample);
+    return std::pair{(surface.position(near) - sample).norm(), near};
+  };
+  double nearest;
+  std::tie(nearest, place) = walk(place);
+  for (int i = 0; i < 3 && !tree_ && nearest > doubtful_; ++i) {
+    const auto [distance, near] = walk(startAt(HalfedgeMesh::halfedge(f, i)));
     if (distance >= nearest) continue;
     nearest = distance;
-    there = near.face;
+    place = near;
   }
   if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
-  const MeshTree::Nearest found = tree_->nearest(sample, there);
+  const MeshTree::Nearest found = tree_->nearest(sample, place.face);
   looked_ += found.looked;
   return found.distance;
 }
 
-double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f) const {
+double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
+  SurfacePoint place = startNear(sample, f);
+  return fromOriginal(sample, f, place);
+}
+
+// The samples lie side by side: where the walk to one ends that to the next begins.
+double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f,
+                                      double limit) const {
   double farthest = 0;
-  const auto measure = [&](double t) {
-    farthest = std::max(farthest, fromOriginal((1 - t) * from + t * to, f));
+  const auto measure = [&](std::initializer_list<double> shares) {
+    SurfacePoint place = startNear(from, f);
+    for (const double t : shares) {
+      farthest = std::max(farthest, fromOriginal((1 - t) * from + t * to, f, place));
+      if (farthest > limit) return;
+    }
   };
-  for (const double t : {0.25, 0.5, 0.75}) measure(t);
-  if (farthest > doubtful_)
-    for (const double t : {0.125, 0.375, 0.625, 0.875}) measure(t);
+  measure({0.25, 0.5, 0.75});
+  if (farthest > doubtful_ && farthest <= limit) measure({0.125, 0.375, 0.625, 0.875});
   return farthest;
 }
 
@@ -207,8 +234,10 @@ double TwoSidedDistance::around(Vertex v, const Placement& to, double limit) {
   farthest = std::max(farthest, fromOriginal(to.position, gathered_[0].face));
   for (const auto& [face, at] : gathered_) {
     if (farthest > limit) break;
-    farthest = std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], at[1], face)});
-    if (mesh_.mesh().isBoundary(v)) farthest = std::max(farthest, fromOriginal(at[0], at[2], face));
+    farthest =
+        std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], at[1], face, limit)});
+    if (mesh_.mesh().isBoundary(v))
+      farthest = std::max(farthest, fromOriginal(at[0], at[2], face, limit));
   }
   return farthest;
 }

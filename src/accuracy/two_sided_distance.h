@@ -55,8 +55,11 @@ class TwoSidedDistance {
   void measureGathered();
   void measureNear(Place& place) const;
   SurfacePoint startAt(Halfedge corner) const;
+  SurfacePoint startNear(const Vec3& sample, Face f) const;
+  double fromOriginal(const Vec3& sample, Face f, SurfacePoint& place) const;
   double fromOriginal(const Vec3& sample, Face f) const;
-  double fromOriginal(const Vec3& from, const Vec3& to, Face f) const;
+  double fromOriginal(const Vec3& from, const Vec3& to, Face f,
+                      double limit = std::numeric_limits<double>::infinity()) const;
   double fromOriginal(const Triangle& triangle, Face f) const;
   bool followsOriginal(Halfedge h) const;
   void raise(Face f, double distance);
