@@ -67,7 +67,13 @@ StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDista
 bool StarSearch::isAllowed(const Placement& place) {
   if (turnsOver(mesh_, v_, place.position)) return false;
   proposePlacement(mesh_, v_, place, change_);
-  return judge(mesh_, change_, rule_) == Verdict::Accepted && !crossings_.grow(change_);
+  return judge(mesh_, change_, rule_) == Verdict::Accepted &&
+         !(looksForCrossings_ && crossings_.grow(change_));
+}
+
+bool StarSearch::crosses() {
+  proposePlacement(mesh_, v_, best_, change_);
+  return crossings_.grow(change_);
 }
 
 bool StarSearch::keepsAngles(const Vec3& position) const {
@@ -128,12 +134,26 @@ void StarSearch::slide(double enough) {
   });
 }
 
-void StarSearch::descend(double enough) {
+void StarSearch::lookAround(double enough) {
   if (best_.kind == VertexKind::Curve) return slide(enough);
   const std::vector<Vec3> directions = directionsAt(mesh_, v_);
   // Moves along the normal cost no angles.
   move(enough, std::span(directions).first(kAlongNormal));
   move(enough, directions);
+}
+
+// Triangles seldom come to pass through others, and to see whether they do takes longer than all
+// else: a search looks once, at the place that it has found, and only if they do begins again and
+// looks at each.
+void StarSearch::descend(double enough) {
+  const Placement before = best_;
+  const double distance = distance_;
+  lookAround(enough);
+  if (distance_ == distance || !crosses()) return;
+  best_ = before;
+  distance_ = distance;
+  looksForCrossings_ = true;
+  lookAround(enough);
 }
 
 }  // namespace remesher

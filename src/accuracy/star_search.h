@@ -32,11 +32,13 @@ class StarSearch {
   bool keepsAngles(const Vec3& position) const;
   bool offer(const Placement& place);  // one that keeps them
   bool isAllowed(const Placement& place);
+  bool crosses();  // whether the best place makes triangles pass through each other
   Placement at(const Vec3& position) const;
   template <typename Look>
   void search(double enough, const Look& look);
   void move(double enough, std::span<const Vec3> steps);
   void slide(double enough);
+  void lookAround(double enough);
 
   const WorkingMesh& mesh_;
   const FidelityRule rule_;
@@ -47,6 +49,7 @@ class StarSearch {
   Placement best_;
   double distance_;
   double lowest_;
+  bool looksForCrossings_ = false;
   LocalChange change_;
 };
 
