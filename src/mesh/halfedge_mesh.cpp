@@ -58,10 +58,12 @@ int HalfedgeMesh::valence(Vertex v) const {
 
 Halfedge HalfedgeMesh::find(Vertex from, Vertex to) const {
   const Halfedge first = outgoing(from);
+  if (tip(first) == to) return first;
   Halfedge h = first;
   do {
-    if (tip(h) == to) return h;
-    h = twin(prev(h));
+    const Halfedge back = prev(h);
+    h = twin(back);
+    if (origin(back) == to) return h;
   } while (h && h != first);
   return {};
 }

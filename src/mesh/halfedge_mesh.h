@@ -80,14 +80,16 @@ class HalfedgeMesh {
   // Counterclockwise around v; at a boundary one more than there are outgoing halfedges.
   template <class Visit>
   void forEachNeighbor(Vertex v, Visit visit) const {
+    // The next neighbour is read in the face at hand, which does not wait for the way across.
     const Halfedge first = outgoing(v);
     Halfedge h = first;
-    while (true) {
-      visit(tip(h));
+    for (Vertex neighbor = tip(h);;) {
+      visit(neighbor);
+      if (!h) return;
       const Halfedge back = prev(h);
       h = twin(back);
-      if (!h) return visit(origin(back));
       if (h == first) return;
+      neighbor = origin(back);
     }
   }
 
