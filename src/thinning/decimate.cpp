@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "operators/local_operators.h"
 
@@ -51,6 +52,11 @@ class Decimation {
   }
 
  private:
+  struct Spoke {
+    Vertex tip;
+    Vec3 way;  // from the centre to the tip
+  };
+
   double squaredLength(Vertex a, Vertex b) const {
     return (working_.position(b) - working_.position(a)).squaredNorm();
   }
@@ -75,56 +81,60 @@ class Decimation {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
       const Vertex v(i);
       if (touched_[v] || !mesh_.isAlive(v) || working_.kind(v) != VertexKind::Interior) continue;
-      const Halfedge h = shortestWay(v);
-      if (!h || !isFlat(v, mesh_.tip(h)) || !staysEven(h) || !collapse(h)) continue;
-      ++gone;
+      gone += takeOut(v);
     }
     return gone;
   }
 
-  // The shortest edge from v that is too short, if any, to where nothing has changed in this pass.
-  // The end where edges are to be shorter had better stay: it may be a tip.
-  Halfedge shortestWay(Vertex v) const {
-    const double limit = share_ * spacing_[v];
-    double shortest = limit * limit;
-    Halfedge best;
-    mesh_.forEachOutgoing(v, [&](Halfedge h) {
-      const Vertex w = mesh_.tip(h);
-      const double length = squaredLength(v, w);
-      if (length >= shortest || touched_[w] || spacing_[w] > spacing_[v]) return;
+  // If it may go; returns whether it has gone.
+  bool takeOut(Vertex v) {
+    gather(v);
+    const double size = share_ * spacing_[v];
+    const Spoke* const spoke = shortestSpoke(v, size);
+    return spoke && isFlat(spoke->way, size) && staysEven(spoke->tip, size) &&
+           collapse(mesh_.find(v, spoke->tip));
+  }
+
+  // The star is walked around once for all looks at it.
+  void gather(Vertex v) {
+    spokes_.clear();
+    const Vec3& at = working_.position(v);
+    mesh_.forEachNeighbor(v, [&](Vertex w) { spokes_.push_back({w, working_.position(w) - at}); });
+  }
+
+  // The shortest one from v that is shorter than `size`, if any, to where nothing has changed in
+  // this pass. The end where edges are to be shorter had better stay: it may be a tip.
+  const Spoke* shortestSpoke(Vertex v, double size) const {
+    double shortest = size * size;
+    const Spoke* best = nullptr;
+    for (const Spoke& spoke : spokes_) {
+      const double length = spoke.way.squaredNorm();
+      if (length >= shortest || touched_[spoke.tip] || spacing_[spoke.tip] > spacing_[v]) continue;
       shortest = length;
-      best = h;
-    });
+      best = &spoke;
+    }
     return best;
   }
 
-  // Whether the way from v to w stays near the planes of all triangles around v.
-  bool isFlat(Vertex v, Vertex w) const {
-    const Vec3& at = working_.position(v);
-    const Vec3 way = working_.position(w) - at;
-    const double height = kFlat * share_ * spacing_[v];
-    bool result = true;
-    mesh_.forEachOutgoing(v, [&](Halfedge h) {
-      if (!result) return;
-      const Vec3 normal =
-          areaVector(at, working_.position(mesh_.tip(h)), working_.position(mesh_.opposite(h)));
+  // Whether a way from the centre stays near the planes of all triangles of the star.
+  bool isFlat(const Vec3& way, double size) const {
+    const double height = kFlat * size;
+    const Vec3* before = &spokes_.back().way;
+    for (const Spoke& spoke : spokes_) {
+      const Vec3 normal = before->cross(spoke.way);
+      before = &spoke.way;
       const double rise = normal.dot(way);
-      result = rise * rise <= height * height * normal.squaredNorm();
-    });
-    return result;
+      if (!(rise * rise <= height * height * normal.squaredNorm())) return false;
+    }
+    return true;
   }
 
-  // Whether the star that comes has neither long edges nor many.
-  bool staysEven(Halfedge h) const {
-    const Vertex v = mesh_.origin(h), w = mesh_.tip(h);
-    const double limit = kTooLong * share_ * spacing_[v];
-    int neighbors = 0;
-    bool anyLong = false;
-    mesh_.forEachNeighbor(v, [&](Vertex n) {
-      ++neighbors;
-      anyLong = anyLong || squaredLength(n, w) > limit * limit;
-    });
-    return !anyLong && neighbors + mesh_.valence(w) - 4 <= kLargestValence;
+  // Whether the star that comes around w has neither long edges nor many.
+  bool staysEven(Vertex w, double size) const {
+    const double limit = kTooLong * size;
+    for (const Spoke& spoke : spokes_)
+      if (squaredLength(spoke.tip, w) > limit * limit) return false;
+    return int(spokes_.size()) + mesh_.valence(w) - 4 <= kLargestValence;
   }
 
   bool collapse(Halfedge h) {
@@ -141,9 +151,10 @@ class Decimation {
   const HalfedgeMesh& mesh_;
   const FidelityRule& rule_;
   const VertexData<double>& spacing_;
-  double share_ = 1;          // of the spacing, in the present pass
-  VertexData<char> touched_;  // whether the star has changed in the present pass
-  VertexData<Vertex> into_;   // what a vertex has gone into, which may be gone since; or none
+  double share_ = 1;           // of the spacing, in the present pass
+  VertexData<char> touched_;   // whether the star has changed in the present pass
+  VertexData<Vertex> into_;    // what a vertex has gone into, which may be gone since; or none
+  std::vector<Spoke> spokes_;  // of the vertex that is looked at, counterclockwise
   LocalChange change_;
 };
 
