@@ -46,6 +46,7 @@ double WorkingMesh::meanSpoke(Vertex v) const {
 }
 
 Placement WorkingMesh::placement(Vertex v) const {
+  if (kind_[v] != VertexKind::Curve) return {position_[v], normal_[v], at_[v], {}, kind_[v]};
   return {position_[v], normal_[v], at_[v], on_[v], kind_[v], across_[v]};
 }
 
@@ -113,10 +114,11 @@ Vec3 WorkingMesh::normalFacing(const Placement& place, const Vec3& n) const {
 void WorkingMesh::place(Vertex v, const Placement& place) {
   position_[v] = place.position;
   normal_[v] = place.normal;
-  across_[v] = place.across;
   at_[v] = place.at;
-  on_[v] = place.on;
   kind_[v] = place.kind;
+  if (place.kind != VertexKind::Curve) return;  // which alone have the rest
+  across_[v] = place.across;
+  on_[v] = place.on;
 }
 
 void WorkingMesh::grow() {
