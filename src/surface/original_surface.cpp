@@ -27,13 +27,19 @@ void OriginalSurface::computeNormals() {
     faceNormals[Face(i)] = areaVector(positions()[a], positions()[b], positions()[c]);
     area_ += 0.5 * faceNormals[Face(i)].norm();
   }
+  VertexData<char> isOnCurve(m.vertexCapacity(), 0);
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i)
+    if (barriers_[Halfedge(i)]) isOnCurve[m.origin(Halfedge(i))] = 1;
   normalOf_.assign(m.halfedgeCapacity(), kNone);
   normals_.reserve(m.vertexCapacity());
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     if (normalOf_[Halfedge(i)] != kNone) continue;
-    // Turn clockwise to the side's beginning, then counterclockwise over the side.
+    // On a curve the side begins clockwise; where there is none, all around is one side.
     Halfedge first(i);
-    while (!barriers_[first] && m.next(m.twin(first)) != Halfedge(i)) first = m.next(m.twin(first));
+    if (isOnCurve[m.origin(first)])
+      while (!barriers_[first]) first = m.next(m.twin(first));
+    else
+      first = m.twin(m.prev(first));
     Vec3 sum = Vec3::Zero();
     Halfedge h = first;
     do {
