@@ -59,6 +59,17 @@ class TriangleTree {
   // The triangles in the tree's order: neighbours in it are close in space.
   std::span<const Index> order() const { return order_; }
 
+  // Whether the boxes of two triangles, named by their places in that order, are the same, as those
+  // of copies are; without a look at the triangles.
+  bool haveSameBox(std::size_t place, std::size_t other) const {
+    const Group &own = levels_[0][place / 4], &its = levels_[0][other / 4];
+    const auto k = Eigen::Index(place % 4), l = Eigen::Index(other % 4);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (own.low[axis][k] != its.low[axis][l] || own.high[axis][k] != its.high[axis][l])
+        return false;
+    return true;
+  }
+
   Triangle corners(Index triangle) const {
     const std::size_t corner = std::size_t{3} * triangle;
     return {positions_[indices_[corner]], positions_[indices_[corner + 1]],

@@ -2,7 +2,6 @@
 #include "measure/hausdorff.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -76,21 +75,12 @@ class Surface {
   // Where they are many, they are close to each other in the tree's order. The others are listed.
   bool hasCopies() {
     constexpr std::size_t kClose = 4;
-    struct Seen {
-      double low, high;  // the least and the largest x, which tell most triangles apart
-      Triangle corners;
-    };
-    std::array<Seen, kClose> last;
-    std::vector<char> isCopy(triangles.size(), 0);
-    for (std::size_t i = 0; i < isCopy.size(); ++i) {
-      const Index t = tree.order()[i];
-      const Triangle corners = triangles[t];
-      const auto [low, high] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
-      for (std::size_t k = 0; k < std::min(i, kClose); ++k)
-        if (last[k].low == low && last[k].high == high && isSame(corners, last[k].corners))
-          isCopy[t] = 1;
-      last[i % kClose] = {low, high, corners};
-    }
+    const std::span<const Index> order = tree.order();
+    std::vector<char> isCopy(order.size(), 0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t k = i - std::min(i, kClose); k < i; ++k)
+        if (tree.haveSameBox(i, k) && isSame(triangles[order[i]], triangles[order[k]]))
+          isCopy[order[i]] = 1;
     if (std::find(isCopy.begin(), isCopy.end(), 1) == isCopy.end()) return false;
     for (std::size_t i = 0; i < triangles.indices.size(); ++i)
       if (isCopy[i / 3] == 0) distinct_.push_back(triangles.indices[i]);

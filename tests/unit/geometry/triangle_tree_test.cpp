@@ -61,6 +61,16 @@ TEST_CASE("triangle: the closest point has no corner of the triangle on its far 
   }
 }
 
+TEST_CASE("triangle_tree: copies of a triangle have the same box, others have not") {
+  TriangleMesh mesh = soups::randomSoup(50, 0.2, 3);
+  for (Index t = 0; t < 50; ++t)
+    for (const Index corner : {1, 2, 0}) mesh.indices.push_back(3 * t + corner);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  for (std::size_t i = 0; i < 100; ++i)
+    for (std::size_t k = 0; k < 100; ++k)
+      CHECK(tree.haveSameBox(i, k) == (tree.order()[i] % 50 == tree.order()[k] % 50));
+}
+
 TEST_CASE("triangle_tree: nearest agrees with looking at every triangle, from any start") {
   for (const std::size_t n : {1u, 4u, 5u, 17u, 300u}) {
     const TriangleMesh mesh = soups::randomSoup(n, 0.2, n);
