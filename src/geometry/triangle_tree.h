@@ -86,7 +86,7 @@ class TriangleTree {
 
     Group();
     void set(Eigen::Index member, const Box& box);
-    Box hull() const;
+    void enclose(std::span<const Group> members);
   };
   // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
   // order_[4g + k].
