@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew and light: normals that no shape explains stay, and what is shown without
-// light gets no normals to carry.
+// Textures painted anew and light: normals that no shape explains stay, what is shown without light
+// gets no normals to carry, and what light shines through is drawn in its order.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -79,5 +79,24 @@ test('what is shown without light gets neither normal maps nor tangents', async 
     const { name, normalTexture } = ofBoth.materials[material];
     assert.equal('TANGENT' in attributes, name === 'lit');
     assert.equal(normalTexture !== undefined, name === 'lit');
+  }
+});
+
+test('what can be seen through is drawn in the order that it was drawn in', async () => {
+  const maker = new GltfMaker();
+  maker.tree.materials = [{ alphaMode: 'BLEND' }];
+  const { positions, indices } = torus();
+  const height = (vertex) => positions[3 * vertex + 2];
+  const upwards = Array.from({ length: indices.length / 3 },
+    (_, t) => [...indices.subarray(3 * t, 3 * t + 3)]).sort(([a], [b]) => height(a) - height(b));
+  const drawn = { ...addTorus(maker, { material: 0 }),
+    indices: maker.addIndices(Uint32Array.from(upwards.flat())) };
+  const { primitive } = await baked(await bake(maker.show([drawn]).glb()));
+  let highest = -1;
+  for (let t = 0; t < primitive.indices.length; t += 3) {
+    const [, middle] = primitive.indices.slice(t, t + 3)
+      .map((vertex) => primitive.POSITION[vertex][2]).sort((a, b) => a - b);
+    assert.ok(middle > highest - 0.42, `${middle} after ${highest}`); // two rows of them
+    highest = Math.max(highest, middle);
   }
 });

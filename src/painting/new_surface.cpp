@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "painting/new_surface.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/place.h"
@@ -15,6 +17,22 @@ Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
 
 // What tells the copies of a vertex apart.
 using CopyKey = std::array<double, 10>;
+
+// The triangles as the original draws what they lie on: where one can be seen through, what comes
+// later lies over what came before.
+std::vector<Index> drawingOrder(std::span<const InputPlace> places) {
+  std::vector<Index> middles, order(places.size() / 3);
+  for (std::size_t h = 0; h < places.size(); h += 3) {
+    std::array<Index, 3> drawn = {places[h].triangle, places[h + 1].triangle,
+                                  places[h + 2].triangle};
+    std::sort(drawn.begin(), drawn.end());
+    middles.push_back(drawn[1]);
+  }
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return middles[a] < middles[b]; });
+  return order;
+}
 
 void append(Attribute& to, const Attribute& from, Index vertex) {
   const auto first = from.values.begin() + std::ptrdiff_t(vertex) * from.itemSize;
@@ -51,7 +69,7 @@ TriangleMesh NewSurface::painted() const {
     result.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   Attribute normals{"NORMAL", 3, {}}, tangents{"TANGENT", 4, {}}, texcoords{"TEXCOORD_0", 2, {}};
   std::map<CopyKey, Index> copies;
-  for (Index h = 0; h < mesh_.indices.size(); ++h) {
+  const auto addCorner = [&](Index h) {
     const Index v = mesh_.indices[h];
     const Vec3& n = normal(h);
     const Vec2& uv = texcoords_[h];
@@ -60,15 +78,18 @@ TriangleMesh NewSurface::painted() const {
                          uv.y(),    t.x(), t.y(), t.z(), t.w()};
     const auto [copy, isNew] = copies.emplace(key, Index(result.positions.size()));
     result.indices.push_back(copy->second);
-    if (!isNew) continue;
+    if (!isNew) return;
     result.positions.push_back(mesh_.positions[v]);
     for (std::size_t a = 0; a < mesh_.attributes.size(); ++a)
       append(result.attributes[a], mesh_.attributes[a], v);
     for (const double x : n) normals.values.push_back(float(x));
     for (const double x : t) tangents.values.push_back(float(x));
     for (const double x : uv) texcoords.values.push_back(float(x));
+  };
+  for (const Index t : drawingOrder(places_)) {
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) addCorner(h);
+    if (!mesh_.groups.empty()) result.groups.push_back(mesh_.groups[t]);
   }
-  result.groups = mesh_.groups;
   for (Attribute* const made : {&normals, &tangents, &texcoords})
     if (made != &tangents || hasTangents_) result.attributes.push_back(std::move(*made));
   return result;
