@@ -15,6 +15,9 @@ namespace {
 const double kHard = std::cos(radians(30));
 // Normals farther than this from their own shape were meant to be: a cube's, rounded, are 55° off.
 const double kForeign = std::cos(radians(60));
+// Where so many of a piece's corners have such normals all were meant to be as they are: triangles
+// between the two kinds are streaked, for over them normals turn too far.
+constexpr double kMostlyForeign = 0.2;
 
 class Shader {
  public:
@@ -34,13 +37,14 @@ class Shader {
       shared_.unite(a, nextCorner(b));
       shared_.unite(nextCorner(a), b);
     }
+    std::vector<double> agreements;
+    for (Index h = 0; h < indices_.size(); ++h)
+      agreements.push_back(original[h].dot(source.faceNormal(places[h].triangle)));
+    const std::vector<Vec3> shapes = sharedNormals(), given = means(original);
+    const std::vector<char> isForeign = foreignCorners(agreements, shapes, given);
     std::vector<CornerNormals> result;
-    const std::vector<Vec3> given = foreignNormals(original, places, source);
-    for (const Vec3& shape : sharedNormals()) {
-      const Vec3& light = given[shared_.find(Index(result.size()))];
-      const bool isForeign = !light.isZero() && light.dot(shape) < kForeign;
-      result.push_back({shape, isForeign ? light : shape});
-    }
+    for (Index h = 0; h < indices_.size(); ++h)
+      result.push_back({shapes[h], isForeign[h] ? given[h] : shapes[h]});
     return result;
   }
 
@@ -69,19 +73,38 @@ class Shader {
     return result;
   }
 
-  // By the first of the corners that share it, the mean of the original's normals there; zero where
-  // the original's shape has it, too.
-  std::vector<Vec3> foreignNormals(std::span<const Vec3> original,
-                                   std::span<const InputPlace> places, const PaintSource& source) {
-    std::vector<Vec3> sums(indices_.size(), Vec3::Zero());
-    std::vector<double> beyond(indices_.size(), 0);  // how much less than allowed normals agree
+  // Per corner, the direction of the mean over those that share it.
+  std::vector<Vec3> means(std::span<const Vec3> normals) {
+    std::vector<Vec3> sums(normals.size(), Vec3::Zero()), result;
+    for (Index h = 0; h < normals.size(); ++h) sums[shared_.find(h)] += normals[h];
+    for (Index h = 0; h < normals.size(); ++h)
+      result.push_back(unitOr(sums[shared_.find(h)], normals[h]));
+    return result;
+  }
+
+  // Whether a corner takes the given normal, which is neither that of the original's shape nor of
+  // the new one there, or mostly so all over its piece. agreements: of the original's normals with
+  // its shape.
+  std::vector<char> foreignCorners(std::span<const double> agreements, std::span<const Vec3> shapes,
+                                   std::span<const Vec3> given) {
+    std::vector<double> beyond(indices_.size(), 0);
+    DisjointSets pieces = shared_;
     for (Index h = 0; h < indices_.size(); ++h) {
-      sums[shared_.find(h)] += original[h];
-      beyond[shared_.find(h)] += kForeign - original[h].dot(source.faceNormal(places[h].triangle));
+      beyond[shared_.find(h)] += kForeign - agreements[h];
+      pieces.unite(h, nextCorner(h));
     }
-    for (Index h = 0; h < indices_.size(); ++h)
-      sums[h] = beyond[h] > 0 ? sums[h].stableNormalized() : Vec3(Vec3::Zero());
-    return sums;
+    std::vector<Index> corners(indices_.size(), 0), foreign = corners;
+    std::vector<char> result;
+    for (Index h = 0; h < indices_.size(); ++h) {
+      result.push_back(beyond[shared_.find(h)] > 0 && given[h].dot(shapes[h]) < kForeign);
+      ++corners[pieces.find(h)];
+      if (result[h]) ++foreign[pieces.find(h)];
+    }
+    for (Index h = 0; h < indices_.size(); ++h) {
+      const Index piece = pieces.find(h);
+      if (foreign[piece] > kMostlyForeign * corners[piece]) result[h] = 1;
+    }
+    return result;
   }
 
   std::span<const Vec3> positions_;
