@@ -16,6 +16,13 @@ constexpr double kLeastAgreement = 0.1;
 constexpr double kEdge = 1e-7;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+// Whether a triangle comes into a ball; most do with a corner, which is told soonest.
+bool comesWithin(const Triangle& t, const Vec3& center, double radius) {
+  const auto isInside = [&](const Vec3& p) { return (p - center).norm() <= radius; };
+  return std::any_of(t.begin(), t.end(), isInside) ||
+         isInside(closestPoint(center, t[0], t[1], t[2]));
+}
+
 }  // namespace
 
 SideFinder::SideFinder(const PaintSource& source)
@@ -38,9 +45,7 @@ void SideFinder::enter(const NewTriangle& triangle) {
   };
   for (const InputPlace& place : triangle.places) add(place.triangle);
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    const Triangle s = source_.corners(near_[i]);
-    const bool isNear = (closestPoint(center, s[0], s[1], s[2]) - center).norm() <= reach_;
-    if (!isNear) continue;
+    if (!comesWithin(source_.corners(near_[i]), center, reach_)) continue;
     for (Index k = 0; k < 3; ++k)
       for (const Index t : source_.around(3 * near_[i] + k)) add(t);
   }
