@@ -20,9 +20,20 @@ function directions() {
     corners.findIndex((other) => other.distanceTo(corner) < 1e-3) === i);
 }
 
-async function sceneOf(url) {
+/** Textures that are seen aslant, or whose texels are longer than wide, are not filtered as wide as
+ * long, if a viewer asks for it. */
+function filterAlong(model, anisotropy) {
+  model.traverse(({ material }) => {
+    const maps = Object.values(material ?? {}).filter((value) => value?.isTexture);
+    for (const map of maps) map.anisotropy = anisotropy;
+  });
+}
+
+async function sceneOf(url, anisotropy = 1) {
   const scene = new Scene();
-  scene.add((await new GLTFLoader().loadAsync(url)).scene);
+  const model = (await new GLTFLoader().loadAsync(url)).scene;
+  filterAlong(model, anisotropy);
+  scene.add(model);
   scene.add(new HemisphereLight(new Color(1, 1, 1), new Color(0.3, 0.3, 0.3), 2));
   const light = new DirectionalLight(new Color(1, 1, 1), 2);
   light.position.set(1, 2, 3);
@@ -113,8 +124,8 @@ window.picture = async (url, view) => {
 };
 
 /** views: the numbers of the directions; all twelve if none are given. */
-window.compare = async (first, second, { forbidden, views } = {}) => {
-  const [before, after] = await Promise.all([sceneOf(first), sceneOf(second)]);
+window.compare = async (first, second, { forbidden, views, anisotropy } = {}) => {
+  const [before, after] = await Promise.all([first, second].map((url) => sceneOf(url, anisotropy)));
   const { center, radius } = new Box3().setFromObject(before).getBoundingSphere(new Sphere());
   const camera = new PerspectiveCamera(40, 1, radius, 5 * radius);
   const from = directions();
