@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "accuracy/star_search.h"
 #include "geometry/triangle_tree.h"
@@ -18,6 +19,20 @@ namespace {
 TriangleMesh bumpySphere() {
   TriangleMesh mesh = shapes::icosphere(6);
   for (std::size_t i = 0; i < mesh.positions.size(); i += 29) mesh.positions[i] *= 1.12;
+  return mesh;
+}
+
+// Two spheres one in the other, nearer to each other than an edge is long, with bumps of the inner
+// one that reach into what those of the outer one leave.
+TriangleMesh dentedSkins() {
+  TriangleMesh mesh = shapes::icosphere(5);
+  const auto count = Index(mesh.positions.size());
+  for (const Index v : std::vector(mesh.indices)) mesh.indices.push_back(count + v);
+  for (Index i = 0; i < count; ++i) {
+    const Vec3 p = mesh.positions[i];
+    mesh.positions.push_back((i % 29 == 0 ? 1.08 : 0.97) * p);
+    if (i % 29 == 0) mesh.positions[i] = 1.12 * p;
+  }
   return mesh;
 }
 
@@ -115,6 +130,25 @@ TEST_CASE("star search: the best place is nowhere farther than the first, and ke
     CHECK(distances.around(Vertex(i), search.best()) == search.distance());
   }
   CHECK(improved > 0);
+}
+
+TEST_CASE("star search: between two skins the best place lets no triangles pass through others") {
+  shapes::TestRun test(dentedSkins());
+  wearDown(test);
+  TwoSidedDistance distances(test.run);
+  const Crossings crossings(test.mesh);
+  int improved = 0;
+  for (Index i = 0; i < test.mesh.mesh().vertexCapacity(); ++i) {
+    StarSearch search(test.run, crossings, distances, {Vertex(i), radians(20)});
+    const double before = search.distance();
+    search.descend(0);
+    if (search.distance() == before) continue;
+    LocalChange change;
+    proposePlacement(test.mesh, Vertex(i), search.best(), change);
+    CHECK_FALSE(crossings.grow(change));
+    ++improved;
+  }
+  CHECK(improved > 100);
 }
 
 TEST_CASE("lower Hausdorff: the largest distance falls and no good triangle is lost") {
