@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <tuple>
-#include <utility>
 
 #include "geometry/triangle.h"
 #include "surface/surface_walk.h"
@@ -22,8 +20,7 @@ constexpr double kBesideIt = 0.05;  // of the target edge length
 // An edge follows the original where its slope to both tangent planes is less and they face the
 // same way: sine and cosine.
 constexpr double kSlope = 0.1, kAlongIt = 0.97;
-// A walk from one corner may end in a local minimum: what is farther than this is tried from the
-// others too.
+// A walk may end in a local minimum: what is farther than this is asked of all of the original.
 constexpr double kMayBeLocal = 0.2;  // of the mean target edge length
 // An edge whose middle is nearer than this share of the farthest so far decides nothing.
 constexpr double kDecides = 0.4;
@@ -59,22 +56,12 @@ SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
   return startAt(HalfedgeMesh::halfedge(f, nearest));
 }
 
-// By a walk from `place`, which is moved to where it ends. Where that is far off the corners are
-// tried, and then all of the original: at once where it has come to that before.
-double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f, SurfacePoint& place) const {
+// By a walk from `place`, which is moved to where it ends; where that is doubtful, of all of the
+// original.
+double TwoSidedDistance::fromOriginal(const Vec3& sample, SurfacePoint& place) const {
   const OriginalSurface& surface = mesh_.surface();
-  const auto walk = [&](const SurfacePoint& start) {
-    const SurfacePoint near = closestPointFrom(surface, start, sample);
-    return std::pair{(surface.position(near) - sample).norm(), near};
-  };
-  double nearest;
-  std::tie(nearest, place) = walk(place);
-  for (int i = 0; i < 3 && !tree_ && nearest > doubtful_; ++i) {
-    const auto [distance, near] = walk(startAt(HalfedgeMesh::halfedge(f, i)));
-    if (distance >= nearest) continue;
-    nearest = distance;
-    place = near;
-  }
+  place = closestPointFrom(surface, place, sample);
+  const double nearest = (surface.position(place) - sample).norm();
   if (nearest <= doubtful_) return nearest;
   if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
   const MeshTree::Nearest found = tree_->nearest(sample, place.face);
@@ -84,7 +71,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f, SurfacePoint& 
 
 double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   SurfacePoint place = startNear(sample, f);
-  return fromOriginal(sample, f, place);
+  return fromOriginal(sample, place);
 }
 
 // The samples lie side by side: where the walk to one ends that to the next begins.
@@ -94,7 +81,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f,
   const auto measure = [&](std::initializer_list<double> shares) {
     SurfacePoint place = startNear(from, f);
     for (const double t : shares) {
-      farthest = std::max(farthest, fromOriginal((1 - t) * from + t * to, f, place));
+      farthest = std::max(farthest, fromOriginal((1 - t) * from + t * to, place));
       if (farthest > limit) return;
     }
   };

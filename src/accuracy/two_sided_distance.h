@@ -56,7 +56,7 @@ class TwoSidedDistance {
   void measureNear(Place& place) const;
   SurfacePoint startAt(Halfedge corner) const;
   SurfacePoint startNear(const Vec3& sample, Face f) const;
-  double fromOriginal(const Vec3& sample, Face f, SurfacePoint& place) const;
+  double fromOriginal(const Vec3& sample, SurfacePoint& place) const;
   double fromOriginal(const Vec3& sample, Face f) const;
   double fromOriginal(const Vec3& from, const Vec3& to, Face f,
                       double limit = std::numeric_limits<double>::infinity()) const;
