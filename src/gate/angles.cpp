@@ -27,9 +27,8 @@ AngleLimit::AngleLimit(double angle) : angle_(angle) {
   squaredTangent_ = kSurely * at.y() * at.y() / (at.x() * at.x());
 }
 
-bool AngleLimit::isSurelyBelow(const Triangle& t) const {
-  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0];
-  const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (t[2] - t[1]).squaredNorm();
+bool AngleLimit::isSurelyBelow(const Vec3& ab, const Vec3& ac) const {
+  const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (ac - ab).squaredNorm();
   // Times the same two sides: the cosine of the angle opposite the shortest side, and the sine.
   const double cosine = 0.5 * (a + b + c) - std::min({a, b, c});
   return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
@@ -38,7 +37,18 @@ bool AngleLimit::isSurelyBelow(const Triangle& t) const {
 bool AngleLimit::isAbove(const WorkingMesh& mesh, Face f, const Grain& grain) const {
   const Triangle t = mesh.corners(f);
   const bool isFlat = grain.size > 0 && isLine(t, grain);
-  return isFlat || (!isSurelyBelow(t) && minAngle(t[0], t[1], t[2]) < angle_);
+  return isFlat ||
+         (!isSurelyBelow(t[1] - t[0], t[2] - t[0]) && minAngle(t[0], t[1], t[2]) < angle_);
+}
+
+bool AngleLimit::isAboveAround(const Star& star, const Vec3& center) const {
+  Vec3 before = star.position(star.size() - 1) - center;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Vec3 spoke = star.position(i) - center;
+    if (!isSurelyBelow(before, spoke)) return true;
+    before = spoke;
+  }
+  return false;
 }
 
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gate/fidelity.h"
+#include "operators/star.h"
 
 namespace remesher {
 
@@ -17,9 +18,11 @@ class AngleLimit {
 
   // Whether the smallest angle of f is less.
   bool isAbove(const WorkingMesh& mesh, Face f, const Grain& grain = {}) const;
+  // Whether that of a triangle around the star's centre is, or is hardly more, were it there.
+  bool isAboveAround(const Star& star, const Vec3& center) const;
 
  private:
-  bool isSurelyBelow(const Triangle& t) const;
+  bool isSurelyBelow(const Vec3& ab, const Vec3& ac) const;
 
   double angle_, squaredTangent_;
 };

@@ -38,6 +38,7 @@ constexpr double kMostGrowth = 1.25;
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.3;  // of the mean spoke
 constexpr double kLastStep = 0.02;
+constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // Around a sharp tip no place on the surface is better, but one a little off it.
 constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
 constexpr double kRolledOut = 1e-3;                  // radians
@@ -80,19 +81,25 @@ void offerFlips(Run& run, Face f, Best& best) {
 // crumpled that every such place folds the star over, on the mesh itself.
 enum class Ground { Original, Mesh };
 
-// To `p` in the plane of v's polar map.
-bool proposeMove(Run& run, const PolarMap& star, const Vec2& p, Ground ground) {
-  const auto location = star.locate(p);
+struct Wanted {
+  Ground ground;
+  AngleLimit angle;
+};
+
+// To `p` in the plane of a vertex's polar map; none if an angle is too small before the place is
+// even projected, which costs most.
+bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wanted) {
+  const auto location = map.locate(p);
   if (!location) return false;
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  const Vertex a = star.neighbor(location->triangle);
-  const Halfedge h = mesh.find(star.center(), a);
+  const Vertex a = map.neighbor(location->triangle);
+  const Vertex b = map.neighbor(map.after(location->triangle));
   const Vec3& w = location->barycentric;
+  const Vec3 onMesh = w[0] * run.mesh.position(map.center()) + w[1] * run.mesh.position(a) +
+                      w[2] * run.mesh.position(b);
+  if (wanted.angle.isAboveAround(run.star, onMesh)) return false;
+  const Halfedge h = run.mesh.mesh().find(map.center(), a);
   if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
-  if (ground == Ground::Mesh)
-    run.change.place.position = w[0] * run.mesh.position(star.center()) +
-                                w[1] * run.mesh.position(a) +
-                                w[2] * run.mesh.position(mesh.opposite(h));
+  if (wanted.ground == Ground::Mesh) run.change.place.position = onMesh;
   return true;
 }
 
@@ -100,9 +107,10 @@ bool proposeMove(Run& run, const PolarMap& star, const Vec2& p, Ground ground) {
 void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior) return;
   if (run.mesh.isPinned(v) && ground == Ground::Original) return;
-  PolarMap star;
-  star.build(run.mesh.mesh(), run.mesh.positions(), v);
-  const double spoke = star.meanSpoke();
+  PolarMap map;
+  map.build(run.mesh.mesh(), run.mesh.positions(), v);
+  run.star.gather(run.mesh, v);
+  const double spoke = map.meanSpoke();
   std::array<Vec2, kDirections> directions;
   for (int i = 0; i < kDirections; ++i) {
     const double turn = 2 * std::numbers::pi * i / kDirections;
@@ -110,13 +118,15 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   }
   Vec2 at = Vec2::Zero();
   double angle = 0;
+  Wanted wanted{ground, AngleLimit(0)};
   for (double step = kFirstStep; step >= kLastStep; step /= 2) {
     for (const Vec2& direction : directions) {
       const Vec2 to = at + step * spoke * direction;
-      if (!proposeMove(run, star, to, ground)) continue;
+      if (!proposeMove(run, map, to, wanted)) continue;
       const double worst = smallestComingAngle(run.mesh, run.change, run.rule.grain, angle);
       if (worst <= angle) continue;
       angle = worst;
+      wanted.angle = AngleLimit(std::max(0.0, angle - kByProjecting));
       at = to;
       best.offer(run, worst);
     }
