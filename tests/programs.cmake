@@ -2,6 +2,7 @@
 # The native programs: unit tests, the judge of the benchmark, what developers run by hand.
 add_executable(unit_tests
   tests/unit/accuracy/bound_error_test.cpp
+  tests/unit/accuracy/fit_test.cpp
   tests/unit/accuracy/lower_hausdorff_test.cpp
   tests/unit/accuracy/poor_regions_test.cpp
   tests/unit/accuracy/refine_excess_test.cpp

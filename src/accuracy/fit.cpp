@@ -25,85 +25,72 @@ constexpr double kStillMoves = 0.003;  // of the target length
 // draft, which moves vertices once, the last polish sees to that.
 constexpr double kKeepAngle = radians(33);
 
-// Sample points of a triangle: two symmetric orbits of three and the centre.
-constexpr double kNear = 0.7, kNearRest = 0.15, kFar = 0.1, kFarRest = 0.45;
-constexpr std::array<std::array<double, 3>, 7> kSamples = {{
-    {kNear, kNearRest, kNearRest},
-    {kNearRest, kNear, kNearRest},
-    {kNearRest, kNearRest, kNear},
-    {kFar, kFarRest, kFarRest},
-    {kFarRest, kFar, kFarRest},
-    {kFarRest, kFarRest, kFar},
-    {1.0 / 3, 1.0 / 3, 1.0 / 3},
-}};
+// The mean over a triangle by a rule that is exact to squares: so much of it at each corner, and at
+// its middle. At the corners, which have their places, it costs nothing.
+constexpr double kAtCorner = 1.0 / 12, kAtMiddle = 3.0 / 4;
 
-struct Offset {
-  double sum = 0;
-  double weight = 0;
-};
+// For each vertex what the triangles around it are far from the original on average, signed along
+// their normals: of every sample it has the share that is its weight among the three corners.
+class Offsets {
+ public:
+  explicit Offsets(const WorkingMesh& mesh)
+      : mesh_(mesh), middles_(mesh.mesh().vertexCapacity()), found_(mesh.mesh().faceCapacity()) {}
 
-// Where the samples of a triangle were found on the original: the next search begins there.
-using NearFaces = std::array<Face, kSamples.size()>;
+  void clear() { middles_.assign(middles_.size(), {}); }
 
-// A draft looks at the middle alone. Where the original bends evenly, the mean distance of a
-// triangle whose corners lie on it is so much of that.
-constexpr double kMeanOfMiddle = 0.75;
-
-// The signed distance from the middle of a triangle to the original, for its corners.
-void addMiddle(const WorkingMesh& mesh, Face f, VertexData<Offset>& offsets) {
-  const auto corners = mesh.mesh().vertices(f);
-  const Triangle p = mesh.corners(f);
-  const Vec3 n = areaVector(p[0], p[1], p[2]), middle = (p[0] + p[1] + p[2]) / 3;
-  const double area = n.norm();
-  if (!(area > 0)) return;
-  const OriginalSurface& surface = mesh.surface();
-  const SurfacePoint near =
-      closestPointFrom(surface, mesh.cornerPoint(HalfedgeMesh::halfedge(f)), middle);
-  const double distance = kMeanOfMiddle * (surface.position(near) - middle).dot(n);
-  for (const Vertex v : corners) {
-    offsets[v].sum += distance;
-    offsets[v].weight += area;
-  }
-}
-
-// The signed distances from the samples of a triangle to the original, shared out to its corners.
-void addOffsets(const WorkingMesh& mesh, Face f, NearFaces& near, VertexData<Offset>& offsets) {
-  const auto corners = mesh.mesh().vertices(f);
-  const std::array<Vec3, 3> p = {mesh.position(corners[0]), mesh.position(corners[1]),
-                                 mesh.position(corners[2])};
-  const Vec3 n = areaVector(p[0], p[1], p[2]);
-  const double area = n.norm();
-  if (!(area > 0)) return;
-  const OriginalSurface& surface = mesh.surface();
-  SurfacePoint point = mesh.cornerPoint(HalfedgeMesh::halfedge(f));
-  for (std::size_t k = 0; k < kSamples.size(); ++k) {
-    const auto& w = kSamples[k];
-    const Vec3 sample = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
-    if (near[k]) point.face = near[k];
-    point = closestPointFrom(surface, point, sample);
-    near[k] = point.face;
-    const double distance = (surface.position(point) - sample).dot(n) / area;
-    for (int i = 0; i < 3; ++i) {
-      offsets[corners[i]].sum += area * w[i] * distance;
-      offsets[corners[i]].weight += area * w[i];
+  void addMiddle(Face f) {
+    const auto [a, b, c] = mesh_.corners(f);
+    const Vec3 normal = areaVector(a, b, c), middle = (a + b + c) / 3;
+    const double volume = wayToOriginal(f, middle).dot(normal);
+    for (const Vertex v : mesh_.mesh().vertices(f)) {
+      middles_[v].volume += kAtMiddle / 3 * volume;
+      middles_[v].area += normal.norm() / 3;
     }
   }
-}
+
+  // Once the middles around v are known. normal: the sum of the area vectors around it.
+  double at(Vertex v, const Vec3& normal) const {
+    const Vec3 way = mesh_.surface().position(mesh_.at(v)) - mesh_.position(v);
+    return (middles_[v].volume + kAtCorner * way.dot(normal)) / middles_[v].area;
+  }
+
+ private:
+  struct Sum {
+    double volume = 0;  // areas times distances
+    double area = 0;
+  };
+
+  // From the middle of f, by a walk from its first corner, or from where the last one has ended.
+  Vec3 wayToOriginal(Face f, const Vec3& middle) {
+    const OriginalSurface& surface = mesh_.surface();
+    const SurfacePoint start = found_[f] ? SurfacePoint{found_[f], Vec3::Constant(1.0 / 3)}
+                                         : mesh_.cornerPoint(HalfedgeMesh::halfedge(f));
+    const SurfacePoint point = closestPointFrom(surface, start, middle);
+    found_[f] = point.face;
+    return surface.position(point) - middle;
+  }
+
+  const WorkingMesh& mesh_;
+  VertexData<Sum> middles_;
+  FaceData<Face> found_;  // the face of the original nearest to each middle
+};
 
 bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
   const double after = smallestAngleAround(mesh, v, to);
   return after >= kKeepAngle || after >= smallestAngleAround(mesh, v, mesh.position(v));
 }
 
-// Along the mean normal of the triangles around v, by the mean of their samples' distances.
-void offsetVertex(Run& run, Vertex v, double distance) {
+// Along the mean normal of the triangles around v. Returns how far.
+double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
+  const bool isDraft = run.quality == Quality::Draft;
   run.star.gather(run.mesh, v);
   const Vec3 normal = run.star.areaVector(run.mesh.position(v));
-  if (!(normal.norm() > 0)) return;
+  if (!(normal.norm() > 0)) return 0;
+  const double distance = (isDraft ? 1 : kBeyond) * offsets.at(v, normal);
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();
-  if (run.quality == Quality::Best && !staysGood(run.mesh, v, place.position)) return;
-  commitMove(run, v, place);
+  if (isDraft || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);
+  return distance;
 }
 
 bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners) {
@@ -119,29 +106,20 @@ int passesOf(const Run& run) {
 
 void fit(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const bool isDraft = run.quality == Quality::Draft;
-  FaceData<NearFaces> near(isDraft ? 0 : mesh.faceCapacity());
+  Offsets offsets(run.mesh);
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
   const int passes = passesOf(run);
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
-    VertexData<Offset> offsets(mesh.vertexCapacity());
-    for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-      const Face f(i);
-      if (!mesh.isAlive(f) || !anyOf(moves, mesh.vertices(f))) continue;
-      if (isDraft)
-        addMiddle(run.mesh, f, offsets);
-      else
-        addOffsets(run.mesh, f, near[f], offsets);
-    }
+    offsets.clear();
+    for (Index i = 0; i < mesh.faceCapacity(); ++i)
+      if (mesh.isAlive(Face(i)) && anyOf(moves, mesh.vertices(Face(i)))) offsets.addMiddle(Face(i));
     for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
       const Vertex v(i);
-      if (!mesh.isAlive(v) || !moves[v] || offsets[v].weight == 0) continue;
-      const double mean = offsets[v].sum / offsets[v].weight;
-      const double offset = isDraft ? mean : kBeyond * mean;
-      offsetVertex(run, v, offset);
+      if (!mesh.isAlive(v) || !moves[v]) continue;
+      const double offset = offsetVertex(run, v, offsets);
       moves[v] = std::abs(offset) >= kStillMoves * run.sizes.at(run.mesh.at(v));
     }
   }

@@ -50,16 +50,6 @@ double largest(const TwoSidedDistance& distances, const HalfedgeMesh& mesh) {
   return result;
 }
 
-double worstAngle(const WorkingMesh& mesh) {
-  double worst = 10;
-  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i) {
-    if (!mesh.mesh().isAlive(Face(i))) continue;
-    const auto [a, b, c] = mesh.mesh().vertices(Face(i));
-    worst = std::min(worst, minAngle(mesh.position(a), mesh.position(b), mesh.position(c)));
-  }
-  return worst;
-}
-
 }  // namespace
 
 TEST_CASE("places: no distance is smaller than the true one, and few are larger") {
@@ -143,11 +133,11 @@ TEST_CASE("lower Hausdorff: the largest distance falls and no good triangle is l
     shapes::TestRun test(shape);
     wearDown(test);
     const double before = largest(TwoSidedDistance(test.run), test.mesh.mesh());
-    const double angle = worstAngle(test.mesh);
+    const double angle = shapes::worstAngle(test.mesh);
     const std::size_t vertices = test.mesh.mesh().vertexCount();
     lowerHausdorff(test.run);
     CHECK(largest(TwoSidedDistance(test.run), test.mesh.mesh()) < before);
-    CHECK(worstAngle(test.mesh) >= std::min(angle, radians(31)));
+    CHECK(shapes::worstAngle(test.mesh) >= std::min(angle, radians(31)));
     CHECK(test.mesh.mesh().vertexCount() == vertices);
     CHECK(check(test.mesh.mesh()) == "");
   }

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "accuracy/two_sided_distance.h"
-#include "gate/angles.h"
 #include "support/runs.h"
 
 using namespace remesher;
@@ -30,13 +29,6 @@ void crowd(shapes::TestRun& test) {
   }
 }
 
-double worstAngleOf(const WorkingMesh& mesh) {
-  double worst = 10;
-  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
-    if (mesh.mesh().isAlive(Face(i))) worst = std::min(worst, smallestAngle(mesh, Face(i)));
-  return worst;
-}
-
 double farthest(const Run& run) {
   const TwoSidedDistance distances(run);
   double result = 0;
@@ -53,11 +45,11 @@ TEST_CASE("poor regions: no triangle stays below 20°, and the surface stays whe
   options.scheme = Scheme::Rounds;
   test.run.rule = fidelityRule(options);
   crowd(test);
-  REQUIRE(worstAngleOf(test.mesh) < radians(15));
+  REQUIRE(shapes::worstAngle(test.mesh) < radians(15));
   const double before = farthest(test.run);
   const std::size_t vertices = test.mesh.mesh().vertexCount();
   mendPoorRegions(test.run);
-  CHECK(worstAngleOf(test.mesh) >= radians(20));
+  CHECK(shapes::worstAngle(test.mesh) >= radians(20));
   CHECK(farthest(test.run) <= before);
   CHECK(test.mesh.mesh().vertexCount() == vertices);
   CHECK(check(test.mesh.mesh()) == "");

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "gate/angles.h"
 #include "support/working_meshes.h"
 
 using namespace remesher;
@@ -32,10 +31,7 @@ TEST_CASE(
       WorkingMesh mesh(surface);
       Run run{mesh, projector, sizes, {}, quality};
       adaptToSizes(run, vertices, {});
-      double worst = 10;
-      for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
-        if (mesh.mesh().isAlive(Face(i))) worst = std::min(worst, smallestAngle(mesh, Face(i)));
-      CHECK(worst > radians(5));
+      CHECK(shapes::worstAngle(mesh) > radians(5));
       CHECK(mesh.mesh().vertexCount() > 0.9 * double(vertices));
       CHECK(mesh.mesh().vertexCount() < 1.3 * double(vertices));
       CHECK(shapes::checkWorkingMesh(mesh) == "");

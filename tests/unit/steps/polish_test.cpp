@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "gate/angles.h"
 #include "support/runs.h"
 #include "support/soups.h"
 
@@ -50,13 +49,6 @@ OriginalSurface tipped(const TriangleMesh& input) {
   return OriginalSurface(std::move(built), std::move(curves));
 }
 
-double worstAngle(const WorkingMesh& mesh) {
-  double worst = 10;
-  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
-    if (mesh.mesh().isAlive(Face(i))) worst = std::min(worst, smallestAngle(mesh, Face(i)));
-  return worst;
-}
-
 }  // namespace
 
 TEST_CASE("polish: what it takes to prove a bound on the error is in proportion to the mesh") {
@@ -84,9 +76,9 @@ TEST_CASE("polish: around a tip that stays vertices leave the surface a little, 
   Projector projector(surface, Projection::Patches, 2 * sizes.mean());
   WorkingMesh mesh(surface);
   Run run{mesh, projector, sizes, {}};
-  REQUIRE(worstAngle(mesh) < radians(30.1));
+  REQUIRE(shapes::worstAngle(mesh) < radians(30.1));
   polish(run, {radians(33), kSmallShift});
-  CHECK(worstAngle(mesh) >= radians(33));
+  CHECK(shapes::worstAngle(mesh) >= radians(33));
   CHECK(mesh.mesh().vertexCount() == input.positions.size());
   CHECK(mesh.position(Vertex(kTip)) == input.positions[kTip]);
 }

@@ -3,8 +3,11 @@
 // mesh on them whatever was done to it.
 #pragma once
 
+#include <algorithm>
+#include <numbers>
 #include <string>
 
+#include "gate/angles.h"
 #include "geometry/triangle.h"
 #include "mesh/check.h"
 #include "operators/working_mesh.h"
@@ -88,6 +91,14 @@ inline std::string brokenChain(const WorkingMesh& mesh) {
     if (std::abs(covered[c] - chains[c].length()) > 1e-9 * chains[c].length())
       return "a chain is not covered from end to end";
   return {};
+}
+
+// The smallest angle of all its triangles, in radians.
+inline double worstAngle(const WorkingMesh& mesh) {
+  double worst = std::numbers::pi;
+  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
+    if (mesh.mesh().isAlive(Face(i))) worst = std::min(worst, smallestAngle(mesh, Face(i)));
+  return worst;
 }
 
 // The first broken law in words, empty if all hold.
