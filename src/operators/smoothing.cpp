@@ -100,7 +100,7 @@ Vec2 laplacianTarget(const PolarMap& star) {
 
 Vec2 wideTarget(const PolarMap& star) {
   constexpr double kFirstStep = 0.1, kLastStep = 0.02;  // of the mean spoke
-  constexpr int kDirections = 6;
+  constexpr int kDirections = 4;
   const double spoke = star.meanSpoke();
   Vec2 at = Vec2::Zero();
   double cost = costAt(star, at, std::numeric_limits<double>::infinity());
