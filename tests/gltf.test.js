@@ -9,7 +9,7 @@ import { inspect, remeshFile } from 'remesher';
 import { dracoCompressed, meshoptCompressed } from './support/compressed.js';
 import { rejectsWith } from './support/errors.js';
 import { GltfMaker, openGltf, validate, valuesOf } from './support/gltf.js';
-import { sheet } from './support/shapes.js';
+import { sheet, torus } from './support/shapes.js';
 
 const { positions, indices } = sheet(24);
 const small = Uint16Array.from(indices);
@@ -311,6 +311,26 @@ test('an instanced mesh stays instanced, points beside it stay untouched', async
   const points = opened.tree.meshes[0].primitives[1];
   assert.equal(points.mode, 0);
   assert.deepEqual(valuesOf(opened, points.attributes.POSITION).flat(), [...positions]);
+});
+
+test('a model that is turned where it is shown is as far from its result as before', async () => {
+  const mesh = torus({ columns: 60, rows: 30 });
+  const maker = new GltfMaker();
+  maker.show([{
+    attributes: { POSITION: maker.add(Float32Array.from(mesh.positions), 'VEC3') },
+    indices: maker.addIndices(Uint32Array.from(mesh.indices)),
+  }]);
+  const upright = maker.glb();
+  maker.tree.nodes[0].rotation = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
+  const turned = maker.glb();
+  for (const vertices of [700, 701]) {
+    const [{ fidelity: was }, { fidelity: is }] = await Promise.all([upright, turned].map(
+      async (file) => (await remeshFile(file.bytes, { name: file.name, vertices })).report));
+    for (const figure of ['hausdorff', 'rms']) {
+      const change = is[figure] / was[figure] - 1;
+      assert.ok(Math.abs(change) < 0.02, `${figure} of ${vertices}: ${was[figure]}, ${is[figure]}`);
+    }
+  }
 });
 
 test('an attribute that means nothing without another goes with it, in a sentence', async () => {
