@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/extremes.h"
 #include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
 
@@ -30,7 +31,7 @@ AngleLimit::AngleLimit(double angle) : angle_(angle) {
 bool AngleLimit::isSurelyBelow(const Vec3& ab, const Vec3& ac) const {
   const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (ac - ab).squaredNorm();
   // Times the same two sides: the cosine of the angle opposite the shortest side, and the sine.
-  const double cosine = 0.5 * (a + b + c) - std::min({a, b, c});
+  const double cosine = 0.5 * (a + b + c) - least(a, b, c);
   return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
 }
 

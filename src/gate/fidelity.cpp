@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/extremes.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -16,8 +17,8 @@ struct Corners {
   std::array<Vec3, 3> surfaceNormals;
 
   double dot(int i) const { return normal.dot(surfaceNormals[i]); }
-  double worst() const { return std::min({dot(0), dot(1), dot(2)}); }
-  double best() const { return std::max({dot(0), dot(1), dot(2)}); }
+  double worst() const { return least(dot(0), dot(1), dot(2)); }
+  double best() const { return greatest(dot(0), dot(1), dot(2)); }
   std::array<double, 3> pairs() const {
     const auto& n = surfaceNormals;
     return {n[0].dot(n[1]), n[1].dot(n[2]), n[2].dot(n[0])};
@@ -75,14 +76,14 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
   const Vec3 ab = *p[1] - *p[0], ac = *p[2] - *p[0], normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
   const auto isFold = [&](double lean) { return !isUpright(lean, squared, rule); };
-  const bool isFolded = isFold(std::min({normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])}));
+  const bool isFolded = isFold(least(normal.dot(*n[0]), normal.dot(*n[1]), normal.dot(*n[2])));
   for (int i = 0; isFolded && i < 3; ++i) {
     if (!isFold(normal.dot(*n[i]))) continue;
     const bool isMoved = triangle[i] == kMoved;
     if ((isMoved ? moved.kind : mesh.kind(triangle[i])) != VertexKind::Curve) return false;
     if (isFold(normal.dot(isMoved ? moved.across : mesh.normalAcross(triangle[i])))) return false;
   }
-  return isPlain(std::max(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
+  return isPlain(greatest(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
 }
 
 // The smallest N_i·N_T of a triangle, or any that is no fold where none is: the normal of the other
@@ -170,7 +171,7 @@ Vec3 written(const Vec3& p, const Grain& grain) {
 
 bool isLine(const Triangle& triangle, const Grain& grain) {
   const auto& [a, b, c] = triangle;
-  const double longer = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
+  const double longer = greatest((b - a).squaredNorm(), (c - a).squaredNorm());
   if (isPlain(longer, areaVector(a, b, c).squaredNorm(), grain)) return false;
   return flatness(written(a, grain), written(b, grain), written(c, grain)) <= kLine;
 }
@@ -206,10 +207,10 @@ bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule)
   for (std::size_t i = 0, k = last; i <= last; k = i++) {
     const Vec3 spoke = star.position(i) - place.position, normal = before.cross(spoke);
     const double length2 = spoke.squaredNorm(), squared = normal.squaredNorm();
-    const double lean = std::min(
-        {normal.dot(place.normal), normal.dot(star.normal(k)), normal.dot(star.normal(i))});
+    const double lean =
+        least(normal.dot(place.normal), normal.dot(star.normal(k)), normal.dot(star.normal(i)));
     if (!isUpright(lean, squared, rule)) return false;
-    if (!isPlain(std::max(length2Before, length2), squared, rule.grain)) return false;
+    if (!isPlain(greatest(length2Before, length2), squared, rule.grain)) return false;
     before = spoke;
     length2Before = length2;
   }

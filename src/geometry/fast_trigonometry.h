@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/types.h"
+#include "geometry/extremes.h"
 
 namespace remesher {
 
@@ -18,7 +19,7 @@ inline double angleOf(double sine, double cosine) {
   constexpr double kTanEighth = std::numbers::sqrt2 - 1;
   const double adjacent = cosine < 0 ? -cosine : cosine;
   const bool steep = sine > adjacent;
-  const double small = steep ? adjacent : sine, large = steep ? sine : adjacent;
+  const double small = least(sine, adjacent), large = greatest(sine, adjacent);
   if (large == 0) return 0;
   const bool wide = small > kTanEighth * large;
   const double t = wide ? (small - large) / (small + large) : small / large, u = t * t;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/extremes.h"
 #include "geometry/fast_trigonometry.h"
 
 namespace remesher {
@@ -25,7 +26,7 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 double flatness(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+      greatest((b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
   return longest > 0 ? areaVector(a, b, c).norm() / longest : 0;
 }
 
@@ -38,7 +39,7 @@ std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c) {
 double minAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   // Opposite the shortest edge.
   const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double shortest = std::min({ab, bc, ca});
+  const double shortest = least(ab, bc, ca);
   return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * shortest));
 }
 

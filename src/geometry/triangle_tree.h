@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/types.h"
+#include "geometry/extremes.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -22,8 +23,10 @@ struct Box {
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 
   void extend(const Vec3& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      low[axis] = least(low[axis], p[axis]);
+      high[axis] = greatest(high[axis], p[axis]);
+    }
   }
   bool overlaps(const Box& other) const {
     return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/extremes.h"
 #include "geometry/fast_trigonometry.h"
 
 namespace remesher {
@@ -53,7 +54,7 @@ class RowQr {
 double costOf(double cosine) {
   constexpr double kOnTheWhole = 0.001;
   static const double most = std::cos(kWideAngle);
-  const double over = std::max(0.0, cosine - most);
+  const double over = greatest(0, cosine - most);
   return over * over + kOnTheWhole * cosine;
 }
 
@@ -67,8 +68,8 @@ double costOf(double cosine) {
     const Vec2 b = star.rim(star.after(i)) - p, side = b - a;
     if (!(cross(a, b) > 0)) return kEndless;
     const double toB = b.norm(), length = side.norm();
-    sum += costOf(std::max(
-        {a.dot(b) / (toA * toB), -a.dot(side) / (toA * length), b.dot(side) / (toB * length)}));
+    sum += costOf(greatest(a.dot(b) / (toA * toB), -a.dot(side) / (toA * length),
+                           b.dot(side) / (toB * length)));
     if (!(sum < limit)) return kEndless;
     a = b;
     toA = toB;
