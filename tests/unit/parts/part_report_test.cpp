@@ -18,8 +18,8 @@ TriangleMesh shown(const Transform& place) {
 TEST_CASE("part report: a part is measured where it is shown, unless rounding leaves it no shape") {
   const TriangleMesh itself = shown(Transform::Identity());
   Transform wide = Transform::Identity();
-  wide.linear().diagonal() = Vec3(1e12, 1, 1e-12);
-  CHECK(shown(wide).positions.back() == Vec3(4e12, 4, 0));
+  wide.linear().diagonal() = Vec3(1e3, 1, 0.125);
+  CHECK(shown(wide).positions.back() == Vec3(4e3, 4, 0));
   Transform flat = Transform::Identity();
   flat.linear().diagonal() = Vec3(1, 0, 1);
   CHECK(shown(flat).positions == itself.positions);
@@ -32,5 +32,10 @@ TEST_CASE("part report: a part is measured where it is shown, unless rounding le
   line.linear().col(0) = Vec3(-1e30, 3e38, 1);
   line.linear().col(1) = Vec3(1e-6, -1, 0);
   line.linear().col(2) = Vec3(0, 1e-30, 1e-30);
+  CHECK(shown(line).positions == itself.positions);
+  // Axes that point elsewhere, so that none is lost in doubles.
+  line.linear().col(0) = Vec3(1e6, 0, -1e30);
+  line.linear().col(1) = Vec3(0, 1e12, 0);
+  line.linear().col(2) = Vec3(0.5, 1, 1e-6);
   CHECK(shown(line).positions == itself.positions);
 }
