@@ -94,6 +94,7 @@ add_executable(unit_tests
   tests/unit/steps/delaunay_test.cpp
   tests/unit/steps/polish_test.cpp
   tests/unit/steps/relax_test.cpp
+  tests/unit/steps/subdivide_test.cpp
   tests/unit/steps/sweeps_test.cpp
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/curvature_test.cpp

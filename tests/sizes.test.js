@@ -147,6 +147,14 @@ test('sizes that follow curvature lower the largest distance, too', async () => 
   assert.ok(found.hausdorff < plain.hausdorff / 1.5, `${found.hausdorff}, ${plain.hausdorff}`);
 });
 
+test('a thin part keeps both its sides, whatever the number', async () => {
+  // Its tube, at the thinnest 1.3 % of the diagonal in radius, is six or seven edges around.
+  for (let vertices = 4395; vertices < 4520; vertices += 17) {
+    const { report } = await run(signetRing(), { vertices, adaptivity: 0 });
+    assert.ok(report.fidelity.hausdorff < 1.3 / 2, `${vertices}: ${report.fidelity.hausdorff} %`);
+  }
+});
+
 test('edges of a body without a density are as long as asked for on average', async () => {
   const mean = meanEdge((await run(torus(), { edgeLength: 0.1 })).mesh);
   assert.ok(Math.abs(mean / 0.1 - 1) < 0.05, `${mean}`);

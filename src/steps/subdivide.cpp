@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "geometry/triangle.h"
+#include "surface/surface_walk.h"
+
 namespace remesher {
 
 namespace {
@@ -15,6 +18,30 @@ std::size_t countEdges(const HalfedgeMesh& mesh) {
   return (3 * mesh.faceCount() + boundary) / 2;
 }
 
+// So near to the middle of an edge, in its lengths, is no other wall than its own.
+constexpr double kNear = 0.25;
+
+// Where a tube has but three edges around, an edge runs through its inside: the ways to both walls
+// are equally short, and a patch may hold either. From outside the nearest wall is the edge's own.
+// Nothing else judges what subdividing makes.
+Placement middleOf(Run& run, Halfedge h) {
+  const WorkingMesh& mesh = run.mesh;
+  const Placement place = midpoint(mesh, run.projector, h);
+  if (mesh.isCurve(h) || run.projector.mode() == Projection::Current) return place;
+  const HalfedgeMesh& m = mesh.mesh();
+  const Vec3 &a = mesh.position(m.origin(h)), &b = mesh.position(m.tip(h));
+  const Vec3 middle = 0.5 * (a + b);
+  const double length = distance(a, b);
+  if (distance(place.position, middle) < kNear * length) return place;
+  const Vec3 &c = mesh.position(m.opposite(h)), &d = mesh.position(m.opposite(m.twin(h)));
+  const Vec3 outward = (b - a).cross(c - d);  // the sum of the area vectors on both sides
+  if (outward.dot(place.normal) >= 0) return place;
+  const Vec3 outside = middle + 0.5 * length * outward.normalized();
+  const Placement facing =
+      mesh.onSurface(closestPointFrom(mesh.surface(), mesh.cornerPoint(h), outside));
+  return outward.dot(facing.normal) > 0 ? facing : place;
+}
+
 }  // namespace
 
 void subdivide(Run& run) {
@@ -23,8 +50,7 @@ void subdivide(Run& run) {
   std::vector<Placement> midpoints;
   midpoints.reserve(countEdges(mesh));
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
-    if (mesh.isEdge(Halfedge(i)))
-      midpoints.push_back(midpoint(run.mesh, run.projector, Halfedge(i)));
+    if (mesh.isEdge(Halfedge(i))) midpoints.push_back(middleOf(run, Halfedge(i)));
   run.mesh.subdivide(midpoints);
   run.scale /= 2;
 }
