@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -12,7 +13,6 @@
 
 #include "base/legible.h"
 #include "io/formats.h"
-#include "measure/hausdorff.h"
 #include "parts/part_report.h"
 #include "parts/part_scale.h"
 #include "parts/part_targets.h"
@@ -63,12 +63,14 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   PartTargets targets(originals, options);
   const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
   double done = 0;
+  std::optional<ListedTree> tree;  // of the last part
   for (const std::size_t i : targets.order()) {
     const double share = double(originals[i].mesh.triangleCount()) / total;
     const TriangleMesh& mesh = originals[i].mesh;
     RemeshOutcome outcome = remeshSurface(mesh, std::move(run.weldings[i]), targets.of(i),
                                           progress.part(done, done + share));
     targets.given(i, outcome.vertices);
+    tree = std::move(outcome.tree);
     take(run, i, std::move(outcome), mesh);
     done += share;
   }
@@ -77,8 +79,8 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   // Whether a bound is kept shows from both sides only.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
-    run.report.fidelity = measureFidelity(gathered(originals), gathered(run.parts),
-                                          isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled);
+    run.report.fidelity = fidelityOf(
+        originals, run.parts, isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
   return run;
 }
 

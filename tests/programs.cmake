@@ -99,6 +99,7 @@ add_executable(unit_tests
   tests/unit/surface/boundary_places_test.cpp
   tests/unit/surface/curvature_test.cpp
   tests/unit/surface/original_surface_test.cpp
+  tests/unit/surface/original_tree_test.cpp
   tests/unit/surface/surface_walk_test.cpp
   tests/unit/thinning/decimate_test.cpp
   tests/unit/thinning/simplify_test.cpp

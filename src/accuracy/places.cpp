@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/extremes.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
 #include "surface/surface_walk.h"
@@ -221,12 +222,13 @@ class Survey {
     const VertexData<Vec3>& p = mesh_.surface().positions();
     const std::array<double, 3> squared = {squaredLengthOf(f, 0), squaredLengthOf(f, 1),
                                            squaredLengthOf(f, 2)};
-    const auto side = int(std::max_element(squared.begin(), squared.end()) - squared.begin());
+    const double largest = greatest(squared[0], squared[1], squared[2]);
     const double size = run_.scale * run_.sizes.at(corners[0]), between = kBetween * size;
     const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
-    if (squared[side] < between * between && std::all_of(corners.begin(), corners.end(), isNear))
+    if (largest < between * between && std::all_of(corners.begin(), corners.end(), isNear))
       return {};
-    const double longest = std::sqrt(squared[side]);
+    const auto side = int(std::find(squared.begin(), squared.end(), largest) - squared.begin());
+    const double longest = std::sqrt(largest);
     const double steps = std::ceil(longest / (kSpacing * size));
     if (!(steps > 1) || !nearby_[posts_.near(corners[0])]) return {};
     const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;

@@ -34,7 +34,8 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
       places_(measurePlaces(run, kBesideIt, kBesideIt)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
-      distance_(mesh_.mesh().faceCapacity(), 0) {
+      distance_(mesh_.mesh().faceCapacity(), 0),
+      tree_(run.tree ? *run.tree : own_.emplace(mesh_.surface())) {
   measureFaces();
   for (Index i = 0; i < places_.size(); ++i) add(i);
 }
@@ -63,8 +64,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& sample, SurfacePoint& place) c
   place = closestPointFrom(surface, place, sample);
   const double nearest = (surface.position(place) - sample).norm();
   if (nearest <= doubtful_) return nearest;
-  if (!tree_) tree_.emplace(surface.mesh(), surface.positions());
-  const MeshTree::Nearest found = tree_->nearest(sample, place.face);
+  const OriginalTree::Nearest found = tree_.nearest(sample, place.face);
   looked_ += found.looked;
   return found.distance;
 }

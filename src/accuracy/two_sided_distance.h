@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "accuracy/places.h"
-#include "geometry/mesh_tree.h"
+#include "surface/original_tree.h"
 
 namespace remesher {
 
@@ -73,7 +73,8 @@ class TwoSidedDistance {
   std::vector<Index> next_;  // the next place of the same triangle, or kNone
   FaceData<Index> first_;    // the first place of a triangle, or kNone
   FaceData<double> distance_;
-  mutable std::optional<MeshTree> tree_;  // of the original, for where walks end in a valley
+  mutable std::optional<OriginalTree> own_;  // if the run has none
+  OriginalTree& tree_;
   mutable std::size_t looked_ = 0;
   std::vector<Changed> gathered_;
   Vertex moved_;  // that they change with, if any

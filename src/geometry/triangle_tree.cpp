@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/space_order.h"
 
@@ -10,14 +11,22 @@ namespace remesher {
 
 namespace {
 
-// Above what rounding to float takes or adds.
-double rounding(double x) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return 0x1p-23 * std::min(std::abs(x), kLargest) + 0x1p-148;
+// Above what rounding to float, and this itself, take or add.
+template <class Lanes>
+Lanes roundings(const Lanes& x) {
+  return 0x1p-22f * x.abs().min(std::numeric_limits<float>::max()) + 0x1p-147f;
 }
 
-float roundedDown(double x) { return static_cast<float>(x - rounding(x)); }
-float roundedUp(double x) { return static_cast<float>(x + rounding(x)); }
+template <class Bounds>
+std::vector<std::array<float, 3>> centresOf(std::span<const Bounds> bounds) {
+  std::vector<std::array<float, 3>> result;
+  result.reserve(bounds.size());
+  for (const auto& [low, high] : bounds) {
+    const auto centre = (0.5f * low + 0.5f * high).eval();
+    result.push_back({centre[0], centre[1], centre[2]});
+  }
+  return result;
+}
 
 // The k-th lane of all four.
 template <class Lanes>
@@ -32,10 +41,10 @@ TriangleTree::Group::Group() {
   for (Lanes& lanes : high) lanes.setConstant(-std::numeric_limits<float>::infinity());
 }
 
-void TriangleTree::Group::set(Eigen::Index member, const Box& box) {
+void TriangleTree::Group::set(Eigen::Index member, const Bounds& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    low[axis][member] = roundedDown(box.low[static_cast<Eigen::Index>(axis)]);
-    high[axis][member] = roundedUp(box.high[static_cast<Eigen::Index>(axis)]);
+    low[axis][member] = box.low[static_cast<Eigen::Index>(axis)];
+    high[axis][member] = box.high[static_cast<Eigen::Index>(axis)];
   }
 }
 
@@ -55,19 +64,23 @@ void TriangleTree::Group::enclose(std::span<const Group> members) {
   }
 }
 
-TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices)
+TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
+                           Listed listed)
     : positions_(positions), indices_(indices) {
   if (indices.empty()) return;
   for (const Index v : indices) box_.extend(positions[v]);
   origin_ = middle();
-  order_ = orderInSpace(centres());
+  std::vector<Bounds> bounds = allBounds();
+  if (listed == Listed::SideBySide) {
+    order_.resize(bounds.size());
+    std::iota(order_.begin(), order_.end(), Index{0});
+  } else {
+    order_ = orderInSpace(centresOf<Bounds>(bounds));
+  }
   for (std::size_t groups = order_.size(); levels_.empty() || groups > 1;)
     levels_.emplace_back(groups = (groups + 3) / 4);
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    const Box box = boxOf(order_[i]);
-    levels_[0][i / 4].set(static_cast<Eigen::Index>(i % 4),
-                          {box.low - origin_, box.high - origin_});
-  }
+  for (std::size_t i = 0; i < order_.size(); ++i)
+    levels_[0][i / 4].set(static_cast<Eigen::Index>(i % 4), bounds[order_[i]]);
   for (std::size_t level = 1; level < levels_.size(); ++level) {
     const std::span<const Group> members = levels_[level - 1];
     for (std::size_t i = 0; i < members.size(); i += 4)
@@ -100,14 +113,29 @@ Vec3 TriangleTree::middle() const {
   return 0.5 * (box.low + box.high);
 }
 
-std::vector<std::array<float, 3>> TriangleTree::centres() const {
-  std::vector<std::array<float, 3>> result(indices_.size() / 3);
-  for (Index t = 0; t < result.size(); ++t) {
-    const Box box = boxOf(t);
-    const Eigen::Vector3f centre = (0.5 * (box.low + box.high) - origin_).cast<float>();
-    result[t] = {centre[0], centre[1], centre[2]};
-  }
-  return result;
+TriangleTree::Lanes TriangleTree::inFloats(const Vec3& p) const {
+  const Vec3 place = p - origin_;
+  return {float(place[0]), float(place[1]), float(place[2]), 0};
+}
+
+TriangleTree::Bounds TriangleTree::rounded(const Lanes& low, const Lanes& high) {
+  return {low - roundings(low), high + roundings(high)};
+}
+
+// By floats, which the vector unit compares four at a time, and without branches.
+TriangleTree::Bounds TriangleTree::boundsOf(Index triangle) const {
+  const Index* const corner = &indices_[std::size_t{3} * triangle];
+  const Lanes a = inFloats(positions_[corner[0]]), b = inFloats(positions_[corner[1]]),
+              c = inFloats(positions_[corner[2]]);
+  return rounded(a.min(b).min(c), a.max(b).max(c));
+}
+
+// In the list's order.
+std::vector<TriangleTree::Bounds> TriangleTree::allBounds() const {
+  std::vector<Bounds> bounds;
+  bounds.reserve(indices_.size() / 3);
+  for (Index t = 0; 3 * std::size_t{t} < indices_.size(); ++t) bounds.push_back(boundsOf(t));
+  return bounds;
 }
 
 // A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,

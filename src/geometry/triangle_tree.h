@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/types.h"
@@ -42,8 +43,12 @@ class TriangleTree {
     Index looked = 0;  // at so many triangles
   };
 
+  // Whether neighbours in a list are close in space, which saves putting them in order.
+  enum class Listed { Anyhow, SideBySide };
+
   // indices: three per triangle. Every index must name a position, every coordinate be finite.
-  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices);
+  TriangleTree(std::span<const Vec3> positions, std::span<const Index> indices,
+               Listed listed = Listed::Anyhow);
 
   // The point of the triangles nearest to p; none when there are no triangles.
   Nearest nearest(const Vec3& p) const;
@@ -58,6 +63,9 @@ class TriangleTree {
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
+
+  // Of all triangles.
+  const Box& box() const { return box_; }
 
   // The triangles in the tree's order: neighbours in it are close in space.
   std::span<const Index> order() const { return order_; }
@@ -82,13 +90,18 @@ class TriangleTree {
  private:
   using Lanes = Eigen::Array4f;
 
-  // The boxes of four members, relative to the origin and rounded outwards. A missing member's box
-  // is inside out: nothing overlaps it and everything is infinitely far from it.
+  // A box relative to the origin and rounded outwards: the three axes, and a lane of no use.
+  struct Bounds {
+    Lanes low, high;
+  };
+
+  // The boxes of four members, by axis. A missing member's box is inside out: nothing overlaps it
+  // and everything is infinitely far from it.
   struct Group {
-    std::array<Lanes, 3> low, high;  // per axis
+    std::array<Lanes, 3> low, high;
 
     Group();
-    void set(Eigen::Index member, const Box& box);
+    void set(Eigen::Index member, const Bounds& box);
     void enclose(std::span<const Group> members);
   };
   // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
@@ -102,7 +115,10 @@ class TriangleTree {
 
   Box boxOf(Index triangle) const;
   Vec3 middle() const;
-  std::vector<std::array<float, 3>> centres() const;  // relative to the origin
+  Lanes inFloats(const Vec3& p) const;  // relative to the origin
+  static Bounds rounded(const Lanes& low, const Lanes& high);
+  Bounds boundsOf(Index triangle) const;
+  std::vector<Bounds> allBounds() const;
   struct Query;
 
   Query ask(const Vec3& p) const;
@@ -118,6 +134,18 @@ class TriangleTree {
   std::vector<Level> levels_;  // the last one is a single group
 };
 
+// A tree with the list that it is of.
+struct ListedTree {
+  ListedTree(std::span<const Vec3> positions, std::vector<Index> triangles,
+             TriangleTree::Listed listed)
+      : indices(std::move(triangles)), tree(positions, indices, listed) {}
+  ListedTree(ListedTree&&) = default;
+  ListedTree& operator=(ListedTree&&) = default;
+
+  std::vector<Index> indices;  // as TriangleTree's
+  TriangleTree tree;
+};
+
 inline Box TriangleTree::boxOf(Index triangle) const {
   const Triangle t = corners(triangle);
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
@@ -127,7 +155,7 @@ template <class Visit>
 void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
   if (levels_.empty() || !box.overlaps(box_)) return;
   Group wanted;
-  wanted.set(0, {box.low - origin_, box.high - origin_});
+  wanted.set(0, rounded(inFloats(box.low), inFloats(box.high)));
   std::array<Pending, 4 * kDeepest> stack;
   std::size_t top = 0;
   stack[top++] = {static_cast<Index>(levels_.size() - 1), 0, 0};

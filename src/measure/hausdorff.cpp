@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -64,6 +65,10 @@ class Surface {
     if (!hasCopies()) return;
     triangles.indices = distinct_;
     tree = TriangleTree(triangles.positions, triangles.indices);
+  }
+  Surface(const TriangleMesh& mesh, ListedTree known)
+      : triangles(mesh), tree(std::move(known.tree)), distinct_(std::move(known.indices)) {
+    triangles.indices = distinct_;
   }
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
@@ -262,28 +267,32 @@ Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   return {std::sqrt(largest), count > 0 ? std::sqrt(sum / count) : 0};
 }
 
+double diagonalOf(const Box& box) { return (box.high - box.low).norm(); }
+
 double diagonalOf(const TriangleMesh& mesh) {
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
-  return (box.high - box.low).norm();
+  return diagonalOf(box);
 }
 
 }  // namespace
 
 DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result,
-                                   Maximum maximum) {
-  const double diagonal = diagonalOf(original);
+                                   Maximum maximum, std::optional<ListedTree> tree) {
   if (maximum == Maximum::Glimpsed)
-    return {
-        glimpse(Triangles(original), TriangleTree(result.positions, result.indices)), {}, diagonal};
-  const Surface first(original), second(result);
+    return {glimpse(Triangles(original), TriangleTree(result.positions, result.indices)),
+            {},
+            diagonalOf(original)};
+  const Surface first = tree ? Surface(original, *std::move(tree)) : Surface(original);
+  const Surface second(result);
+  const double diagonal = diagonalOf(first.tree.box());
   return {Measurement(first, second, diagonal).run(maximum),
           Measurement(second, first, diagonal).run(maximum), diagonal};
 }
 
 FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh& result,
-                               Maximum maximum) {
-  const DeviationBothWays d = measureDeviation(original, result, maximum);
+                               Maximum maximum, std::optional<ListedTree> tree) {
+  const DeviationBothWays d = measureDeviation(original, result, maximum, std::move(tree));
   if (d.diagonal == 0) return {};
   return {100 * std::max(d.toResult.maximum, d.toOriginal.maximum) / d.diagonal,
           100 * std::max(d.toResult.rms, d.toOriginal.rms) / d.diagonal};

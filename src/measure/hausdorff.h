@@ -7,8 +7,11 @@
 // that: only the points spread by area, which the rms is made of, are measured to the end.
 #pragma once
 
+#include <optional>
+
 #include "base/report.h"
 #include "base/triangle_mesh.h"
+#include "geometry/triangle_tree.h"
 
 namespace remesher {
 
@@ -31,12 +34,14 @@ struct DeviationBothWays {
   double diagonal = 0;   // of the original's bounding box
 };
 
-// Both meshes need a triangle, valid indices and finite coordinates.
+// Both meshes need a triangle, valid indices and finite coordinates. tree: over the original's
+// positions, of all its triangles that have an area, each once, if one is at hand.
 DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result,
-                                   Maximum maximum);
+                                   Maximum maximum, std::optional<ListedTree> tree = {});
 
 // The larger of both directions, in percent of the original's diagonal.
 FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh& result,
-                               Maximum maximum = Maximum::Sampled);
+                               Maximum maximum = Maximum::Sampled,
+                               std::optional<ListedTree> tree = {});
 
 }  // namespace remesher

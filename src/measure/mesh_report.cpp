@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "geometry/extremes.h"
 #include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
 
@@ -70,8 +71,8 @@ struct Sides {
   explicit Sides(const Triangle& t) : twiceArea(areaVector(t[0], t[1], t[2]).norm()) {
     const double a = (t[1] - t[0]).squaredNorm(), b = (t[2] - t[1]).squaredNorm();
     const double c = (t[0] - t[2]).squaredNorm();
-    shortest = std::min({a, b, c});
-    longest = std::max({a, b, c});
+    shortest = least(a, b, c);
+    longest = greatest(a, b, c);
     all = a + b + c;
   }
 

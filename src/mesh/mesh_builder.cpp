@@ -230,9 +230,9 @@ BuiltMesh buildMesh(const TriangleMesh& input, Welding welding) {
 
   Soup soup = gather(input, welding.first);
   const std::size_t placeCount = soup.sources.size();
+  const std::size_t lines = input.triangleCount() - soup.triangles.size();
   warn(warnings, "DEGENERATE_TRIANGLES_REMOVED",
-       "Triangles without three distinct corners were removed.",
-       input.triangleCount() - soup.triangles.size());
+       "Triangles without three distinct corners were removed.", lines);
 
   std::vector<Index> twins = twinsOf(soup, input.triangleCount(), std::move(welding.twins));
   if (twins.empty()) {
@@ -254,6 +254,8 @@ BuiltMesh buildMesh(const TriangleMesh& input, Welding welding) {
        "Vertices where the surface touches itself in a point were separated.", cut.vertices);
 
   BuiltMesh built = assemble(input, std::move(soup), std::move(cut));
+  built.isInSpaceOrder = placeCount >= kManyPlaces;
+  built.lines = lines;
   built.warnings = std::move(warnings);
   return built;
 }

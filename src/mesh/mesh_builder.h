@@ -16,9 +16,11 @@ namespace remesher {
 struct BuiltMesh {
   HalfedgeMesh mesh;
   VertexData<Vec3> positions;
-  HalfedgeData<Index> wedges;  // per corner: the input vertex it came from (its attributes)
-  FaceData<Index> triangles;   // per face: the input triangle it came from
-  VertexData<Index> sources;   // per vertex: the first input vertex at its place
+  HalfedgeData<Index> wedges;   // per corner: the input vertex it came from (its attributes)
+  FaceData<Index> triangles;    // per face: the input triangle it came from
+  VertexData<Index> sources;    // per vertex: the first input vertex at its place
+  bool isInSpaceOrder = false;  // whether what lies side by side in space does so in the lists
+  std::size_t lines = 0;        // triangles of the input without three distinct corners, left out
   std::vector<Warning> warnings;
 };
 

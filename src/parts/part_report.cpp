@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/triangle.h"
 #include "measure/mesh_report.h"
@@ -107,6 +108,14 @@ TriangleMesh gathered(const std::vector<io::Part>& parts) {
   }
   removeLines(all);
   return all;
+}
+
+FidelityReport fidelityOf(const std::vector<io::Part>& originals,
+                          const std::vector<io::Part>& results, Maximum maximum,
+                          std::optional<ListedTree> tree) {
+  if (tree && originals.size() == 1 && placeOf(originals.front()).linear().isIdentity(0))
+    return measureFidelity(originals.front().mesh, gathered(results), maximum, std::move(tree));
+  return measureFidelity(gathered(originals), gathered(results), maximum);
 }
 
 std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more) {

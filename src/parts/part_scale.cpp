@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/extremes.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -27,8 +28,8 @@ using HalfBox = Eigen::AlignedBox3d;
 // Each operator of vectors would be a call here, where size counts.
 void extend(const double* p, double* low, double* high) {
   for (int k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], p[k]);
-    high[k] = std::max(high[k], p[k]);
+    low[k] = least(low[k], p[k]);
+    high[k] = greatest(high[k], p[k]);
   }
 }
 

@@ -18,6 +18,7 @@
 #include "steps/adapt.h"
 #include "steps/apart.h"
 #include "steps/split_obtuse.h"
+#include "surface/original_tree.h"
 
 namespace remesher {
 
@@ -42,6 +43,7 @@ struct Manner {
   double stagger;  // see Run
   Grain grain;
   Rival* rival;  // what may be taken in its stead, if anything
+  OriginalTree& tree;
 };
 
 Grain grainOf(const TriangleMesh& input) {
@@ -124,6 +126,7 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   Run run{mesh, projector, sizes, fidelityRule(options)};
   run.rule.grain = manner.grain;
   run.standIn = original.standIn();
+  run.tree = &manner.tree;
   run.stagger = manner.stagger;
   run.quality = options.quality;
   const std::size_t vertices = original.vertices();
@@ -164,8 +167,9 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
       return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
   const Prepared original(std::move(plan), options, progress);
   Rival rival(original, input);
+  OriginalTree tree(original.surface(), &input);
   const Manner manner{options, input.attributes.empty() ? 0 : kStagger, grainOf(input),
-                      isRivalled ? &rival : nullptr};
+                      isRivalled ? &rival : nullptr, tree};
   const Remeshed remeshed = remeshOriginal(original, manner, progress);
   if (isRivalled)
     if (std::optional<Followed> followed =
@@ -181,7 +185,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
           remeshed.stopped,
           vertices,
           original.warnings(),
-          remeshed.coincident};
+          remeshed.coincident,
+          tree.ofInput()};
 }
 
 }  // namespace remesher

@@ -2,12 +2,14 @@
 // The remesher as one function: build, original surface, scheme, result.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/input_place.h"
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
+#include "geometry/triangle_tree.h"
 #include "soup/welding.h"
 
 namespace remesher {
@@ -19,6 +21,9 @@ struct RemeshOutcome {
   std::size_t vertices = 0;  // distinct positions, but for those that splitObtuse adds
   std::vector<Warning> warnings;
   std::size_t coincident = 0;  // vertices that would be one with others in a file; see moveApart
+  // Over the input's positions, of all its triangles that are no lines, each once: where the run
+  // needed one, and all of them are in the surface.
+  std::optional<ListedTree> tree = {};
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

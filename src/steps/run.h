@@ -17,6 +17,7 @@ namespace remesher {
 // How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
 enum class Boundaries { Even, Staggered };
 
+class OriginalTree;
 class StandIn;
 
 // A part of the original's vertices, how they hang together, and which of them each has gone into.
@@ -36,6 +37,7 @@ struct Run {
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
+  OriginalTree* tree = nullptr;      // of the original, if whoever runs wants it afterwards
   std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
   LocalChange change = {};              // the proposal at hand
   Star star = {};                       // the star at hand

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/extremes.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -28,7 +29,7 @@ VertexData<double> sharpestTurns(const OriginalSurface& surface) {
     if (!(length2 > 0)) continue;
     const Vec3 turn = surface.cornerNormal(mesh.next(h)) - surface.cornerNormal(h);
     const double sharpness = turn.squaredNorm() / length2;
-    for (const Vertex v : {a, b}) result[v] = std::max(result[v], sharpness);
+    for (const Vertex v : {a, b}) result[v] = greatest(result[v], sharpness);
   }
   for (double& turn : result.values()) turn = std::sqrt(turn);
   return result;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "surface/original_surface.h"
 
-#include <Eigen/Geometry>
-
 #include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
 
 namespace remesher {
 
 OriginalSurface::OriginalSurface(BuiltMesh built, FeatureCurves curves)
     : built_(std::move(built)), curves_(std::move(curves)) {
-  Eigen::AlignedBox3d box;
+  Box box;
   for (const Vec3& p : positions().values()) box.extend(p);
-  diagonal_ = box.diagonal().norm();
+  diagonal_ = (box.high - box.low).norm();
   barriers_.assign(mesh().halfedgeCapacity(), 0);
   for (Index h = 0; h < mesh().halfedgeCapacity(); ++h)
     barriers_[Halfedge(h)] = curves_.isCurve(Halfedge(h));

@@ -56,6 +56,20 @@ TEST_CASE("hausdorff: a triangle that is there many times counts once") {
   CHECK(often.toOriginal.rms == once.toOriginal.rms);
 }
 
+TEST_CASE("hausdorff: a tree at hand changes no distance") {
+  const TriangleMesh sphere = soups::sphere(6), cube = soups::cube(-1, 1);
+  const DeviationBothWays expected = proven(sphere, cube);
+  for (const auto listed : {TriangleTree::Listed::Anyhow, TriangleTree::Listed::SideBySide}) {
+    const DeviationBothWays d = measureDeviation(
+        sphere, cube, Maximum::Proven, ListedTree(sphere.positions, sphere.indices, listed));
+    CHECK(d.diagonal == expected.diagonal);
+    CHECK(d.toResult.maximum == Approx(expected.toResult.maximum).epsilon(2e-3));
+    CHECK(d.toOriginal.maximum == Approx(expected.toOriginal.maximum).epsilon(2e-3));
+    CHECK(d.toResult.rms == Approx(expected.toResult.rms).epsilon(2e-2));
+    CHECK(d.toOriginal.rms == expected.toOriginal.rms);
+  }
+}
+
 TEST_CASE("hausdorff: a cube around a cube is farthest at its corners") {
   const TriangleMesh inner = soups::cube(0, 1), outer = soups::cube(-0.1, 1.1);
   const DeviationBothWays d = proven(inner, outer);
