@@ -163,16 +163,22 @@ class Detection {
 
 std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                const std::vector<Halfedge>& features) {
-  VertexData<double> missing = missingAngles(mesh, positions);
+  VertexData<char> isOnFeature(mesh.vertexCapacity(), 0);
+  for (const Halfedge h : features) isOnFeature[mesh.origin(h)] = isOnFeature[mesh.tip(h)] = 1;
   // Along features angles are missing as they must.
-  for (const Halfedge h : features) missing[mesh.origin(h)] = missing[mesh.tip(h)] = 0;
+  const auto missingAt = [&](Vertex v) {
+    return isOnFeature[v] ? 0 : missingAngle(mesh, positions, v);
+  };
+  const VertexData<char> mayBeTip = mayMiss(mesh, positions, kTipAngle);
   std::vector<Vertex> tips;
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
     const Vertex v(i);
-    if (missing[v] < kTipAngle) continue;
+    if (!mayBeTip[v]) continue;
+    const double missing = missingAt(v);
+    if (missing < kTipAngle) continue;
     double beside = 0;
-    mesh.forEachNeighbor(v, [&](Vertex w) { beside += std::abs(missing[w]) / mesh.valence(v); });
-    if (missing[v] >= kMuchSharper * beside) tips.push_back(v);
+    mesh.forEachNeighbor(v, [&](Vertex w) { beside += std::abs(missingAt(w)) / mesh.valence(v); });
+    if (missing >= kMuchSharper * beside) tips.push_back(v);
   }
   return tips;
 }

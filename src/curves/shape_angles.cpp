@@ -41,16 +41,36 @@ HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& no
   return sharp;
 }
 
-VertexData<double> missingAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  VertexData<double> missing(mesh.vertexCapacity(), 2 * std::numbers::pi);
+double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Vertex v) {
+  if (mesh.isBoundary(v)) return 0;
+  double missing = 2 * std::numbers::pi;
+  mesh.forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 a = positions[mesh.tip(h)] - positions[v];
+    const Vec3 b = positions[mesh.opposite(h)] - positions[v];
+    missing -= angleOf(a.cross(b).norm(), a.dot(b));
+  });
+  return missing;
+}
+
+VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                         double angle) {
+  constexpr double kRounding = 1e-6;
+  const double least = 1 - angle / (2 * std::numbers::pi) + kRounding;  // cosine
+  VertexData<char> result(mesh.vertexCapacity(), 0);
+  VertexData<Vec3> first(mesh.vertexCapacity(), Vec3::Zero());  // normal, not unit, at each
   for (Index f = 0; f < mesh.faceCapacity(); ++f) {
     const auto corners = mesh.vertices(Face(f));
-    const auto own = angles(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
-    for (std::size_t i = 0; i < 3; ++i) missing[corners[i]] -= own[i];
+    const Vec3 normal =
+        areaVector(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
+    const double squared = least * least * normal.squaredNorm();
+    for (const Vertex v : corners) {
+      Vec3& own = first[v];
+      if (own.isZero(0)) own = normal;
+      const double product = own.dot(normal);
+      result[v] |= !(product > 0 && product * product >= squared * own.squaredNorm());
+    }
   }
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isBoundary(Vertex(i))) missing[Vertex(i)] = 0;
-  return missing;
+  return result;
 }
 
 std::vector<double> edgeLengths(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {

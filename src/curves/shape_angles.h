@@ -16,8 +16,12 @@ double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Ha
 HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
                               double angle);
 
-// What the angles around each vertex leave of a full turn, in size; 0 on boundaries.
-VertexData<double> missingAngles(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+// What the angles around a vertex leave of a full turn, in size; 0 on a boundary.
+double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Vertex v);
+
+// Per vertex whether so much may be missing. At most 2π (1 − cos φ) is, where all normals around it
+// are within φ of one: seen against that, an angle is wider at least by cos φ.
+VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
 // Per edge, in the order of the halfedges that name them.
 std::vector<double> edgeLengths(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
