@@ -100,7 +100,7 @@ test('no include is circular', () => {
 
 test('the package imports only itself, and Node only where it runs in Node', () => {
   const inAdapters = ['remesher', 'three', '@gltf-transform/core', '@gltf-transform/functions'];
-  const inNode = /\/((cli|files)\/\w+|node|platform_node|worker_node)\.js$/;
+  const inNode = /\/((cli|files)\/\w+|node|platform_node|(image_)?worker_node)\.js$/;
   const isCodec = (file, name) =>
     file.endsWith('/textures/bundled_packages.js') && name.startsWith('@jsquash/');
   const wrong = packageFiles.flatMap((file) => importsOf(file)

@@ -126,10 +126,14 @@ const { default: second } = await import('./entries.js');\ntell(first + ' ' + se
   // The engine, and the two halves of each codec; PNG has both in one.
   const built = readdirSync(join(folder, place, 'out'), { recursive: true });
   assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 6);
+  return built;
 }
 
-test('Vite, with textures painted to the bytes that Node paints', limit, () =>
-  requireBoth('vite', "import wasmUrl from 'remesher/remesher.wasm?url';", buildByVite));
+test('Vite, with textures painted to the bytes that Node paints', limit, async () => {
+  const built = await requireBoth(
+    'vite', "import wasmUrl from 'remesher/remesher.wasm?url';", buildByVite);
+  assert.ok(built.some((file) => /image_worker/.test(file)), 'the worker of the worker');
+});
 
 test('webpack, with textures painted to the bytes that Node paints', limit, () =>
   requireBoth('webpack', "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);",

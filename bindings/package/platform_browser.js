@@ -4,6 +4,7 @@
 
 import { compileUrl } from './api/wasm_source.js';
 import { plainWorker } from './plain_worker.js';
+import { portOf } from './worker/browser_port.js';
 
 /** @returns {Promise<WebAssembly.Module>} */
 export function compileDefault() {
@@ -20,16 +21,7 @@ export { compileUrl };
  */
 export function spawn(codecs) {
   if (typeof Worker === 'undefined') return undefined;
-  const worker = (codecs?.worker ?? plainWorker)();
-  return {
-    post: (message, transfer) => worker.postMessage(message, transfer),
-    listen(onMessage, onFailure) {
-      worker.addEventListener('message', (event) => onMessage(event.data));
-      worker.addEventListener('error', (event) => onFailure(event.message));
-    },
-    terminate: () => worker.terminate(),
-    keepAlive() {},
-  };
+  return portOf((codecs?.worker ?? plainWorker)());
 }
 
 export const cores = () => globalThis.navigator?.hardwareConcurrency || 1;

@@ -40,22 +40,35 @@ export async function compileCodec(path) {
 }
 
 /** @typedef {import('./api/client.js').WorkerPort} WorkerPort */
+/** @typedef {import('./base/messages.js').ImagePort} ImagePort */
 
-/** @returns {WorkerPort} */
-export function spawn() {
+/** @param {URL} script */
+function start(script) {
   // No execArgv: what the program was started with (--input-type, --test) is not the worker's.
-  const worker = new Worker(new URL('./worker_node.js', import.meta.url), { execArgv: [] });
+  const worker = new Worker(script, { execArgv: [] });
   return {
-    post: (message, transfer) => worker.postMessage(message, transfer),
-    listen(onMessage, onFailure) {
+    post: (/** @type {any} */ message, /** @type {ArrayBuffer[]} */ transfer) =>
+      worker.postMessage(message, transfer),
+    listen(/** @type {(message: any) => void} */ onMessage,
+      /** @type {(why: string) => void} */ onFailure) {
       worker.on('message', onMessage);
       worker.on('error', (error) => onFailure(error.message));
       // Without an error before it, or a job would never settle.
       worker.on('exit', (status) => onFailure(`it ended with status ${status}`));
     },
     terminate: () => void worker.terminate(),
-    keepAlive: (busy) => (busy ? worker.ref() : worker.unref()),
+    keepAlive: (/** @type {boolean} */ busy) => (busy ? worker.ref() : worker.unref()),
   };
+}
+
+/** @returns {WorkerPort} */
+export function spawn() {
+  return start(new URL('./worker_node.js', import.meta.url));
+}
+
+/** For a worker. @returns {ImagePort} */
+export function spawnForImages() {
+  return start(new URL('./image_worker_node.js', import.meta.url));
 }
 
 export const cores = availableParallelism;

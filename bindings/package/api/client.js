@@ -66,6 +66,10 @@ export function checkRun({ signal, onProgress, worker }) {
   if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
 }
 
+// Workers that a worker may have for images, of which a model has five at most of each kind: one is
+// left for itself.
+const mostHelpers = 4;
+
 export class Client {
   #platform;
   /** @type {Promise<WebAssembly.Module> | undefined} */
@@ -143,7 +147,8 @@ export class Client {
     worker.listen(
       (message) => this.#receive(worker, message),
       (why) => this.#fail(worker, why));
-    worker.post({ type: 'start', module }, []);
+    const helpers = Math.min(mostHelpers, this.#platform.cores() - 1);
+    worker.post({ type: 'start', module, helpers }, []);
     worker.keepAlive(false);
     return worker;
   }

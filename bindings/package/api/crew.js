@@ -26,8 +26,10 @@ export class Crew {
   /** @param {Platform} platform @param {number} size how many workers at most */
   constructor(platform, size) {
     /** @type {Platform} */
-    const shared = { ...platform, compileDefault: () => first.load(platform.compileDefault) };
-    const first = new Client(platform);
+    const own = size > 1 ? { ...platform, cores: () => 1 } : platform; // each has one to itself
+    /** @type {Platform} */
+    const shared = { ...own, compileDefault: () => first.load(platform.compileDefault) };
+    const first = new Client(own);
     this.#clients = [first, ...Array.from({ length: size - 1 }, () => new Client(shared))];
     this.#free = new Set(this.#clients);
   }

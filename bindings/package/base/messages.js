@@ -76,7 +76,7 @@
 
 /**
  * To the worker: first the compiled module, then jobs, one at a time.
- * @typedef {{ type: 'start', module: WebAssembly.Module }
+ * @typedef {{ type: 'start', module: WebAssembly.Module, helpers: number }
  *   | { type: 'job', job: Job, progress: boolean }} ToWorker
  */
 
@@ -85,6 +85,20 @@
  * @typedef {{ type: 'progress', event: ProgressEvent }
  *   | { type: 'done', result: any }
  *   | { type: 'failed', failure: Failure }} FromWorker
+ */
+
+/**
+ * To a worker for images, and back; an image as ImageCodecs takes it.
+ * @typedef {{ work: 'decode' | 'encode', image: any }} ImageJob
+ * @typedef {{ result: any } | { failure: Failure }} ImageAnswer
+ */
+
+/**
+ * A worker for images.
+ * @typedef {object} ImagePort
+ * @property {(job: ImageJob, transfer: ArrayBuffer[]) => void} post
+ * @property {(onAnswer: (answer: ImageAnswer) => void, onFailure: () => void) => void} listen
+ * @property {() => void} terminate
  */
 
 /**

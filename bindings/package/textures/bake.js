@@ -4,8 +4,8 @@
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { referencesOf } from '../codecs/resources.js';
-import { ImageCodecs } from './image_codecs.js';
 import { imagesOf, withImages } from './gltf_images.js';
+import { ImageCrew } from './image_crew.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Picture} Picture */
@@ -24,7 +24,7 @@ function imagesBeside({ name: model, resources }) {
 }
 
 export class Bakery {
-  #codecs;
+  #crew;
   #onProgress;
 
   /**
@@ -32,7 +32,7 @@ export class Bakery {
    * @param {OnProgress} [onProgress] returns false to stop the run
    */
   constructor(source, onProgress) {
-    this.#codecs = new ImageCodecs(source);
+    this.#crew = new ImageCrew(source);
     this.#onProgress = onProgress;
   }
 
@@ -52,22 +52,26 @@ export class Bakery {
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
     const images = /\.gl(b|tf)$/i.test(file.name) ? imagesOf(file) : imagesBeside(file);
-    const pictures = [];
-    for (const [i, { name, label, bytes }] of images.entries()) {
-      this.#tell('decode images', shares.decoding * i / images.length);
-      pictures.push({ name, type: '', ...await this.#codecs.decode({ name: label, bytes }) });
-    }
+    const decoded = await this.#crew.run(
+      images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
+      (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));
+    const pictures = images.map(({ name }, i) => ({ name, type: '', ...decoded[i] }));
     return { ...file, pictures };
   }
 
   /** @param {any} outcome as the core gives it */
   async closed({ pictures = [], ...outcome }) {
-    const encoded = [];
-    for (const [i, picture] of /** @type {Picture[]} */ (pictures).entries()) {
-      const { name, type } = picture;
-      this.#tell('encode images', 1 - shares.encoding * (1 - i / pictures.length));
-      encoded.push({ name, type, bytes: await this.#codecs.encode(picture) });
-    }
+    const bytes = await this.#crew.run(
+      pictures.map((/** @type {Picture} */ image) => ({ work: 'encode', image })),
+      (done) => this.#tell('encode images',
+        1 - shares.encoding * (1 - done / (pictures.length || 1))));
+    const encoded = pictures.map((/** @type {Picture} */ { name, type }, /** @type {number} */ i) =>
+      ({ name, type, bytes: bytes[i] }));
     return { ...outcome, files: withImages(outcome.files, encoded) };
+  }
+
+  /** To be called in the end, whatever it is. */
+  end() {
+    this.#crew.end();
   }
 }

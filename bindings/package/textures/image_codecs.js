@@ -15,6 +15,9 @@ import { legible } from '../base/legible.js';
  * @property {(name: string) => Promise<any[]>} [load] A package's two halves: to decode, to encode.
  * @property {(path: string) => Promise<WebAssembly.Module>} [compile] A file of a package; without
  *   it, the codec finds its own.
+ * @property {() => import('../base/messages.js').ImagePort | undefined} [spawn] Starts a worker for
+ *   images, where there can be any.
+ * @property {number} [helpers] How many of them at most; none, if not said.
  */
 
 // Beyond this one image has more texels than are worth holding.

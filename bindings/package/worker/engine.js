@@ -125,8 +125,12 @@ export class Engine {
     }
     const { Bakery } = await import('../textures/bake.js');
     const bakery = new Bakery(this.#codecs, onProgress);
-    const file = await bakery.opened(plainJob.file);
-    return bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
+    try {
+      const file = await bakery.opened(plainJob.file);
+      return await bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
+    } finally {
+      bakery.end();
+    }
   }
 
   /**

@@ -4,10 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
-#include <numeric>
 
 #include "mesh/mesh_builder.h"
 #include "support/shapes.h"
+#include "support/soups.h"
 
 using namespace remesher;
 

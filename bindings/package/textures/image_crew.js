@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Images decoded or encoded side by side: by the thread at hand and, where it can start workers, by
+// a few that do nothing else. Whoever is free takes the next one. What comes out, in the order of
+// what went in, is the same whoever has done it.
+
+import { RemeshError } from '../base/errors.js';
+import { ImageCodecs } from './image_codecs.js';
+
+/** @import { ImageAnswer, ImageJob, ImagePort } from '../base/messages.js' */
+/** @import { CodecSource } from './image_codecs.js' */
+
+/** Such workers are no longer there: what they had is done by others. */
+class Gone extends Error {}
+
+/** What is handed over to a worker is a copy, for it may have to be done again.
+ * @param {ImageJob} job @returns {{ job: ImageJob, transfer: ArrayBuffer[] }} */
+function copied({ work, image }) {
+  const key = work === 'decode' ? 'bytes' : 'texels';
+  const values = image[key].slice();
+  return { job: { work, image: { ...image, [key]: values } }, transfer: [values.buffer] };
+}
+
+/** One job at a time. */
+class Helper {
+  #port;
+  /** @type {{ resolve: (result: any) => void, reject: (error: unknown) => void } | undefined} */
+  #waiting;
+  #isGone = false;
+
+  /** @param {ImagePort} port */
+  constructor(port) {
+    this.#port = port;
+    port.listen((answer) => this.#settle(answer), () => this.end());
+  }
+
+  /** @param {ImageJob} whole @returns {Promise<any>} rejects with Gone where somebody else must */
+  do(whole) {
+    return new Promise((resolve, reject) => {
+      if (this.#isGone) throw new Gone();
+      this.#waiting = { resolve, reject };
+      const { job, transfer } = copied(whole);
+      this.#port.post(job, transfer);
+    });
+  }
+
+  /** @param {ImageAnswer} answer */
+  #settle(answer) {
+    if ('result' in answer) {
+      this.#waiting?.resolve(answer.result);
+      return;
+    }
+    const { code, message, hint } = answer.failure;
+    this.#waiting?.reject(new RemeshError(code, message, hint));
+  }
+
+  end() {
+    this.#isGone = true;
+    this.#port.terminate();
+    this.#waiting?.reject(new Gone());
+  }
+}
+
+export class ImageCrew {
+  #codecs;
+  #spawn;
+  #most;
+  /** @type {Helper[]} */
+  #helpers = [];
+
+  /** @param {CodecSource} source */
+  constructor(source) {
+    this.#codecs = new ImageCodecs(source);
+    this.#spawn = source.spawn;
+    this.#most = source.helpers ?? 0;
+  }
+
+  /**
+   * @param {ImageJob[]} jobs
+   * @param {(done: number) => void} tell that so many are done; what it throws ends the rest
+   * @returns {Promise<any[]>} Rejects as the first job that fails would by itself.
+   */
+  async run(jobs, tell) {
+    /** @type {any[]} */
+    const results = [];
+    /** @type {Map<number, unknown>} */
+    const errors = new Map();
+    const waiting = [...jobs.keys()];
+    let done = 0;
+    tell(done);
+    // All before one that has failed are taken: the first of those that fail is among them.
+    /** @param {(job: ImageJob) => Promise<any>} perform */
+    const work = async (perform) => {
+      while (errors.size === 0 && waiting.length > 0) {
+        const i = /** @type {number} */ (waiting.shift());
+        try {
+          results[i] = await perform(jobs[i]);
+        } catch (error) {
+          if (!(error instanceof Gone)) errors.set(i, error);
+          else waiting.unshift(i);
+          return;
+        }
+        done += 1;
+        tell(done);
+      }
+    };
+    const own = (/** @type {ImageJob} */ job) => this.#codecs[job.work](job.image);
+    const helpers = this.#helpersFor(jobs.length - 1);
+    await Promise.all([own, ...helpers.map((helper) => helper.do.bind(helper))].map(work));
+    await work(own);
+    if (errors.size > 0) throw errors.get(Math.min(...errors.keys()));
+    return results;
+  }
+
+  /** Those that are there, and as many more as can be of use. @param {number} wanted */
+  #helpersFor(wanted) {
+    while (this.#helpers.length < Math.min(wanted, this.#most)) {
+      const port = this.#spawn?.();
+      if (!port) break;
+      this.#helpers.push(new Helper(port));
+    }
+    return this.#helpers;
+  }
+
+  /** Ends the workers. */
+  end() {
+    for (const helper of this.#helpers.splice(0)) helper.end();
+  }
+}
+
+/**
+ * The side of the worker.
+ * @param {(answer: ImageAnswer, transfer: ArrayBuffer[]) => void} post
+ * @param {CodecSource} source
+ * @returns {(job: ImageJob) => Promise<void>} to be called with every message
+ */
+export function serveImages(post, source) {
+  const codecs = new ImageCodecs(source);
+  return async ({ work, image }) => {
+    try {
+      const result = await codecs[work](image);
+      const owner = result instanceof Uint8Array ? result : result.texels;
+      post({ result }, [/** @type {ArrayBuffer} */ (owner.buffer)]);
+    } catch (error) {
+      const { code, message, hint } = error instanceof RemeshError ? error
+        : new RemeshError('INTERNAL', String(error));
+      post({ failure: { code, message, hint } }, []);
+    }
+  };
+}
