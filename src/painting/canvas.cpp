@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -52,27 +53,53 @@ class Outline {
   std::array<double, 3> beyond_;  // on the far side of an edge nothing is near
 };
 
-// The texels beside one, as far as there are any.
-template <class Visit>
-void forEachBeside(Index texel, Index size, const Visit& visit) {
-  const Index x = texel % size, y = texel / size;
-  const Index left = x > 0 ? x - 1 : 0, right = std::min(x + 1, size - 1);
-  for (Index j = y > 0 ? y - 1 : 0; j <= std::min(y + 1, size - 1); ++j)
-    for (Index i = left; i <= right; ++i)
-      if (i != x || j != y) visit(j * size + i);
-}
+// The eight texels beside one, by number: what to add to it for each.
+class Beside {
+ public:
+  explicit Beside(Index size) : size_(size) {
+    for (Index i = 0; i < 8; ++i) steps_[i] = (kRows[i] - 1) * size + kColumns[i] - 1;
+  }
 
-void setToMean(io::Image& image, std::size_t texel, std::span<const Index> others) {
+  Index operator()(Index texel, unsigned number) const { return texel + steps_[number]; }
+
+  // Those that there are, and that are meant.
+  template <class IsMeant>
+  unsigned those(Index texel, const IsMeant& isMeant) const {
+    const Index x = texel % size_, y = texel / size_;
+    unsigned numbers = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+      const Index column = x + kColumns[i] - 1, row = y + kRows[i] - 1;  // -1 is huge
+      if (column < size_ && row < size_ && isMeant(texel + steps_[i])) numbers |= 1u << i;
+    }
+    return numbers;
+  }
+
+ private:
+  static constexpr std::array<Index, 8> kColumns = {0, 1, 2, 0, 2, 0, 1, 2};
+  static constexpr std::array<Index, 8> kRows = {0, 0, 0, 1, 1, 2, 2, 2};
+
+  Index size_;
+  std::array<Index, 8> steps_;
+};
+
+// A texel to be filled with the mean of some beside it.
+struct Gap {
+  Index texel;
+  std::uint8_t others;  // by number: see Beside
+};
+
+void setToMean(io::Image& image, const Gap& gap, const Beside& beside) {
   // Two bytes side by side, each with room for a sum of eight.
   constexpr std::uint32_t kPair = 0x00ff00ff;
   std::array<std::uint32_t, 2> sums{};
-  for (const std::size_t j : others) {
+  for (unsigned others = gap.others; others != 0; others &= others - 1) {
     std::uint32_t bytes;
-    std::memcpy(&bytes, &image.texels[4 * j], sizeof bytes);
+    const std::size_t other = beside(gap.texel, unsigned(std::countr_zero(others)));
+    std::memcpy(&bytes, &image.texels[4 * other], sizeof bytes);
     sums[0] += bytes & kPair;
     sums[1] += bytes >> 8 & kPair;
   }
-  const unsigned count = unsigned(others.size());
+  const unsigned count = unsigned(std::popcount(gap.others));
   // Eight bytes at most: of them this is as good as the division.
   const unsigned inverse = 65536 / count + 1;
   const auto mean = [&](std::uint32_t sum) { return (sum + count / 2) * inverse >> 16; };
@@ -80,7 +107,32 @@ void setToMean(io::Image& image, std::size_t texel, std::span<const Index> other
     return mean(pair & 0xffff) | mean(pair >> 16) << 16;
   };
   const std::uint32_t bytes = means(sums[0]) | means(sums[1]) << 8;
-  std::memcpy(&image.texels[4 * texel], &bytes, sizeof bytes);
+  std::memcpy(&image.texels[4 * std::size_t{gap.texel}], &bytes, sizeof bytes);
+}
+
+// Ring after ring, each beside what is covered or filled by then.
+std::vector<Gap> gapsInRings(std::span<const Index> owners, const Beside& beside) {
+  enum State : std::uint8_t { Empty, Done, Waiting };
+  std::vector<std::uint8_t> states(owners.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) states[i] = owners[i] != kNone ? Done : Empty;
+  const auto isDone = [&](Index i) { return states[i] == Done; };
+  const auto isEmpty = [&](Index i) { return states[i] == Empty; };
+  std::vector<Gap> gaps;
+  for (Index i = 0; i < owners.size(); ++i)
+    if (isEmpty(i) && beside.those(i, isDone) != 0) gaps.push_back({i, 0});
+  for (const Gap& gap : gaps) states[gap.texel] = Waiting;
+  for (std::size_t begin = 0, end = gaps.size(); begin < end; begin = end, end = gaps.size()) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index texel = gaps[k].texel;
+      gaps[k].others = std::uint8_t(beside.those(texel, isDone));
+      for (unsigned next = beside.those(texel, isEmpty); next != 0; next &= next - 1) {
+        gaps.push_back({beside(texel, unsigned(std::countr_zero(next))), 0});
+        states[gaps.back().texel] = Waiting;
+      }
+    }
+    for (std::size_t k = begin; k < end; ++k) states[gaps[k].texel] = Done;
+  }
+  return gaps;
 }
 
 }  // namespace
@@ -130,33 +182,12 @@ Vec2 RimmedTriangle::kept(const Vec2& point, const Rim& rim) {
   return point + missing / rim.length * Vec2(-rim.edge.y(), rim.edge.x());
 }
 
+// One image after the other: all of them do not fit into a cache.
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {
-  const Index size = images.front()->width;
-  std::vector<std::uint8_t> isDone(owners.size());
-  std::vector<Index> ring, next, beside;
-  for (Index i = 0; i < owners.size(); ++i) isDone[i] = owners[i] != kNone;
-  for (Index i = 0; i < owners.size(); ++i) {
-    bool isBeside = false;
-    if (!isDone[i]) forEachBeside(i, size, [&](Index j) { isBeside |= isDone[j] != 0; });
-    if (isBeside) ring.push_back(i);
-  }
-  constexpr std::uint8_t kWaiting = 2;
-  for (const Index i : ring) isDone[i] = kWaiting;
-  while (!ring.empty()) {
-    for (const Index i : ring) {
-      beside.clear();
-      forEachBeside(i, size, [&](Index j) {
-        if (isDone[j] == 1) beside.push_back(j);
-        if (isDone[j] != 0) return;
-        isDone[j] = kWaiting;
-        next.push_back(j);
-      });
-      for (io::Image* image : images) setToMean(*image, i, beside);
-    }
-    for (const Index i : ring) isDone[i] = 1;
-    ring.swap(next);
-    next.clear();
-  }
+  const Beside beside(images.front()->width);
+  const std::vector<Gap> gaps = gapsInRings(owners, beside);
+  for (io::Image* const image : images)
+    for (const Gap& gap : gaps) setToMean(*image, gap, beside);
 }
 
 }  // namespace remesher
