@@ -46,14 +46,24 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
   return sum;
 }
 
-// What has two corners in one place is a line, which the remesher does not know; where all are,
-// they stay.
+// What has two corners in one place is a line, which the remesher does not know.
+bool isLine(const TriangleMesh& mesh, std::size_t first) {
+  const Index* const t = &mesh.indices[first];
+  return hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+}
+
+bool hasLines(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    if (isLine(mesh, i)) return true;
+  return false;
+}
+
+// Where all are lines, they stay.
 void removeLines(TriangleMesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Index* const t = &mesh.indices[i];
-    if (hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]])) continue;
-    for (int k = 0; k < 3; ++k) mesh.indices[kept++] = t[k];
+    if (isLine(mesh, i)) continue;
+    for (std::size_t k = 0; k < 3; ++k) mesh.indices[kept++] = mesh.indices[i + k];
   }
   if (kept > 0) mesh.indices.resize(kept);
 }
@@ -113,8 +123,10 @@ TriangleMesh gathered(const std::vector<io::Part>& parts) {
 FidelityReport fidelityOf(const std::vector<io::Part>& originals,
                           const std::vector<io::Part>& results, Maximum maximum,
                           std::optional<ListedTree> tree) {
-  if (tree && originals.size() == 1 && placeOf(originals.front()).linear().isIdentity(0))
-    return measureFidelity(originals.front().mesh, gathered(results), maximum, std::move(tree));
+  const io::Part& first = originals.front();
+  const bool isByItself = originals.size() == 1 && placeOf(first).linear().isIdentity(0);
+  if (isByItself && (tree || !hasLines(first.mesh)))
+    return measureFidelity(first.mesh, gathered(results), maximum, std::move(tree));
   return measureFidelity(gathered(originals), gathered(results), maximum);
 }
 

@@ -23,8 +23,8 @@ MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<We
 // those that are lines.
 TriangleMesh gathered(const std::vector<io::Part>& parts);
 
-// How far the results are from what is given, as gathered. tree: of the only part's triangles that
-// are no lines, each once, if one is at hand.
+// How far the results are from what is given, one part at least, as gathered. tree: of the only
+// part's triangles that are no lines, each once, if one is at hand.
 FidelityReport fidelityOf(const std::vector<io::Part>& originals,
                           const std::vector<io::Part>& results, Maximum maximum,
                           std::optional<ListedTree> tree);

@@ -39,3 +39,22 @@ TEST_CASE("part report: a part is measured where it is shown, unless rounding le
   line.linear().col(2) = Vec3(0.5, 1, 1e-6);
   CHECK(shown(line).positions == itself.positions);
 }
+
+TEST_CASE("part report: a part alone is as far off with lines or a place of its own as without") {
+  const TriangleMesh original = shapes::icosphere(4), result = shapes::icosphere(2);
+  TriangleMesh withLine = original;
+  // From far away and back, which would be the farthest.
+  withLine.positions.push_back(Vec3(9, 9, 9));
+  const auto far = Index(withLine.positions.size() - 1);
+  withLine.indices.insert(withLine.indices.begin(), {0, far, far});
+  Transform moved = Transform::Identity();
+  moved.translation() = Vec3(3, -1, 7);
+  const FidelityReport expected = measureFidelity(original, result);
+  for (const TriangleMesh& mesh : {original, withLine})
+    for (const Transform& place : {Transform(Transform::Identity()), moved}) {
+      const FidelityReport own = fidelityOf({{"original", mesh, {place}}},
+                                            {{"result", result, {place}}}, Maximum::Sampled, {});
+      CHECK(own.hausdorff == doctest::Approx(expected.hausdorff).epsilon(1e-3));
+      CHECK(own.rms == doctest::Approx(expected.rms).epsilon(2e-2));
+    }
+}
