@@ -32,7 +32,7 @@ const decoding = (bytes) => ({
   image: { name: `an image of ${bytes.length}`, bytes },
 });
 
-/** A helper of this very thread that answers after so many turns, or never. */
+/** A helper of this very thread that answers after so many turns; below 0, it is gone by then. */
 function portAnswering(turns, served = []) {
   let onAnswer;
   let onFailure;
@@ -40,7 +40,7 @@ function portAnswering(turns, served = []) {
   return {
     post: async (job) => {
       served.push(job);
-      for (let turn = 0; turn < turns; turn += 1) await new Promise(setImmediate);
+      for (let turn = Math.abs(turns); turn > 0; turn -= 1) await new Promise(setImmediate);
       if (turns >= 0) await serve(job);
       else onFailure();
     },
@@ -92,6 +92,13 @@ test('image crew: the first image that is broken is told of', async () => {
       error instanceof RemeshError && error.code === 'PARSE_ERROR'
         && error.message.startsWith('an image of 60 '));
   }
+});
+
+test('image crew: it is the first even where a helper has left it undone', async () => {
+  const [good] = await done({}, [encoding(picture(5))]);
+  const jobsOfTwo = [good, good.subarray(0, 60), good.subarray(0, 50)].map(decoding);
+  await assert.rejects(done({ spawn: () => portAnswering(-20_000), helpers: 1 }, jobsOfTwo),
+    { message: 'an image of 60 cannot be decoded.' });
 });
 
 test('image crew: who is told of progress may end it', async () => {

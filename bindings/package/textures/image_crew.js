@@ -82,21 +82,21 @@ export class ImageCrew {
   async run(jobs, tell) {
     /** @type {any[]} */
     const results = [];
-    /** @type {Map<number, unknown>} */
-    const errors = new Map();
     const waiting = [...jobs.keys()];
+    /** @type {{ index: number, error?: unknown }} the first of the jobs that have failed */
+    let failed = { index: jobs.length };
     let done = 0;
     tell(done);
-    // All before one that has failed are taken: the first of those that fail is among them.
     /** @param {(job: ImageJob) => Promise<any>} perform */
     const work = async (perform) => {
-      while (errors.size === 0 && waiting.length > 0) {
-        const i = /** @type {number} */ (waiting.shift());
+      while (waiting[0] < failed.index) {
+        const index = /** @type {number} */ (waiting.shift());
         try {
-          results[i] = await perform(jobs[i]);
+          results[index] = await perform(jobs[index]);
         } catch (error) {
-          if (!(error instanceof Gone)) errors.set(i, error);
-          else waiting.unshift(i);
+          if (error instanceof Gone) waiting.push(index);
+          else if (index < failed.index) failed = { index, error };
+          waiting.sort((one, other) => one - other);
           return;
         }
         done += 1;
@@ -107,7 +107,7 @@ export class ImageCrew {
     const helpers = this.#helpersFor(jobs.length - 1);
     await Promise.all([own, ...helpers.map((helper) => helper.do.bind(helper))].map(work));
     await work(own);
-    if (errors.size > 0) throw errors.get(Math.min(...errors.keys()));
+    if (failed.index < jobs.length) throw failed.error;
     return results;
   }
 
