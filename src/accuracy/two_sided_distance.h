@@ -73,7 +73,7 @@ class TwoSidedDistance {
   std::vector<Index> next_;  // the next place of the same triangle, or kNone
   FaceData<Index> first_;    // the first place of a triangle, or kNone
   FaceData<double> distance_;
-  mutable std::optional<OriginalTree> own_;  // if the run has none
+  std::optional<OriginalTree> own_;  // if the run has none
   OriginalTree& tree_;
   mutable std::size_t looked_ = 0;
   std::vector<Changed> gathered_;

@@ -15,7 +15,6 @@ class MeshTree {
   struct Nearest {
     Face face;
     double distance;
-    Index looked;  // at so many triangles
   };
 
   MeshTree(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);

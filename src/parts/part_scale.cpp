@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
-#include "geometry/extremes.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
 
 namespace remesher {
 namespace {
@@ -25,19 +24,10 @@ void scale(std::vector<Vec3>& positions, double factor) {
 // The points' box at half its size: that of the largest doubles would be infinite.
 using HalfBox = Eigen::AlignedBox3d;
 
-// Each operator of vectors would be a call here, where size counts.
-void extend(const double* p, double* low, double* high) {
-  for (int k = 0; k < 3; ++k) {
-    low[k] = least(low[k], p[k]);
-    high[k] = greatest(high[k], p[k]);
-  }
-}
-
 // Of what has an area: a stray vertex, or a triangle that is a line, is not worked on. Indices have
 // yet to be looked at. Without a place the part is where it says itself.
 HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec3 low = Vec3::Constant(kInfinity), high = -low;
+  Box box;
   const std::vector<Vec3>& positions = mesh.positions;
   std::vector<char> isIn(positions.size(), 0);
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -47,11 +37,10 @@ HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
     if (hasTwins(positions[t[0]], positions[t[1]], positions[t[2]])) continue;
     for (const Index v : {t[0], t[1], t[2]}) {
       if (std::exchange(isIn[v], 1)) continue;
-      const Vec3 p = place ? Vec3(*place * positions[v]) : positions[v];
-      extend(p.data(), low.data(), high.data());
+      box.extend(place ? Vec3(*place * positions[v]) : positions[v]);
     }
   }
-  return {0.5 * low, 0.5 * high};
+  return {0.5 * box.low, 0.5 * box.high};
 }
 
 // A stray vertex may lie farther out than numbers go.

@@ -4,7 +4,7 @@
 // terminates its worker, which frees all it held; the next job starts another from the module
 // compiled already. Every promise settles.
 
-import { RemeshError, abortError } from '../base/errors.js';
+import { RemeshError, abortError, errorFrom } from '../base/errors.js';
 
 /** @import { FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
 
@@ -66,8 +66,7 @@ export function checkRun({ signal, onProgress, worker }) {
   if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
 }
 
-// Workers that a worker may have for images, of which a model has five at most of each kind: one is
-// left for itself.
+// Workers that a worker may have for images: a material has five maps, of which it does one itself.
 const mostHelpers = 4;
 
 export class Client {
@@ -211,8 +210,7 @@ export class Client {
     } else if (message.type === 'done') {
       this.#finish(task).resolve(message.result);
     } else {
-      const { code, message: text, hint } = message.failure;
-      this.#finish(task).reject(new RemeshError(code, text, hint));
+      this.#finish(task).reject(errorFrom(message.failure));
     }
   }
 

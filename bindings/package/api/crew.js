@@ -26,7 +26,7 @@ export class Crew {
   /** @param {Platform} platform @param {number} size how many workers at most */
   constructor(platform, size) {
     /** @type {Platform} */
-    const own = size > 1 ? { ...platform, cores: () => 1 } : platform; // each has one to itself
+    const own = { ...platform, cores: () => Math.floor(platform.cores() / size) }; // each its share
     /** @type {Platform} */
     const shared = { ...own, compileDefault: () => first.load(platform.compileDefault) };
     const first = new Client(own);

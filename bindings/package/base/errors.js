@@ -43,6 +43,19 @@ export class RemeshError extends Error {
   }
 }
 
+/** @typedef {{ code: ErrorCode, message: string, hint: string }} Failure an error on its way */
+
+/** @param {unknown} error @returns {Failure} */
+export function failureFrom(error) {
+  if (error instanceof RemeshError) {
+    return { code: error.code, message: error.message, hint: error.hint };
+  }
+  return { code: 'INTERNAL', message: String(error), hint: '' };
+}
+
+/** The same at the other end. @param {Failure} failure */
+export const errorFrom = ({ code, message, hint }) => new RemeshError(code, message, hint);
+
 /** What an aborted signal rejects with. @param {string} [why] */
 export function abortError(why) {
   return new DOMException(why ?? 'The run was cancelled.', 'AbortError');

@@ -2,7 +2,7 @@
 // The shapes that travel: a job goes to an engine, here or in a worker; an outcome comes back.
 // Everything here survives structured cloning.
 
-/** @import { ErrorCode } from './errors.js' */
+/** @import { Failure } from './errors.js' */
 
 /** @typedef {Float32Array | Float64Array} Floats */
 /** @typedef {Uint32Array | Uint16Array} Indices */
@@ -71,8 +71,6 @@
  * @property {string} phase What the run is doing.
  * @property {number} fraction How far the whole run is, from 0 to 1.
  */
-
-/** @typedef {{ code: ErrorCode, message: string, hint: string }} Failure */
 
 /**
  * To the worker: first the compiled module, then jobs, one at a time.

@@ -3,7 +3,7 @@
 // a few that do nothing else. Whoever is free takes the next one. What comes out, in the order of
 // what went in, is the same whoever has done it.
 
-import { RemeshError } from '../base/errors.js';
+import { errorFrom, failureFrom } from '../base/errors.js';
 import { ImageCodecs } from './image_codecs.js';
 
 /** @import { ImageAnswer, ImageJob, ImagePort } from '../base/messages.js' */
@@ -49,8 +49,7 @@ class Helper {
       this.#waiting?.resolve(answer.result);
       return;
     }
-    const { code, message, hint } = answer.failure;
-    this.#waiting?.reject(new RemeshError(code, message, hint));
+    this.#waiting?.reject(errorFrom(answer.failure));
   }
 
   end() {
@@ -141,9 +140,7 @@ export function serveImages(post, source) {
       const owner = result instanceof Uint8Array ? result : result.texels;
       post({ result }, [/** @type {ArrayBuffer} */ (owner.buffer)]);
     } catch (error) {
-      const { code, message, hint } = error instanceof RemeshError ? error
-        : new RemeshError('INTERNAL', String(error));
-      post({ failure: { code, message, hint } }, []);
+      post({ failure: failureFrom(error) }, []);
     }
   };
 }

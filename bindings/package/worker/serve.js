@@ -2,7 +2,7 @@
 // The worker's side of the conversation: what is the same everywhere, and what is so in browsers.
 
 import { Engine } from './engine.js';
-import { RemeshError } from '../base/errors.js';
+import { failureFrom } from '../base/errors.js';
 
 /** @typedef {import('../base/messages.js').ToWorker} ToWorker */
 /** @typedef {import('../base/messages.js').FromWorker} FromWorker */
@@ -16,14 +16,6 @@ function buffersOf(result) {
   }
   for (const { bytes } of result.files ?? []) arrays.push(bytes);
   return arrays.map((array) => array.buffer);
-}
-
-/** @param {unknown} error @returns {import('../base/messages.js').Failure} */
-function failureFrom(error) {
-  if (error instanceof RemeshError) {
-    return { code: error.code, message: error.message, hint: error.hint };
-  }
-  return { code: 'INTERNAL', message: String(error), hint: '' };
 }
 
 /**
