@@ -13,13 +13,13 @@
 
 #include "base/legible.h"
 #include "io/formats.h"
-#include "parts/part_report.h"
-#include "parts/part_scale.h"
-#include "parts/part_targets.h"
-#include "parts/precision.h"
-#include "parts/result_check.h"
-#include "repaint.h"
-#include "schemes/remesh.h"
+#include "jobs/part_report.h"
+#include "jobs/part_scale.h"
+#include "jobs/part_targets.h"
+#include "jobs/precision.h"
+#include "jobs/result_check.h"
+#include "remesh/schemes/remesh.h"
+#include "textures/repaint.h"
 
 namespace remesher {
 namespace {

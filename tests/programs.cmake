@@ -1,28 +1,9 @@
 # SPDX-License-Identifier: MIT
 # The native programs: unit tests, the judge of the benchmark, what developers run by hand.
 add_executable(unit_tests
-  tests/unit/accuracy/bound_error_test.cpp
-  tests/unit/accuracy/fit_test.cpp
-  tests/unit/accuracy/lower_hausdorff_test.cpp
-  tests/unit/accuracy/poor_regions_test.cpp
-  tests/unit/accuracy/refine_excess_test.cpp
-  tests/unit/attributes/chart_keeper_test.cpp
-  tests/unit/attributes/chart_needs_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
-  tests/unit/charts/unwrap_test.cpp
-  tests/unit/curves/curve_simplification_test.cpp
-  tests/unit/curves/feature_curves_test.cpp
-  tests/unit/curves/feature_detection_test.cpp
-  tests/unit/curves/seams_test.cpp
-  tests/unit/curves/shape_angles_test.cpp
-  tests/unit/curves/spikes_test.cpp
-  tests/unit/gate/angles_test.cpp
-  tests/unit/gate/crossings_test.cpp
-  tests/unit/gate/error_bound_test.cpp
-  tests/unit/gate/excess_test.cpp
-  tests/unit/gate/fidelity_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp
   tests/unit/geometry/mesh_tree_test.cpp
   tests/unit/geometry/piecewise_test.cpp
@@ -45,11 +26,17 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/part_report_test.cpp
+  tests/unit/jobs/part_scale_test.cpp
+  tests/unit/jobs/part_targets_test.cpp
+  tests/unit/jobs/precision_test.cpp
+  tests/unit/jobs/result_check_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
+  tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
@@ -59,50 +46,63 @@ add_executable(unit_tests
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/space_order_test.cpp
   tests/unit/mesh/topology_test.cpp
-  tests/unit/operators/local_operators_test.cpp
-  tests/unit/operators/projection_test.cpp
-  tests/unit/operators/shift_test.cpp
-  tests/unit/operators/smoothing_test.cpp
-  tests/unit/operators/working_mesh_test.cpp
-  tests/unit/painting/canvas_test.cpp
-  tests/unit/painting/look_borders_test.cpp
-  tests/unit/painting/painter_test.cpp
-  tests/unit/painting/side_finder_test.cpp
-  tests/unit/painting/tangents_test.cpp
-  tests/unit/painting/texture_test.cpp
-  tests/unit/parts/part_report_test.cpp
-  tests/unit/parts/part_scale_test.cpp
-  tests/unit/parts/part_targets_test.cpp
-  tests/unit/parts/precision_test.cpp
-  tests/unit/parts/result_check_test.cpp
-  tests/unit/patches/disk_parameterization_test.cpp
-  tests/unit/patches/disk_patch_test.cpp
-  tests/unit/patches/face_cells_test.cpp
-  tests/unit/patches/patch_atlas_test.cpp
-  tests/unit/patches/point_location_test.cpp
+  tests/unit/mesh/welding_test.cpp
+  tests/unit/original/curves/curve_simplification_test.cpp
+  tests/unit/original/curves/feature_curves_test.cpp
+  tests/unit/original/curves/feature_detection_test.cpp
+  tests/unit/original/curves/seams_test.cpp
+  tests/unit/original/curves/shape_angles_test.cpp
+  tests/unit/original/curves/spikes_test.cpp
+  tests/unit/original/patches/disk_parameterization_test.cpp
+  tests/unit/original/patches/disk_patch_test.cpp
+  tests/unit/original/patches/face_cells_test.cpp
+  tests/unit/original/patches/patch_atlas_test.cpp
+  tests/unit/original/patches/point_location_test.cpp
+  tests/unit/original/surface/boundary_places_test.cpp
+  tests/unit/original/surface/curvature_test.cpp
+  tests/unit/original/surface/original_surface_test.cpp
+  tests/unit/original/surface/original_tree_test.cpp
+  tests/unit/original/surface/surface_walk_test.cpp
+  tests/unit/remesh/accuracy/bound_error_test.cpp
+  tests/unit/remesh/accuracy/fit_test.cpp
+  tests/unit/remesh/accuracy/lower_hausdorff_test.cpp
+  tests/unit/remesh/accuracy/poor_regions_test.cpp
+  tests/unit/remesh/accuracy/refine_excess_test.cpp
+  tests/unit/remesh/gate/angles_test.cpp
+  tests/unit/remesh/gate/crossings_test.cpp
+  tests/unit/remesh/gate/error_bound_test.cpp
+  tests/unit/remesh/gate/excess_test.cpp
+  tests/unit/remesh/gate/fidelity_test.cpp
+  tests/unit/remesh/ground/decimate_test.cpp
+  tests/unit/remesh/ground/stand_in_test.cpp
+  tests/unit/remesh/operators/local_operators_test.cpp
+  tests/unit/remesh/operators/projection_test.cpp
+  tests/unit/remesh/operators/shift_test.cpp
+  tests/unit/remesh/operators/smoothing_test.cpp
+  tests/unit/remesh/operators/working_mesh_test.cpp
+  tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/follow_test.cpp
+  tests/unit/remesh/schemes/remesh_test.cpp
+  tests/unit/remesh/schemes/rounds_test.cpp
+  tests/unit/remesh/schemes/targets_test.cpp
+  tests/unit/remesh/steps/adapt_test.cpp
+  tests/unit/remesh/steps/apart_test.cpp
+  tests/unit/remesh/steps/boundaries_test.cpp
+  tests/unit/remesh/steps/delaunay_test.cpp
+  tests/unit/remesh/steps/polish_test.cpp
+  tests/unit/remesh/steps/relax_test.cpp
+  tests/unit/remesh/steps/subdivide_test.cpp
+  tests/unit/remesh/steps/sweeps_test.cpp
+  tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
-  tests/unit/schemes/follow_test.cpp
-  tests/unit/schemes/remesh_test.cpp
-  tests/unit/schemes/rounds_test.cpp
-  tests/unit/schemes/stand_in_test.cpp
-  tests/unit/schemes/targets_test.cpp
-  tests/unit/soup/edge_groups_test.cpp
-  tests/unit/soup/welding_test.cpp
-  tests/unit/steps/adapt_test.cpp
-  tests/unit/steps/apart_test.cpp
-  tests/unit/steps/boundaries_test.cpp
-  tests/unit/steps/delaunay_test.cpp
-  tests/unit/steps/polish_test.cpp
-  tests/unit/steps/relax_test.cpp
-  tests/unit/steps/subdivide_test.cpp
-  tests/unit/steps/sweeps_test.cpp
-  tests/unit/surface/boundary_places_test.cpp
-  tests/unit/surface/curvature_test.cpp
-  tests/unit/surface/original_surface_test.cpp
-  tests/unit/surface/original_tree_test.cpp
-  tests/unit/surface/surface_walk_test.cpp
-  tests/unit/thinning/decimate_test.cpp
-  tests/unit/thinning/simplify_test.cpp
+  tests/unit/simplify/simplify_test.cpp
+  tests/unit/textures/charts/unwrap_test.cpp
+  tests/unit/textures/painting/canvas_test.cpp
+  tests/unit/textures/painting/look_borders_test.cpp
+  tests/unit/textures/painting/painter_test.cpp
+  tests/unit/textures/painting/side_finder_test.cpp
+  tests/unit/textures/painting/tangents_test.cpp
+  tests/unit/textures/painting/texture_test.cpp
 )
 target_include_directories(unit_tests PRIVATE tests/unit)
 # It includes doctest in another way.

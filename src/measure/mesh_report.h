@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/report.h"
-#include "soup/welding.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 

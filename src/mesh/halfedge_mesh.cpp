@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/halfedge_mesh.h"
 
-#include "soup/edge_groups.h"
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 

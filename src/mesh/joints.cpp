@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "soup/edge_groups.h"
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "mesh/edge_groups.h"
 #include "mesh/fan_cut.h"
-#include "soup/edge_groups.h"
 
 namespace remesher {
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/edge_groups.h"
 #include "mesh/manifold_cut.h"
 #include "mesh/orientation.h"
 #include "mesh/space_order.h"
-#include "soup/edge_groups.h"
 
 namespace remesher {
 

@@ -9,7 +9,7 @@
 
 #include "base/report.h"
 #include "mesh/halfedge_mesh.h"
-#include "soup/welding.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "soup/edge_groups.h"
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "base/random.h"
-#include "operators/local_operators.h"
+#include "remesh/operators/local_operators.h"
 #include "support/working_meshes.h"
 
 using namespace remesher;

@@ -2,7 +2,7 @@
 // What a step of a scheme works with, on a surface of one's choice.
 #pragma once
 
-#include "steps/run.h"
+#include "remesh/steps/run.h"
 #include "support/working_meshes.h"
 
 namespace remesher::shapes {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "gate/angles.h"
 #include "geometry/triangle.h"
 #include "mesh/check.h"
-#include "operators/working_mesh.h"
+#include "remesh/gate/angles.h"
+#include "remesh/operators/working_mesh.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/triangle.h"
+#include "measure/mesh_report.h"
+
+namespace remesher {
+namespace {
+
+double interiorVertices(const MeshReport& part) {
+  return std::max(0.0, double(part.vertices) - double(part.boundaryEdges));
+}
+
+void addWeighted(AngleStatistics& sum, const AngleStatistics& part, double weight) {
+  sum.worst = std::min(sum.worst, part.worst);
+  sum.mean += weight * part.mean;
+  for (std::size_t i = 0; i < sum.histogram.size(); ++i)
+    sum.histogram[i] += weight * part.histogram[i];
+}
+
+MeshReport combined(const std::vector<MeshReport>& parts) {
+  if (parts.size() == 1) return parts.front();
+  MeshReport sum;
+  double interior = 0;
+  for (const MeshReport& part : parts) {
+    sum.vertices += part.vertices;
+    sum.triangles += part.triangles;
+    sum.components += part.components;
+    sum.boundaryEdges += part.boundaryEdges;
+    sum.nonManifoldEdges += part.nonManifoldEdges;
+    sum.eulerCharacteristic += part.eulerCharacteristic;
+    sum.degenerateTriangles += part.degenerateTriangles;
+    sum.maxAngle = std::max(sum.maxAngle, part.maxAngle);
+    interior += interiorVertices(part);
+  }
+  sum.minAngle.worst = parts.empty() ? 0 : parts.front().minAngle.worst;
+  for (const MeshReport& part : parts) {
+    if (sum.triangles > 0)
+      addWeighted(sum.minAngle, part.minAngle, double(part.triangles) / double(sum.triangles));
+    if (interior > 0) sum.valence6 += part.valence6 * interiorVertices(part) / interior;
+  }
+  return sum;
+}
+
+// What has two corners in one place is a line, which the remesher does not know.
+bool isLine(const TriangleMesh& mesh, std::size_t first) {
+  const Index* const t = &mesh.indices[first];
+  return hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+}
+
+bool hasLines(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    if (isLine(mesh, i)) return true;
+  return false;
+}
+
+// Where all are lines, they stay.
+void removeLines(TriangleMesh& mesh) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    if (isLine(mesh, i)) continue;
+    for (std::size_t k = 0; k < 3; ++k) mesh.indices[kept++] = mesh.indices[i + k];
+  }
+  if (kept > 0) mesh.indices.resize(kept);
+}
+
+// Whether a part has a shape where it is shown: nothing is left, beside its longest direction, of
+// what is shown as a line, or pressed flat, or all but so.
+bool keepsShape(const Transform& place) {
+  constexpr double kLost = 1e-3;  // of the longest, lengths on average
+  return std::cbrt(std::abs(place.linear().determinant())) >= kLost * place.linear().norm();
+}
+
+// Where a part is shown without its shape its distances are those it has by itself.
+Transform placeOf(const io::Part& part) {
+  const bool isShown = !part.instances.empty() && keepsShape(part.instances.front());
+  return isShown ? Transform(part.instances.front()) : Transform::Identity();
+}
+
+}  // namespace
+
+std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts) {
+  std::vector<Welding> weldings;
+  for (const io::Part& part : parts) {
+    requireValid(part.mesh);
+    weldings.emplace_back(part.mesh);
+  }
+  return weldings;
+}
+
+MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings) {
+  std::vector<MeshReport> reports;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    reports.push_back(inspectMesh(parts[i].mesh, weldings[i]));
+  return combined(reports);
+}
+
+TriangleMesh gathered(const std::vector<io::Part>& parts) {
+  TriangleMesh all;
+  if (parts.empty()) return all;
+  // A scene may lie so far away that its shape would be lost to rounding.
+  const Vec3 origin = placeOf(parts.front()).translation();
+  for (const io::Part& part : parts) {
+    const auto first = static_cast<Index>(all.positions.size());
+    Transform place = placeOf(part);
+    place.translation() -= origin;
+    const std::vector<Vec3>& own = part.mesh.positions;
+    all.positions.insert(all.positions.end(), own.begin(), own.end());
+    if (!place.matrix().isIdentity(0))
+      for (std::size_t i = first; i < all.positions.size(); ++i)
+        all.positions[i] = place * all.positions[i];
+    all.indices.reserve(all.indices.size() + part.mesh.indices.size());
+    for (const Index i : part.mesh.indices) all.indices.push_back(first + i);
+  }
+  removeLines(all);
+  return all;
+}
+
+FidelityReport fidelityOf(const std::vector<io::Part>& originals,
+                          const std::vector<io::Part>& results, Maximum maximum,
+                          std::optional<ListedTree> tree) {
+  const io::Part& first = originals.front();
+  const bool isByItself = originals.size() == 1 && placeOf(first).linear().isIdentity(0);
+  if (isByItself && (tree || !hasLines(first.mesh)))
+    return measureFidelity(first.mesh, gathered(results), maximum, std::move(tree));
+  return measureFidelity(gathered(originals), gathered(results), maximum);
+}
+
+std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more) {
+  for (const Warning& warning : more) {
+    const auto same = std::find_if(all.begin(), all.end(),
+                                   [&](const Warning& w) { return w.code == warning.code; });
+    if (same == all.end())
+      all.push_back(warning);
+    else
+      same->count += warning.count;
+  }
+  return all;
+}
+
+}  // namespace remesher

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/result_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "geometry/triangle.h"
+#include "mesh/welding.h"
+
+namespace remesher {
+namespace {
+
+// Degrees: smallest angles that are good, of the worst triangle and on average, and how much less
+// than before is worth a word.
+constexpr double kGoodWorst = 25, kGoodMean = 50, kWorthAWord = 0.5;
+
+// Nothing lies farther from a surface than this within its box, in percent of the diagonal.
+constexpr double kWholeDiagonal = 100;
+
+// A surface all of which is rounded to places this near to each other, relative to its coordinates,
+// is no larger than four of them.
+constexpr double kSinglePrecision = std::numeric_limits<float>::epsilon(), kPlaces = 4;
+
+// What was kept may be measured as a little more.
+constexpr double kRounding = 1 + 1e-6;
+
+// Digits that are told, and how many a double has at most.
+constexpr int kDigits = 4, kMostDigits = 17;
+
+std::string number(double x, int digits = kDigits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+  return text.data();
+}
+
+struct WorstTriangle {
+  double angle = std::numeric_limits<double>::infinity();
+  Vec3 centre = Vec3::Zero();
+};
+
+WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
+  WorstTriangle worst;
+  for (const io::Part& part : parts)
+    for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
+      const Vec3& a = part.mesh.positions[part.mesh.indices[i]];
+      const Vec3& b = part.mesh.positions[part.mesh.indices[i + 1]];
+      const Vec3& c = part.mesh.positions[part.mesh.indices[i + 2]];
+      const double angle = minAngle(a, b, c);
+      if (angle < worst.angle) worst = {angle, (a + b + c) / 3};
+    }
+  return worst;
+}
+
+// Around all vertices; of none `low` is above `high`.
+struct Extent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  double size() const { return (high - low).maxCoeff(); }
+  double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
+};
+
+Extent extentOf(const std::vector<io::Part>& parts) {
+  Extent extent;
+  for (const io::Part& part : parts)
+    for (const Vec3& p : part.mesh.positions) {
+      extent.low = extent.low.cwiseMin(p);
+      extent.high = extent.high.cwiseMax(p);
+    }
+  return extent;
+}
+
+// With more digits where the surface is small beside its distance from the origin.
+std::string place(const Vec3& p, const std::vector<io::Part>& parts) {
+  const Extent extent = extentOf(parts);
+  int digits = kDigits;
+  for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
+    ++digits;
+  std::string text = number(p.x(), digits);
+  for (const double x : {p.y(), p.z()}) text.append(", ").append(number(x, digits));
+  return text;
+}
+
+// Where all vertices lie, if that is no larger than what single precision rounds it to.
+std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
+  const Extent extent = extentOf(parts);
+  const bool isLarger = extent.size() > kPlaces * kSinglePrecision * extent.largest();
+  if (extent.size() < 0 || isLarger) return {};
+  return (extent.low + extent.high) / 2;
+}
+
+// "message, the first near (…).", of the edges with as many triangles as wanted.
+std::string withFirstEdge(std::string message, const std::vector<io::Part>& parts,
+                          const std::function<bool(std::size_t triangles)>& isWanted) {
+  for (const io::Part& part : parts) {
+    const Welding welding(part.mesh);
+    const auto at = [&](Index h) -> const Vec3& { return part.mesh.positions[welding.corners[h]]; };
+    std::optional<Vec3> middle;
+    welding.forEachEdge([&](std::span<const Index> edge) {
+      if (!middle && isWanted(edge.size())) middle = (at(edge[0]) + at(nextCorner(edge[0]))) / 2;
+    });
+    if (middle) return message.append(", the first near (").append(place(*middle, parts)) + ").";
+  }
+  return message.append(".");
+}
+
+bool isWorse(double after, double before, double good) {
+  return after < std::min(before, good) - kWorthAWord;
+}
+
+// The smallest angles that are worse, "17° on average, not 34°", and joined; empty if none is.
+std::string worseAngles(const AngleStatistics& before, const AngleStatistics& after) {
+  std::string text;
+  const auto add = [&](double now, const char* which, double then) {
+    if (!text.empty()) text.append(", and of ");
+    text.append(number(now)).append(which).append(number(then)).append("°");
+  };
+  if (isWorse(after.mean, before.mean, kGoodMean))
+    add(after.mean, "° on average, not ", before.mean);
+  if (isWorse(after.worst, before.worst, kGoodWorst))
+    add(after.worst, "° in the worst, not ", before.worst);
+  return text;
+}
+
+std::size_t more(std::size_t after, std::size_t before) {
+  return after > before ? after - before : 0;
+}
+
+}  // namespace
+
+std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
+                                    const std::vector<io::Part>& result) {
+  const auto& [before, after] = reports;
+  std::vector<Warning> warnings;
+  const std::string angles = worseAngles(before.minAngle, after.minAngle);
+  if (!angles.empty())
+    warnings.push_back(
+        {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
+                             ". The worst lies near (" +
+                             place(worstTriangle(result).centre, result) +
+                             "). More vertices help where parts are thinner than edges are long."});
+  if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
+    warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
+                        "Triangles of the result have no area: parts of the surface are too thin "
+                        "for its numbers, as near (" +
+                            place(worstTriangle(result).centre, result) + ").",
+                        made});
+  if (const std::size_t made = more(after.nonManifoldEdges, before.nonManifoldEdges))
+    warnings.push_back(
+        {"NON_MANIFOLD_EDGES_MADE",
+         withFirstEdge("Parts of the surface that lie on each other share edges of the result",
+                       result, [](std::size_t triangles) { return triangles > 2; }),
+         made});
+  if (before.boundaryEdges == 0 && after.boundaryEdges > 0)
+    warnings.push_back(
+        {"SURFACE_OPENED",
+         withFirstEdge("Edges of the result are open, though the surface given was closed", result,
+                       [](std::size_t triangles) { return triangles == 1; }),
+         after.boundaryEdges});
+  return warnings;
+}
+
+std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io::Part>& result) {
+  if (!report.fidelity || report.fidelity->hausdorff <= kWholeDiagonal) return {};
+  const std::optional<Vec3> where = placeOfRounding(result);
+  if (!where) return {};
+  std::string text = "The result is " + number(report.fidelity->hausdorff);
+  text.append(" % of the diagonal away from the original, near (").append(place(*where, result));
+  text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
+  return {{"SHAPE_LOST_TO_ROUNDING", text.append("to. Move it to the origin first.")}};
+}
+
+std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options) {
+  if (!options.maxError || !report.fidelity) return {};
+  const double found = report.fidelity->hausdorff;
+  if (found <= *options.maxError * kRounding) return {};
+  std::string text = "The result is " + number(found);
+  text.append(" % of the diagonal away from the original, not ").append(number(*options.maxError));
+  text.append(
+      " % at most. The bound holds for the surface as it was repaired, and in numbers more ");
+  return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
+}
+
+}  // namespace remesher

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "original/curves/seams.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/legible.h"
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Above this share of all edges there are no charts to preserve.
+constexpr double kNoCharts = 0.5;
+// Values closer than this are one value: the step of a 16-bit normalised integer.
+constexpr float kQuantum = 1.0F / 65535;
+
+bool followsShading(const std::string& semantic) {
+  return semantic.find("NORMAL") != std::string::npos ||
+         semantic.find("TANGENT") != std::string::npos;
+}
+
+bool differ(const Attribute& attribute, Index a, Index b) {
+  if (a == b) return false;
+  for (int k = 0; k < attribute.itemSize; ++k) {
+    const float x = attribute.values[std::size_t{a} * attribute.itemSize + k];
+    const float y = attribute.values[std::size_t{b} * attribute.itemSize + k];
+    if (std::abs(x - y) > kQuantum * std::max(1.0F, std::abs(x))) return true;
+  }
+  return false;
+}
+
+bool bends(const BuiltMesh& built, Halfedge h, double cosAngle) {
+  const auto normal = [&](Face f) {
+    const auto [a, b, c] = built.mesh.vertices(f);
+    return unitNormal(built.positions[a], built.positions[b], built.positions[c]);
+  };
+  const HalfedgeMesh& mesh = built.mesh;
+  return normal(mesh.face(h)).dot(normal(mesh.face(mesh.twin(h)))) < cosAngle;
+}
+
+// Whether the attribute has another value on the other side, at either end of the edge.
+bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
+  const HalfedgeMesh& mesh = built.mesh;
+  const Halfedge t = mesh.twin(h);
+  return differ(attribute, built.wedges[h], built.wedges[mesh.next(t)]) ||
+         differ(attribute, built.wedges[mesh.next(h)], built.wedges[t]);
+}
+
+bool isTexture(const Attribute& attribute) {
+  return attribute.itemSize == 2 && attribute.semantic.rfind("TEXCOORD_", 0) == 0;
+}
+
+// Twice the signed area of a face in the plane of a texture.
+double areaIn(const BuiltMesh& built, const Attribute& texture, Face f) {
+  std::array<Vec2, 3> at;
+  for (int i = 0; i < 3; ++i) {
+    const float* uv = &texture.values[std::size_t{2} * built.wedges[HalfedgeMesh::halfedge(f, i)]];
+    at[i] = {uv[0], uv[1]};
+  }
+  const Vec2 a = at[1] - at[0], b = at[2] - at[0];
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Whether the texture turns back at the edge, as where the two halves of a model share one: a
+// triangle across it would skip what lies between its corners.
+bool mirrors(const BuiltMesh& built, const Attribute& texture, Halfedge h) {
+  return areaIn(built, texture, built.mesh.face(h)) *
+             areaIn(built, texture, built.mesh.face(built.mesh.twin(h))) <
+         0;
+}
+
+struct Edges {
+  std::vector<Halfedge> inner;
+  double cosHardNormal;
+};
+
+void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const Edges& edges,
+                       Seams& seams) {
+  std::vector<Halfedge> found;
+  for (const Halfedge h : edges.inner)
+    if (jumps(built, attribute, h)) found.push_back(h);
+  const bool shading = followsShading(attribute.semantic);
+  if (double(found.size()) > kNoCharts * double(edges.inner.size())) {
+    seams.chartless.push_back(attribute.semantic);
+    // A flat-shaded file says nothing that the surface does not.
+    if (shading) return;
+    seams.warnings.push_back({"ATTRIBUTE_HAS_NO_CHARTS",
+                              legible(attribute.semantic) +
+                                  " jumps across most edges: it is carried by the nearest corner.",
+                              found.size()});
+    return;
+  }
+  for (const Halfedge h : found)
+    if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
+  if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
+  if (!isTexture(attribute)) return;
+  for (const Halfedge h : edges.inner)
+    if (mirrors(built, attribute, h)) seams.edges.push_back(h);
+}
+
+}  // namespace
+
+Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle) {
+  const HalfedgeMesh& mesh = built.mesh;
+  Seams seams;
+  if (input.groups.empty() && input.attributes.empty()) return seams;
+  Edges edges{{}, std::cos(radians(hardNormalAngle))};
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isEdge(Halfedge(i)) && !mesh.isBoundary(Halfedge(i)))
+      edges.inner.push_back(Halfedge(i));
+  const auto group = [&](Halfedge h) { return input.groups[built.triangles[mesh.face(h)]]; };
+  if (!input.groups.empty())
+    for (const Halfedge h : edges.inner)
+      if (group(h) != group(mesh.twin(h))) seams.borders.push_back(h);
+  for (const Attribute& attribute : input.attributes)
+    addAttributeSeams(built, attribute, edges, seams);
+  return seams;
+}
+
+}  // namespace remesher

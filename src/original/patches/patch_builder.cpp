@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "original/patches/patch_builder.h"
+
+#include <algorithm>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+namespace {
+
+// Faces of a cell. Where the margin is wide, larger cells keep the patches from being little else:
+// 2.5 more for every face that a square of the margin's side could hold, up to a limit above which
+// a patch's map would be too distorted.
+constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.5;
+
+// However small the margin, a patch reaches this many faces beyond its cell, so that it holds the
+// star of each of the cell's vertices.
+constexpr int kMinReach = 3;
+
+// Beyond that it takes no face that points this far back (cosine to the cell's mean normal).
+constexpr float kMarginCone = -0.7f;
+
+// Faces a search for ways visits whether they are near or not: large faces have far centroids.
+constexpr Index kAlwaysNear = 30;
+
+// A patch this large has outgrown its use; growth by breadth first keeps what is nearest.
+constexpr std::size_t kMaxPatchFaces = 3000;
+
+std::size_t cellSize(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin) {
+  double total = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    if (!mesh.isAlive(Face(i))) continue;
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    total += area(positions[a], positions[b], positions[c]);
+  }
+  const double inMargin = total > 0 ? margin * margin * double(mesh.faceCount()) / total : 0;
+  return std::size_t(std::min(kMinCellSize + kCellSizePerMargin * inMargin, kMaxCellSize));
+}
+
+}  // namespace
+
+PatchBuilder::PatchBuilder(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                           std::span<const char> barriers, double margin)
+    : positions_(positions),
+      margin_(float(margin)),
+      frames_(faceFrames(mesh, positions)),
+      cells_(partitionFaces(mesh, frames_, barriers, cellSize(mesh, positions, margin))),
+      grower_(mesh, barriers) {}
+
+void PatchBuilder::growCore(Index cell) {
+  grower_.clear();
+  grower_.add(cells_.faces(cell)[0]);
+  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
+    const Face f = grower_.faces()[head];
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
+      if (g && cells_.cellOf(g) == cell) grower_.add(g);
+    }
+  }
+}
+
+// From the faces there are, breadth first: over the first few faces in any case, then over those
+// that isWanted(face it came from, face) says.
+template <class IsWanted>
+void PatchBuilder::growOutwards(IsWanted isWanted) {
+  reaches_.clear();
+  for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
+  for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
+    if (grower_.faces().size() >= kMaxPatchFaces) break;
+    const Reach from = reaches_[head];
+    const Face f = grower_.faces()[head];
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(f, i));
+      if (!g || grower_.holds(g)) continue;
+      if (from.steps >= kMinReach && !isWanted(from.source, g)) continue;
+      if (grower_.add(g)) reaches_.push_back({from.source, from.steps + 1});
+    }
+  }
+}
+
+void PatchBuilder::growMargin() {
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  for (const Face f : grower_.faces()) normal += frames_[f].normal;
+  const float lowest = kMarginCone * normal.norm();
+  growOutwards([&](Face source, Face g) {
+    const float distance = (frames_[g].centroid - frames_[source].centroid).norm();
+    return distance <= margin_ && frames_[g].normal.dot(normal) >= lowest;
+  });
+}
+
+PlanarPatch PatchBuilder::finish(std::span<const Face> kept) {
+  grower_.trimEars(kept);
+  const DiskPatch* disk = grower_.cut();
+  if (!disk) return {};
+  const std::span<const Uv> uv = parameterizer_.solve(*disk, positions_);
+  return uv.empty() ? PlanarPatch() : PlanarPatch(*disk, uv);
+}
+
+PlanarPatch PatchBuilder::aroundCell(Index cell) {
+  growCore(cell);
+  const std::size_t coreCount = grower_.faces().size();
+  growMargin();
+  return finish(grower_.faces().first(coreCount));
+}
+
+// Breadth first from one face until all are met, within the ball; then their shortest ways back are
+// what the patch begins with. Growing blindly could wall one of them in.
+bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) {
+  if (visited_.size() == 0) visited_.resize(frames_.size(), 0);
+  ++visit_;
+  ways_.assign(1, {faces[0], 0});
+  visited_[faces[0]] = visit_;
+  const auto isMet = [&](Face f) { return visited_[f] == visit_; };
+  for (Index head = 0; head < ways_.size(); ++head) {
+    if (isMet(faces[1]) && isMet(faces[2])) break;
+    for (int i = 0; i < 3; ++i) {
+      const Face g = grower_.neighbor(HalfedgeMesh::halfedge(ways_[head].face, i));
+      if (!g || isMet(g)) continue;
+      const bool isGoal = g == faces[1] || g == faces[2];
+      if (!isGoal && head >= kAlwaysNear && !ball.holds(frames_[g].centroid)) continue;
+      visited_[g] = visit_;
+      ways_.push_back({g, head});
+    }
+  }
+  visitedFaces_ += ways_.size();
+  return isMet(faces[1]) && isMet(faces[2]) && addWay(faces[1]) && addWay(faces[2]);
+}
+
+// From where the way to f leaves what is held already, face by face.
+bool PatchBuilder::addWay(Face f) {
+  std::vector<Face> way;
+  Index at = 0;
+  while (ways_[at].face != f) ++at;
+  for (; at != 0; at = ways_[at].from) way.push_back(ways_[at].face);
+  return std::all_of(way.rbegin(), way.rend(),
+                     [&](Face g) { return grower_.holds(g) || grower_.add(g); });
+}
+
+PlanarPatch PatchBuilder::aroundFaces(const std::array<Face, 3>& faces, const Ball& ball) {
+  grower_.clear();
+  grower_.add(faces[0]);
+  if (!growWays(faces, ball)) return {};
+  growOutwards([&](Face, Face g) { return ball.holds(frames_[g].centroid); });
+  visitedFaces_ += grower_.faces().size();
+  return finish(faces);
+}
+
+}  // namespace remesher

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The walk crosses the side beyond which the point lies farthest. Every face is positively oriented
+// and the patch is convex, so it arrives; were it ever to circle, all faces are looked at.
+#include "original/patches/point_location.h"
+
+#include <limits>
+
+namespace remesher {
+namespace {
+
+// An area above this, of the unit disk's, counts as inside: rounding must not send the walk to and
+// fro. Corners are rounded to 6e-8, so that nothing is lost.
+constexpr double kInside = -1e-15;
+
+// Walks are a handful of steps; one this long is a circle.
+constexpr int kMaxSteps = 200;
+
+// Lifts what rounding or the rim left below zero, so that the weights are a point of the face.
+Vec3 weightsOf(const Vec3& areas) {
+  const Vec3 lifted = areas.cwiseMax(0);
+  return lifted / lifted.sum();
+}
+
+}  // namespace
+
+PlanarPatch::PlanarPatch(const DiskPatch& patch, std::span<const Uv> uv)
+    : faces_(patch.faces), uv_(uv.begin(), uv.end()) {
+  std::size_t capacity = 2;
+  for (shift_ = 31; capacity < 2 * faces_.size(); capacity *= 2) --shift_;
+  slots_.assign(capacity, kNoLocal);
+  for (std::size_t n = 0; n < faces_.size(); ++n) {
+    std::size_t slot = firstSlot(faces_[n].face);
+    while (slots_[slot] != kNoLocal) slot = (slot + 1) & (capacity - 1);
+    slots_[slot] = LocalIndex(n);
+  }
+}
+
+// Twice the signed areas of the triangles that the point makes with the sides opposite the corners:
+// the point's weights but for a common factor.
+Vec3 PlanarPatch::areasIn(const LocalFace& f, const Vec2& point) const {
+  const Uv &a = uv_[f.corners[0]], &b = uv_[f.corners[1]], &c = uv_[f.corners[2]];
+  const double ax = a.x() - point.x(), ay = a.y() - point.y();
+  const double bx = b.x() - point.x(), by = b.y() - point.y();
+  const double cx = c.x() - point.x(), cy = c.y() - point.y();
+  return {bx * cy - cx * by, cx * ay - ax * cy, ax * by - bx * ay};
+}
+
+PlanarPatch::Location PlanarPatch::searchAll(const Vec2& point) const {
+  LocalIndex best = 0;
+  double bestLowest = -std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < faces_.size(); ++n) {
+    const Vec3 areas = areasIn(faces_[n], point);
+    const double lowest = areas.minCoeff() / areas.sum();
+    if (lowest <= bestLowest) continue;
+    bestLowest = lowest;
+    best = LocalIndex(n);
+  }
+  return {best, weightsOf(areasIn(faces_[best], point))};
+}
+
+PlanarPatch::Location PlanarPatch::locate(const Vec2& point, LocalIndex start) const {
+  LocalIndex at = start;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const LocalFace& f = faces_[at];
+    const Vec3 areas = areasIn(f, point);
+    // Area i is negative beyond the side from corner i + 1 to corner i + 2.
+    LocalIndex beyond = kNoLocal;
+    double lowest = kInside;
+    for (int i = 0; i < 3; ++i) {
+      const LocalIndex next = f.across[(i + 1) % 3];
+      if (areas[i] >= lowest || next == kNoLocal) continue;
+      lowest = areas[i];
+      beyond = next;
+    }
+    if (beyond == kNoLocal) return {at, weightsOf(areas)};
+    at = beyond;
+  }
+  return searchAll(point);
+}
+
+}  // namespace remesher

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/bound_error.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "remesh/accuracy/refine_excess.h"
+#include "remesh/steps/adapt.h"
+#include "remesh/steps/coarsen.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/polish.h"
+#include "remesh/steps/relax.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kPatience = 6;            // rounds within which what is left must halve
+constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
+constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
+constexpr double kPolishBelow = radians(30);
+// What cannot reach its goal with the few is not worth more; for wider angles more are.
+constexpr std::size_t kFewProofs = 400, kManyProofs = 1000;
+
+// With so many vertices mending has no future: those asked for are out of reach from there, and the
+// original itself is nearer to them.
+double mostVertices(const Run& run, std::size_t vertices) {
+  const double made = double(run.mesh.mesh().vertexCount());
+  const double original = double(run.mesh.surface().mesh().vertexCount());
+  return std::max(kMostVertices * double(vertices), std::min(kMostVertices * made, original));
+}
+
+// A few rounds mend what a scheme has left. Where there is much of it, or where it does not shrink,
+// for the mesh stands for the original in the wrong places, it is not worth mending. Returns
+// whether the bound is kept in the end.
+bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
+  const double most = mostVertices(run, goal.vertices);
+  ExcessSearch search(goal.bound);
+  std::size_t halfOfEarlier = std::numeric_limits<std::size_t>::max();
+  for (int round = 0; double(run.mesh.mesh().vertexCount()) <= most; ++round) {
+    progress.at(double(round) / (round + 2));  // each takes less time than the one before
+    const Excess excess = search.find(run.mesh);
+    if (excess.empty()) return true;
+    const std::size_t left = excess.stray.size() + excess.lost.size();
+    if (round % kPatience == kPatience - 1) {
+      if (left > halfOfEarlier) return false;
+      halfOfEarlier = left / 2;
+    }
+    refineExcess(run, excess, round < kMovingRounds ? Moves::Allowed : Moves::Never);
+    delaunayFlips(run.mesh, run.rule);
+  }
+  return false;
+}
+
+// Polishing splits and collapses, and under the gate it may not get all collapses back.
+void polishInCount(Run& run, const Progress& progress) {
+  const WorkingMesh before = run.mesh;
+  polish(run, {kPolishBelow}, progress);
+  if (run.mesh.mesh().vertexCount() != before.mesh().vertexCount()) run.mesh = before;
+}
+
+}  // namespace
+
+bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
+  if (!mend(run, goal, progress.phase("mend", 0, 0.3))) run.mesh = WorkingMesh(run.mesh.surface());
+  run.scale = 1;
+  run.rule.bound = &goal.bound;
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  grantProofs(run, kFewProofs);
+  coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.phase("coarsen", 0.3, 0.6));
+  const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
+  delaunayFlips(run.mesh, run.rule);
+  grantProofs(run, isReached ? kManyProofs : kFewProofs);
+  if (isReached)
+    polishInCount(run, progress.phase("polish", 0.6, 1));
+  else
+    relax(run, 2);
+  return isReached;
+}
+
+}  // namespace remesher

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "original/surface/surface_walk.h"
+#include "remesh/gate/angles.h"
+
+namespace remesher {
+
+namespace {
+
+// The last pass gains little; only a mesh of few vertices, where it costs little, has it.
+constexpr std::size_t kFew = 8000;
+constexpr int kPasses = 2, kPassesOfFew = 3, kPassesInDraft = 1;
+// The least squares of offsets that neighbours share, by relaxation: a little beyond each vertex's
+// own mean few passes come nearest.
+constexpr double kBeyond = 1.3;
+// A vertex that a pass has moved by less than this is left alone by the next.
+constexpr double kStillMoves = 0.003;  // of the target length
+// Angles above this may shrink, but never below it; what is below may not shrink at all. In a
+// draft, which moves vertices once, the last polish sees to that.
+constexpr double kKeepAngle = radians(33);
+
+// The mean over a triangle by a rule that is exact to squares: so much of it at each corner, and at
+// its middle. At the corners, which have their places, it costs nothing.
+constexpr double kAtCorner = 1.0 / 12, kAtMiddle = 3.0 / 4;
+
+// For each vertex what the triangles around it are far from the original on average, signed along
+// their normals: of every sample it has the share that is its weight among the three corners.
+class Offsets {
+ public:
+  explicit Offsets(const WorkingMesh& mesh)
+      : mesh_(mesh), middles_(mesh.mesh().vertexCapacity()), found_(mesh.mesh().faceCapacity()) {}
+
+  void clear() { middles_.assign(middles_.size(), {}); }
+
+  void addMiddle(Face f) {
+    const auto [a, b, c] = mesh_.corners(f);
+    const Vec3 normal = areaVector(a, b, c), middle = (a + b + c) / 3;
+    const double volume = wayToOriginal(f, middle).dot(normal);
+    for (const Vertex v : mesh_.mesh().vertices(f)) {
+      middles_[v].volume += kAtMiddle / 3 * volume;
+      middles_[v].area += normal.norm() / 3;
+    }
+  }
+
+  // Once the middles around v are known. normal: the sum of the area vectors around it.
+  double at(Vertex v, const Vec3& normal) const {
+    const Vec3 way = mesh_.surface().position(mesh_.at(v)) - mesh_.position(v);
+    return (middles_[v].volume + kAtCorner * way.dot(normal)) / middles_[v].area;
+  }
+
+ private:
+  struct Sum {
+    double volume = 0;  // areas times distances
+    double area = 0;
+  };
+
+  // From the middle of f, by a walk from its first corner, or from where the last one has ended.
+  Vec3 wayToOriginal(Face f, const Vec3& middle) {
+    const OriginalSurface& surface = mesh_.surface();
+    const SurfacePoint start = found_[f] ? SurfacePoint{found_[f], Vec3::Constant(1.0 / 3)}
+                                         : mesh_.cornerPoint(HalfedgeMesh::halfedge(f));
+    const SurfacePoint point = closestPointFrom(surface, start, middle);
+    found_[f] = point.face;
+    return surface.position(point) - middle;
+  }
+
+  const WorkingMesh& mesh_;
+  VertexData<Sum> middles_;
+  FaceData<Face> found_;  // the face of the original nearest to each middle
+};
+
+bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  const double after = smallestAngleAround(mesh, v, to);
+  return after >= kKeepAngle || after >= smallestAngleAround(mesh, v, mesh.position(v));
+}
+
+// Along the mean normal of the triangles around v. Returns how far.
+double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
+  const bool isDraft = run.quality == Quality::Draft;
+  run.star.gather(run.mesh, v);
+  const Vec3 normal = run.star.areaVector(run.mesh.position(v));
+  if (!(normal.norm() > 0)) return 0;
+  const double distance = (isDraft ? 1 : kBeyond) * offsets.at(v, normal);
+  Placement place = run.mesh.placement(v);
+  place.position += distance * normal.normalized();
+  if (isDraft || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);
+  return distance;
+}
+
+bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners) {
+  return marked[corners[0]] || marked[corners[1]] || marked[corners[2]];
+}
+
+int passesOf(const Run& run) {
+  if (run.quality == Quality::Draft) return kPassesInDraft;
+  return run.mesh.mesh().vertexCount() < kFew ? kPassesOfFew : kPasses;
+}
+
+}  // namespace
+
+void fit(Run& run, const Progress& progress) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Offsets offsets(run.mesh);
+  VertexData<char> moves(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
+  const int passes = passesOf(run);
+  for (int pass = 0; pass < passes; ++pass) {
+    progress.at(double(pass) / passes);
+    offsets.clear();
+    for (Index i = 0; i < mesh.faceCapacity(); ++i)
+      if (mesh.isAlive(Face(i)) && anyOf(moves, mesh.vertices(Face(i)))) offsets.addMiddle(Face(i));
+    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (!mesh.isAlive(v) || !moves[v]) continue;
+      const double offset = offsetVertex(run, v, offsets);
+      moves[v] = std::abs(offset) >= kStillMoves * run.sizes.at(run.mesh.at(v));
+    }
+  }
+  run.mesh.settleAll();  // smoothing would undo it
+}
+
+}  // namespace remesher

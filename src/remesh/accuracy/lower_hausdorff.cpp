@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/lower_hausdorff.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "remesh/accuracy/star_search.h"
+#include "remesh/gate/angles.h"
+
+namespace remesher {
+
+namespace {
+
+// Only a large distance is worth angles: good ones stay good otherwise.
+constexpr double kWorthAngles = 0.24;  // of the target edge length
+constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kWorstLeft = radians(33.2);
+// A lost tip is worth more: what is worse than the worst is polished afterwards.
+constexpr double kLostTip = 0.4;  // of the target edge length
+constexpr double kMendable = radians(28);
+
+constexpr double kWorthAMove = 0.05;  // of the mean target edge length
+// A move that changes less than this decides nothing; one that reaches so much may stop there.
+constexpr double kGain = 0.99, kReached = 0.65;
+// What costs angles, or makes way for another, must win more.
+constexpr double kMuch = 0.9;
+// Where the maximum is stuck, what lies below this share of it decides nothing.
+constexpr double kNearMaximum = 0.8;
+
+constexpr int kRounds = 4;
+// Triangles looked at: of a large mesh few decide, and a small one has few.
+constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
+// Between two shells all is far off, and as near to one as to the other: a try may look at millions
+// of triangles of the original there, and where a mesh passes through itself all over at as many of
+// its own; elsewhere seldom at more than ten thousand.
+constexpr std::size_t kLooksPerTry = 12'000;
+
+std::size_t triesFor(std::size_t vertices) {
+  return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
+                  vertices / kVerticesPerTry);
+}
+
+// The angle that a move leaves, in radians, and the one that was asked of moves before, in vain.
+struct Kept {
+  double angle;
+  std::optional<double> last;
+};
+
+// Lowers the distances of the triangles where they are largest, until nothing more can be done.
+class Descent {
+ public:
+  explicit Descent(Run& run)
+      : run_(run),
+        mesh_(run.mesh.mesh()),
+        distances_(run),
+        crossings_(run.mesh),
+        tries_(triesFor(mesh_.vertexCount())),
+        mostLooks_(looked() + kLooksPerTry * tries_) {
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (mesh_.isAlive(Face(i))) push(Face(i));
+  }
+
+  void run() {
+    // What is stuck may be freed by moves nearby.
+    for (int i = 0; i < kRounds && descend(); ++i)
+      for (const Face f : std::exchange(stuck_, {})) push(f);
+  }
+
+ private:
+  using Entry = std::pair<double, Face>;
+
+  void push(Face f) {
+    queue_.emplace_back(distances_.of(f), f);
+    std::push_heap(queue_.begin(), queue_.end());
+  }
+
+  Entry pop() {
+    std::pop_heap(queue_.begin(), queue_.end());
+    const Entry entry = queue_.back();
+    queue_.pop_back();
+    return entry;
+  }
+
+  std::size_t looked() const { return distances_.looked() + crossings_.looked(); }
+
+  bool mayTry() const { return tries_ > 0 && looked() < mostLooks_; }
+
+  // Whether anything moved.
+  bool descend() {
+    bool moved = false;
+    double worst = kWorthAMove * run_.sizes.mean();
+    while (!queue_.empty() && mayTry() && queue_.front().first >= worst) {
+      const auto [distance, f] = pop();
+      if (distance != distances_.of(f)) continue;
+      --tries_;
+      if (lower(f) && distances_.of(f) < distance) {
+        moved = true;
+        continue;
+      }
+      stuck_.push_back(f);
+      worst = std::max(worst, kNearMaximum * distance);
+    }
+    return moved;
+  }
+
+  bool lower(Face f) {
+    std::optional<double> last;
+    for (const double angle : {kGoodAngle, kFairAngle, kWorstLeft}) {
+      const Kept kept{angle, last};
+      if (moveCorner(f, kept) || flipSide(f, angle) || makeWay(f, kept)) return true;
+      if (!isBeyond(kWorthAngles, f)) return false;
+      last = angle;
+    }
+    const Kept kept{kMendable, last};
+    return isBeyond(kLostTip, f) && (moveCorner(f, kept) || makeWay(f, kept));
+  }
+
+  // share: of the target edge length.
+  bool isBeyond(double share, Face f) const {
+    const Vertex v = mesh_.vertices(f)[0];
+    return distances_.of(f) > share * run_.sizes.at(run_.mesh.at(v));
+  }
+
+  // Boundaries are near enough already: see followBoundaries.
+  bool isFixed(Vertex v) const {
+    return run_.mesh.kind(v) == VertexKind::Corner || mesh_.isBoundary(v);
+  }
+
+  // Outlines show: a curve always has its way.
+  double keptAt(Vertex v, double angle) const {
+    return run_.mesh.kind(v) == VertexKind::Curve ? kWorstLeft : angle;
+  }
+
+  // Whether a search from v would be the last one again, which was in vain: both may do to a star
+  // what its own angles allow.
+  bool wasTried(Vertex v, const Kept& kept) const {
+    if (!kept.last) return false;
+    const double own = smallestAngleAround(run_.mesh, v, run_.mesh.position(v));
+    return std::min(keptAt(v, kept.angle), own) == std::min(keptAt(v, *kept.last), own);
+  }
+
+  bool moveCorner(Face f, const Kept& kept) {
+    const double before = distances_.of(f);
+    double lowest = (kept.last ? kMuch : kGain) * before;
+    Vertex mover;
+    Placement to;
+    for (const Vertex v : mesh_.vertices(f)) {
+      if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) > lowest) continue;
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
+      search.descend(kReached * before);
+      if (search.distance() >= lowest) continue;
+      lowest = search.distance();
+      mover = v;
+      to = search.best();
+    }
+    if (!mover) return false;
+    move(mover, to);
+    return true;
+  }
+
+  void move(Vertex v, const Placement& to) {
+    proposePlacement(run_.mesh, v, to, run_.change);
+    std::vector<double> before;
+    for (const Face f : run_.change.going) before.push_back(distances_.of(f));
+    apply(run_.mesh, run_.change);
+    distances_.update(v);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Face f = run_.change.going[i];
+      crossings_.update(f);
+      if (distances_.of(f) != before[i]) push(f);
+    }
+  }
+
+  // A vertex may be held between two sides, each of which a neighbour could take over.
+  bool makeWay(Face f, const Kept& kept) {
+    const double before = distances_.of(f);
+    bool moved = false;
+    for (const Vertex v : mesh_.vertices(f)) {
+      if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) < before) continue;
+      StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
+      const double own = search.distance();
+      if (own < kReached * before) continue;
+      search.descend(kReached * before);
+      if (search.distance() > kMuch * own) continue;
+      move(v, search.best());
+      moved = true;
+    }
+    return moved;
+  }
+
+  bool flipSide(Face f, double angle) {
+    for (int i = 0; i < 3; ++i) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, i);
+      if (!proposeFlip(run_.mesh, h, run_.change)) continue;
+      const Face across = mesh_.face(mesh_.twin(h));
+      const double before = std::max(distances_.of(f), distances_.of(across));
+      if (smallestComingAngle(run_.mesh, run_.change) < angle) continue;
+      if (distances_.ifFlipped(h) > kGain * before) continue;
+      if (judge(run_.mesh, run_.change, lenient(run_)) != Verdict::Accepted) continue;
+      if (crossings_.grow(run_.change)) continue;
+      distances_.update(run_.mesh.flip(h));
+      for (const Face changed : {f, across}) {
+        crossings_.update(changed);
+        push(changed);
+      }
+      return true;
+    }
+    return false;
+  }
+
+  Run& run_;
+  const HalfedgeMesh& mesh_;
+  TwoSidedDistance distances_;
+  Crossings crossings_;
+  std::vector<Entry> queue_;
+  std::vector<Face> stuck_;
+  std::size_t tries_, mostLooks_;
+};
+
+}  // namespace
+
+void lowerHausdorff(Run& run) { Descent(run).run(); }
+
+}  // namespace remesher

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/place_finder.h"
+
+#include <algorithm>
+
+namespace remesher {
+
+namespace {
+
+constexpr std::size_t kEnoughSeen = 4;    // vertices
+constexpr std::size_t kMostFaces = 5000;  // of the original to look through
+
+}  // namespace
+
+PlaceFinder::PlaceFinder(const WorkingMesh& mesh)
+    : mesh_(mesh), begins_(mesh.surface().mesh().faceCapacity() + 1, 0) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto forEachVertex = [&](const auto& visit) {
+    for (Index i = 0; i < m.vertexCapacity(); ++i)
+      if (m.isAlive(Vertex(i))) visit(Vertex(i), mesh.at(Vertex(i)).face.index);
+  };
+  forEachVertex([&](Vertex, Index face) { ++begins_[face]; });
+  Index sum = 0;
+  for (Index& begin : begins_) begin = sum += begin;
+  vertices_.resize(sum);
+  // Each face's list is filled from its end, which so becomes its beginning.
+  forEachVertex([&](Vertex v, Index face) { vertices_[--begins_[face]] = v; });
+}
+
+std::vector<Vertex> PlaceFinder::verticesNear(const SurfacePoint& place) const {
+  const HalfedgeMesh& original = mesh_.surface().mesh();
+  std::vector<Vertex> found;
+  std::vector<Face> seen = {place.face};
+  for (std::size_t i = 0; i < seen.size() && i < kMostFaces && found.size() < kEnoughSeen; ++i) {
+    const Face f = seen[i];
+    for (Index k = begins_[f.index]; k < begins_[f.index + 1]; ++k) found.push_back(vertices_[k]);
+    for (int side = 0; side < 3; ++side) {
+      const Halfedge across = original.twin(HalfedgeMesh::halfedge(f, side));
+      if (!across) continue;
+      const Face next = HalfedgeMesh::face(across);
+      if (std::find(seen.rbegin(), seen.rend(), next) == seen.rend()) seen.push_back(next);
+    }
+  }
+  return found;
+}
+
+}  // namespace remesher

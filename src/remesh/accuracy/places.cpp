@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geometry/extremes.h"
+#include "geometry/mesh_tree.h"
+#include "geometry/triangle.h"
+#include "original/surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kSpacing = 0.5;  // of the target edge length
+// A walk may end in a local minimum; places farther than this are tried from other sides too.
+constexpr double kDoubtful = 0.3;  // of the target edge length
+constexpr int kRetries = 4;
+// Inside a triangle with sides no longer than this, and corners that are near, all is near.
+constexpr double kBetween = 2;    // target edge lengths
+constexpr double kSameWay = 0.9;  // cosine
+// So many places, per vertex of the mesh and triangle of the original, are as many as can matter.
+constexpr double kMostPlaces = 64;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+struct Start {
+  Face face;
+  double enough = 0;  // a walk may end this near
+};
+
+// Whether the place is nearer to where a walk from `start` ends.
+bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
+  const SurfacePoint near =
+      closestPointFrom(mesh.mesh(), mesh.positions(), start.face, {place.position, start.enough});
+  const auto [a, b, c] = mesh.mesh().vertices(near.face);
+  const Vec3& w = near.barycentric;
+  const Vec3 there = w[0] * mesh.position(a) + w[1] * mesh.position(b) + w[2] * mesh.position(c);
+  const double distance = (there - place.position).norm();
+  if (distance >= place.distance) return false;
+  place.nearest = near.face;
+  place.distance = distance;
+  return true;
+}
+
+// The vertices of the original to measure from: all of them, or those that a stand-in had. Beside
+// these lay what it left out.
+class Posts {
+ public:
+  explicit Posts(const Run& run) : original_(run.mesh.surface().mesh()), thinned_(run.thinned) {}
+
+  // Which are neighbours. Its vertices are the posts, by numbers of their own.
+  const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
+  Vertex near(Vertex original) const { return thinned_ ? (*thinned_->heirs)[original] : original; }
+  Vertex original(Vertex post) const { return thinned_ ? (*thinned_->onOriginal)[post] : post; }
+
+ private:
+  const HalfedgeMesh& original_;
+  const std::optional<Thinned> thinned_;
+};
+
+// For each post a vertex of the mesh that lies near it along the surface: those on its own faces
+// first, then what its neighbours have.
+class NearbyVertices {
+ public:
+  NearbyVertices(const WorkingMesh& mesh, const Posts& posts)
+      : posts_(posts), near_(posts.mesh().vertexCapacity()) {
+    seed(mesh);
+    spread();
+  }
+
+  Vertex operator[](Vertex post) const { return near_[post]; }
+
+ private:
+  void seed(const WorkingMesh& mesh) {
+    const VertexData<Vec3>& positions = mesh.surface().positions();
+    for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {
+      const Vertex w(i);
+      if (!mesh.mesh().isAlive(w)) continue;
+      for (const Vertex v : mesh.surface().mesh().vertices(mesh.at(w).face)) {
+        const Vertex post = posts_.near(v);
+        const Vec3& at = positions[posts_.original(post)];
+        if (!near_[post]) reached_.push_back(post);
+        const auto distance2 = [&](Vertex u) { return (mesh.position(u) - at).squaredNorm(); };
+        if (!near_[post] || distance2(w) < distance2(near_[post])) near_[post] = w;
+      }
+    }
+  }
+
+  void spread() {
+    for (std::size_t head = 0; head < reached_.size(); ++head) {
+      const Vertex from = reached_[head];
+      posts_.mesh().forEachNeighbor(from, [&](Vertex v) {
+        if (near_[v]) return;
+        near_[v] = near_[from];
+        reached_.push_back(v);
+      });
+    }
+  }
+
+  const Posts& posts_;
+  VertexData<Vertex> near_;
+  std::vector<Vertex> reached_;
+};
+
+class Survey {
+ public:
+  Survey(const Run& run, double enough, double surely)
+      : run_(run),
+        enough_(enough),
+        surely_(surely),
+        mesh_(run.mesh),
+        posts_(run),
+        nearby_(run.mesh, posts_),
+        near_(posts_.mesh().vertexCapacity(), 0) {}
+
+  std::vector<Place> places() {
+    const HalfedgeMesh& posts = posts_.mesh();
+    for (Index i = 0; i < posts.vertexCapacity(); ++i) {
+      const Vertex post(i);
+      if (!posts.isAlive(post) || !nearby_[post]) continue;
+      const Vertex v = posts_.original(post), w = nearby_[post];
+      near_[post] = isSurelyNear(v, w);
+      if (!near_[post]) add(mesh_.surface().at(v), faceAt(w));
+    }
+    addInside();
+    return std::move(places_);
+  }
+
+ private:
+  // Whether a vertex of the original lies in the tangent plane of one nearby and faces its way: a
+  // look that spares most places a walk.
+  bool isSurelyNear(Vertex v, Vertex w) const {
+    // A boundary's tangent plane goes on where the mesh does not.
+    if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
+    const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
+    const double size = run_.scale * run_.sizes.at(mesh_.at(w));
+    return offset.squaredNorm() < size * size &&
+           std::abs(offset.dot(mesh_.normal(w))) < surely_ * size &&
+           mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
+               kSameWay;
+  }
+
+  Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }
+
+  bool isDoubtful(const Place& place, double size) const {
+    return place.distance >= std::max(kDoubtful, enough_) * size ||
+           (place.distance >= enough_ * size && isAcrossEdge(place));
+  }
+
+  // A walk over a wedge ends at the perpendicular's foot on its other side: then the triangle there
+  // faces away from the original's.
+  bool isAcrossEdge(const Place& place) const {
+    const auto [a, b, c] = mesh_.surface().mesh().vertices(place.original.face);
+    const VertexData<Vec3>& p = mesh_.surface().positions();
+    const Triangle t = mesh_.corners(place.nearest);
+    return areaVector(p[a], p[b], p[c]).dot(areaVector(t[0], t[1], t[2])) < 0;
+  }
+
+  // Walks again from all around where the last one ended. From one start they all end alike.
+  void retry(Place& place, double size) {
+    const HalfedgeMesh& mesh = mesh_.mesh();
+    starts_.clear();
+    for (int i = 0; i < kRetries; ++i) {
+      if (!isDoubtful(place, size)) return;
+      bool improved = false;
+      for (const Vertex v : mesh.vertices(place.nearest))
+        mesh.forEachNeighbor(v, [&](Vertex w) {
+          const Face start = faceAt(w);
+          if (std::find(starts_.begin(), starts_.end(), start) != starts_.end()) return;
+          starts_.push_back(start);
+          improved = improve(mesh_, place, {start, enough_ * size}) || improved;
+        });
+      if (!improved) return;
+    }
+  }
+
+  // Returns the triangle nearest to the place, or one that is near enough.
+  Face add(const SurfacePoint& original, Face start) {
+    const double size = run_.scale * run_.sizes.at(original);
+    Place place{original, mesh_.surface().position(original), start, kEndless};
+    improve(mesh_, place, {start, enough_ * size});
+    retry(place, size);
+    if (isDoubtful(place, size)) {
+      if (!tree_) tree_.emplace(mesh_.mesh(), mesh_.positions());
+      const MeshTree::Nearest nearest = tree_->nearest(place.position, place.nearest);
+      place.nearest = nearest.face;
+      place.distance = nearest.distance;
+    }
+    if (place.distance >= enough_ * size) places_.push_back(place);
+    return place.nearest;
+  }
+
+  // Steps of half a target edge length along the sides of a triangle, and in rows between the
+  // longest and the corner opposite.
+  struct Grid {
+    int longest = 0;  // the corner where that side begins
+    double along = 0, rows = 0;
+
+    double places() const { return 0.5 * (along + 1) * (rows + 1); }
+    bool hasPlaces() const { return along >= 2; }
+  };
+
+  using Grids = FaceData<Grid>;
+
+  // From several places: one copy is enough.
+  [[gnu::noinline]] double squaredLengthOf(Face f, int side) const {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
+    const VertexData<Vec3>& positions = mesh_.surface().positions();
+    const Halfedge h = HalfedgeMesh::halfedge(f, side);
+    return (positions[original.tip(h)] - positions[original.origin(h)]).squaredNorm();
+  }
+
+  double lengthOf(Face f, int side) const { return std::sqrt(squaredLengthOf(f, side)); }
+
+  Grid gridOf(Face f) const {
+    const auto corners = mesh_.surface().mesh().vertices(f);
+    const VertexData<Vec3>& p = mesh_.surface().positions();
+    const std::array<double, 3> squared = {squaredLengthOf(f, 0), squaredLengthOf(f, 1),
+                                           squaredLengthOf(f, 2)};
+    const double largest = greatest(squared[0], squared[1], squared[2]);
+    const double size = run_.scale * run_.sizes.at(corners[0]), between = kBetween * size;
+    const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
+    if (largest < between * between && std::all_of(corners.begin(), corners.end(), isNear))
+      return {};
+    const auto side = int(std::find(squared.begin(), squared.end(), largest) - squared.begin());
+    const double longest = std::sqrt(largest);
+    const double steps = std::ceil(longest / (kSpacing * size));
+    if (!(steps > 1) || !nearby_[posts_.near(corners[0])]) return {};
+    const double height = areaVector(p[corners[0]], p[corners[1]], p[corners[2]]).norm() / longest;
+    return {side, steps, std::max(1.0, std::ceil(height / (kSpacing * size)))};
+  }
+
+  // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area;
+  // those with sides much longer than their area tells could ask for any number. Then all steps are
+  // longer, and the work stays in proportion to both meshes.
+  void addInside() {
+    Grids grids(mesh_.surface().mesh().faceCapacity());
+    const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + grids.size());
+    double places = 0;
+    for (Index i = 0; i < grids.size(); ++i) {
+      grids[Face(i)] = gridOf(Face(i));
+      places += grids[Face(i)].places();
+    }
+    for (Grid& grid : grids.values()) {
+      if (places > most) grid.along = std::floor(grid.along * most / places);
+      grid.rows = std::min(grid.rows, most);
+    }
+    for (Index i = 0; i < grids.size(); ++i)
+      if (grids[Face(i)].hasPlaces()) addOver(Face(i), grids);
+  }
+
+  // A side that two triangles share is looked at once.
+  void addOver(Face f, const Grids& grids) {
+    const HalfedgeMesh& original = mesh_.surface().mesh();
+    const auto& [longest, along, rows] = grids[f];
+    Face start = faceAt(nearby_[posts_.near(original.vertices(f)[0])]);
+    for (int i = 0; i < 3; ++i) {
+      const Halfedge twin = original.twin(HalfedgeMesh::halfedge(f, i));
+      if (twin && HalfedgeMesh::face(twin) < f && grids[HalfedgeMesh::face(twin)].hasPlaces())
+        continue;
+      start = addRow({f, i}, 0, std::ceil(along * lengthOf(f, i) / lengthOf(f, longest)), start);
+    }
+    for (int row = 1; row < rows; ++row) {
+      const double up = row / rows;
+      start = addRow({f, longest}, up, std::ceil(along * (1 - up)), start);
+    }
+  }
+
+  struct Side {
+    Face face;
+    int corner;  // where it begins
+  };
+
+  // Between the other two sides, so far up from this one to the corner opposite.
+  Face addRow(const Side& side, double up, double steps, Face start) {
+    for (int step = 1; step < steps; ++step) {
+      const double on = (1 - up) * step / steps;
+      Vec3 weights;
+      weights[side.corner] = 1 - up - on;
+      weights[(side.corner + 1) % 3] = on;
+      weights[(side.corner + 2) % 3] = up;
+      start = add({side.face, weights}, start);
+    }
+    return start;
+  }
+
+  const Run& run_;
+  const double enough_, surely_;
+  const WorkingMesh& mesh_;
+  const Posts posts_;
+  const NearbyVertices nearby_;
+  // For the few places that no walk finds the nearest triangle for: those inside triangles of the
+  // original far larger than the mesh's.
+  std::optional<MeshTree> tree_;
+  VertexData<char> near_;     // surely, per post
+  std::vector<Face> starts_;  // of the walks to the place at hand
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+void measureAgain(const WorkingMesh& mesh, Place& place) {
+  place.distance = kEndless;
+  improve(mesh, place, {place.nearest});
+}
+
+std::vector<Place> measurePlaces(const Run& run, double enough, double surely) {
+  return Survey(run, enough, surely).places();
+}
+
+}  // namespace remesher

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/star_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "original/surface/surface_walk.h"
+#include "remesh/gate/angles.h"
+#include "remesh/steps/sweeps.h"
+
+namespace remesher {
+
+namespace {
+
+// Steps in units of the mean spoke.
+constexpr double kFirstStep = 0.4, kLastStep = 0.04;
+constexpr int kDirections = 8;
+// Few rounds find what there is to find nearby. To a place a billion spokes away it is as many
+// steps, each of them a little nearer.
+constexpr int kMostRounds = 64;
+constexpr std::size_t kAlongNormal = 2;
+// A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
+constexpr double kRoom = 0.1;
+const double kSmallTurn = std::cos(radians(45));
+
+// First up and down the star's mean normal, then around it.
+std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const Vec3 normal = mesh.areaVectorAround(v).normalized();
+  const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - mesh.position(v);
+  const Vec3 x = (spoke - normal * normal.dot(spoke)).normalized(), y = normal.cross(x);
+  std::vector<Vec3> directions = {0.5 * normal, -0.5 * normal};
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kDirections;
+    directions.push_back(std::cos(turn) * x + std::sin(turn) * y);
+  }
+  return directions;
+}
+
+// Whether a triangle around v would turn by more than the limit.
+bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
+  bool found = false;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 &a = mesh.position(mesh.mesh().tip(h)), &b = mesh.position(mesh.mesh().opposite(h));
+    found = found || unitNormal(mesh.position(v), a, b).dot(unitNormal(to, a, b)) < kSmallTurn;
+  });
+  return found;
+}
+
+}  // namespace
+
+StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
+                       const Movable& movable)
+    : mesh_(run.mesh),
+      rule_(lenient(run)),
+      crossings_(crossings),
+      distances_(distances),
+      v_(movable.vertex),
+      spoke_(mesh_.meanSpoke(v_)),
+      best_(mesh_.placement(v_)),
+      distance_(distances.around(v_, best_)),
+      lowest_(std::min(movable.keepAngle, smallestAngleAround(mesh_, v_, best_.position))) {}
+
+bool StarSearch::isAllowed(const Placement& place) {
+  if (turnsOver(mesh_, v_, place.position)) return false;
+  proposePlacement(mesh_, v_, place, change_);
+  return judge(mesh_, change_, rule_) == Verdict::Accepted &&
+         !(looksForCrossings_ && crossings_.grow(change_));
+}
+
+bool StarSearch::crosses() {
+  proposePlacement(mesh_, v_, best_, change_);
+  return crossings_.grow(change_);
+}
+
+bool StarSearch::keepsAngles(const Vec3& position) const {
+  return smallestAngleAround(mesh_, v_, position) >= lowest_;
+}
+
+bool StarSearch::offer(const Placement& place) {
+  const double distance = distances_.around(v_, place, distance_);
+  if (distance >= distance_ || !isAllowed(place)) return false;
+  distance_ = distance;
+  best_ = place;
+  return true;
+}
+
+Placement StarSearch::at(const Vec3& position) const {
+  Placement place = mesh_.onSurface(closestPointFrom(mesh_.surface(), best_.at, position));
+  place.position = position;
+  return place;
+}
+
+// Rounds of steps, each half as long as the one before where that brought nothing; look: offers
+// places a step away and says whether one was better.
+template <typename Look>
+void StarSearch::search(double enough, const Look& look) {
+  double step = kFirstStep;
+  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i)
+    if (!look(step * spoke_)) step /= 2;
+}
+
+void StarSearch::move(double enough, std::span<const Vec3> directions) {
+  search(enough, [&](double step) {
+    bool better = false;
+    const Vec3 from = best_.position;
+    for (const Vec3& direction : directions) {
+      const Vec3 to = from + step * direction;
+      better = (keepsAngles(to) && offer(at(to))) || better;
+    }
+    return better;
+  });
+}
+
+// Between its neighbours along the curve, or the curve would turn back.
+void StarSearch::slide(double enough) {
+  const auto [before, after] = curveNeighbors(mesh_, v_);
+  const Index chain = best_.on.chain;
+  const auto ends =
+      std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
+  const double room = kRoom * (ends.second - ends.first);
+  search(enough, [&](double step) {
+    bool better = false;
+    const double from = best_.on.arc;
+    for (const double arc : {from + step, from - step}) {
+      if (arc <= ends.first + room || arc >= ends.second - room) continue;
+      const Placement place = mesh_.onCurve({chain, arc});
+      better = (keepsAngles(place.position) && offer(place)) || better;
+    }
+    return better;
+  });
+}
+
+void StarSearch::lookAround(double enough) {
+  if (best_.kind == VertexKind::Curve) return slide(enough);
+  const std::vector<Vec3> directions = directionsAt(mesh_, v_);
+  // Moves along the normal cost no angles.
+  move(enough, std::span(directions).first(kAlongNormal));
+  move(enough, directions);
+}
+
+// Triangles seldom come to pass through others, and to see whether they do takes longer than all
+// else: a search looks once, at the place that it has found, and only if they do begins again and
+// looks at each.
+void StarSearch::descend(double enough) {
+  const Placement before = best_;
+  const double distance = distance_;
+  lookAround(enough);
+  if (distance_ == distance || !crosses()) return;
+  best_ = before;
+  distance_ = distance;
+  looksForCrossings_ = true;
+  lookAround(enough);
+}
+
+}  // namespace remesher

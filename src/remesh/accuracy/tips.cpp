@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/tips.h"
+
+#include <algorithm>
+
+#include "remesh/accuracy/places.h"
+#include "remesh/gate/angles.h"
+
+namespace remesher {
+
+namespace {
+
+// A tip is worth a triangle of this angle for now: smoothing and polish follow.
+constexpr double kSmallestAngle = radians(20);
+
+// Of the tolerance: what is this near to a tangent plane is no tip.
+constexpr double kSurelyNear = 0.4;
+
+// So far from the mesh, in target lengths, a tip that no vertex can move to gets one of its own,
+// though that makes four triangles of two.
+constexpr double kInsertAbove = 0.6;
+constexpr double kInsertAngle = radians(8);
+// More new vertices than this share are a sign of sizes that the surface does not allow.
+constexpr std::size_t kMostInserted = 4;
+
+std::vector<Place> farthestFirst(const Run& run, double tolerance) {
+  std::vector<Place> places = measurePlaces(run, tolerance, kSurelyNear * tolerance);
+  std::erase_if(places, [&](const Place& place) {
+    return place.distance <= tolerance * run.scale * run.sizes.at(place.original);
+  });
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.distance > b.distance; });
+  return places;
+}
+
+bool moveTo(Run& run, Vertex v, const Placement& place) {
+  if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
+  proposePlacement(run.mesh, v, place, run.change);
+  return smallestComingAngle(run.mesh, run.change) >= kSmallestAngle && commit(run, lenient(run));
+}
+
+// One of the corners of the nearest triangle, the nearest first, moves to the tip.
+void reach(Run& run, const Place& tip) {
+  auto corners = run.mesh.mesh().vertices(tip.nearest);
+  const auto distance = [&](Vertex v) {
+    return (run.mesh.position(v) - tip.position).squaredNorm();
+  };
+  std::sort(corners.begin(), corners.end(),
+            [&](Vertex a, Vertex b) { return distance(a) < distance(b); });
+  // One pinned vertex reaches all the original's places around its tip.
+  if (run.mesh.isPinned(corners[0])) return;
+  const Placement place = run.mesh.onSurface(tip.original);
+  for (const Vertex v : corners) {
+    if (!moveTo(run, v, place)) continue;
+    run.mesh.pin(v);
+    return run.mesh.unsettleStar(v);
+  }
+}
+
+// The side of the nearest triangle whose triangles suffer least is split by a vertex on the tip.
+void insert(Run& run, const Place& tip) {
+  double best = kInsertAngle;
+  LocalChange change;
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
+    if (run.mesh.isCurve(h) || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    run.change.place = run.mesh.onSurface(tip.original);
+    const double angle = smallestComingAngle(run.mesh, run.change);
+    if (angle <= best || judge(run.mesh, run.change, lenient(run)) != Verdict::Accepted) continue;
+    best = angle;
+    change = run.change;
+  }
+  if (best > kInsertAngle) run.mesh.pin(apply(run.mesh, change));
+}
+
+}  // namespace
+
+void reachTips(Run& run, double tolerance) {
+  std::vector<Place> tips = farthestFirst(run, tolerance);
+  for (const Place& tip : tips) reach(run, tip);
+  const std::size_t most =
+      run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
+  for (Place& tip : tips) {
+    if (run.mesh.mesh().vertexCount() > most) break;
+    const double enough = kInsertAbove * run.scale * run.sizes.at(tip.original);
+    if (tip.distance <= enough) continue;
+    measureAgain(run.mesh, tip);
+    if (tip.distance > enough) insert(run, tip);
+  }
+}
+
+}  // namespace remesher

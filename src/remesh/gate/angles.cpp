@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/gate/angles.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/extremes.h"
+#include "geometry/fast_trigonometry.h"
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+double angleAsWritten(const Triangle& t, const Grain& grain) {
+  return grain.size > 0 && isLine(t, grain) ? 0 : minAngle(t[0], t[1], t[2]);
+}
+
+}  // namespace
+
+double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain) {
+  return angleAsWritten(mesh.corners(f), grain);
+}
+
+AngleLimit::AngleLimit(double angle) : angle_(angle) {
+  constexpr double kSurely = 1 + 1e-5;  // rounding changes no answer
+  const Vec2 at = onUnitCircle(angle);
+  squaredTangent_ = kSurely * at.y() * at.y() / (at.x() * at.x());
+}
+
+bool AngleLimit::isSurelyBelow(const Vec3& ab, const Vec3& ac) const {
+  const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (ac - ab).squaredNorm();
+  // Times the same two sides: the cosine of the angle opposite the shortest side, and the sine.
+  const double cosine = 0.5 * (a + b + c) - least(a, b, c);
+  return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
+}
+
+bool AngleLimit::isAbove(const WorkingMesh& mesh, Face f, const Grain& grain) const {
+  const Triangle t = mesh.corners(f);
+  const bool isFlat = grain.size > 0 && isLine(t, grain);
+  return isFlat ||
+         (!isSurelyBelow(t[1] - t[0], t[2] - t[0]) && minAngle(t[0], t[1], t[2]) < angle_);
+}
+
+bool AngleLimit::isAboveAround(const Star& star, const Vec3& center) const {
+  Vec3 before = star.position(star.size() - 1) - center;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Vec3 spoke = star.position(i) - center;
+    if (!isSurelyBelow(before, spoke)) return true;
+    before = spoke;
+  }
+  return false;
+}
+
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,
+                           double beyond) {
+  const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : change.coming) {
+    smallest = std::min(smallest, angleAsWritten({at(a), at(b), at(c)}, grain));
+    if (smallest <= beyond) break;
+  }
+  return smallest;
+}
+
+double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f, grain));
+  return smallest;
+}
+
+double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position) {
+  double smallest = std::numeric_limits<double>::infinity();
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    smallest = std::min(smallest, minAngle(position, mesh.position(mesh.mesh().tip(h)),
+                                           mesh.position(mesh.mesh().opposite(h))));
+  });
+  return smallest;
+}
+
+}  // namespace remesher

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The smallest angles of the triangles that a change is about, in radians: what decides whether it
+// is worth it. What is a line in the numbers that are written has none, where a grain is given.
+#pragma once
+
+#include "remesh/gate/fidelity.h"
+#include "remesh/operators/star.h"
+
+namespace remesher {
+
+double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
+
+// An angle up to 60° that all triangles are compared with: most are seen to be wider without
+// working theirs out.
+class AngleLimit {
+ public:
+  explicit AngleLimit(double angle);
+
+  // Whether the smallest angle of f is less.
+  bool isAbove(const WorkingMesh& mesh, Face f, const Grain& grain = {}) const;
+  // Whether that of a triangle around the star's centre is, or is hardly more, were it there.
+  bool isAboveAround(const Star& star, const Vec3& center) const;
+
+ private:
+  bool isSurelyBelow(const Vec3& ab, const Vec3& ac) const;
+
+  double angle_, squaredTangent_;
+};
+
+// Of the triangles that a proposal makes, and of those that it takes away. An angle that is not
+// `beyond` answers for all that come.
+double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                           const Grain& grain = {}, double beyond = -1);
+double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change,
+                          const Grain& grain = {});
+
+// Of the triangles around v, were v at `position`.
+double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position);
+
+}  // namespace remesher

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/ground/decimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "remesh/operators/local_operators.h"
+
+namespace remesher {
+
+namespace {
+
+// All in units of the spacing. A vertex that rises this far above the plane of a triangle around it
+// is a tip or on a ridge, and stays; and no edge may become so long.
+constexpr double kFlat = 0.07;
+constexpr double kTooLong = 1.7;
+constexpr double kStep = 1.2;  // from pass to pass; a third of the vertices go for it
+constexpr double kFinest = 1e-3;
+constexpr int kLargestValence = 9;
+
+class Decimation {
+ public:
+  Decimation(WorkingMesh& mesh, const FidelityRule& rule, const VertexData<double>& spacing)
+      : working_(mesh),
+        mesh_(mesh.mesh()),
+        rule_(rule),
+        spacing_(spacing),
+        into_(mesh_.vertexCapacity()) {}
+
+  void run(double worthwhile) {
+    for (share_ = std::max(kFinest, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
+    share_ = 1;
+    while (double(pass()) > worthwhile * double(mesh_.vertexCount())) {
+    }
+  }
+
+  // By the numbers that the vertices will have when the holes are closed.
+  VertexData<Vertex> heirs() const {
+    VertexData<Vertex> result(into_.size());
+    Index count = 0;
+    for (Index i = 0; i < into_.size(); ++i)
+      if (mesh_.isAlive(Vertex(i))) result[Vertex(i)] = Vertex(count++);
+    std::vector<Vertex> way;
+    for (Index i = 0; i < into_.size(); ++i) {
+      Vertex v(i);
+      for (; !result[v] && into_[v]; v = into_[v]) way.push_back(v);
+      for (const Vertex passed : way) result[passed] = result[v];
+      way.clear();
+    }
+    return result;
+  }
+
+ private:
+  struct Spoke {
+    Vertex tip;
+    Vec3 way;  // from the centre to the tip
+  };
+
+  double squaredLength(Vertex a, Vertex b) const {
+    return (working_.position(b) - working_.position(a)).squaredNorm();
+  }
+
+  // Of edges' lengths, in units of the spacing.
+  double meanShare() const {
+    double sum = 0;
+    std::size_t count = 0;
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      if (!mesh_.isEdge(h)) continue;
+      sum += std::sqrt(squaredLength(mesh_.origin(h), mesh_.tip(h))) / spacing_[mesh_.origin(h)];
+      ++count;
+    }
+    return count > 0 ? sum / double(count) : 1;
+  }
+
+  // Returns how many vertices went.
+  std::size_t pass() {
+    std::size_t gone = 0;
+    touched_.assign(mesh_.vertexCapacity(), 0);
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (touched_[v] || !mesh_.isAlive(v) || working_.kind(v) != VertexKind::Interior) continue;
+      gone += takeOut(v);
+    }
+    return gone;
+  }
+
+  // If it may go; returns whether it has gone.
+  bool takeOut(Vertex v) {
+    gather(v);
+    const double size = share_ * spacing_[v];
+    const Spoke* const spoke = shortestSpoke(v, size);
+    return spoke && isFlat(spoke->way, size) && staysEven(spoke->tip, size) &&
+           collapse(mesh_.find(v, spoke->tip));
+  }
+
+  // The star is walked around once for all looks at it.
+  void gather(Vertex v) {
+    spokes_.clear();
+    const Vec3& at = working_.position(v);
+    mesh_.forEachNeighbor(v, [&](Vertex w) { spokes_.push_back({w, working_.position(w) - at}); });
+  }
+
+  // The shortest one from v that is shorter than `size`, if any, to where nothing has changed in
+  // this pass. The end where edges are to be shorter had better stay: it may be a tip.
+  const Spoke* shortestSpoke(Vertex v, double size) const {
+    double shortest = size * size;
+    const Spoke* best = nullptr;
+    for (const Spoke& spoke : spokes_) {
+      const double length = spoke.way.squaredNorm();
+      if (length >= shortest || touched_[spoke.tip] || spacing_[spoke.tip] > spacing_[v]) continue;
+      shortest = length;
+      best = &spoke;
+    }
+    return best;
+  }
+
+  // Whether a way from the centre stays near the planes of all triangles of the star.
+  bool isFlat(const Vec3& way, double size) const {
+    const double height = kFlat * size;
+    const Vec3* before = &spokes_.back().way;
+    for (const Spoke& spoke : spokes_) {
+      const Vec3 normal = before->cross(spoke.way);
+      before = &spoke.way;
+      const double rise = normal.dot(way);
+      if (!(rise * rise <= height * height * normal.squaredNorm())) return false;
+    }
+    return true;
+  }
+
+  // Whether the star that comes around w has neither long edges nor many.
+  bool staysEven(Vertex w, double size) const {
+    const double limit = kTooLong * size;
+    for (const Spoke& spoke : spokes_)
+      if (squaredLength(spoke.tip, w) > limit * limit) return false;
+    return int(spokes_.size()) + mesh_.valence(w) - 4 <= kLargestValence;
+  }
+
+  bool collapse(Halfedge h) {
+    if (!proposeCollapseInto(working_, h, change_)) return false;
+    if (judge(working_, change_, rule_) != Verdict::Accepted) return false;
+    const Vertex gone = mesh_.origin(h), remaining = apply(working_, change_);
+    into_[gone] = remaining;
+    touched_[remaining] = 1;
+    mesh_.forEachNeighbor(remaining, [&](Vertex w) { touched_[w] = 1; });
+    return true;
+  }
+
+  WorkingMesh& working_;
+  const HalfedgeMesh& mesh_;
+  const FidelityRule& rule_;
+  const VertexData<double>& spacing_;
+  double share_ = 1;           // of the spacing, in the present pass
+  VertexData<char> touched_;   // whether the star has changed in the present pass
+  VertexData<Vertex> into_;    // what a vertex has gone into, which may be gone since; or none
+  std::vector<Spoke> spokes_;  // of the vertex that is looked at, counterclockwise
+  LocalChange change_;
+};
+
+}  // namespace
+
+VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
+                            const VertexData<double>& spacing, double worthwhile) {
+  Decimation decimation(mesh, rule, spacing);
+  decimation.run(worthwhile);
+  VertexData<Vertex> heirs = decimation.heirs();
+  mesh.compact();
+  return heirs;
+}
+
+}  // namespace remesher

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/ground/stand_in.h"
+
+#include <limits>
+#include <utility>
+
+#include "original/surface/surface_walk.h"
+#include "remesh/ground/decimate.h"
+
+namespace remesher {
+
+struct StandIn::Parts {
+  BuiltMesh built;
+  FeatureCurves curves;
+  VertexData<Vertex> heirs, onOriginal;
+};
+
+namespace {
+
+// A stand-in may have a few vertices more than it has to.
+constexpr double kWorthwhile = 0.05;
+
+// The vertices of which the heirs are, each of which has kept its place.
+VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
+  VertexData<Vertex> result(thinned.mesh().vertexCapacity());
+  for (Index i = 0; i < result.size(); ++i) {
+    result[Vertex(i)] = thinned.originalCorner(thinned.at(Vertex(i)));
+  }
+  return result;
+}
+
+}  // namespace
+
+StandIn::StandIn(const OriginalSurface& original, double edge)
+    : StandIn(original, [&] {
+        WorkingMesh mesh(original);
+        const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
+        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing, kWorthwhile);
+        VertexData<Vertex> onOriginal = ancestors(mesh);
+        BuiltMesh built;
+        built.mesh = mesh.mesh();
+        built.positions = mesh.positions();
+        for (const Vertex v : onOriginal.values())
+          built.sources.values().push_back(original.built().sources[v]);
+        FeatureCurves curves(built.mesh, original.curves(), heirs);
+        return Parts{std::move(built), std::move(curves), std::move(heirs), std::move(onOriginal)};
+      }()) {}
+
+StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
+    : original_(&original),
+      heirs_(std::move(thinned.heirs)),
+      onOriginal_(std::move(thinned.onOriginal)),
+      surface_(std::move(thinned.built), std::move(thinned.curves)) {}
+
+// Of the walks from the three corners' places the one that ends nearest.
+SurfacePoint StandIn::onOriginal(const SurfacePoint& p) const {
+  const Vec3 target = surface_.position(p);
+  SurfacePoint best;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Vertex corner : surface_.mesh().vertices(p.face)) {
+    const SurfacePoint found =
+        closestPointFrom(*original_, original_->at(onOriginal_[corner]), target);
+    const double distance = (original_->position(found) - target).squaredNorm();
+    if (distance >= shortest) continue;
+    shortest = distance;
+    best = found;
+  }
+  return best;
+}
+
+}  // namespace remesher

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "remesh/operators/local_operators.h"
+
+namespace remesher {
+
+namespace {
+
+// Whether the vertex at the origin of h may give up its place along h: see the table in the header.
+bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
+  switch (mesh.kind(mesh.mesh().origin(h))) {
+    case VertexKind::Interior:
+      return !mesh.isPinned(mesh.mesh().origin(h));
+    case VertexKind::Curve:
+      return mesh.isCurve(h) && !mesh.isPinned(mesh.mesh().origin(h));
+    case VertexKind::Corner:
+      return false;
+  }
+  return false;
+}
+
+// A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed
+// into one hub, each next look would cost thousands.
+bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
+  constexpr int kMostNeighbors = 128;
+  const int from = m.valence(a), into = m.valence(b), after = from + into - 4;
+  return after > kMostNeighbors && after > std::max(from, into);
+}
+
+bool isLegal(const WorkingMesh& mesh, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  if (!mayLeave(mesh, h) || makesHub(m, m.origin(h), m.tip(h))) return false;
+  if (!EulerOperators::canCollapse(m, h)) return false;
+  // Two curve edges of one triangle would become one: the chains would lose a piece.
+  for (const Halfedge side : {h, m.twin(h)})
+    if (side && mesh.isCurve(m.next(side)) && mesh.isCurve(m.prev(side))) return false;
+  return true;
+}
+
+// The faces around v that survive the collapse of its edge to w, with that corner moved.
+void addStar(const HalfedgeMesh& m, Vertex v, Vertex w, LocalChange& change) {
+  m.forEachOutgoing(v, [&](Halfedge leaving) {
+    const Vertex c = m.tip(leaving), d = m.opposite(leaving);
+    if (c == w || d == w) return;
+    change.going.push_back(m.face(leaving));
+    change.coming.push_back({kMoved, c, d});
+  });
+}
+
+}  // namespace
+
+bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& change) {
+  if (!isLegal(mesh, h)) return false;
+  const Vertex a = mesh.mesh().origin(h), b = mesh.mesh().tip(h);
+  change.reset(Operation::Collapse);
+  change.halfedge = h;
+  change.place = mesh.placement(b);
+  addStar(mesh.mesh(), a, b, change);
+  return true;
+}
+
+bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
+                     LocalChange& change) {
+  if (!proposeCollapseInto(mesh, h, change)) return false;
+  const Vertex a = mesh.mesh().origin(h), b = mesh.mesh().tip(h);
+  if (mesh.kind(a) != mesh.kind(b) || mesh.isPinned(b)) return true;
+  change.place = midpoint(mesh, projector, h);
+  addStar(mesh.mesh(), b, a, change);
+  return true;
+}
+
+}  // namespace remesher

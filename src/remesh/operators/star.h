@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The star of a vertex inside, gathered once for several looks at it: where its neighbours are,
+// counterclockwise, and the original's normals there. Valid until one of them moves; one object
+// serves many vertices and keeps its buffers. What is asked for from several places is never
+// inlined: one copy is enough.
+#pragma once
+
+#include <vector>
+
+#include "remesh/operators/working_mesh.h"
+
+namespace remesher {
+
+class Star {
+ public:
+  void gather(const WorkingMesh& mesh, Vertex center) {
+    spokes_.clear();
+    mesh.mesh().forEachNeighbor(center, [&](Vertex v) {
+      spokes_.push_back({&mesh.position(v), &mesh.normal(v)});
+    });
+  }
+
+  std::size_t size() const { return spokes_.size(); }
+  const Vec3& position(std::size_t i) const { return *spokes_[i].position; }
+  const Vec3& normal(std::size_t i) const { return *spokes_[i].normal; }
+
+  // The sum of the area vectors of its triangles, were the centre there.
+  [[gnu::noinline]] Vec3 areaVector(const Vec3& center) const {
+    Vec3 sum = Vec3::Zero(), before = position(size() - 1) - center;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Vec3 spoke = position(i) - center;
+      sum += before.cross(spoke);
+      before = spoke;
+    }
+    return sum;
+  }
+
+ private:
+  struct Spoke {
+    const Vec3 *position, *normal;
+  };
+
+  std::vector<Spoke> spokes_;
+};
+
+}  // namespace remesher

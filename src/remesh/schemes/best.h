@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// `--scheme best`: adapt to the sizes on a coarse level, where irregular vertices are cheap to
+// remove; subdivide through the projection; smooth what still moves; land on the exact count;
+// polish; fit; lower the largest distances; polish what slivers are left.
+#pragma once
+
+#include "remesh/schemes/rival.h"
+#include "remesh/steps/run.h"
+
+namespace remesher {
+
+// Returns whether the number of vertices was reached. Against a rival that has won, the mesh is not
+// finished.
+bool runBest(Run& run, std::size_t vertices, Rival* rival, const Progress& progress);
+
+}  // namespace remesher

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/curve_choice.h"
+
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "original/curves/feature_detection.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kFeatureAngle = 40;
+
+// The edges that the caller gave as pairs of input vertices.
+std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
+  if (options.featureEdges.empty()) return {};
+  std::vector<Vertex> vertexOf;
+  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h) {
+    const Index wedge = built.wedges[Halfedge(h)];
+    if (vertexOf.size() <= wedge) vertexOf.resize(std::size_t{wedge} + 1);
+    vertexOf[wedge] = built.mesh.origin(Halfedge(h));
+  }
+  const auto vertex = [&](Index i) { return i < vertexOf.size() ? vertexOf[i] : Vertex(); };
+  std::vector<Halfedge> edges;
+  for (const auto& [a, b] : options.featureEdges) {
+    const Vertex from = vertex(a), to = vertex(b);
+    Halfedge h = from && to ? built.mesh.find(from, to) : Halfedge();
+    if (!h && from && to) h = built.mesh.find(to, from);
+    if (!h)
+      throw Error(ErrorCode::InvalidOption,
+                  "featureEdges: there is no edge between vertices " + std::to_string(a) + " and " +
+                      std::to_string(b) + ".",
+                  "Give pairs of input vertices that an edge of a triangle joins.");
+    edges.push_back(h);
+  }
+  return edges;
+}
+
+void add(std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
+                                const RemeshOptions& options, double size) {
+  const double angle = options.featureAngle.value_or(kFeatureAngle);
+  CurveEdges edges{{}, givenEdges(built, options)};
+  const bool byDefault = options.scheme == Scheme::Best;
+  const bool isDetecting = options.detectFeatures && (byDefault || options.featureAngle);
+  if (isDetecting) add(edges.free, detectFeatures(built.mesh, built.positions, {angle, size}));
+  Seams seams = findSeams(built, input, angle);
+  add(edges.free, seams.edges);
+  add(edges.fixed, seams.borders);
+  return {std::move(edges), std::move(seams), isDetecting};
+}
+
+CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                         const RemeshOptions& options, const CurveScale& scale) {
+  auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
+  CurveRules rules;
+  SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, scale.size);
+  rules.edges = std::move(simplified.edges);
+  add(rules.edges, edges.fixed);
+  rules.size = scale.size;
+  rules.kept = scale.joints;
+  rules.corners = scale.spikes.corners;
+  rules.keepBoundary = options.boundary == Boundary::Keep;
+  if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
+  return {FeatureCurves(built.mesh, built.positions, rules),
+          {std::move(seams.chartless), {std::move(seams.jumps), std::move(simplified.absorbed)}},
+          std::move(seams.warnings)};
+}
+
+}  // namespace remesher

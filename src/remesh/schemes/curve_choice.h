@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Which edges of the original become feature curves: detected, given by the caller, or seams.
+#pragma once
+
+#include <vector>
+
+#include "base/options.h"
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "mesh/joints.h"
+#include "original/curves/curve_simplification.h"
+#include "original/curves/feature_curves.h"
+#include "original/curves/seams.h"
+#include "original/curves/spikes.h"
+#include "remesh/transfer/attribute_transfer.h"
+
+namespace remesher {
+
+struct CurveChoice {
+  FeatureCurves curves;
+  TransferRules transfer;  // for the attributes whose seams are not kept, or not as curves
+  std::vector<Warning> warnings;
+};
+
+// What curves are chosen from.
+struct CurveCandidates {
+  CurveEdges edges;
+  Seams seams;
+  bool isDetecting;  // whether sharp edges are among them
+};
+
+// size: the target edge length, model units.
+CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
+                                const RemeshOptions& options, double size);
+
+struct CurveScale {
+  double size;                          // the target edge length, model units
+  const Spikes& spikes;                 // whose corners stay
+  const std::vector<Halfedge>& joints;  // what stays so that cut parts remain together
+};
+
+CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
+                         const RemeshOptions& options, const CurveScale& scale);
+
+}  // namespace remesher

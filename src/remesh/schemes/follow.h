@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The other way to few vertices: not even triangles, but those vertices of the original that its
+// shape needs most. What was modelled by hand has bevels and tubes thinner than an even triangle of
+// the result, and is lost in that.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/input_place.h"
+#include "base/triangle_mesh.h"
+#include "mesh/mesh_builder.h"
+#include "remesh/operators/working_mesh.h"
+
+namespace remesher {
+
+// How many different places the vertices have: fewer than there are vertices where the builder cut
+// the input apart.
+std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+struct Followed {
+  TriangleMesh mesh;
+  std::vector<InputPlace> places;  // per corner of its triangles
+  double distance;                 // of the original from it, rms
+};
+
+// With exactly so many distinct positions; none where the original has no more, so many more that
+// its triangles are not what it shows, or where nothing else goes.
+std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
+                               std::size_t positions);
+
+// The root of the mean square, over the original's area, of its distance to a mesh.
+double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                  const BuiltMesh& original);
+
+}  // namespace remesher

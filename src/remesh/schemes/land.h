@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The step from the stand-in down to the original itself.
+#pragma once
+
+#include "remesh/steps/run.h"
+
+namespace remesher {
+
+// Moves the mesh from the stand-in, if any, onto the original, and all that belongs to it.
+void land(Run& run);
+
+}  // namespace remesher

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "remesh/schemes/targets.h"
+
+namespace remesher {
+
+namespace {
+
+// A stand-in has so many vertices to one of the result, and the original so many to one of those.
+constexpr double kFiner = 4, kWorthThinning = 2;
+
+// Graded sizes have a shorter mean than even ones of the same number: the number is corrected for
+// that.
+std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
+                            const SizeRules& rules) {
+  const auto vertices = std::size_t(rules.vertices);
+  if (!options.edgeLength) return vertices;
+  const double ratio = SizeField(surface, rules).meanEdge() / *options.edgeLength;
+  return std::max<std::size_t>(4, std::size_t(std::lround(rules.vertices * ratio * ratio)));
+}
+
+std::size_t finalTarget(const OriginalSurface& surface, const RemeshOptions& options,
+                        const SizeRules& rules) {
+  const std::size_t wanted = correctedTarget(surface, options, rules);
+  const std::size_t corners = countCorners(surface.curves(), surface.mesh());
+  const std::size_t vertices = options.tooFew == TooFew::Raise ? std::max(wanted, corners) : wanted;
+  checkCurves(corners, vertices);
+  return vertices;
+}
+
+SizeRules withSpikes(SizeRules rules, const Spikes& spikes) {
+  if (!spikes.empty()) rules.spikes = &spikes;
+  return rules;
+}
+
+SizeRules finalRules(const OriginalSurface& surface, const RemeshOptions& options,
+                     SizeRules rules) {
+  if (options.maxError) rules.error = *options.maxError / 100 * surface.diagonal();
+  return rules;
+}
+
+// A little of the bound is left for rounding, here and in what writes the result.
+std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const RemeshOptions& options) {
+  constexpr double kMargin = 1e-3;
+  if (!options.maxError) return {};
+  return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
+}
+
+// What keeps a bound, or to normals, is judged on the original; the rounds are the report's.
+std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t vertices,
+                                  const RemeshOptions& options) {
+  const bool fits = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
+                    options.fidelity.value_or(Fidelity::Fold) == Fidelity::Fold;
+  const double thinned = kFiner * double(vertices);
+  if (!fits || options.maxError) return {};
+  if (double(surface.mesh().vertexCount()) < kWorthThinning * thinned) return {};
+  return StandIn(surface, evenEdgeLength(surface.area(), thinned));
+}
+
+Warning warningOf(const Spikes& spikes, const BuiltMesh& built) {
+  return {"SPIKES_LEFT_COARSE",
+          "Vertices that stick out far, the farthest of them vertex " +
+              std::to_string(built.sources[spikes.longest]) +
+              ", are joined to the rest by needles; these keep few vertices, so that the rest has "
+              "its share.",
+          spikes.count};
+}
+
+// Those that are copies of one vertex of the input are one in the result.
+std::size_t countCornerPlaces(const FeatureCurves& curves, const BuiltMesh& built) {
+  std::vector<char> seen;
+  std::size_t count = 0;
+  for (Index i = 0; i < built.sources.size(); ++i) {
+    const Index source = built.sources[Vertex(i)];
+    if (seen.size() <= source) seen.resize(std::size_t{source} + 1, 0);
+    if (!curves.isCorner(Vertex(i)) || seen[source]) continue;
+    seen[source] = 1;
+    ++count;
+  }
+  return count;
+}
+
+struct CurveNeeds {
+  std::size_t vertices;
+  CurveScale scale;
+};
+
+// What stays at joints must leave vertices for the rest. It cannot be subdivided either, so there
+// would be no coarse level: a model with textures needs that for its triangles more than it needs
+// its leaves to meet, and each is followed like a seam.
+CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
+                             const RemeshOptions& options, const CurveNeeds& needs) {
+  constexpr std::size_t kMostShare = 2;
+  const auto& [vertices, scale] = needs;
+  const bool isTextured = !input.attributes.empty();
+  if (scale.joints.empty() || !isTextured) {
+    CurveChoice choice = chooseCurves(built, input, options, scale);
+    const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
+    if (scale.joints.empty() || share <= vertices) return choice;
+  }
+  const std::vector<Halfedge> none;
+  CurveChoice choice = chooseCurves(built, input, options, {scale.size, scale.spikes, none});
+  choice.warnings.push_back(
+      {"JOINTS_RELEASED",
+       std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
+                   "no longer meet: to keep them ") +
+           (isTextured ? "would cost a model with attributes its even triangles."
+                       : "takes more vertices than were asked for."),
+       scale.joints.size()});
+  return choice;
+}
+
+}  // namespace
+
+Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+             const Progress& progress) {
+  progress.phase("build", 0, 0);
+  BuiltMesh built = buildMesh(input, std::move(welding));
+  const std::size_t vertices = targetVertices(built, options);
+  const double whole = surfaceArea(built);
+  Spikes spikes = findSpikes(built.mesh, built.positions,
+                             {evenEdgeLength(whole, double(vertices)), double(vertices)});
+  const double area = spikes.empty() ? whole : spikes.restOfArea;
+  progress.phase("curves", 0, 0);
+  const bool isBaked = options.textures == Textures::Bake;
+  const std::vector<Halfedge> joints = isBaked ? std::vector<Halfedge>{} : findJoints(built);
+  CurveChoice choice = chooseWithJoints(
+      built, input, options, {vertices, {evenEdgeLength(area, double(vertices)), spikes, joints}});
+  std::vector<float> density = densityOf(built, options);
+  std::vector<Warning> warnings = built.warnings;
+  warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
+  if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
+  return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
+          std::move(density), std::move(spikes),        vertices,
+          std::move(warnings)};
+}
+
+Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)
+    : transfer_((progress.phase("surface", 0, 0), std::move(plan.transfer))),
+      warnings_(std::move(plan.warnings)),
+      density_(std::move(plan.density)),
+      spikes_(std::move(plan.spikes)),
+      surface_(std::move(plan.built), std::move(plan.curves)),
+      standIn_(spikes_.empty() ? standInFor(surface_, plan.vertices, options) : std::nullopt),
+      vertices_(finalTarget(
+          ground(), options,
+          withSpikes(sizeRules(options, double(plan.vertices), densityOnGround()), spikes_))),
+      sizes_(ground(),
+             withSpikes(finalRules(surface_, options,
+                                   sizeRules(options, double(vertices_), densityOnGround())),
+                        spikes_)),
+      bound_(errorBound(surface_, options)) {}
+
+std::span<const float> Prepared::densityOnGround() {
+  if (!standIn_ || density_.size() != surface_.mesh().vertexCapacity()) return density_;
+  std::vector<float> onGround;
+  for (Index i = 0; i < standIn_->surface().mesh().vertexCapacity(); ++i)
+    onGround.push_back(density_[standIn_->onOriginal(Vertex(i)).index]);
+  density_ = std::move(onGround);
+  return density_;
+}
+
+double Prepared::longestEdges() const {
+  const double area = spikes_.empty() ? ground().area() : spikes_.restOfArea;
+  const double own = evenEdgeLength(area, double(ground().mesh().vertexCount()));
+  return std::max(own, 2 * sizes_.mean());
+}
+
+}  // namespace remesher

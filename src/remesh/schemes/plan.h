@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What a run sets out with, settled before any vertex moves: the input as a manifold with its
+// curves, how many vertices there are to be, and then the original surface with the sizes and the
+// error bound that go with it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/options.h"
+#include "base/progress.h"
+#include "original/surface/size_field.h"
+#include "remesh/gate/error_bound.h"
+#include "remesh/schemes/curve_choice.h"
+#include "remesh/ground/stand_in.h"
+
+namespace remesher {
+
+struct Plan {
+  BuiltMesh built;
+  FeatureCurves curves;
+  TransferRules transfer;      // of the attributes to the result
+  std::vector<float> density;  // the caller's, per vertex of the original, or empty
+  Spikes spikes;
+  std::size_t vertices;
+  std::vector<Warning> warnings;
+};
+
+// Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
+// OUT_OF_MEMORY, CANCELLED.
+Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+             const Progress& progress);
+
+// The plan carried out as far as the original goes; const from then on.
+class Prepared {
+ public:
+  // Throws Error: TARGET_BELOW_CURVES, CANCELLED.
+  Prepared(Plan plan, const RemeshOptions& options, const Progress& progress);
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  const OriginalSurface& surface() const { return surface_; }
+  // A thinned copy of it, if it has far more vertices than were asked for.
+  const StandIn* standIn() const { return standIn_ ? &*standIn_ : nullptr; }
+  // The one that remeshing begins with.
+  const OriginalSurface& ground() const { return standIn_ ? standIn_->surface() : surface_; }
+  const SizeField& sizes() const { return sizes_; }  // on the ground
+  const std::optional<ErrorBound>& bound() const { return bound_; }
+  const TransferRules& transfer() const { return transfer_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
+  std::size_t vertices() const { return vertices_; }  // that were asked for
+  // How long edges get on the way: the original's, or the result's on a coarse level.
+  double longestEdges() const;
+
+ private:
+  std::span<const float> densityOnGround();
+
+  TransferRules transfer_;
+  std::vector<Warning> warnings_;
+  std::vector<float> density_;
+  Spikes spikes_;
+  OriginalSurface surface_;
+  std::optional<StandIn> standIn_;
+  std::size_t vertices_;
+  SizeField sizes_;
+  std::optional<ErrorBound> bound_;
+};
+
+}  // namespace remesher

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "original/surface/original_tree.h"
+#include "remesh/accuracy/bound_error.h"
+#include "remesh/accuracy/poor_regions.h"
+#include "remesh/schemes/best.h"
+#include "remesh/schemes/follow.h"
+#include "remesh/schemes/plan.h"
+#include "remesh/schemes/rival.h"
+#include "remesh/schemes/rounds.h"
+#include "remesh/schemes/targets.h"
+#include "remesh/steps/adapt.h"
+#include "remesh/steps/apart.h"
+#include "remesh/steps/split_obtuse.h"
+#include "remesh/transfer/attribute_transfer.h"
+
+namespace remesher {
+
+namespace {
+
+// Seams lie side by side and cross the surface as they please: of most triangles there two or three
+// corners are on curves, and their angles are worth more than even steps along them.
+constexpr double kStagger = 0.8;
+constexpr double kBoundShare = 0.7;    // of a run's time, about, to keep an error bound
+constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
+
+// What a run leaves of the original.
+struct Remeshed {
+  WorkingMesh mesh;
+  Stopped stopped;
+  std::size_t coincident;  // see moveApart
+};
+
+// What decides how the mesh is treated.
+struct Manner {
+  const RemeshOptions& options;
+  double stagger;  // see Run
+  Grain grain;
+  Rival* rival;  // what may be taken in its stead, if anything
+  OriginalTree& tree;
+};
+
+Grain grainOf(const TriangleMesh& input) {
+  if (!input.isSingle) return {};
+  constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
+  double farthest = 0;
+  for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  return {std::max(kHalfUlp * farthest, kHalfLeast * input.scale), input.scale};
+}
+
+bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progress& progress) {
+  const RemeshOptions& options = manner.options;
+  if (options.scheme == Scheme::Rounds) {
+    const bool reached =
+        runRounds(run, {vertices, options.splitObtuse}, progress.part(0, kRoundsShare));
+    const Progress mending = progress.phase("mend", kRoundsShare, 1);
+    if (run.rule.mode != Fidelity::Strict) mendPoorRegions(run);
+    return reached;
+  }
+  const bool reached = runBest(run, vertices, manner.rival, progress);
+  if (options.splitObtuse) splitObtuse(run);
+  return reached;
+}
+
+// Where the bound asks for more vertices than there are to be, and than the original has, which
+// keeps every bound, no scheme is a way there.
+bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
+  const bool splitsObtuse = manner.options.splitObtuse;
+  constexpr double kBeyondAll = 1e15;  // a bound near nothing may ask for any number
+  const std::size_t aim = std::size_t(std::lround(std::min(run.sizes.vertices(), kBeyondAll)));
+  const std::size_t original = run.mesh.mesh().vertexCount();
+  if (std::max(goal.vertices, original) < aim) {
+    const bool reached = boundError(run, goal, progress);
+    if (splitsObtuse) splitObtuse(run);
+    return reached;
+  }
+  runScheme(run, aim, manner, progress.part(0, 1 - kBoundShare));
+  const std::size_t most = splitsObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
+  return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
+}
+
+std::size_t countDistinct(const WorkingMesh& mesh) {
+  return distinctPositions(mesh.mesh(), mesh.positions());
+}
+
+struct Places {
+  bool areReached;
+  std::size_t coincident;  // see moveApart
+};
+
+// Where the builder cut the input apart, several vertices may share a place; what was promised is a
+// number of places.
+Places matchPositions(Run& run, std::size_t vertices) {
+  constexpr int kTries = 4;
+  std::size_t coincident = moveApart(run);
+  for (int i = 0; i < kTries; ++i) {
+    const std::size_t now = countDistinct(run.mesh);
+    if (now == vertices) return {true, coincident};
+    const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
+    if (!matchCount(run, aim) && !fillUp(run, aim)) return {false, coincident};
+    coincident = moveApart(run);
+  }
+  return {countDistinct(run.mesh) == vertices, coincident};
+}
+
+// Of many vertices each walks: over short edges the straight way leads to where patches do.
+Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+  constexpr std::size_t kMany = 8000;
+  const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
+                     original.vertices() >= kMany;
+  if (walks) return Projector(original.ground());
+  return Projector(original.ground(), options.projection, original.longestEdges());
+}
+
+Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Progress& progress) {
+  const RemeshOptions& options = manner.options;
+  Projector projector = projectorFor(original, options);
+  WorkingMesh mesh(original.ground());
+  SizeField sizes = original.sizes();
+  Run run{mesh, projector, sizes, fidelityRule(options)};
+  run.rule.grain = manner.grain;
+  run.standIn = original.standIn();
+  run.tree = &manner.tree;
+  run.stagger = manner.stagger;
+  run.quality = options.quality;
+  const std::size_t vertices = original.vertices();
+  const bool reached = original.bound()
+                           ? runWithin(run, {*original.bound(), vertices}, manner, progress)
+                           : runScheme(run, vertices, manner, progress);
+  const bool mayMatch = !options.splitObtuse && (reached || countDistinct(mesh) < vertices);
+  const Places places = mayMatch ? matchPositions(run, vertices) : Places{reached, moveApart(run)};
+  const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
+  return {std::move(mesh),
+          places.areReached ? Stopped::Target
+          : byBound         ? Stopped::MaxError
+                            : Stopped::Fidelity,
+          places.coincident};
+}
+
+// Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
+// even triangles are too large for.
+bool mayFollow(const RemeshOptions& options) {
+  return options.textures == Textures::Bake && options.scheme == Scheme::Best &&
+         options.density.empty() && !options.maxError && !options.splitObtuse;
+}
+
+RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {
+  return {std::move(followed.mesh), std::move(followed.places), Stopped::Target, vertices,
+          std::move(warnings)};
+}
+
+}  // namespace
+
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
+  checkOptions(options, input.positions.size());
+  Plan plan = planRun(input, std::move(welding), options, progress);
+  const bool isRivalled = mayFollow(options);
+  if (isRivalled && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
+    if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))
+      return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
+  const Prepared original(std::move(plan), options, progress);
+  Rival rival(original, input);
+  OriginalTree tree(original.surface(), &input);
+  const Manner manner{options, input.attributes.empty() ? 0 : kStagger, grainOf(input),
+                      isRivalled ? &rival : nullptr, tree};
+  const Remeshed remeshed = remeshOriginal(original, manner, progress);
+  if (isRivalled)
+    if (std::optional<Followed> followed =
+            rival.winner(remeshed.mesh, remeshed.stopped == Stopped::Target))
+      return outcomeOf(std::move(*followed), original.vertices(), original.warnings());
+  progress.phase("extract", 1, 1);
+  std::vector<InputPlace> places;
+  if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
+  const std::size_t vertices =
+      options.splitObtuse ? original.vertices() : countDistinct(remeshed.mesh);
+  return {extractMesh(remeshed.mesh, input, original.transfer()),
+          std::move(places),
+          remeshed.stopped,
+          vertices,
+          original.warnings(),
+          remeshed.coincident,
+          tree.ofInput()};
+}
+
+}  // namespace remesher

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The remesher as one function: build, original surface, scheme, result.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/input_place.h"
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "geometry/triangle_tree.h"
+#include "mesh/welding.h"
+
+namespace remesher {
+
+struct RemeshOutcome {
+  TriangleMesh mesh;               // a vertex comes in as many copies as its attributes need
+  std::vector<InputPlace> places;  // per corner of its triangles, if textures are to be baked
+  Stopped stopped = Stopped::Target;
+  std::size_t vertices = 0;  // distinct positions, but for those that splitObtuse adds
+  std::vector<Warning> warnings;
+  std::size_t coincident = 0;  // vertices that would be one with others in a file; see moveApart
+  // Over the input's positions, of all its triangles that are no lines, each once: where the run
+  // needed one, and all of them are in the surface.
+  std::optional<ListedTree> tree = {};
+};
+
+// Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,
+// TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress);
+inline RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
+                                   const Progress& progress) {
+  requireValid(input);
+  return remeshSurface(input, Welding(input), options, progress);
+}
+
+}  // namespace remesher

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/rounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/patience.h"
+#include "remesh/gate/angles.h"
+#include "remesh/steps/adapt.h"
+#include "remesh/steps/boundaries.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/lengths.h"
+#include "remesh/steps/split_obtuse.h"
+#include "remesh/steps/sweeps.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kAreaSweeps = 3;
+constexpr int kAreaRounds = 10;
+constexpr int kLaplacianRounds = 10;
+// An edge more than twice as long as another of its triangles is too long to collapse.
+constexpr double kTooLong = 2;
+// Where sizes are graded: rounds of both kinds first, for edges much longer or shorter than asked
+// for, until so small a share of the vertices changes.
+constexpr int kGradingRounds = 12;
+constexpr double kSettled = 0.01;
+constexpr double kGradingShare = 0.4;  // of the time
+constexpr double kMostGraded = 4;      // of the vertices asked for, or there: slivers would go on
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+// In units of the size asked for there, where sizes differ.
+double length(const Run& run, Halfedge h) {
+  if (!run.sizes.isEven()) return relativeLength(run, h);
+  const HalfedgeMesh& m = run.mesh.mesh();
+  return (run.mesh.position(m.tip(h)) - run.mesh.position(m.origin(h))).norm();
+}
+
+bool isLongest(const Run& run, Halfedge side) {
+  const double own = length(run, side);
+  return own >= length(run, HalfedgeMesh::next(side)) &&
+         own >= length(run, HalfedgeMesh::prev(side));
+}
+
+struct Ranked {
+  double key;  // first come the largest
+  Halfedge edge;
+};
+
+// The edges with keys above a limit, the largest first, ties by index.
+template <class Key>
+std::vector<Ranked> rankedEdges(const HalfedgeMesh& mesh, double above, Key key) {
+  std::vector<Ranked> edges;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    if (!mesh.isEdge(Halfedge(i))) continue;
+    const double own = key(Halfedge(i));
+    if (own > above) edges.push_back({own, Halfedge(i)});
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.key > b.key; });
+  return edges;
+}
+
+// How bad the triangles of an edge are; boundary edges come before all others.
+double badness(const WorkingMesh& mesh, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto shortfall = [&](Face f) {
+    const double missing = radians(60) - smallestAngle(mesh, f);
+    return missing * missing;
+  };
+  constexpr double kBoundaryFirst = 1e3;
+  if (m.isBoundary(h)) return kBoundaryFirst + shortfall(m.face(h));
+  return shortfall(m.face(h)) + shortfall(m.face(m.twin(h)));
+}
+
+double goodness(const WorkingMesh& mesh, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  if (m.isBoundary(h)) return smallestAngle(mesh, m.face(h));
+  return std::max(smallestAngle(mesh, m.face(h)), smallestAngle(mesh, m.face(m.twin(h))));
+}
+
+std::vector<Ranked> longestFirst(const Run& run, double above) {
+  return rankedEdges(run.mesh.mesh(), above, [&](Halfedge h) { return length(run, h); });
+}
+
+std::vector<Ranked> shortestFirst(const Run& run, double below) {
+  return rankedEdges(run.mesh.mesh(), -below, [&](Halfedge h) { return -length(run, h); });
+}
+
+// The order of insertion: the edges of the worst triangles first, or, as bad angles say nothing
+// about sizes, those that exceed their target most.
+std::vector<Ranked> splitOrder(const Run& run) {
+  if (!run.sizes.isEven()) return longestFirst(run, -kAny);
+  return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return badness(run.mesh, h); });
+}
+
+// The order of collapses: the edges of the best triangles first, or the shortest for their target.
+std::vector<Ranked> collapseOrder(const Run& run) {
+  if (!run.sizes.isEven()) return shortestFirst(run, kAny);
+  return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return goodness(run.mesh, h); });
+}
+
+// One round of insertion: edges that are the longest of their triangles, no triangle twice.
+std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t target) {
+  const HalfedgeMesh& m = run.mesh.mesh();
+  FaceData<char> touched(m.faceCapacity(), 0);
+  std::size_t splits = 0;
+  for (const auto& [key, h] : edges) {
+    if (m.vertexCount() >= target) break;
+    const Halfedge t = m.twin(h);
+    if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
+    if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
+    if (!proposeSplit(run.mesh, run.projector, h, run.change) || !commitUnlessFlat(run)) continue;
+    ++splits;
+    touched.resize(m.faceCapacity(), 1);
+    m.forEachOutgoing(run.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
+  }
+  return splits;
+}
+
+bool isTooLong(const Run& run, Halfedge h) {
+  const double own = length(run, h);
+  for (const Halfedge side : {h, run.mesh.mesh().twin(h)}) {
+    if (!side) continue;
+    for (const Halfedge other : {HalfedgeMesh::next(side), HalfedgeMesh::prev(side)})
+      if (own > kTooLong * length(run, other)) return true;
+  }
+  return false;
+}
+
+// Whether the collapse happened. Where one end may not leave its place, the other may.
+bool tryCollapse(Run& run, Halfedge h) {
+  for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
+    if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+      return commit(run);
+  return false;
+}
+
+// One round of collapses: no star twice.
+std::size_t collapseRound(Run& run, const std::vector<Ranked>& edges, std::size_t target) {
+  const HalfedgeMesh& m = run.mesh.mesh();
+  FaceData<char> touched(m.faceCapacity(), 0);
+  std::size_t collapses = 0;
+  for (const auto& [key, h] : edges) {
+    if (m.vertexCount() <= target) break;
+    if (!m.isAlive(h)) continue;
+    const Halfedge t = m.twin(h);
+    if (touched[m.face(h)] || (t && touched[m.face(t)]) || isTooLong(run, h)) continue;
+    if (!tryCollapse(run, h)) continue;
+    ++collapses;
+    m.forEachOutgoing(run.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
+  }
+  return collapses;
+}
+
+void areaBasedRound(Run& run) {
+  for (int i = 0; i < kAreaSweeps; ++i) areaBasedSweep(run);
+  delaunayFlips(run.mesh, run.rule);
+}
+
+// Splits what is too long and collapses what is too short, until the sizes are about those asked
+// for; the number follows from them but for a few percent. Where the caller's own density asks for
+// triangles so large that they cannot lie as the surface does, that is no reason to refuse them.
+void grade(Run& run, const Progress& progress) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const FidelityRule rule = run.rule;
+  if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.rule.mode = Fidelity::Fold;
+  const auto most =
+      std::size_t(kMostGraded * std::max(run.sizes.vertices(), double(mesh.vertexCount())));
+  for (int i = 0; i < kGradingRounds; ++i) {
+    progress.at(double(i) / kGradingRounds);
+    std::size_t changes = splitRound(run, longestFirst(run, kLong), most);
+    changes += collapseRound(run, shortestFirst(run, kShort), 0);
+    areaBasedRound(run);
+    if (double(changes) < kSettled * double(mesh.vertexCount())) break;
+  }
+  run.rule = rule;
+}
+
+// Most of the time goes into the rounds that change the number of vertices, if there are any.
+double changingShare(std::size_t from, std::size_t to) {
+  const double rounds = 4 * std::abs(std::log2(double(to) / double(from)));
+  return rounds / (rounds + kAreaRounds + 0.3 * kLaplacianRounds);
+}
+
+}  // namespace
+
+bool runRounds(Run& run, const RoundsGoal& goal, const Progress& progress) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double grading = run.sizes.isEven() ? 0 : kGradingShare;
+  if (grading > 0) grade(run, progress.phase("grade", 0, grading));
+  const Progress rest = progress.phase("rounds", grading, 1);
+  const double start = double(mesh.vertexCount()), way = double(goal.vertices) - start;
+  const double share = changingShare(mesh.vertexCount(), goal.vertices);
+  Patience patience;
+  std::size_t missing = 1, changes = 1;
+  while (mesh.vertexCount() != goal.vertices && patience.after(changes, missing)) {
+    rest.at(share * (double(mesh.vertexCount()) - start) / way);
+    changes = mesh.vertexCount() < goal.vertices
+                  ? splitRound(run, splitOrder(run), goal.vertices)
+                  : collapseRound(run, collapseOrder(run), goal.vertices);
+    missing =
+        std::max(mesh.vertexCount(), goal.vertices) - std::min(mesh.vertexCount(), goal.vertices);
+    areaBasedRound(run);
+  }
+  bool reached = mesh.vertexCount() == goal.vertices;
+  if (reached || changes > 0) {
+    followBoundaries(run);
+    reached = matchCount(run, goal.vertices);
+  }
+  if (goal.splitObtuse) splitObtuse(run);
+  const Progress finish = rest.phase("smooth", share, 1);
+  for (int i = 0; i < kAreaRounds; ++i) {
+    finish.at(0.8 * i / kAreaRounds);
+    areaBasedRound(run);
+  }
+  for (int i = 0; i < kLaplacianRounds; ++i) {
+    finish.at(0.8 + 0.2 * i / kLaplacianRounds);
+    laplacianSweep(run);
+  }
+  settleBoundaries(run);
+  return reached;
+}
+
+}  // namespace remesher

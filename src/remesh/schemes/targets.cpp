@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "geometry/triangle.h"
+#include "mesh/joints.h"
+
+namespace remesher {
+
+namespace {
+
+// A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
+constexpr std::size_t kFewestVertices = 4;
+
+// Measured at their peak: what a run holds for each vertex of the result and of the input. Less
+// would do for some meshes, and more than there are addresses, or numbers for six halfedges to a
+// vertex, for none.
+constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
+
+double mostVertices(const BuiltMesh& built) {
+  constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
+  const double left = kAddresses - kBytesPerInputVertex * double(built.mesh.vertexCount());
+  return std::clamp(left / kBytesPerVertex, 0.0, double(kNone) / 6);
+}
+
+std::size_t fewestVertices(const HalfedgeMesh& mesh) {
+  DisjointSets components(mesh.vertexCapacity());
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    components.unite(a.index, b.index);
+    components.unite(b.index, c.index);
+  }
+  std::size_t fewest = 0;
+  VertexData<char> isOpen(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
+      isOpen[Vertex(components.find(i))] = 1;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)) && components.find(i) == i) fewest += isOpen[Vertex(i)] ? 3 : 4;
+  return std::max(fewest, kFewestVertices);
+}
+
+void require(bool holds, const std::string& message, const std::string& hint) {
+  if (!holds) throw Error(ErrorCode::InvalidOption, message, hint);
+}
+
+void checkDensity(const std::vector<float>& density, std::size_t inputVertices) {
+  if (density.empty()) return;
+  require(density.size() == inputVertices,
+          "density has " + std::to_string(density.size()) + " values for " +
+              std::to_string(inputVertices) + " vertices.",
+          "Give one value for each input vertex.");
+  for (std::size_t i = 0; i < density.size(); ++i)
+    require(std::isfinite(density[i]) && density[i] >= 0,
+            "density[" + std::to_string(i) + "] is " + std::to_string(density[i]) + ".",
+            "Densities are finite numbers of at least 0.");
+  require(*std::max_element(density.begin(), density.end()) > 0, "density is 0 everywhere.",
+          "Give at least one value above 0; only their ratios count.");
+}
+
+}  // namespace
+
+void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
+  require(options.gradation > 1,
+          "gradation is " + std::to_string(options.gradation) + ", not above 1.",
+          "Sizes need room to change: 1.5 is usual.");
+  const double adaptivity = options.adaptivity.value_or(0);
+  require(adaptivity >= 0 && adaptivity <= 1,
+          "adaptivity is " + std::to_string(adaptivity) + ", not between 0 and 1.",
+          "0 gives even triangles, 1 follows curvature fully.");
+  require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
+          "It is a percentage of the bounding box diagonal.");
+  require(!options.edgeLength || *options.edgeLength > 0, "edgeLength is not above 0.",
+          "It is a length in the units of the model.");
+  require(!options.ratio || *options.ratio > 0, "ratio is not above 0.",
+          "0.5 halves the number of vertices.");
+  checkDensity(options.density, inputVertices);
+}
+
+double surfaceArea(const BuiltMesh& built) {
+  double total = 0;
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    total += area(built.positions[a], built.positions[b], built.positions[c]);
+  }
+  if (total > 0) return total;
+  throw Error(ErrorCode::NoTriangles, "No triangle has an area: each is a line.",
+              "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
+}
+
+std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
+  const double own = double(countPlaces(built));
+  double target = own;
+  if (options.vertices) target = double(*options.vertices);
+  if (options.ratio) target = std::round(*options.ratio * own);
+  if (options.edgeLength)
+    target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
+  const double most = mostVertices(built);
+  if (!(target <= most))
+    throw Error(ErrorCode::OutOfMemory,
+                "The target is above " + std::to_string(std::size_t(most)) +
+                    " vertices, for which there is no memory.",
+                "Ask for " + std::to_string(std::size_t(most)) +
+                    " vertices or fewer, or give the model in parts.");
+  const std::size_t fewest = fewestVertices(built.mesh);
+  if (target < double(fewest) && options.tooFew == TooFew::Raise) return fewest;
+  if (target < double(fewest))
+    throw Error(ErrorCode::TargetTooSmall,
+                "The target of " + std::to_string(std::size_t(target)) +
+                    " vertices is too small: this surface needs at least " +
+                    std::to_string(fewest) + ".",
+                "Ask for " + std::to_string(fewest) + " vertices or more.");
+  return std::size_t(target);
+}
+
+std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh) {
+  std::size_t corners = 0;
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) corners += curves.isCorner(Vertex(i)) ? 1 : 0;
+  return corners;
+}
+
+void checkCurves(std::size_t corners, std::size_t vertices) {
+  if (corners <= vertices) return;
+  throw Error(ErrorCode::TargetBelowCurves,
+              "The target of " + std::to_string(vertices) + " vertices is below the " +
+                  std::to_string(corners) +
+                  " that the corners of feature curves and kept boundaries need.",
+              "Ask for more vertices, or for fewer features (featureAngle, boundary).");
+}
+
+SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density) {
+  constexpr double kMild = 0.5;
+  const double byScheme = options.scheme == Scheme::Best ? kMild : 0.0;
+  return {vertices, options.adaptivity.value_or(byScheme), options.gradation, density};
+}
+
+std::vector<float> densityOf(const BuiltMesh& built, const RemeshOptions& options) {
+  std::vector<float> result;
+  if (options.density.empty()) return result;
+  for (const Index source : built.sources.values()) result.push_back(options.density[source]);
+  return result;
+}
+
+}  // namespace remesher

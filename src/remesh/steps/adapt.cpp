@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/adapt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/patience.h"
+#include "remesh/ground/decimate.h"
+#include "remesh/steps/coarsen.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/lengths.h"
+#include "remesh/steps/sweeps.h"
+#include "remesh/steps/valence.h"
+
+namespace remesher {
+
+namespace {
+
+// So short an edge goes even at the price of a fold.
+constexpr double kMustGo = 0.4;
+// Halving all sides of a triangle of such edges, whatever its shape, would pile vertices up beside
+// its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
+constexpr double kGiant = 3;
+// A coarse level is annealed, divided and smoothed after that.
+constexpr int kRounds = 5, kSweeps = 2, kCoarseSweeps = 1;
+// Where small handles and folds let no edge go vertices crowd; one in so many is mended later.
+constexpr std::size_t kFewCrowded = 20;
+constexpr int kThinnings = 3;
+constexpr int kSketchRounds = 3;
+constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
+// Of so many times the vertices that are wanted most are thinned out rather than adapted, until
+// edges have this share of the sizes; a sketch collapses what is short instead, up to a limit.
+constexpr std::size_t kFarTooMany = 7, kFarTooManyToSketch = 64;
+constexpr double kThinned = 0.5;
+
+bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
+  const double length = sizes.relativeLength(h);
+  for (const Halfedge side : {h, mesh.twin(h)}) {
+    if (!side) continue;
+    for (const Halfedge other : {mesh.next(side), mesh.prev(side)})
+      if (sizes.relativeLength(other) > length) return false;
+  }
+  return true;
+}
+
+// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time, and
+// so do giants that are not the longest beside them. Returns how many were split or wait.
+std::size_t splitLong(Run& run, std::size_t limit) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t count = 0;
+  const Index present = Index(mesh.halfedgeCapacity());
+  VertexSizes sizes(run);
+  for (Index i = 0; i < present && mesh.vertexCount() < limit; ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = sizes.relativeLength(h);
+    if (length <= kLong) continue;
+    if (length > kGiant && !isLongestBeside(mesh, h, sizes))
+      ++count;
+    else if (proposeSplit(run.mesh, run.projector, h, run.change))
+      count += commit(run);
+  }
+  return count;
+}
+
+// Much too long edges need several halvings, with Delaunay flips between or slivers would be split
+// into ever thinner ones.
+void refine(Run& run, std::size_t limit) {
+  constexpr int kHalvings = 48;
+  for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
+    const std::size_t before = run.mesh.mesh().vertexCount();
+    const std::size_t longOnes = splitLong(run, limit), vertices = run.mesh.mesh().vertexCount();
+    if (vertices == before || longOnes * 10 < vertices) return;
+    delaunayFlips(run.mesh, run.rule);
+  }
+}
+
+// Whether the star of the vertex that goes would get an edge that is to be split again.
+bool makesLongEdge(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
+  const Vertex into = mesh.tip(h);
+  bool found = false;
+  mesh.forEachNeighbor(mesh.origin(h), [&](Vertex w) {
+    found = found || (w != into && sizes.relativeLength(into, w) > kLong);
+  });
+  return found;
+}
+
+// The end where the original bends more, and sizes are smaller, had better stay: it may be a tip.
+std::array<Halfedge, 2> outermostFirst(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
+  if (sizes.at(mesh.origin(h)) < sizes.at(mesh.tip(h)) && mesh.twin(h)) return {mesh.twin(h), h};
+  return {h, mesh.twin(h)};
+}
+
+// What remains of two vertices stays where it is. Returns the number of collapses.
+std::size_t collapseShort(Run& run, double shortest) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t count = 0;
+  VertexSizes sizes(run);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h)) continue;
+    const double length = sizes.relativeLength(h);
+    if (length >= shortest) continue;
+    FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
+    for (const Halfedge direction : outermostFirst(mesh, h, sizes)) {
+      if (!direction || makesLongEdge(mesh, direction, sizes)) continue;
+      if (!proposeCollapseInto(run.mesh, direction, run.change) || !commit(run, rule)) continue;
+      ++count;
+      break;
+    }
+  }
+  return count;
+}
+
+// The coarse level of a draft: each vertex is one of four, and those between them come out regular.
+bool isSketch(const Run& run) { return run.quality == Quality::Draft && run.scale > 1; }
+
+void thinOut(Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double share = kThinned * run.scale;
+  VertexData<double> spacing(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
+  decimate(run.mesh, run.rule, spacing);
+}
+
+struct Ranked {
+  double length;
+  Halfedge edge;
+  Vertex from, to;
+
+  bool operator<(const Ranked& other) const {
+    return length < other.length || (length == other.length && other.edge < edge);
+  }
+};
+
+// A heap: few are asked for.
+std::vector<Ranked> edgesByLength(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexSizes sizes(run);
+  std::vector<Ranked> edges;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (mesh.isEdge(h)) edges.push_back({sizes.relativeLength(h), h, mesh.origin(h), mesh.tip(h)});
+  }
+  std::make_heap(edges.begin(), edges.end());
+  return edges;
+}
+
+// Where the new vertex of an edge goes: onto the original, or on the edge itself.
+enum class Middle { Projected, Straight };
+
+// The surface stays as it is, to the last point, so that nothing can fold over.
+bool commitStraight(Run& run, const Ranked& edge) {
+  run.change.place.position = 0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
+  if (run.rule.mode != Fidelity::Fold) return commit(run);
+  return commitUnlessFlat(run);
+}
+
+// Returns the number of splits.
+std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::size_t splits = 0;
+  for (std::vector<Ranked> edges = edgesByLength(run);
+       !edges.empty() && mesh.vertexCount() < vertices; edges.pop_back()) {
+    std::pop_heap(edges.begin(), edges.end());
+    const Ranked& edge = edges.back();
+    const Halfedge h = mesh.find(edge.from, edge.to);
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    if (middle == Middle::Straight && !run.mesh.isCurve(h))
+      splits += commitStraight(run, edge);
+    else
+      splits += commit(run);
+  }
+  return splits;
+}
+
+bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  Patience patience;
+  while (mesh.vertexCount() < vertices) {
+    const std::size_t splits = splitLongest(run, vertices, middle);
+    if (!patience.after(splits, vertices - mesh.vertexCount())) break;
+  }
+  return mesh.vertexCount() == vertices;
+}
+
+}  // namespace
+
+void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
+  const bool isRough = isSketch(run);
+  const std::size_t tooMany = isRough ? kFarTooManyToSketch : kFarTooMany;
+  if (run.mesh.mesh().vertexCount() > tooMany * vertices) thinOut(run);
+  // Slivers can ask for splits for ever, and not give the vertices back.
+  const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
+  const int rounds = isRough ? kSketchRounds : kRounds;
+  const int sweeps = run.scale > 1 ? kCoarseSweeps : kSweeps;
+  for (int i = 0; i < rounds; ++i) {
+    progress.at(double(i) / rounds);
+    const bool isFirstOrLast = i == 0 || i + 1 == rounds;
+    // What is long among far too many is so still when most have gone.
+    const bool isCrowded = isRough && run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
+    if (!isCrowded) refine(run, most);
+    collapseShort(run, kShort);
+    // All that follows goes over the holes as well.
+    if (isFirstOrLast) run.mesh.compact();
+    valenceFlips(run);
+    if (isFirstOrLast) delaunayFlips(run.mesh, run.rule);
+    for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
+    const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
+    if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+  }
+}
+
+std::size_t countCrowded(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  VertexSizes sizes(run);
+  VertexData<char> isCrowded(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isEdge(Halfedge(i)) && sizes.relativeLength(Halfedge(i)) < kMustGo)
+      isCrowded[mesh.origin(Halfedge(i))] = 1;
+  const std::vector<char>& marks = isCrowded.values();
+  const auto count = std::size_t(std::count(marks.begin(), marks.end(), 1));
+  return count * kFewCrowded < mesh.vertexCount() ? 0 : count;
+}
+
+void thinCrowds(Run& run) {
+  if (countCrowded(run) == 0) return;
+  for (int i = 0; i < kThinnings && collapseShort(run, kMustGo) > 0; ++i) {
+  }
+}
+
+bool matchCount(Run& run, std::size_t vertices) {
+  coarsen(run, vertices, MeetingPlace::Middle);
+  return splitUpTo(run, vertices, Middle::Projected);
+}
+
+bool fillUp(Run& run, std::size_t vertices) { return splitUpTo(run, vertices, Middle::Straight); }
+
+}  // namespace remesher

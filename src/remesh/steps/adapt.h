@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Splits and collapses driven together towards the sizes asked for: the smarter insertion and
+// reduction that the report's conclusion calls for.
+#pragma once
+
+#include "remesh/steps/run.h"
+
+namespace remesher {
+
+// A few rounds of splitting edges above 4/3 and collapsing those below 4/5 of their target length,
+// with valence flips and smoothing between; run.scale is tuned so that about `vertices` result.
+void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress);
+
+// How many vertices crowd together, for small handles and folds let none of their edges go; 0 where
+// they are a trifle.
+std::size_t countCrowded(const Run& run);
+
+// Collapses the edges between vertices that crowd together as far as it may: subdividing has made
+// far more of them than handles and folds need.
+void thinCrowds(Run& run);
+
+// Splits the longest or collapses the shortest edges, relative to their targets, until there are
+// exactly `vertices`. Returns whether that was possible.
+bool matchCount(Run& run, std::size_t vertices);
+
+// The same where matchCount has not found enough edges to split: new vertices stay on the edges,
+// for what has no volume is projected onto its own rim.
+bool fillUp(Run& run, std::size_t vertices);
+
+}  // namespace remesher

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/boundaries.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "original/surface/boundary_places.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/relax.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
+constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
+constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
+constexpr int kMostRounds = 8, kSlides = 4, kPasses = 3;
+constexpr double kBadAngle = radians(35), kWorstCounts = 2, kWorthAMove = radians(0.3);
+constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
+
+struct Station {
+  Index chain;
+  double arc;
+  Vertex vertex;
+
+  auto operator<=>(const Station&) const = default;
+};
+
+using Row = std::vector<Station>;
+
+// From the corner that h leaves along its boundary to the next one, as the arcs rise.
+Row rowFrom(const Run& run, Halfedge h) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const Index chain = run.mesh.curve(h);
+  Row row;
+  const auto add = [&](Vertex v) { row.push_back({chain, run.mesh.onChain(v, chain).arc, v}); };
+  add(mesh.origin(h));
+  for (; run.mesh.kind(mesh.tip(h)) != VertexKind::Corner; h = mesh.outgoing(mesh.tip(h)))
+    add(mesh.tip(h));
+  add(mesh.tip(h));
+  std::sort(row.begin(), row.end());
+  return row;
+}
+
+// The vertices of the boundaries that are resampled, along each chain from corner to corner; none
+// of other chains.
+std::vector<Row> rowsOf(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  std::vector<Row> rows(run.mesh.surface().curves().chains().size());
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!mesh.isAlive(v) || run.mesh.kind(v) != VertexKind::Corner) continue;
+    const Halfedge h = mesh.outgoing(v);
+    if (mesh.isBoundary(h) && !run.mesh.isKept(h)) rows[run.mesh.curve(h)] = rowFrom(run, h);
+  }
+  return rows;
+}
+
+bool isNear(const Run& run, Index chain, double from, double to) {
+  const OriginalSurface& surface = run.mesh.surface();
+  return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
+}
+
+// What is to move for the chords of a row to be near: from where to where, both of which stay.
+std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& row) {
+  std::vector<std::array<std::size_t, 2>> stretches;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    if (isNear(run, row[i].chain, row[i].arc, row[i + 1].arc)) continue;
+    const std::size_t first = i - std::min(i, kReach);
+    const std::size_t last = std::min(i + 1 + kReach, row.size() - 1);
+    if (stretches.empty() || first > stretches.back()[1])
+      stretches.push_back({first, last});
+    else
+      stretches.back()[1] = last;
+  }
+  return stretches;
+}
+
+using Edges = std::vector<std::array<Vertex, 2>>;
+
+struct Plan {
+  Edges far;      // whose chords are
+  Edges tooLong;  // which would be so wherever their ends went
+  Row moves;      // who is to go where
+};
+
+// The best places that were found for a stretch, by its chain and the places that it had: where
+// nothing has moved since, they are the same again.
+using Known = std::map<std::pair<Index, std::vector<double>>, std::vector<double>>;
+
+const std::vector<double>& placesFor(const Run& run, Index chain, const std::vector<double>& arcs,
+                                     Known& known) {
+  const OriginalSurface& surface = run.mesh.surface();
+  const auto [at, isNew] = known.try_emplace({chain, arcs});
+  if (isNew) at->second = placesAlong(surface, chain, arcs, kTolerance * surface.diagonal());
+  return at->second;
+}
+
+Plan planFor(const Run& run, Known& known) {
+  const double tolerance = kTolerance * run.mesh.surface().diagonal();
+  Plan plan;
+  for (const Row& row : rowsOf(run))
+    for (const auto& [first, last] : stretchesOf(run, row)) {
+      const Index chain = row[first].chain;
+      std::vector<double> arcs;
+      for (std::size_t i = first; i <= last; ++i) arcs.push_back(row[i].arc);
+      const std::vector<double>& to = placesFor(run, chain, arcs, known);
+      for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+        const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
+        if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
+        if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
+        if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
+      }
+    }
+  return plan;
+}
+
+// Outlines show more than angles to the surface do.
+bool commitOutline(Run& run) {
+  FidelityRule rule = run.rule;
+  if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
+  return commit(run) || commit(run, rule);
+}
+
+bool slideTo(Run& run, const Station& to) {
+  proposePlacement(run.mesh, to.vertex, run.mesh.onCurve({to.chain, to.arc}), run.change);
+  if (!commitOutline(run)) return false;
+  run.mesh.unsettleStar(to.vertex);
+  run.mesh.pin(to.vertex);
+  return true;
+}
+
+// As far as the triangles around it allow.
+bool slideTowards(Run& run, const Station& to) {
+  const double from = run.mesh.on(to.vertex).arc;
+  for (const double share : {1.0, 0.5, 0.25})
+    if (slideTo(run, {to.chain, from + share * (to.arc - from), to.vertex})) return true;
+  return false;
+}
+
+// Whether anything moved. What is inside makes way between the slides.
+bool slide(Run& run, const Row& moves) {
+  bool moved = false;
+  for (int i = 0; i < kSlides; ++i) {
+    bool again = false;
+    for (const Station& to : moves)
+      if (run.mesh.on(to.vertex).arc != to.arc) again = slideTowards(run, to) || again;
+    if (!again) break;
+    moved = true;
+    relax(run, kPasses);
+  }
+  return moved;
+}
+
+bool split(Run& run, const Edges& edges) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  bool done = false;
+  for (const auto& [a, b] : edges) {
+    const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
+    // Vertices at one place of the chain, as far as rounding tells, may be neighbours in name only.
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    done = commitOutline(run) || done;
+  }
+  if (!done) return false;
+  delaunayFlips(run.mesh, run.rule);
+  relax(run, kPasses);
+  return true;
+}
+
+// Those vertices without which the chord between their neighbours would be far.
+void pinNeeded(Run& run) {
+  for (const Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
+}
+
+// Of the triangles around v, were it at `place`: the mean of their smallest angles, and more than
+// that the smallest of all where it is bad; or anything no larger than `most` where that is not.
+double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
+  constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
+  const HalfedgeMesh& m = mesh.mesh();
+  int count = 0;
+  m.forEachOutgoing(v, [&](Halfedge) { ++count; });
+  double sum = 0, worst = kBadAngle, quality = 0;
+  int rest = count;
+  for (Halfedge h = m.outgoing(v); rest > 0; h = m.twin(m.prev(h))) {
+    const double angle = minAngle(place, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));
+    sum += angle;
+    worst = std::min(worst, angle);
+    --rest;
+    quality = (sum + rest * kLargest) / count + kWorstCounts * worst;
+    if (quality <= most) break;
+  }
+  return quality;
+}
+
+// Whether the star of v is as it was: what was in vain there will be again.
+bool isAsBefore(const WorkingMesh& mesh, Vertex v, const VertexData<Vec3>& before) {
+  bool isSame = mesh.position(v) == before[v];
+  mesh.mesh().forEachNeighbor(v,
+                              [&](Vertex w) { isSame = isSame && mesh.position(w) == before[w]; });
+  return isSame;
+}
+
+// To where the triangles around it are best, of the places between its neighbours with near chords.
+bool mend(Run& run, const Station& before, Station& at, const Station& after) {
+  const OriginalSurface& surface = run.mesh.surface();
+  const auto qualityAt = [&](double arc, double most) {
+    return starQuality(run.mesh, at.vertex, positionAt(surface, at.chain, arc), most);
+  };
+  double most = qualityAt(at.arc, 0) + kWorthAMove;
+  Station best = at;
+  for (int i = 1; i < kSteps; ++i) {
+    const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
+    const double quality = qualityAt(arc, most);
+    if (quality <= most || !isNear(run, at.chain, before.arc, arc) ||
+        !isNear(run, at.chain, arc, after.arc))
+      continue;
+    most = quality;
+    best.arc = arc;
+  }
+  if (best == at || !slideTo(run, best)) return false;
+  at = best;
+  return true;
+}
+
+// before: where all vertices were when this was done the last time.
+bool mendStars(Run& run, const VertexData<Vec3>& before) {
+  bool moved = false;
+  for (Row& row : rowsOf(run))
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      if (!isAsBefore(run.mesh, row[i].vertex, before))
+        moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
+  if (moved) relax(run, kPasses);
+  return moved;
+}
+
+}  // namespace
+
+void followBoundaries(Run& run) {
+  Known known;
+  bool changed = true;
+  for (int i = 0; i < kMostRounds && changed; ++i) {
+    Plan plan = planFor(run, known);
+    changed = split(run, plan.tooLong);
+    if (changed) plan = planFor(run, known);
+    changed = slide(run, plan.moves) || changed || split(run, plan.far);
+  }
+  pinNeeded(run);
+}
+
+void settleBoundaries(Run& run) {
+  Known known;
+  for (int i = 0; i < kMostRounds && slide(run, planFor(run, known).moves); ++i) {
+  }
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  VertexData<Vec3> before(run.mesh.mesh().vertexCapacity(), Vec3::Constant(kNowhere));
+  for (int i = 0; i < kMostRounds; ++i) {
+    const VertexData<Vec3> now = run.mesh.positions();
+    if (!mendStars(run, before)) break;
+    before = now;
+  }
+  for (const Row& row : rowsOf(run))
+    for (const Station& station : row) run.mesh.pin(station.vertex);
+}
+
+}  // namespace remesher

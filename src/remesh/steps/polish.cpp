@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/polish.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/polar_map.h"
+#include "geometry/triangle.h"
+#include "remesh/gate/angles.h"
+#include "remesh/operators/shift.h"
+#include "remesh/steps/adapt.h"
+#include "remesh/steps/lengths.h"
+#include "remesh/steps/relax.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6, kPolishRoundsInDraft = 4;
+constexpr int kMeansByTurns = 2;  // see meansOf
+// Where so large a share of the bad triangles outlasts two rounds, or one of a draft, the surface
+// allows no better: the rest is around handles no larger than a triangle.
+constexpr double kHopeless = 0.8;
+constexpr std::size_t kMany = 200;
+// Per triangle and round; the last one, of small moves, goes on while something is gained. In a
+// large mesh what one round leaves is for the next.
+constexpr int kTries = 3, kTriesInLarge = 1, kLastTries = 12;
+// Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
+// few triangles are bad a twentieth of it is needed; where all are, and valences high, more is in
+// vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
+constexpr std::size_t kPlacesTried = 40, kMostWork = 800, kLeastWork = 1 << 19;
+constexpr double kFarBeyond = 2;
+// Drastic means may make so much more of the vertices before the count is put right again.
+constexpr double kMostGrowth = 1.25;
+// A pattern search: eight directions, with steps that shrink as none of them helps.
+constexpr int kDirections = 8;
+constexpr double kFirstStep = 0.3;  // of the mean spoke
+constexpr double kLastStep = 0.02;
+constexpr double kByProjecting = radians(1);  // angles seldom grow by more
+// Around a sharp tip no place on the surface is better, but one a little off it.
+constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
+constexpr double kRolledOut = 1e-3;                  // radians
+// Beside curves any angle is better than a thin wall's: steps that move the surface farther, in
+// target edge lengths, would cut across its rims.
+constexpr double kMostBesideCurves = 0.25;
+// Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
+constexpr double kSplitAbove = 0.7;
+constexpr double kCollapseBelow = 1.2;
+
+// The best proposal seen so far, by the worst angle it leaves.
+struct Best {
+  FidelityRule rule;
+  double shift;  // model units
+  LocalChange change = {};
+  double gain = 0;
+
+  void offer(const Run& run) {
+    offer(run, smallestComingAngle(run.mesh, run.change, run.rule.grain, gain));
+  }
+
+  // Of a proposal that leaves `worst`. From two places, seldom: one copy is enough.
+  [[gnu::noinline]] void offer(const Run& run, double worst) {
+    if (worst <= gain) return;
+    const double better = worst - smallestGoingAngle(run.mesh, run.change, run.rule.grain);
+    if (better <= gain) return;
+    if (judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
+    if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
+    gain = better;
+    change = run.change;
+  }
+};
+
+void offerFlips(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i)
+    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
+}
+
+// Where a vertex may go: where its polar map's plane is projected to, or, where the original is so
+// crumpled that every such place folds the star over, on the mesh itself.
+enum class Ground { Original, Mesh };
+
+struct Wanted {
+  Ground ground;
+  AngleLimit angle;
+};
+
+// To `p` in the plane of a vertex's polar map; none if an angle is too small before the place is
+// even projected, which costs most.
+bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wanted) {
+  const auto location = map.locate(p);
+  if (!location) return false;
+  const Vertex a = map.neighbor(location->triangle);
+  const Vertex b = map.neighbor(map.after(location->triangle));
+  const Vec3& w = location->barycentric;
+  const Vec3 onMesh = w[0] * run.mesh.position(map.center()) + w[1] * run.mesh.position(a) +
+                      w[2] * run.mesh.position(b);
+  if (wanted.angle.isAboveAround(run.star, onMesh)) return false;
+  const Halfedge h = run.mesh.mesh().find(map.center(), a);
+  if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
+  if (wanted.ground == Ground::Mesh) run.change.place.position = onMesh;
+  return true;
+}
+
+// Searches around v for a place where the worst angle of its star is largest.
+void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
+  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  if (run.mesh.isPinned(v) && ground == Ground::Original) return;
+  PolarMap map;
+  map.build(run.mesh.mesh(), run.mesh.positions(), v);
+  run.star.gather(run.mesh, v);
+  const double spoke = map.meanSpoke();
+  std::array<Vec2, kDirections> directions;
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kDirections;
+    directions[i] = {std::cos(turn), std::sin(turn)};
+  }
+  Vec2 at = Vec2::Zero();
+  double angle = 0;
+  Wanted wanted{ground, AngleLimit(0)};
+  for (double step = kFirstStep; step >= kLastStep; step /= 2) {
+    for (const Vec2& direction : directions) {
+      const Vec2 to = at + step * spoke * direction;
+      if (!proposeMove(run, map, to, wanted)) continue;
+      const double worst = smallestComingAngle(run.mesh, run.change, run.rule.grain, angle);
+      if (worst <= angle) continue;
+      angle = worst;
+      wanted.angle = AngleLimit(std::max(0.0, angle - kByProjecting));
+      at = to;
+      best.offer(run, worst);
+    }
+  }
+}
+
+bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
+  bool found = mesh.mesh().isBoundary(v);
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { found = found || mesh.isCurve(h); });
+  return found;
+}
+
+// Whether the angles around v make a full turn: then a place on the surface is as good as one off
+// it.
+bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
+  double turn = 0;
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+    const Vec3 &tip = mesh.position(mesh.mesh().tip(h)),
+               &next = mesh.position(mesh.mesh().opposite(h));
+    turn += angles(mesh.position(v), tip, next)[0];
+  });
+  return std::abs(2 * std::numbers::pi - turn) < kRolledOut;
+}
+
+// Up and down along the mean normal of the star.
+void offerLifts(Run& run, Vertex v, Best& best) {
+  if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
+  const Vec3& at = run.mesh.position(v);
+  const Vec3 normal = run.mesh.areaVectorAround(v);
+  const double spoke = run.mesh.meanSpoke(v);
+  if (!(normal.norm() > 0)) return;
+  Placement place = run.mesh.placement(v);
+  const Vec3 ground = run.mesh.surface().position(place.at);
+  for (double step = kFirstLift; step >= kLastStep; step /= 2)
+    for (const double way : {step, -step}) {
+      place.position = at + way * spoke * normal.normalized();
+      if ((place.position - ground).norm() > kHighest * spoke) continue;
+      proposePlacement(run.mesh, v, place, run.change);
+      best.offer(run);
+    }
+}
+
+void offerCollapses(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) > kCollapseBelow) continue;
+    for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
+      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+        best.offer(run);
+  }
+}
+
+void offerSplits(Run& run, Face f, Best& best) {
+  for (int i = 0; i < 3; ++i) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, i);
+    if (relativeLength(run, h) < kSplitAbove) continue;
+    if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+  }
+}
+
+// From which vertices a search was in vain, until their stars change: triangles side by side have
+// corners in common. Only where a step may be as large as it likes, for else the triangle decides.
+class InVain {
+ public:
+  // Whether a search from v will gain no more than that.
+  bool knows(Vertex v, double gain) const { return v.index < most_.size() && most_[v] <= gain; }
+
+  void note(Vertex v, double gain) {
+    if (v.index >= most_.size()) most_.resize(v.index + 1, kUnknown);
+    most_[v] = std::min(most_[v], gain);
+  }
+
+  void forget(const HalfedgeMesh& mesh, const LocalChange& change) {
+    for (const Face f : change.going)
+      for (const Vertex v : mesh.vertices(f))
+        if (v.index < most_.size()) most_[v] = kUnknown;
+  }
+
+ private:
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+  VertexData<double> most_;
+};
+
+enum class Means { KeepCount, ChangeCount, LeaveSurface };
+
+struct Attempt {
+  Means means;
+  double shift;    // see PolishGoal
+  InVain& inVain;  // of the same means
+};
+
+// What an attempt to mend f costs, about.
+std::size_t workOf(const Run& run, Face f) {
+  std::size_t work = 0;
+  for (const Vertex v : run.mesh.mesh().vertices(f))
+    work += kPlacesTried * std::size_t(run.mesh.mesh().valence(v));
+  return work;
+}
+
+// Whether something was found that makes the worst angle around f larger.
+bool mend(Run& run, Face f, const Attempt& attempt) {
+  const Means means = attempt.means;
+  const auto corners = run.mesh.mesh().vertices(f);
+  const bool isBesideCurve =
+      std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return isOnCurve(run.mesh, v); });
+  const double shift = isBesideCurve ? std::min(attempt.shift, kMostBesideCurves) : attempt.shift;
+  const double size = run.scale * run.sizes.at(run.mesh.at(corners[0]));
+  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
+  offerFlips(run, f, best);
+  const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
+  for (const Vertex v : corners) {
+    const double before = best.gain;
+    if (attempt.inVain.knows(v, before)) continue;
+    offerMove(run, v, ground, best);
+    if (best.gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
+  }
+  // Beside a curve what leaves the surface would show, and be in vain; without the original nothing
+  // says how far off it a vertex already is.
+  const bool mayLift =
+      means == Means::LeaveSurface && !isBesideCurve && run.projector.mode() == Projection::Patches;
+  for (int i = 0; mayLift && i < 3; ++i) offerLifts(run, corners[i], best);
+  if (means == Means::ChangeCount) {
+    offerCollapses(run, f, best);
+    offerSplits(run, f, best);
+  }
+  if (best.gain <= 0) return false;
+  attempt.inVain.forget(run.mesh.mesh(), best.change);
+  run.result = apply(run.mesh, best.change);
+  return true;
+}
+
+// The skin of a spike, where sizes jump: a needle, and meant to be.
+bool isSkin(const Run& run, Face f) {
+  constexpr double kJump = 4;
+  if (!run.sizes.isSpiked()) return false;
+  const auto [a, b, c] = run.mesh.mesh().vertices(f);
+  const auto size = [&](Vertex v) { return run.sizes.at(run.mesh.at(v)); };
+  return std::max({size(a), size(b), size(c)}) > kJump * std::min({size(a), size(b), size(c)});
+}
+
+bool isBad(const Run& run, Face f, const AngleLimit& limit) {
+  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.rule.grain);
+}
+
+std::vector<Face> badTriangles(const Run& run, double angle) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(angle);
+  std::vector<std::pair<double, Face>> bad;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const Face f(i);
+    if (!isBad(run, f, limit) || isSkin(run, f)) continue;
+    bad.emplace_back(smallestAngle(run.mesh, f, run.rule.grain), f);
+  }
+  std::sort(bad.begin(), bad.end());
+  std::vector<Face> faces;
+  for (const auto& [own, f] : bad) faces.push_back(f);
+  return faces;
+}
+
+// Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
+// where even that fails a vertex may leave the surface.
+Means meansOf(int round, int rounds) {
+  if (round + 1 == rounds) return Means::LeaveSurface;
+  return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
+}
+
+int roundsOf(const Run& run) {
+  if (run.quality == Quality::Draft) return kPolishRoundsInDraft;
+  return isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
+}
+
+int triesOf(const Run& run, Means means) {
+  if (means == Means::LeaveSurface) return kLastTries;
+  return isLarge(run) ? kTriesInLarge : kTries;
+}
+
+std::size_t mostWork(const Run& run) {
+  const double wanted = 2 * run.sizes.vertices();
+  const double counted = std::min(double(run.mesh.mesh().faceCount()), kFarBeyond * wanted);
+  return std::max(kLeastWork, kMostWork * std::size_t(counted));
+}
+
+}  // namespace
+
+bool areFewBelow(const Run& run, double angle) {
+  constexpr double kFew = 0.02;
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(angle);
+  std::size_t below = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) below += isBad(run, Face(i), limit) ? 1 : 0;
+  return double(below) <= kFew * double(mesh.faceCount());
+}
+
+void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
+  const std::size_t vertices = run.mesh.mesh().vertexCount();
+  const int rounds = roundsOf(run);
+  double before = std::numeric_limits<double>::infinity();
+  std::size_t work = mostWork(run);
+  const auto mayTry = [&](Face f) {
+    const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
+    const std::size_t own = isFull ? work + 1 : workOf(run, f);
+    if (own > work || areProofsSpent(run)) return false;
+    work -= own;
+    return true;
+  };
+  const AngleLimit limit(goal.angle);
+  std::vector<Face> bad;
+  int inVainSince = 0;  // rounds; what has been in vain with all means but the last will be again
+  for (int round = 0; round < rounds; ++round) {
+    progress.at(double(round) / rounds);
+    if (inVainSince == 0) bad = badTriangles(run, goal.angle);
+    if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
+    if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
+    if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
+    InVain inVain;
+    const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};
+    const int tries = triesOf(run, attempt.means);
+    for (const Face f : bad)
+      for (int i = 0; i < tries && isBad(run, f, limit) && mayTry(f); ++i) {
+        if (!mend(run, f, attempt)) break;
+        inVainSince = 0;
+      }
+    if (run.mesh.mesh().vertexCount() == vertices) continue;
+    matchCount(run, vertices);
+    relax(run, 2);
+  }
+}
+
+}  // namespace remesher

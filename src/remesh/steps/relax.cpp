@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/relax.h"
+
+#include <cmath>
+#include <utility>
+
+#include "remesh/gate/angles.h"
+#include "remesh/operators/smoothing.h"
+#include "remesh/steps/sweeps.h"
+
+namespace remesher {
+
+namespace {
+
+// A vertex whose neighbours' mean has moved by less than this share of its target length stays; in
+// large meshes, where a pass costs and few triangles are near any limit, and in drafts, sooner.
+constexpr double kStillMoves = 0.003, kStillMovesInLarge = 0.01, kStillMovesInDraft = 0.02;
+constexpr double kNeighbors = 6;  // of most vertices
+// Of the way to the mean of its neighbours, which come after it: waves of many edges' length settle
+// in far fewer passes (successive over-relaxation). Only where there are many vertices: a few of
+// them never quite come to rest.
+constexpr double kBeyondMean = 1.3;
+
+bool isAtRest(const Run& run, Vertex v, double share) {
+  const double unrest = run.mesh.unrest(v);
+  return unrest == 0 || (std::isfinite(unrest) &&
+                         unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v)));
+}
+
+// Where smoothing has settled, angles change little after so many.
+constexpr int kWidenings = 3, kWideningsInLarge = 2;
+constexpr double kNarrow = radians(52);
+
+VertexData<char> narrowCorners(const Run& run) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const AngleLimit limit(kNarrow);
+  VertexData<char> found(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.faceCapacity(); ++i)
+    if (mesh.isAlive(Face(i)) && limit.isAbove(run.mesh, Face(i)))
+      for (const Vertex v : mesh.vertices(Face(i))) found[v] = 1;
+  return found;
+}
+
+}  // namespace
+
+void relax(Run& run, int passes) {
+  const bool isDraft = run.quality == Quality::Draft;
+  relax(run, passes,
+        isDraft        ? kStillMovesInDraft
+        : isLarge(run) ? kStillMovesInLarge
+                       : kStillMoves);
+}
+
+void relax(Run& run, int passes, double share) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  const double part = run.projector.walks() ? kBeyondMean : 1;
+  PolarMap star;
+  bool isStill = false;
+  for (int pass = 0; pass < passes && !isStill; ++pass) {
+    isStill = true;
+    for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+      const Vertex v(i);
+      if (!mesh.isAlive(v) || isAtRest(run, v, share)) continue;
+      isStill = false;
+      run.mesh.settle(v);
+      const Vec3 before = run.mesh.position(v);
+      if (laplacianMove(run, star, v, part))
+        run.mesh.stirNeighbors(v, (run.mesh.position(v) - before).norm());
+    }
+  }
+}
+
+void widenAngles(Run& run) {
+  PolarMap star;
+  // Where nothing has moved since, a search finds what it found before: nothing.
+  VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
+  const int passes = isLarge(run) ? kWideningsInLarge : kWidenings;
+  for (int pass = 0; pass < passes; ++pass) {
+    const VertexData<char> narrow = narrowCorners(run);
+    for (Index i = 0; i < narrow.size(); ++i) {
+      const Vertex v(i);
+      if (!narrow[v] || !std::exchange(isNew[v], 0) || !widenAround(run, star, v)) continue;
+      isNew[v] = 1;
+      run.mesh.mesh().forEachNeighbor(v, [&](Vertex w) { isNew[w] = 1; });
+    }
+  }
+}
+
+}  // namespace remesher

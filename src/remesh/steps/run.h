@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What every step of a scheme works with, and the one way it changes the mesh: propose, judge,
+// apply.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "base/progress.h"
+#include "original/surface/size_field.h"
+#include "remesh/gate/fidelity.h"
+#include "remesh/ground/stand_in.h"
+#include "remesh/operators/local_operators.h"
+
+namespace remesher {
+
+// How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
+enum class Boundaries { Even, Staggered };
+
+class OriginalTree;
+
+struct Run {
+  WorkingMesh& mesh;
+  Projector& projector;
+  SizeField& sizes;
+  FidelityRule rule;
+  Quality quality = Quality::Best;
+  double scale = 1;    // of the sizes at the present level
+  double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
+  Boundaries boundaries = Boundaries::Even;
+  const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
+  OriginalTree* tree = nullptr;      // of the original, if whoever runs wants it afterwards
+  std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
+  LocalChange change = {};              // the proposal at hand
+  Star star = {};                       // the star at hand
+  Vertex result = {};  // what the last change made, moved or kept; none after a flip
+  std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
+};
+
+// Judges the proposal at hand by `rule` and carries it out if it is accepted.
+inline bool commit(Run& run, const FidelityRule& rule) {
+  const Verdict verdict = judge(run.mesh, run.change, rule);
+  ++run.verdicts[std::size_t(verdict)];
+  if (verdict != Verdict::Accepted) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
+inline bool commit(Run& run) { return commit(run, run.rule); }
+
+// Moves a vertex inside, whose star is at hand, if that is accepted. From several places:
+// one copy is enough.
+[[gnu::noinline]] inline bool commitMove(Run& run, Vertex v, const Placement& place) {
+  if (!mayMove(run.star, place, run.rule)) {
+    proposePlacement(run.mesh, v, place, run.change);
+    return commit(run);
+  }
+  ++run.verdicts[std::size_t(Verdict::Accepted)];
+  run.mesh.move(v, place);
+  run.result = v;
+  return true;
+}
+
+// For what is to be done even where that folds the mesh over: carries out the proposal at hand
+// unless triangles become lines.
+inline bool commitUnlessFlat(Run& run) {
+  if (flattens(run.mesh, run.change, run.rule.grain)) return false;
+  run.result = apply(run.mesh, run.change);
+  return true;
+}
+
+// Where the error is bounded, proofs are the work. From now on so many pieces of surface may be
+// looked at to each triangle of the mesh; then no change is allowed. Usual triangles need less than
+// a hundred, needles as many as there are places to try.
+inline void grantProofs(const Run& run, std::size_t perTriangle) {
+  constexpr std::size_t kLeast = 1 << 16;
+  if (!run.rule.bound) return;
+  run.rule.bound->grant(std::max(kLeast, perTriangle * run.mesh.mesh().faceCount()));
+}
+
+inline bool areProofsSpent(const Run& run) { return run.rule.bound && run.rule.bound->isSpent(); }
+
+// Where a step costs seconds, and a few triangles more or less near a limit are not seen.
+inline bool isLarge(const Run& run) {
+  constexpr std::size_t kLarge = 100000;
+  return run.mesh.mesh().vertexCount() >= kLarge;
+}
+
+// The run's rule, but more tolerant of folds: for what must go.
+inline FidelityRule lenient(const Run& run) {
+  FidelityRule rule = run.rule;
+  rule.fold = kTightFold;
+  return rule;
+}
+
+}  // namespace remesher

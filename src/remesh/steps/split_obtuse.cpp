@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/steps/split_obtuse.h"
+
+namespace remesher {
+
+namespace {
+
+bool facesObtuse(const WorkingMesh& mesh, Halfedge side) {
+  if (!side) return false;
+  const Vec3& apex = mesh.position(mesh.mesh().opposite(side));
+  const Vec3 toOrigin = mesh.position(mesh.mesh().origin(side)) - apex;
+  return toOrigin.dot(mesh.position(mesh.mesh().tip(side)) - apex) < 0;
+}
+
+}  // namespace
+
+void splitObtuse(Run& run) {
+  constexpr std::size_t kProofs = 1300;  // to each triangle
+  const HalfedgeMesh& m = run.mesh.mesh();
+  std::vector<std::pair<Vertex, Vertex>> edges;
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.isEdge(h)) continue;
+    if (facesObtuse(run.mesh, h) || facesObtuse(run.mesh, m.twin(h)))
+      edges.emplace_back(m.origin(h), m.tip(h));
+  }
+  grantProofs(run, kProofs);
+  const ErrorBound* bound = run.rule.bound;
+  for (const auto& [from, to] : edges)
+    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change) &&
+        !flattens(run.mesh, run.change, run.rule.grain) &&
+        (!bound || bound->allows(run.mesh, run.change)))
+      apply(run.mesh, run.change);
+}
+
+}  // namespace remesher

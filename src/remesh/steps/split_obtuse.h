@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The report's optional step after the target is met.
+#pragma once
+
+#include "remesh/steps/run.h"
+
+namespace remesher {
+
+// Splits every edge that faces an obtuse angle, once: recursion would make ever smaller triangles.
+// The edges are noted by their ends, for a split renames halfedges of its triangles.
+void splitObtuse(Run& run);
+
+}  // namespace remesher

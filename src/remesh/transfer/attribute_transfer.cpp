@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/transfer/attribute_transfer.h"
+
+#include <algorithm>
+
+#include "remesh/transfer/attribute_mix.h"
+
+namespace remesher {
+
+namespace {
+
+// Where each corner of a triangle takes its attributes from.
+HalfedgeData<SurfacePoint> cornerPoints(const WorkingMesh& mesh, const ChartRules& charts) {
+  const HalfedgeMesh& m = mesh.mesh();
+  HalfedgeData<SurfacePoint> points(m.halfedgeCapacity(), SurfacePoint{});
+  ChartKeeper keeper(mesh, charts);
+  for (Index f = 0; f < m.faceCapacity(); ++f) {
+    if (!m.isAlive(Face(f))) continue;
+    const std::array<SurfacePoint, 3> corners = keeper.corners(Face(f));
+    for (Index k = 0; k < 3; ++k) points[Halfedge(3 * f + k)] = corners[k];
+  }
+  return points;
+}
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.barycentric == b.barycentric;
+}
+
+// Collects output vertices; one per working vertex and side of the curves through it.
+class Extraction {
+ public:
+  Extraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
+      : mesh_(mesh), input_(input), mix_(mesh.surface(), input, rules.chartless) {
+    if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules.charts);
+    for (const Attribute& attribute : input.attributes)
+      result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+  }
+
+  TriangleMesh run() {
+    const HalfedgeMesh& m = mesh_.mesh();
+    HalfedgeData<Index> outputOf(m.halfedgeCapacity(), kNone);
+    result_.positions.reserve(m.vertexCount());
+    result_.indices.reserve(3 * m.faceCount());
+    for (Index i = 0; i < m.vertexCapacity(); ++i)
+      if (m.isAlive(Vertex(i)))
+        input_.attributes.empty() ? addBare(Vertex(i), outputOf) : addVertex(Vertex(i), outputOf);
+    for (Index f = 0; f < m.faceCapacity(); ++f) {
+      if (!m.isAlive(Face(f))) continue;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) result_.indices.push_back(outputOf[Halfedge(h)]);
+      if (!input_.groups.empty()) result_.groups.push_back(groupOf(Face(f)));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // Where there are no attributes all sides are one.
+  void addBare(Vertex v, HalfedgeData<Index>& outputOf) {
+    const Index made = Index(result_.positions.size());
+    result_.positions.push_back(mesh_.position(v));
+    mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) { outputOf[h] = made; });
+  }
+
+  // Turns around v; every curve edge begins a new side, and so does every other place that a
+  // corner takes its attributes from. Sides with equal attributes share one output.
+  void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
+    const HalfedgeMesh& m = mesh_.mesh();
+    Halfedge first = m.outgoing(v);
+    if (mesh_.kind(v) != VertexKind::Interior) {
+      // A tip has no curve edge: there any first one will do.
+      while (!mesh_.isCurve(first)) {
+        first = m.next(m.twin(first));
+        if (first == m.outgoing(v)) break;
+      }
+    }
+    const Index begin = Index(result_.positions.size());
+    Index current = kNone;
+    Halfedge h = first, before;
+    do {
+      if (current == kNone || mesh_.isCurve(h) || !isSame(points_[h], points_[before]))
+        current = addSide(v, h, begin);
+      outputOf[h] = current;
+      before = h;
+      h = m.twin(m.prev(h));
+    } while (h && h != first);
+  }
+
+  Index addSide(Vertex v, Halfedge h, Index begin) {
+    const Index made = Index(result_.positions.size());
+    result_.positions.push_back(mesh_.position(v));
+    mix_.append(points_[h], result_.attributes);
+    for (Index other = begin; other < made; ++other)
+      if (sameAttributes(other, made)) {
+        dropLast();
+        return other;
+      }
+    return made;
+  }
+
+  bool sameAttributes(Index a, Index b) const {
+    return std::all_of(result_.attributes.begin(), result_.attributes.end(), [&](const auto& x) {
+      const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
+      return std::equal(at(a), at(a) + x.itemSize, at(b));
+    });
+  }
+
+  void dropLast() {
+    result_.positions.pop_back();
+    for (Attribute& attribute : result_.attributes)
+      attribute.values.resize(attribute.values.size() - attribute.itemSize);
+  }
+
+  Index groupOf(Face f) const {
+    const SurfacePoint point = mesh_.cornerPoint(HalfedgeMesh::halfedge(f));
+    return input_.groups[mesh_.surface().built().triangles[point.face]];
+  }
+
+  const WorkingMesh& mesh_;
+  const TriangleMesh& input_;
+  AttributeMix mix_;
+  HalfedgeData<SurfacePoint> points_;  // none where there are no attributes
+  TriangleMesh result_;
+};
+
+// The builder may have turned a triangle over: weights go to the corners that they belong to.
+InputPlace placeOf(const SurfacePoint& point, const BuiltMesh& built, const TriangleMesh& input) {
+  InputPlace place{built.triangles[point.face], Vec3::Zero()};
+  for (int i = 0; i < 3; ++i) {
+    const Index wedge = built.wedges[HalfedgeMesh::halfedge(point.face, i)];
+    for (Index k = 0; k < 3; ++k)
+      if (input.indices[3 * place.triangle + k] == wedge) place.weights[k] = point.barycentric[i];
+  }
+  return place;
+}
+
+}  // namespace
+
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const TransferRules& rules) {
+  return Extraction(mesh, input, rules).run();
+}
+
+std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input) {
+  const BuiltMesh& built = mesh.surface().built();
+  std::vector<InputPlace> places;
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
+    if (!mesh.mesh().isAlive(Face(f))) continue;
+    for (int k = 0; k < 3; ++k) {
+      const SurfacePoint point = mesh.cornerPoint(HalfedgeMesh::halfedge(Face(f), k));
+      places.push_back(placeOf(point, built, input));
+    }
+  }
+  return places;
+}
+
+}  // namespace remesher

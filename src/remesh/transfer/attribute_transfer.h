@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The result as plain arrays, with the attributes of the original at every vertex's place on it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/input_place.h"
+#include "base/triangle_mesh.h"
+#include "remesh/transfer/chart_keeper.h"
+
+namespace remesher {
+
+struct TransferRules {
+  std::vector<std::string> chartless;  // attributes whose seams are not kept: see AttributeMix
+  ChartRules charts;
+};
+
+// A vertex on a seam comes out once per side; everything else once. Triangles keep the group of the
+// original triangle they lie on.
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const TransferRules& rules);
+
+// Where each corner of the triangles that extractMesh gives lies on the input, each on its own side
+// of the curves.
+std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input);
+
+}  // namespace remesher

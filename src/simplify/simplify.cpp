@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "simplify/simplify.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "mesh/euler_operators.h"
+
+namespace remesher {
+
+namespace {
+
+// A way along the surface counts as some 450th of one away from it: on what is flat
+// triangles stay even.
+constexpr double kSideways = 5e-6;
+// What an edge weighs, of its squared length: a border, a seam, and a sharp one within the surface.
+constexpr double kBorder = 2, kSeam = 1, kCrease = 0.2;
+// The cosine of the angle between normals from which on an edge is sharp: 37°.
+constexpr double kSharp = 0.8;
+// The cosine of what a triangle may turn by at once: 60°, and 90° where nothing else goes.
+constexpr double kTurned = 0.5, kFarTurned = 0;
+// In lengths of the edge: no vertex goes farther from the end that remains.
+constexpr double kFarthest = 2;
+// A look around a vertex costs as much as it has neighbours.
+constexpr int kMostNeighbors = 64;
+
+// The sum of weighted squared distances from planes and points, as a function of the place.
+struct Quadric {
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  Vec3 linear = Vec3::Zero();
+  double constant = 0;
+  double area = 0;  // of the triangles, and of squares over border edges
+
+  void addPlane(const Vec3& normal, const Vec3& point, double weight) {
+    const double offset = -normal.dot(point);
+    square += weight * normal * normal.transpose();
+    linear += weight * offset * normal;
+    constant += weight * offset * offset;
+  }
+
+  void addPoint(const Vec3& point, double weight) {
+    square += weight * Eigen::Matrix3d::Identity();
+    linear -= weight * point;
+    constant += weight * point.squaredNorm();
+  }
+
+  void add(const Quadric& other) {
+    square += other.square;
+    linear += other.linear;
+    constant += other.constant;
+    area += other.area;
+  }
+
+  double at(const Vec3& p) const { return p.dot(square * p) + 2 * linear.dot(p) + constant; }
+};
+
+struct Offer {
+  double cost;  // more than the sum: what is off over a large area is seen more
+  Halfedge halfedge;
+  Vertex from, into;
+  Index stamp;  // of both
+  Vec3 place;   // of what remains
+
+  // The cheapest comes out of the queue first.
+  bool operator<(const Offer& other) const {
+    return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
+  }
+};
+
+// Free: on no seam, and inside. Seam: on one, or on a boundary. Fixed: where they meet.
+enum class Freedom : char { Free, Seam, Fixed };
+
+class Simplification {
+ public:
+  explicit Simplification(SimpleSurface& surface)
+      : surface_(surface),
+        mesh_(surface.mesh),
+        quadrics_(mesh_.vertexCapacity()),
+        stamps_(mesh_.vertexCapacity(), 0),
+        freedom_(mesh_.vertexCapacity(), Freedom::Free) {
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
+      if (mesh_.isAlive(Vertex(i))) center_ += surface.positions[Vertex(i)];
+    center_ /= double(mesh_.vertexCount());
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (mesh_.isAlive(Face(i))) addFace(Face(i));
+    for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
+      if (mesh_.isAlive(Vertex(i))) freedom_[Vertex(i)] = freedomOf(Vertex(i));
+  }
+
+  void run(double leastTurned, std::size_t vertices) {
+    leastTurned_ = leastTurned;
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) offer(Halfedge(i));
+    while (mesh_.vertexCount() > vertices && !queue_.empty()) {
+      const Offer offered = queue_.top();
+      queue_.pop();
+      if (isCurrent(offered) && isLegal(offered.halfedge) && !turns(offered)) collapse(offered);
+    }
+  }
+
+ private:
+  // Numbers stay small wherever the model lies.
+  Vec3 at(Vertex v) const { return surface_.positions[v] - center_; }
+  bool isSeam(Halfedge h) const { return mesh_.isBoundary(h) || surface_.seams[h]; }
+
+  void addFace(Face f) {
+    const auto vertices = mesh_.vertices(f);
+    const Vec3 a = at(vertices[0]), b = at(vertices[1]), c = at(vertices[2]);
+    const Vec3 normal = unitNormal(a, b, c);
+    const double own = area(a, b, c);
+    for (const Vertex v : vertices) {
+      quadrics_[v].addPlane(normal, a, own);
+      quadrics_[v].addPoint(at(v), kSideways * own);
+      quadrics_[v].area += own;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, k);
+      if (mesh_.isBoundary(h))
+        addBorder(h, normal);
+      else if (isSeam(h))
+        addEdge(h, normal, kSeam);
+      else if (isSharp(h, normal))
+        addEdge(h, normal, kCrease);
+    }
+  }
+
+  bool isSharp(Halfedge h, const Vec3& normal) const {
+    const auto [a, b, c] = mesh_.vertices(HalfedgeMesh::face(mesh_.twin(h)));
+    return unitNormal(at(a), at(b), at(c)).dot(normal) < kSharp;
+  }
+
+  // Where a surface ends shows as much as what is off within: as though it went on as far as its
+  // edge is long.
+  void addBorder(Halfedge h, const Vec3& normal) {
+    addEdge(h, normal, kBorder);
+    const double beyond = (at(mesh_.tip(h)) - at(mesh_.origin(h))).squaredNorm();
+    for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)}) quadrics_[v].area += beyond;
+  }
+
+  // Away from its edge nothing is to move along its triangle's plane either.
+  void addEdge(Halfedge h, const Vec3& normal, double weight) {
+    const Vec3 from = at(mesh_.origin(h)), way = at(mesh_.tip(h)) - from;
+    const Vec3 outwards = way.cross(normal).stableNormalized();
+    for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)})
+      quadrics_[v].addPlane(outwards, from, weight * way.squaredNorm());
+  }
+
+  Freedom freedomOf(Vertex v) const {
+    int seams = 0;
+    mesh_.forEachOutgoing(v, [&](Halfedge h) {
+      seams += isSeam(h) ? 1 : 0;
+      seams += mesh_.isBoundary(HalfedgeMesh::prev(h)) ? 1 : 0;
+    });
+    return seams == 0 ? Freedom::Free : seams == 2 ? Freedom::Seam : Freedom::Fixed;
+  }
+
+  // Stamps only grow: where the sum is the same, so are both.
+  bool isCurrent(const Offer& offered) const {
+    const Halfedge h = offered.halfedge;
+    return mesh_.isAlive(h) && mesh_.origin(h) == offered.from && mesh_.tip(h) == offered.into &&
+           stamps_[offered.from] + stamps_[offered.into] == offered.stamp;
+  }
+
+  void offer(Halfedge h) {
+    if (!mesh_.isAlive(h)) return;
+    const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
+    if (freedom_[from] == Freedom::Fixed || (freedom_[from] == Freedom::Seam && !isSeam(h))) return;
+    Quadric sum = quadrics_[from];
+    sum.add(quadrics_[into]);
+    Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],
+                  surface_.positions[into]};
+    if (freedom_[from] == freedom_[into]) {
+      const Vec3 best = sum.square.ldlt().solve(-sum.linear);
+      const double farthest = kFarthest * (at(into) - at(from)).norm();
+      if ((best - at(into)).norm() < farthest && sum.at(best) < offered.cost) {
+        offered.cost = sum.at(best);
+        offered.place = best + center_;
+      }
+    }
+    offered.cost = std::max(offered.cost, 0.0) * std::sqrt(sum.area);
+    queue_.push(offered);
+  }
+
+  bool isLegal(Halfedge h) const {
+    const int from = mesh_.valence(mesh_.origin(h)), into = mesh_.valence(mesh_.tip(h));
+    if (from + into - 4 > std::max({kMostNeighbors, from, into})) return false;
+    if (!EulerOperators::canCollapse(mesh_, h)) return false;
+    // Two seams of one triangle would become one.
+    for (const Halfedge side : {h, mesh_.twin(h)})
+      if (side && isSeam(HalfedgeMesh::next(side)) && isSeam(HalfedgeMesh::prev(side)))
+        return false;
+    return true;
+  }
+
+  // Whether a triangle that remains would.
+  bool turns(const Offer& offered) const {
+    const Vertex from = offered.from, into = offered.into;
+    bool result = false;
+    for (const Vertex moved : {from, into})
+      mesh_.forEachOutgoing(moved, [&](Halfedge h) {
+        const Vertex b = mesh_.tip(h), c = mesh_.opposite(h);
+        if (b == from || b == into || c == from || c == into) return;
+        const auto& p = surface_.positions;
+        const Vec3 before = unitNormal(p[moved], p[b], p[c]);
+        const Vec3 now = unitNormal(offered.place, p[b], p[c]);
+        result |= !before.isZero() && !(before.dot(now) > leastTurned_);
+      });
+    return result;
+  }
+
+  void collapse(const Offer& offered) {
+    const Halfedge h = offered.halfedge;
+    const Quadric gone = quadrics_[offered.from];
+    for (const Halfedge side : {h, mesh_.twin(h)}) {
+      if (!side) continue;
+      const Halfedge second = HalfedgeMesh::next(side), third = HalfedgeMesh::prev(side);
+      const char seam = surface_.seams[second] || surface_.seams[third];
+      for (const Halfedge edge : {second, third})
+        if (mesh_.twin(edge)) surface_.seams[mesh_.twin(edge)] = seam;
+    }
+    const Vertex into = EulerOperators(surface_.mesh).collapse(h);
+    surface_.positions[into] = offered.place;
+    quadrics_[into].add(gone);
+    ++stamps_[into];
+    mesh_.forEachNeighbor(into, [&](Vertex w) { ++stamps_[w]; });
+    offerAround(into);
+  }
+
+  // What was refused may be possible now, all around.
+  void offerAround(Vertex v) {
+    around_.clear();
+    const auto gather = [&](Vertex w) {
+      mesh_.forEachOutgoing(w, [&](Halfedge h) {
+        around_.push_back(h);
+        around_.push_back(HalfedgeMesh::prev(h));
+      });
+    };
+    gather(v);
+    mesh_.forEachNeighbor(v, gather);
+    std::sort(around_.begin(), around_.end());
+    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
+    for (const Halfedge h : around_) offer(h);
+  }
+
+  SimpleSurface& surface_;
+  const HalfedgeMesh& mesh_;
+  double leastTurned_ = kTurned;
+  Vec3 center_ = Vec3::Zero();
+  VertexData<Quadric> quadrics_;
+  VertexData<Index> stamps_;
+  VertexData<Freedom> freedom_;
+  std::priority_queue<Offer> queue_;
+  std::vector<Halfedge> around_;
+};
+
+}  // namespace
+
+void simplify(SimpleSurface& surface, std::size_t vertices) {
+  Simplification simplification(surface);
+  simplification.run(kTurned, vertices);
+  simplification.run(kFarTurned, vertices);
+}
+
+}  // namespace remesher

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Charts that lie flat, joined with their neighbours along common borders as long as the union can
+// be laid into the plane with little stretch: a tube becomes a strip, a bevel goes with its panel.
+#pragma once
+
+#include <vector>
+
+#include "textures/charts/chart_growth.h"
+#include "textures/charts/chart_packing.h"
+
+namespace remesher {
+
+struct FlatChart {
+  std::vector<Index> triangles;
+  PlaneChart plane;  // the same triangles, about as large as on the surface
+};
+
+// In the plane no triangle is turned over and none covers another; areas are even to within
+// 1 / cos(kMostTilt).
+std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts);
+
+}  // namespace remesher

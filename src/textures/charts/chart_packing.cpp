@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#include "textures/charts/chart_packing.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace remesher {
+
+namespace {
+
+constexpr int kTurns = 32;       // of a right angle, that are tried
+constexpr Index kCells = 512;    // of the square along a side, at most
+constexpr double kShrink = 0.9;  // from one scale to the next, until one fits
+constexpr int kTries = 4, kMostTries = 90;
+
+struct Bounds {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+
+  explicit Bounds(const PlaneChart& chart) {
+    for (const PlaneTriangle& triangle : chart)
+      for (const Vec2& p : triangle) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+  }
+  Vec2 size() const { return high - low; }
+};
+
+PlaneChart turned(const PlaneChart& chart, double angle) {
+  const Eigen::Rotation2Dd rotation(angle);
+  PlaneChart result = chart;
+  for (PlaneTriangle& triangle : result)
+    for (Vec2& p : triangle) p = rotation * p;
+  return result;
+}
+
+// Turned to its smallest box, wider than high, the box's corner at the origin.
+PlaneChart laidOut(const PlaneChart& chart) {
+  double least = std::numeric_limits<double>::infinity(), best = 0;
+  for (int i = 0; i < kTurns; ++i) {
+    const double angle = i * std::numbers::pi / 2 / kTurns;
+    const Vec2 size = Bounds(turned(chart, angle)).size();
+    if (size.prod() >= least) continue;
+    least = size.prod();
+    best = angle + (size.y() > size.x() ? std::numbers::pi / 2 : 0);
+  }
+  PlaneChart result = turned(chart, best);
+  const Vec2 low = Bounds(result).low;
+  for (PlaneTriangle& triangle : result)
+    for (Vec2& p : triangle) p -= low;
+  return result;
+}
+
+// Turned by a right angle.
+PlaneChart upright(const PlaneChart& chart) {
+  PlaneChart result = chart;
+  const double height = Bounds(chart).high.y();
+  for (PlaneTriangle& triangle : result)
+    for (Vec2& p : triangle) p = Vec2(height - p.y(), p.x());
+  return result;
+}
+
+// Cells of a row, side by side; the shortest comes first.
+struct CellRun {
+  int length = 0, row = 0, begin = 0;
+
+  auto operator<=>(const CellRun&) const = default;
+  int end() const { return begin + length; }
+};
+
+// The cells that a chart comes into, padding included.
+struct Mask {
+  std::vector<CellRun> runs;  // the longest first: most places are refused for that
+  int width = 0, height = 0, cells = 0;
+};
+
+// A row of the square, a bit to a cell.
+class Row {
+ public:
+  void fill(const CellRun& run) {
+    for (int i = run.begin; i < run.end();) {
+      const int count = std::min(kBits - i % kBits, run.end() - i);
+      words_[i / kBits] |= kAll >> (kBits - count) << (i % kBits);
+      i += count;
+    }
+  }
+
+  // Sets those whose bit in another row, so much farther on, is set; from a cell on at least.
+  void add(const Row& other, int distance, int from) {
+    const std::size_t whole = distance / kBits;
+    const int rest = distance % kBits;
+    for (std::size_t i = from / kBits; i + whole < kWords; ++i) {
+      words_[i] |= other.words_[i + whole] >> rest;
+      if (rest > 0 && i + whole + 1 < kWords)
+        words_[i] |= other.words_[i + whole + 1] << (kBits - rest);
+    }
+  }
+
+  // The first cell from this one on whose bit is set, or is not; kCells: there is none.
+  int firstSet(int from) const { return first(from, 0); }
+  int firstFree(int from) const { return first(from, kAll); }
+
+  // How many cells without a bit lie side by side at most.
+  int longestFree(int cells) const {
+    int longest = 0;
+    for (int begin = firstFree(0); begin < cells;) {
+      const int end = firstSet(begin);
+      longest = std::max(longest, std::min(end, cells) - begin);
+      begin = firstFree(end);
+    }
+    return longest;
+  }
+
+ private:
+  static constexpr int kBits = 64;
+  static constexpr std::size_t kWords = kCells / kBits;
+  static constexpr std::uint64_t kAll = ~std::uint64_t{};
+
+  int first(int from, std::uint64_t flipped) const {
+    std::uint64_t mask = kAll << (from % kBits);
+    for (std::size_t i = from / kBits; i < kWords; ++i, mask = kAll)
+      if (const std::uint64_t word = (words_[i] ^ flipped) & mask)
+        return int(i) * kBits + std::countr_zero(word);
+    return kCells;
+  }
+
+  std::array<std::uint64_t, kWords> words_{};
+};
+
+// What is taken of a row of the square. It is asked far more often than it changes.
+class TakenRow {
+ public:
+  explicit TakenRow(int cells) : cells_(cells), longestFree_(cells) {}
+
+  void fill(const CellRun& run) {
+    for (std::size_t i = 0; i < blocked_.size(); ++i) {
+      const int begin = std::max(0, run.begin - (1 << i) + 1);
+      blocked_[i].fill({run.end() - begin, 0, begin});
+    }
+    longestFree_ = blocked_[0].longestFree(cells_);
+  }
+
+  // How many cells are free side by side at most.
+  int longestFree() const { return longestFree_; }
+
+  // Adds, from a cell on, where a mask cannot begin, for this run of it would come upon what is
+  // taken.
+  void addBlocked(Row& to, const CellRun& run, int from) const {
+    const int power = std::bit_width(unsigned(run.length)) - 1, rest = run.length - (1 << power);
+    to.add(blocked_[power], run.begin, from);
+    if (rest > 0) to.add(blocked_[power], run.begin + rest, from);
+  }
+
+ private:
+  int cells_, longestFree_;
+  std::array<Row, std::bit_width(kCells)> blocked_;  // for runs of 1, 2, 4 … cells
+};
+
+// From where to where something comes into a row.
+struct Reach {
+  int begin = kCells, end = 0;
+};
+
+// Where a chart has come to lie: turned by a quarter or not, its box's corner in cells.
+struct Berth {
+  int x = 0, y = 0;
+  std::size_t turn = 0;
+};
+
+class Packer {
+ public:
+  Packer(std::span<const PlaneChart> charts, const PackingRules& rules)
+      : rules_(rules), cell_((rules.size + kCells - 1) / kCells), cells_(int(rules.size / cell_)) {
+    for (const PlaneChart& chart : charts) {
+      const PlaneChart flat = laidOut(chart);
+      const Vec2 size = Bounds(flat).size();
+      order_.push_back({-size.sum(), Index(charts_.size())});
+      longest_ = std::max(longest_, size.maxCoeff());
+      charts_.push_back({flat, upright(flat)});
+    }
+    std::sort(order_.begin(), order_.end());
+  }
+
+  Packing run() {
+    double high = largestThinkable(), low = high;
+    std::optional<std::vector<Berth>> best;
+    for (int i = 0; i < kMostTries && !best; ++i) {
+      high = low;
+      low *= kShrink;
+      best = tryScale(low);
+    }
+    if (!best) return {{}, 0};
+    for (int i = 0; i < kTries; ++i) {
+      const double scale = 0.5 * (low + high);
+      std::optional<std::vector<Berth>> berths = tryScale(scale);
+      (berths ? low : high) = scale;
+      if (berths) best = std::move(berths);
+    }
+    return placed(*best, low);
+  }
+
+ private:
+  // By area, and by the longest chart.
+  double largestThinkable() const {
+    double area = 0;
+    for (const auto& [chart, turned] : charts_)
+      for (const PlaneTriangle& t : chart) {
+        const Vec2 a = t[1] - t[0], b = t[2] - t[0];
+        area += 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+      }
+    const double free = std::max(1.0, double(rules_.size) - 2.0 * rules_.padding);
+    return std::min(area > 0 ? free / std::sqrt(area) : 1e300,
+                    longest_ > 0 ? free / longest_ : 1e300);
+  }
+
+  Mask maskOf(const PlaneChart& chart, double scale) const {
+    const double height = scale * Bounds(chart).high.y() + 2.0 * rules_.padding;
+    std::vector<Row> rows(std::size_t(std::ceil((height + 1) / cell_)));
+    std::vector<Reach> reaches(rows.size());
+    for (const PlaneTriangle& t : chart) {
+      for (int k = 0; k < 3; ++k) addEdge(reaches, scale * t[k], scale * t[(k + 1) % 3]);
+      const double low = scale * std::min({t[0].y(), t[1].y(), t[2].y()});
+      for (auto i = std::size_t(low / cell_); i < rows.size() && reaches[i].end > 0; ++i) {
+        rows[i].fill({reaches[i].end - reaches[i].begin, 0, reaches[i].begin});
+        reaches[i] = {};
+      }
+    }
+    Mask mask;
+    mask.height = int(rows.size());
+    for (int r = 0; r < mask.height; ++r)
+      for (int i = rows[r].firstSet(0); i < int(kCells);) {
+        const int begin = i, end = rows[r].firstFree(begin);
+        mask.width = std::max(mask.width, end);
+        mask.cells += end - begin;
+        mask.runs.push_back({end - begin, r, begin});
+        i = rows[r].firstSet(end);
+      }
+    std::sort(mask.runs.rbegin(), mask.runs.rend());
+    return mask;
+  }
+
+  // The rows that a padded edge comes into, each with how far the edge reaches there.
+  void addEdge(std::vector<Reach>& rows, Vec2 a, Vec2 b) const {
+    if (a.y() > b.y()) std::swap(a, b);
+    const double pad = rules_.padding;
+    const int first = int(std::floor(a.y() / cell_));
+    const int last = std::min(int(rows.size()) - 1, int(std::floor((b.y() + 2 * pad) / cell_)));
+    const auto across = [&](double y) {
+      const double t = b.y() > a.y() ? std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) : 0;
+      return a.x() + t * (b.x() - a.x());
+    };
+    for (int i = first; i <= last; ++i) {
+      const bool isLevel = b.y() - a.y() < 1e-9;
+      const double x0 = isLevel ? a.x() : across(i * double(cell_) - 2 * pad);
+      const double x1 = isLevel ? b.x() : across((i + 1) * double(cell_));
+      const auto [low, high] = std::minmax(x0, x1);
+      rows[i].begin = std::min(rows[i].begin, int(std::floor(low / cell_)));
+      rows[i].end = std::max(rows[i].end, int(std::floor((high + 2 * pad) / cell_)) + 1);
+    }
+  }
+
+  // The charts as they are and turned, as long as all of them have fewer cells than the square.
+  std::optional<std::vector<std::array<Mask, 2>>> masksAt(double scale) const {
+    std::vector<std::array<Mask, 2>> masks;
+    int free = cells_ * cells_;
+    for (const auto& [chart, turned] : charts_) {
+      masks.push_back({maskOf(chart, scale), maskOf(turned, scale)});
+      free -= std::min(masks.back()[0].cells, masks.back()[1].cells);
+      if (free < 0) return {};
+    }
+    return masks;
+  }
+
+  // The lowest place that is free, of two as low the leftmost.
+  std::optional<Berth> berthFor(const Mask& mask, const std::vector<TakenRow>& square,
+                                int top) const {
+    for (int y = 0; y + mask.height <= top; ++y) {
+      const bool isHopeless = std::any_of(
+          mask.runs.begin(), mask.runs.end(),
+          [&](const CellRun& run) { return run.length > square[y + run.row].longestFree(); });
+      if (isHopeless) continue;
+      Row blocked;
+      int x = 0;
+      for (const CellRun& run : mask.runs) {
+        square[y + run.row].addBlocked(blocked, run, x);
+        x = blocked.firstFree(x);
+        if (x + mask.width > cells_) break;
+      }
+      if (x + mask.width <= cells_) return Berth{x, y, 0};
+    }
+    return {};
+  }
+
+  std::optional<std::vector<Berth>> tryScale(double scale) const {
+    const auto masks = masksAt(scale);
+    if (!masks) return {};
+    std::vector<TakenRow> square(cells_, TakenRow(cells_));
+    std::vector<Berth> berths(charts_.size());
+    for (const auto& [size, i] : order_) {
+      std::optional<Berth> best;
+      int top = cells_;
+      for (const std::size_t turn : {0, 1}) {
+        const std::optional<Berth> berth = berthFor((*masks)[i][turn], square, top);
+        if (!berth) continue;
+        best = {berth->x, berth->y, turn};
+        top = berth->y + (*masks)[i][turn].height - 1;
+      }
+      if (!best) return {};
+      for (const CellRun& run : (*masks)[i][best->turn].runs)
+        square[best->y + run.row].fill({run.length, run.row, best->x + run.begin});
+      berths[i] = *best;
+    }
+    return berths;
+  }
+
+  Packing placed(const std::vector<Berth>& berths, double scale) {
+    const Vec2 pad = Vec2::Constant(rules_.padding);
+    Packing packing{{}, scale};
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+      PlaneChart chart = std::move(charts_[i][berths[i].turn]);
+      const Vec2 corner = double(cell_) * Vec2(berths[i].x, berths[i].y) + pad;
+      for (PlaneTriangle& triangle : chart)
+        for (Vec2& p : triangle) p = scale * p + corner;
+      packing.charts.push_back(std::move(chart));
+    }
+    return packing;
+  }
+
+  PackingRules rules_;
+  Index cell_;  // texels
+  int cells_;   // along a side
+  std::vector<std::array<PlaneChart, 2>> charts_;
+  double longest_ = 0;
+  std::vector<std::pair<double, Index>> order_;  // the largest first
+};
+
+}  // namespace
+
+Packing packCharts(std::span<const PlaneChart> charts, const PackingRules& rules) {
+  return Packer(charts, rules).run();
+}
+
+}  // namespace remesher

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "textures/charts/chart_relaxing.h"
+
+#include <cmath>
+
+#include "textures/charts/chart_growth.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr int kRounds = 10;
+// Longest to shortest: of a circle drawn on the surface.
+constexpr double kMostStretch = 1.5;
+// Areas are between these shares of what they should be: even to within 1 / cos(kMostTilt).
+const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
+
+double twiceArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+
+PlaneTriangle placed(const PlaneMesh& mesh, std::size_t t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
+// By the singular values of the map: their product is the ratio of areas, and the sum of their
+// squares that of what edges come to.
+bool isTrue(const PlaneTriangle& wanted, const PlaneTriangle& t) {
+  const double area = twiceArea(wanted);
+  if (!(area > 0)) return false;
+  const double product = twiceArea(t) / area;
+  if (!(product >= kLeastArea && product <= kMostArea)) return false;
+  Eigen::Matrix2d from, to;
+  from << wanted[1] - wanted[0], wanted[2] - wanted[0];
+  to << t[1] - t[0], t[2] - t[0];
+  const double squares = (to * from.inverse()).squaredNorm();
+  return squares <= product * (kMostStretch + 1 / kMostStretch);
+}
+
+}  // namespace
+
+PlaneMotion::PlaneMotion(std::span<const Vec2> from, std::span<const Vec2> to) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    from_ += from[i] / double(from.size());
+    to_ += to[i] / double(from.size());
+  }
+  Vec2 turn = Vec2::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Vec2 a = from[i] - from_, b = to[i] - to_;
+    turn += Vec2(a.dot(b), cross(a, b));
+  }
+  if (turn.norm() > 0) turn_ = turn.normalized();
+}
+
+Vec2 PlaneMotion::operator()(const Vec2& p) const {
+  const Vec2 way = p - from_;
+  return to_ +
+         Vec2(turn_.x() * way.x() - turn_.y() * way.y(), turn_.y() * way.x() + turn_.x() * way.y());
+}
+
+PlaneTriangle laidDown(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double length = (b - a).norm();
+  if (!(length > 0)) return {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  const Vec3 along = (b - a) / length;
+  return {Vec2::Zero(), Vec2(length, 0), Vec2(along.dot(c - a), along.cross(c - a).norm())};
+}
+
+void relax(PlaneMesh& mesh) {
+  std::vector<double> weights(mesh.vertices.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Index v : mesh.triangles[t]) weights[v] += twiceArea(mesh.wanted[t]);
+  for (int i = 0; i < kRounds; ++i) {
+    std::vector<Vec2> sums(mesh.vertices.size(), Vec2::Zero());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const PlaneTriangle& wanted = mesh.wanted[t];
+      const PlaneMotion motion(wanted, placed(mesh, t));
+      for (int k = 0; k < 3; ++k)
+        sums[mesh.triangles[t][k]] += twiceArea(wanted) * motion(wanted[k]);
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      if (weights[v] > 0) mesh.vertices[v] = sums[v] / weights[v];
+  }
+}
+
+bool isTrue(const PlaneMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!isTrue(mesh.wanted[t], placed(mesh, t))) return false;
+  return true;
+}
+
+}  // namespace remesher

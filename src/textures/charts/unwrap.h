@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// New texture coordinates for a mesh: charts, laid into the plane and packed into a square.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "textures/charts/chart_packing.h"
+
+namespace remesher {
+
+struct UnwrapInput {
+  std::span<const Vec3> positions;
+  std::span<const Index> indices;
+  std::vector<char> cuts;  // per corner: whether charts end at the edge from it
+};
+
+struct Unwrapped {
+  std::vector<Vec2> corners;  // per corner, in texels from the square's corner
+  std::vector<char> rims;     // per corner: whether no chart may go on across the edge from it
+  std::vector<Index> charts;  // per triangle its chart's number
+  std::size_t chartCount = 0;
+  double scale = 0;  // texels per unit of length; 0: the square is too small for so many charts
+};
+
+// Texels per area are the same all over to within 1 / cos(kMostTilt), no triangle is turned over
+// and no two lie over each other.
+Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules);
+
+}  // namespace remesher

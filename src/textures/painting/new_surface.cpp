@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "textures/painting/new_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "base/place.h"
+
+namespace remesher {
+
+namespace {
+
+Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
+
+// What tells the copies of a vertex apart.
+using CopyKey = std::array<double, 10>;
+
+// The triangles as the original draws what they lie on: where one can be seen through, what comes
+// later lies over what came before.
+std::vector<Index> drawingOrder(std::span<const InputPlace> places) {
+  std::vector<Index> middles, order(places.size() / 3);
+  for (std::size_t h = 0; h < places.size(); h += 3) {
+    std::array<Index, 3> drawn = {places[h].triangle, places[h + 1].triangle,
+                                  places[h + 2].triangle};
+    std::sort(drawn.begin(), drawn.end());
+    middles.push_back(drawn[1]);
+  }
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return middles[a] < middles[b]; });
+  return order;
+}
+
+void append(Attribute& to, const Attribute& from, Index vertex) {
+  const auto first = from.values.begin() + std::ptrdiff_t(vertex) * from.itemSize;
+  to.values.insert(to.values.end(), first, first + from.itemSize);
+}
+
+}  // namespace
+
+NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> places,
+                       const PaintSource& source)
+    : mesh_(mesh),
+      places_(places),
+      texcoords_(mesh.indices.size(), Vec2::Zero()),
+      tangents_(mesh.indices.size(), Eigen::Vector4d(1, 0, 0, 1)) {
+  for (const Vec3& p : mesh.positions) positions_.push_back(rounded(p));
+  const std::vector<Index> first = weld(mesh.positions);
+  for (const Index v : mesh.indices) welded_.push_back(first[v]);
+  for (const auto& [shape, light] : shade(positions_, welded_, places, source))
+    normals_.push_back({rounded(shape), rounded(light)});
+}
+
+void NewSurface::setTexcoord(Index corner, const Vec2& texel, Index size) {
+  texcoords_[corner] = (texel / size).cast<float>().cast<double>();
+}
+
+CanvasCorner NewSurface::canvasCorner(Index corner, Index size) const {
+  return {position(corner),  facing(corner),          normal(corner),
+          tangents_[corner], texcoord(corner) * size, places_[corner]};
+}
+
+TriangleMesh NewSurface::painted() const {
+  TriangleMesh result;
+  for (const Attribute& attribute : mesh_.attributes)
+    result.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+  Attribute normals{"NORMAL", 3, {}}, tangents{"TANGENT", 4, {}}, texcoords{"TEXCOORD_0", 2, {}};
+  std::map<CopyKey, Index> copies;
+  const auto addCorner = [&](Index h) {
+    const Index v = mesh_.indices[h];
+    const Vec3& n = normal(h);
+    const Vec2& uv = texcoords_[h];
+    const Eigen::Vector4d& t = tangents_[h];
+    const CopyKey key = {double(v), n.x(), n.y(), n.z(), uv.x(),
+                         uv.y(),    t.x(), t.y(), t.z(), t.w()};
+    const auto [copy, isNew] = copies.emplace(key, Index(result.positions.size()));
+    result.indices.push_back(copy->second);
+    if (!isNew) return;
+    result.positions.push_back(mesh_.positions[v]);
+    for (std::size_t a = 0; a < mesh_.attributes.size(); ++a)
+      append(result.attributes[a], mesh_.attributes[a], v);
+    for (const double x : n) normals.values.push_back(float(x));
+    for (const double x : t) tangents.values.push_back(float(x));
+    for (const double x : uv) texcoords.values.push_back(float(x));
+  };
+  for (const Index t : drawingOrder(places_)) {
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) addCorner(h);
+    if (!mesh_.groups.empty()) result.groups.push_back(mesh_.groups[t]);
+  }
+  for (Attribute* const made : {&normals, &tangents, &texcoords})
+    if (made != &tangents || hasTangents_) result.attributes.push_back(std::move(*made));
+  return result;
+}
+
+}  // namespace remesher

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Maps painted anew: for each texel the point of the new triangle, from there the place on the
+// original, there all that its material says; the mean, in light, over several points of the texel.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "textures/painting/canvas.h"
+#include "textures/painting/side_finder.h"
+
+namespace remesher {
+
+struct CanvasCorner {
+  Vec3 position;
+  Vec3 facing, normal;      // unit: of the shape, and for light
+  Eigen::Vector4d tangent;  // and its side, as computeTangents says it
+  Vec2 texel;
+  InputPlace place;
+};
+
+struct CanvasTriangle {
+  std::array<CanvasCorner, 3> corners;
+  Index source;                          // the number of the original that it stands for
+  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether its look ends at the edge from it
+};
+
+struct PaintRules {
+  Index size;     // texels
+  bool isOpaque;  // alpha means nothing
+  double finer;   // how many texels of the original lie on one of the new ones, along a side
+};
+
+// The four maps; the channels of `surface` are occlusion, roughness, metal.
+struct Painting {
+  io::Image baseColor, surface, emissive, normal;
+};
+
+Painting paint(std::span<const CanvasTriangle> triangles,
+               std::span<const std::unique_ptr<PaintSource>> sources, const PaintRules& rules,
+               const Progress& progress);
+
+}  // namespace remesher

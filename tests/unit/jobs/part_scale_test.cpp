@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_scale.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "remesher.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  for (Vec3& p : mesh.positions) p *= factor;
+  return mesh;
+}
+
+io::Part placed(const TriangleMesh& mesh, double instanceScale) {
+  return {"", mesh, {Transform(Eigen::Scaling(instanceScale))}};
+}
+
+}  // namespace
+
+TEST_CASE("part_scale: usual sizes are left alone") {
+  for (const double size : {1e-9, 1e-3, 1.0, 1e3, 1e8})
+    CHECK(!PartScale({placed(scaled(shapes::tetrahedron(), size), 1)}).isNeeded());
+}
+
+TEST_CASE("part_scale: what lies far away is brought near, however small it is") {
+  io::Part part = placed(shapes::tetrahedron(), 1);
+  part.instances[0].pretranslate(Vec3(0, 0, 1e300));
+  const std::vector<io::Part> near = PartScale({part}).applied({part});
+  for (const Vec3& p : near[0].mesh.positions) CHECK((near[0].instances[0] * p).norm() < 1e70);
+}
+
+TEST_CASE("part_scale: what has no area has no say") {
+  io::Part part = placed(shapes::tetrahedron(), 1);
+  part.mesh.positions.emplace_back(0, 3e38, 0);
+  CHECK(!PartScale({part}).isNeeded());
+  part.mesh.indices.insert(part.mesh.indices.end(), {0, 4, 4});
+  CHECK(!PartScale({part}).isNeeded());
+  part.mesh.indices.insert(part.mesh.indices.end(), {0, 1, 4});
+  CHECK(PartScale({part}).isNeeded());
+}
+
+TEST_CASE("part_scale: a stray vertex stays a number, however small the rest is") {
+  io::Part part = placed(scaled(shapes::tetrahedron(), 1e-30), 1);
+  part.mesh.positions.emplace_back(0, 1e300, 0);
+  const std::vector<io::Part> parts = PartScale({part}).applied({part});
+  for (const Vec3& p : parts[0].mesh.positions) CHECK(p.allFinite());
+}
+
+TEST_CASE("part_scale: what was applied and undone is the same, digit by digit") {
+  for (const int power : {-1060, -300, -40, 40, 300, 1020}) {
+    const double size = std::ldexp(1, power);
+    const std::vector<io::Part> parts = {placed(scaled(shapes::tetrahedron(), size), 1),
+                                         placed(shapes::tetrahedron(), size)};
+    const PartScale scale(parts);
+    CAPTURE(power);
+    REQUIRE(scale.isNeeded());
+    const std::vector<io::Part> unit = scale.applied(parts);
+    for (const io::Part& part : unit) {
+      const Vec3 corner = part.mesh.positions[0], place = part.instances[0] * corner;
+      CHECK(corner.norm() > 1e-20);
+      CHECK(corner.norm() < 10);
+      CHECK(place.norm() > 1e-20);
+      CHECK(place.norm() < 10);
+    }
+    const std::vector<io::Part> back = scale.undone(unit, parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      CHECK(back[i].mesh.positions == parts[i].mesh.positions);
+      CHECK(back[i].instances[0].matrix() == parts[i].instances[0].matrix());
+    }
+  }
+}
+
+TEST_CASE("part_scale: a mesh of any size is remeshed as one of size one is") {
+  const TriangleMesh torus = shapes::torus(12, 8);
+  RemeshOptions options;
+  for (const Scheme scheme : {Scheme::Best, Scheme::Rounds}) {
+    options.scheme = scheme;
+    options.edgeLength = 1.6;
+    const RemeshResult one = remesh(torus, options);
+    for (const int power : {-900, -40, 100, 900}) {
+      const double size = std::ldexp(1, power);
+      options.edgeLength = 1.6 * size;
+      const RemeshResult other = remesh(scaled(torus, size), options);
+      CAPTURE(power);
+      CHECK(other.mesh.indices == one.mesh.indices);
+      CHECK(other.mesh.positions == scaled(one.mesh, size).positions);
+      CHECK(other.report.fidelity->hausdorff == one.report.fidelity->hausdorff);
+      CHECK(other.report.output->minAngle.worst == one.report.output->minAngle.worst);
+      CHECK(inspect(scaled(torus, size)).input.minAngle.mean == one.report.input.minAngle.mean);
+    }
+  }
+}

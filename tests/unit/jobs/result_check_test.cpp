@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What is worse than given is said, and nothing else is.
+#include "jobs/result_check.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+const std::vector<io::Part> kParts = {io::Part{"", shapes::sliverFan(3), {}}};
+
+std::string codes(const MeshReport& before, const MeshReport& after) {
+  std::string all;
+  for (const Warning& warning : worseThanGiven({before, after}, kParts))
+    all += warning.code + " " + std::to_string(warning.count) + ";";
+  return all;
+}
+
+MeshReport withAngles(double worst, double mean) {
+  MeshReport report;
+  report.minAngle.worst = worst;
+  report.minAngle.mean = mean;
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("result check: what is as good as before, or good, needs no word") {
+  CHECK(codes(withAngles(3, 34), withAngles(3, 34)) == "");
+  CHECK(codes(withAngles(58, 59), withAngles(30, 55)) == "");
+  MeshReport open, opener;
+  open.boundaryEdges = 3;
+  opener.boundaryEdges = 9;
+  CHECK(codes(open, opener) == "");
+}
+
+TEST_CASE("result check: worse angles are said, with the figures and the place") {
+  CHECK(codes(withAngles(3, 34), withAngles(3, 17)) == "ANGLES_WORSE 1;");
+  CHECK(codes(withAngles(20, 50), withAngles(0.1, 55)) == "ANGLES_WORSE 1;");
+  const auto message = [](const MeshReport& before, const MeshReport& after) {
+    return worseThanGiven({before, after}, kParts).front().message;
+  };
+  const std::string both = message(withAngles(3, 34), withAngles(2, 17));
+  for (const char* part : {"17° on average, not 34°", "2° in the worst, not 3°", "(0.6667, "})
+    CHECK(both.find(part) != std::string::npos);
+  CHECK(message(withAngles(2, 34), withAngles(3, 17)).find("in the worst") == std::string::npos);
+  CHECK(message(withAngles(3, 17), withAngles(2, 34)).find("on average") == std::string::npos);
+}
+
+TEST_CASE("result check: new holes, joined sheets and lines are counted") {
+  MeshReport before, after;
+  before.nonManifoldEdges = 2;
+  after.nonManifoldEdges = 5;
+  after.boundaryEdges = 4;
+  after.degenerateTriangles = 1;
+  CHECK(codes(before, after) ==
+        "DEGENERATE_TRIANGLES_MADE 1;NON_MANIFOLD_EDGES_MADE 3;SURFACE_OPENED 4;");
+}
+
+TEST_CASE("result check: each says where") {
+  const auto messageOf = [](const MeshReport& after, const TriangleMesh& mesh) {
+    return worseThanGiven({MeshReport{}, after}, {io::Part{"", mesh, {}}}).front().message;
+  };
+  MeshReport after;
+  after.boundaryEdges = 3;
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 8, 0}, {0, -8, 0}, {0, 0, 8}};
+  mesh.indices = {0, 1, 2};
+  CHECK(messageOf(after, mesh).find("the first near (2, 0, 0)") != std::string::npos);
+  after = {};
+  after.nonManifoldEdges = 1;
+  mesh.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
+  CHECK(messageOf(after, mesh).find("the first near (2, 0, 0)") != std::string::npos);
+  after = {};
+  after.degenerateTriangles = 1;
+  mesh.indices = {0, 2, 3};
+  CHECK(messageOf(after, mesh).find("as near (0, 0, 0)") != std::string::npos);
+  // In coordinates of a survey, too, to less than its size.
+  for (Vec3& p : mesh.positions) p += Vec3(431234.5, 5412345.75, 312.25);
+  CHECK(messageOf(after, mesh).find("as near (431234.5, 5412345.75, 312.25)") != std::string::npos);
+}
+
+TEST_CASE("result check: a model smaller than what it is rounded to is said, with the place") {
+  TriangleMesh far = shapes::sliverFan(3);
+  for (Vec3& p : far.positions) p = Vec3(1, 1e-30 * p.y(), 1e-30 * p.z());
+  const std::vector<io::Part> speck = {io::Part{"", far, {}}};
+  Report report;
+  CHECK(fartherThanLarge(report, speck).empty());
+  report.fidelity = FidelityReport{};
+  report.fidelity->hausdorff = 100;
+  CHECK(fartherThanLarge(report, speck).empty());
+  report.fidelity->hausdorff = 250;
+  const std::vector<Warning> warnings = fartherThanLarge(report, speck);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "SHAPE_LOST_TO_ROUNDING");
+  CHECK(warnings[0].message.find("250 % of the diagonal") != std::string::npos);
+  CHECK(warnings[0].message.find(" near (1, ") != std::string::npos);
+  // Of anything else rounding is not the reason.
+  CHECK(fartherThanLarge(report, kParts).empty());
+  CHECK(fartherThanLarge(report, {io::Part{}}).empty());
+}
+
+TEST_CASE("result check: a bound that was asked for and is not kept is said, with both figures") {
+  Report report;
+  RemeshOptions options;
+  CHECK(fartherThanAsked(report, options).empty());
+  options.maxError = 0.5;
+  CHECK(fartherThanAsked(report, options).empty());
+  report.fidelity = FidelityReport{};
+  report.fidelity->hausdorff = 0.5;
+  CHECK(fartherThanAsked(report, options).empty());
+  report.fidelity->hausdorff = 0.75;
+  const std::vector<Warning> warnings = fartherThanAsked(report, options);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "MAX_ERROR_EXCEEDED");
+  CHECK(warnings[0].message.find("0.75 % of the diagonal") != std::string::npos);
+  CHECK(warnings[0].message.find("not 0.5 % at most") != std::string::npos);
+}

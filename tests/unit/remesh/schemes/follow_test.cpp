@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/follow.h"
+
+#include <doctest/doctest.h>
+
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "mesh/mesh_builder.h"
+#include "remesh/schemes/remesh.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+// A pleated sheet whose pleats are narrower than an even triangle of 150 vertices.
+TriangleMesh pleats(int rows = 32) {
+  TriangleMesh mesh = shapes::grid(40, rows);
+  for (Vec3& p : mesh.positions) {
+    const bool isHigh = std::lround(p.x()) % 2 != 0;
+    p = {p.x() / 2, 4 * p.y() / rows, isHigh ? 0.1 : 0.0};
+  }
+  return mesh;
+}
+
+TriangleMesh remeshed(const TriangleMesh& input, Index vertices, Textures textures) {
+  RemeshOptions options;
+  options.vertices = vertices;
+  options.textures = textures;
+  return remeshSurface(input, options, {}).mesh;
+}
+
+double rms(const TriangleMesh& original, const TriangleMesh& result) {
+  const DeviationBothWays d = measureDeviation(original, result, Maximum::Sampled);
+  return std::max(d.toResult.rms, d.toOriginal.rms) / d.diagonal;
+}
+
+}  // namespace
+
+TEST_CASE("follow: exactly as many places as asked for, or nothing") {
+  const TriangleMesh input = pleats();
+  const BuiltMesh built = buildMesh(input);
+  for (const std::size_t count : {1000, 500, 150}) {
+    const std::optional<Followed> followed = follow(built, input, count);
+    REQUIRE(followed);
+    CHECK(inspectMesh(followed->mesh).vertices == count);
+    CHECK(followed->places.size() == followed->mesh.indices.size());
+  }
+  CHECK(!follow(built, input, 4));
+  // Nothing is left out of what has no more.
+  CHECK(!follow(built, input, built.mesh.vertexCount()));
+}
+
+TEST_CASE("follow: every triangle keeps its group, and corners know a place of that near them") {
+  TriangleMesh input = shapes::grid(24, 24);
+  Attribute places{"_PLACE", 3, {}};
+  for (const Vec3& p : input.positions)
+    places.values.insert(places.values.end(), {float(p.x()), float(p.y()), float(p.z())});
+  input.attributes.push_back(places);
+  for (Index t = 0; t < input.triangleCount(); ++t)
+    input.groups.push_back(input.positions[input.indices[3 * t]].x() < 11.5 ? 0 : 1);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 60);
+  REQUIRE(followed);
+  CHECK(inspectMesh(followed->mesh).vertices == 60);
+  CHECK(followed->mesh.groups.size() == followed->mesh.triangleCount());
+  for (std::size_t h = 0; h < followed->places.size(); ++h) {
+    const InputPlace& place = followed->places[h];
+    CHECK(input.groups[place.triangle] == followed->mesh.groups[h / 3]);
+    CHECK(place.weights.sum() == 1);
+    const Index v = followed->mesh.indices[h];
+    const float* const value = &followed->mesh.attributes[0].values[3 * std::size_t{v}];
+    const Vec3 from(value[0], value[1], value[2]);
+    CHECK((followed->mesh.positions[v] - from).norm() < 12);
+  }
+}
+
+TEST_CASE("follow: fewer vertices than curves have corners, where textures are painted anew") {
+  const TriangleMesh cubes =
+      shapes::cells(5, [](int i, int j, int k) { return i % 2 == 0 && j % 2 == 0 && k % 2 == 0; });
+  CHECK_THROWS(remeshed(cubes, 150, Textures::Keep));
+  CHECK(inspectMesh(remeshed(cubes, 150, Textures::Bake)).vertices == 150);
+}
+
+TEST_CASE("follow: pleats narrower than even triangles are kept where textures are painted anew") {
+  for (const int rows : {32, 112}) {
+    CAPTURE(rows);
+    const TriangleMesh original = pleats(rows);
+    const double even = rms(original, remeshed(original, 150, Textures::Keep));
+    const double followed = rms(original, remeshed(original, 150, Textures::Bake));
+    CHECK(even > 0.001);
+    CHECK(followed < 0.1 * even);
+  }
+}
+
+TEST_CASE("follow: what even triangles show has even triangles") {
+  for (const TriangleMesh& original : {shapes::icosphere(16), shapes::torus(64, 32)}) {
+    double mean = 0;
+    // By the seed of annealing one number gives 53.4° to 56.8°, three together 54.0° to 56.1°.
+    for (const Index vertices : {700u, 750u, 800u})
+      mean += inspectMesh(remeshed(original, vertices, Textures::Bake)).minAngle.mean / 3;
+    CHECK(mean > 52);
+  }
+}
