@@ -177,7 +177,7 @@ test('the top level holds what belongs there, and nothing that was left behind',
     return;
   }
   const folders = /^(\.[a-z-]+|bindings|docs|examples|src|tests|web)$/;
-  const files = /^(CMakeLists\.txt|package(-lock)?\.json|LICENSE|[A-Z]+\.md)$/;
+  const files = /^(CMakeLists\.txt|package(-lock)?\.json|LICENSE|CITATION\.cff|[A-Z]+\.md)$/;
   const entries = new Set(stdout.split('\0').filter(Boolean).map((path) => path.split('/')[0]));
   const wrong = [...entries].filter((name) => !folders.test(name) && !files.test(name));
   assert.deepEqual(wrong, []);

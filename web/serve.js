@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Builds the page and serves it on this computer: node web/serve.js [port]. PORT works, too; a port
-// that is taken makes it try the next.
+// Builds the page, the documentation beside it, and serves them on this computer:
+// node web/serve.js [port]. PORT works, too; a port that is taken makes it try the next.
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { build, preview } from 'vite';
+import { documentation } from './documentation.js';
 
-const configFile = new URL('./vite.config.js', import.meta.url).pathname;
+const configFile = fileURLToPath(new URL('./vite.config.js', import.meta.url));
+const docs = fileURLToPath(new URL('../build/docs', import.meta.url));
 const port = Number(process.argv[2] ?? process.env.PORT ?? 8080);
 
 console.log('Building the page');
-await build({ configFile, logLevel: 'warn' });
+const plugins = existsSync(docs) ? [documentation(docs)] : [];
+await build({ configFile, logLevel: 'warn', plugins });
 const server = await preview({ configFile, logLevel: 'warn', preview: { port } });
 console.log(`remesher is ready at ${server.resolvedUrls?.local[0]} (stop with Ctrl+C)`);

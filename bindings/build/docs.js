@@ -1,53 +1,118 @@
 // SPDX-License-Identifier: MIT
-// The API reference, into build/docs, out of the built package's declarations and the table of
-// options. What TypeDoc complains of (a link to nothing, a name without an export) is a failure.
-
-import { readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-
-import { Application, ReflectionKind } from 'typedoc';
+// The documentation as one site, into build/docs: the reference, out of the built package's
+// declarations and the table of options, the recipes and the papers. What TypeDoc complains of (a
+// link to nothing, a name without an export) is a failure. What is there already is not made again.
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 import { optionsPage } from './declarations.js';
+import { root, say } from './say.js';
+import { Stamp } from './stamp.js';
 
-const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
+/** @typedef {import('typedoc').DocumentReflection} DocumentReflection */
 
-/** By the manifest: declarations by the name they are imported by. @type {Map<string, string>} */
-const entries = new Map();
-const { name, exports } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
-for (const [path, { types }] of Object.entries(exports)) {
-  if (types) entries.set(join(name, path), join(root, types));
+const out = 'build/docs';
+const optionsFile = 'build/options.md';
+const look = 'bindings/build/docs.css';
+
+/** @param {string} file @returns {string} */
+const read = (file) => readFileSync(join(root, file), 'utf8');
+
+/** In the order of their list. */
+const recipes = [...read('docs/README.md').matchAll(/\]\((recipes\/[\w-]+\.md)\)/g)]
+  .map(([, path]) => `docs/${path}`);
+
+/** The pages beside the reference, as the navigation has them. @type {Record<string, string[]>} */
+const groups = {
+  Guide: ['docs/README.md', optionsFile, 'docs/sizes.md', 'docs/comparison.md', 'SECURITY.md'],
+  Recipes: recipes,
+  Project: ['CHANGELOG.md', 'CONTRIBUTING.md', 'src/README.md', 'tests/README.md'],
+};
+const papers = Object.values(groups).flat();
+
+/** By the manifest: declarations by the name they are imported by. */
+function entriesOf() {
+  /** @type {Map<string, string>} */
+  const entries = new Map();
+  const { name, exports } = JSON.parse(read('package.json'));
+  for (const [path, { types }] of Object.entries(exports)) {
+    if (types) entries.set(join(name, path), join(root, types));
+  }
+  return entries;
 }
 
-const tsconfig = join(root, 'build/docs.tsconfig.json');
-writeFileSync(tsconfig, JSON.stringify({
-  compilerOptions: {
-    strict: true, target: 'es2022', module: 'nodenext', lib: ['es2022', 'dom'], types: [],
-    skipLibCheck: true,
-  },
-  files: [...entries.values()],
-}));
-const page = join(root, 'build/options.md');
-writeFileSync(page, optionsPage());
-
-const app = await Application.bootstrap({
-  name,
-  entryPoints: [...entries.values()],
-  tsconfig,
-  readme: join(root, 'README.md'),
-  projectDocuments: [page, ...['CHANGELOG.md', 'CONTRIBUTING.md', 'src/README.md']
-    .map((file) => join(root, file))],
-  out: join(root, 'build/docs'),
-  includeVersion: true,
-  disableSources: true,
-  githubPages: false,
-  hideGenerator: true,
-  treatWarningsAsErrors: true,
-});
-const project = await app.convert();
-for (const module of project?.getChildrenByKind(ReflectionKind.Module) ?? []) {
-  const file = join(root, 'dist', `${module.name}.d.ts`);
-  module.name = [...entries].find(([, types]) => types === file)?.[0] ?? module.name;
+/** All that the site is made of. */
+function inputs() {
+  const below = (/** @type {string} */ folder, /** @type {RegExp} */ pattern) =>
+    readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
+      .filter((file) => pattern.test(file)).map((file) => join(folder, file)).sort();
+  return ['README.md', ...papers, look, 'package.json', 'node_modules/.package-lock.json',
+    ...below('dist', /\.d\.m?ts$/), ...below('bindings', /\.js$/), ...below('examples', /\.js$/)];
 }
-if (project) await app.generateDocs(project, join(root, 'build/docs'));
-if (!project || app.logger.hasErrors() || app.logger.hasWarnings()) process.exitCode = 1;
+
+/** @param {Iterable<string>} files @returns its path from the root */
+function configureTypes(files) {
+  const tsconfig = 'build/docs.tsconfig.json';
+  writeFileSync(join(root, tsconfig), JSON.stringify({
+    compilerOptions: {
+      strict: true, target: 'es2022', module: 'nodenext', lib: ['es2022', 'dom'], types: [],
+      skipLibCheck: true,
+    },
+    files: [...files],
+  }));
+  return tsconfig;
+}
+
+/** Under its heading, in its group. @param {DocumentReflection} page @param {string} file */
+function place(page, file) {
+  const [, heading] = /^# (.+)$/m.exec(read(file)) ?? [];
+  page.name = heading ?? file;
+  page.frontmatter.group = Object.keys(groups).find((group) => groups[group].includes(file));
+}
+
+/** @returns {Promise<boolean>} whether all went well */
+async function make() {
+  const { Application, Converter, PageEvent, ReflectionKind } = await import('typedoc');
+  const entries = entriesOf();
+  const app = await Application.bootstrap({
+    name: 'remesher',
+    entryPoints: [...entries.values()],
+    tsconfig: join(root, configureTypes(entries.values())),
+    readme: join(root, 'README.md'),
+    projectDocuments: papers.map((file) => join(root, file)),
+    out: join(root, out),
+    customCss: join(root, look),
+    includeVersion: true,
+    disableSources: true,
+    githubPages: false,
+    hideGenerator: true,
+    searchInDocuments: true,
+    sortEntryPoints: false,
+    headings: { readme: false },
+    navigation: { includeGroups: true },
+    groupOrder: ['Guide', 'Recipes', 'Modules', 'Functions', 'Classes', 'Interfaces',
+      'Type Aliases', 'Variables', '*', 'Project'],
+    treatWarningsAsErrors: true,
+  });
+  app.renderer.on(PageEvent.END, (page) => {  // what scrolls can be reached by the keyboard
+    page.contents = page.contents?.replaceAll('<table>', '<table tabindex="0">');
+  });
+  let pages = 0;
+  app.converter.on(Converter.EVENT_CREATE_DOCUMENT,
+    (_, page) => place(page, papers[pages++]));
+  const project = await app.convert();
+  for (const module of project?.getChildrenByKind(ReflectionKind.Module) ?? []) {
+    const file = join(root, 'dist', `${module.name}.d.ts`);
+    module.name = [...entries].find(([, types]) => types === file)?.[0] ?? module.name;
+  }
+  if (project) await app.generateDocs(project, join(root, out));
+  return Boolean(project) && !app.logger.hasErrors() && !app.logger.hasWarnings();
+}
+
+writeFileSync(join(root, optionsFile), optionsPage());
+const stamp = new Stamp('build/docs.stamp', inputs());
+if (!stamp.isCurrent() || !existsSync(join(root, out))) {
+  say(`Making the documentation in ${out}/`);
+  if (await make()) stamp.set();
+  else process.exitCode = 1;
+}

@@ -6,8 +6,8 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 
 const types = {
-  '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript',
-  '.wasm': 'application/wasm',
+  '.css': 'text/css', '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript',
+  '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
 };
 
 const policy = "script-src 'self' 'wasm-unsafe-eval'";

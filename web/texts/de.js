@@ -62,6 +62,7 @@ export default {
   'preparing': 'Vorbereitung',
   'privacy': 'Ihre Dateien verlassen diesen Rechner nie.',
   'privacy.more': 'Alles läuft in diesem Tab; die Seite kann nichts versenden.',
+  'documentation': 'Dokumentation (englisch): Rezepte, Funktionen, Optionen',
   'opening': '{name} wird geöffnet',
   'opened': '{name} ist offen: {facts}',
   'cancelled': 'Abgebrochen',

@@ -62,6 +62,7 @@ export default {
   'preparing': 'Preparing',
   'privacy': 'Your files never leave this computer.',
   'privacy.more': 'Everything runs in this tab; the page cannot send anything.',
+  'documentation': 'Documentation: recipes, functions, options',
   'opening': 'Opening {name}',
   'opened': '{name} is open: {facts}',
   'cancelled': 'Cancelled',

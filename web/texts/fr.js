@@ -63,6 +63,7 @@ export default {
   'preparing': 'Préparation',
   'privacy': 'Vos fichiers ne quittent jamais cet ordinateur.',
   'privacy.more': 'Tout se passe dans cet onglet ; la page ne peut rien envoyer.',
+  'documentation': 'Documentation (en anglais) : recettes, fonctions, options',
   'opening': 'Ouverture de {name}',
   'opened': '{name} est ouvert : {facts}',
   'cancelled': 'Annulé',
