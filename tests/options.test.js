@@ -4,10 +4,12 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 
+import { remesh } from 'remesher';
 import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options';
 
 import { helpText, parseCommandLine } from '../dist/cli/cli_arguments.js';
 import { instantiate } from '../dist/worker/engine.js';
+import { signetRing } from './support/shapes.js';
 
 const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
   assert.equal(error.code, code);
@@ -23,6 +25,24 @@ test('defaults of the table are those of the core', async () => {
   for (const { name, default: value } of optionTable) {
     if (core[name] !== null) assert.equal(value, core[name], name);
     else assert.ok(value === undefined || value === 'off' || typeof value === 'object', name);
+  }
+});
+
+test('a default that depends on the scheme is the core’s own: given, it changes no byte', async () => {
+  const byScheme = optionTable.filter(({ default: value }) => typeof value === 'object');
+  assert.ok(byScheme.length > 0);
+  const ring = signetRing();
+  const positionsWith = async (/** @type {import('remesher').RemeshOptions} */ options) =>
+    (await remesh(ring, { vertices: 900, worker: false, ...options })).mesh.positions;
+  for (const [scheme, otherScheme] of [['best', 'rounds'], ['rounds', 'best']]) {
+    const untold = await positionsWith({ scheme });
+    for (const option of byScheme) {
+      const { name } = option;
+      const [own, other] = [scheme, otherScheme].map((one) => defaultOf(option, one));
+      assert.deepEqual(await positionsWith({ scheme, [name]: own }), untold, `${scheme} ${name}`);
+      assert.notDeepEqual(await positionsWith({ scheme, [name]: other }), untold,
+        `${scheme} ${name}: the shape shows no difference`);
+    }
   }
 });
 

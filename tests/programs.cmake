@@ -119,6 +119,10 @@ compile_folders_as_one(unit_tests)
 add_executable(measure tests/bench/measure_main.cpp)
 target_link_libraries(measure PRIVATE core)
 
+# What each step of the scheme `best` is worth: see tests/bench/ablation.js.
+add_executable(ablation EXCLUDE_FROM_ALL tests/bench/ablation_main.cpp)
+target_link_libraries(ablation PRIVATE core)
+
 # Random inputs for as long as wanted; not built by default.
 add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)
 target_include_directories(stress PRIVATE tests/unit)

@@ -104,6 +104,6 @@ export const configureUnitTests = (system) => configure(unitTests(system));
 
 /** @param {System} system */
 export const buildMeasure = (system) => buildTarget({
-  what: 'the measuring tool', folder: 'build/native', names: ['measure'],
+  what: 'the measuring tools', folder: 'build/native', names: ['ablation', 'measure'],
   definitions: [...commonDefinitions(system), '-DCMAKE_BUILD_TYPE=Release'],
 });

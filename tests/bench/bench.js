@@ -2,6 +2,7 @@
 // The benchmark: named models to named numbers of vertices, in this process, on one thread.
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
+//   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]       what each step is worth
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
@@ -11,6 +12,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 
+import { runAblation } from './ablation.js';
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runPage } from './page.js';
@@ -26,12 +28,16 @@ const { values, positionals } = parseArgs({
     models: { type: 'string' },
     runs: { type: 'string', default: '5' },
     markdown: { type: 'string' },
+    without: { type: 'string', multiple: true, default: [] },
   },
 });
 
 function run() {
   const [first, ...rest] = positionals;
   switch (first) {
+    case 'ablation':
+      return runAblation(limits.cases,
+        { folder: values.models, names: rest, steps: values.without });
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);

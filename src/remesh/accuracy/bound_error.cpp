@@ -18,7 +18,6 @@ namespace {
 constexpr int kPatience = 6;            // rounds within which what is left must halve
 constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
 constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
-constexpr double kPolishBelow = radians(30);
 // What cannot reach its goal with the few is not worth more; for wider angles more are.
 constexpr std::size_t kFewProofs = 400, kManyProofs = 1000;
 
@@ -55,7 +54,7 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
 // Polishing splits and collapses, and under the gate it may not get all collapses back.
 void polishInCount(Run& run, const Progress& progress) {
   const WorkingMesh before = run.mesh;
-  polish(run, {kPolishBelow}, progress);
+  polish(run, {kFair}, progress);
   if (run.mesh.mesh().vertexCount() != before.mesh().vertexCount()) run.mesh = before;
 }
 

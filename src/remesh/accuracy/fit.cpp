@@ -13,17 +13,11 @@ namespace remesher {
 
 namespace {
 
-// The last pass gains little; only a mesh of few vertices, where it costs little, has it.
-constexpr std::size_t kFew = 8000;
-constexpr int kPasses = 2, kPassesOfFew = 3, kPassesInDraft = 1;
 // The least squares of offsets that neighbours share, by relaxation: a little beyond each vertex's
 // own mean few passes come nearest.
 constexpr double kBeyond = 1.3;
 // A vertex that a pass has moved by less than this is left alone by the next.
 constexpr double kStillMoves = 0.003;  // of the target length
-// Angles above this may shrink, but never below it; what is below may not shrink at all. In a
-// draft, which moves vertices once, the last polish sees to that.
-constexpr double kKeepAngle = radians(33);
 
 // The mean over a triangle by a rule that is exact to squares: so much of it at each corner, and at
 // its middle. At the corners, which have their places, it costs nothing.
@@ -75,31 +69,28 @@ class Offsets {
   FaceData<Face> found_;  // the face of the original nearest to each middle
 };
 
+// Sound angles may shrink, but stay sound; what is not sound may not shrink at all. Where vertices
+// move once the last polish sees to that.
 bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
   const double after = smallestAngleAround(mesh, v, to);
-  return after >= kKeepAngle || after >= smallestAngleAround(mesh, v, mesh.position(v));
+  return after >= kSound || after >= smallestAngleAround(mesh, v, mesh.position(v));
 }
 
 // Along the mean normal of the triangles around v. Returns how far.
 double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
-  const bool isDraft = run.quality == Quality::Draft;
+  const bool isOnce = run.effort.fitPasses == 1;
   run.star.gather(run.mesh, v);
   const Vec3 normal = run.star.areaVector(run.mesh.position(v));
   if (!(normal.norm() > 0)) return 0;
-  const double distance = (isDraft ? 1 : kBeyond) * offsets.at(v, normal);
+  const double distance = (isOnce ? 1 : kBeyond) * offsets.at(v, normal);
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();
-  if (isDraft || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);
+  if (isOnce || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);
   return distance;
 }
 
 bool anyOf(const VertexData<char>& marked, const std::array<Vertex, 3>& corners) {
   return marked[corners[0]] || marked[corners[1]] || marked[corners[2]];
-}
-
-int passesOf(const Run& run) {
-  if (run.quality == Quality::Draft) return kPassesInDraft;
-  return run.mesh.mesh().vertexCount() < kFew ? kPassesOfFew : kPasses;
 }
 
 }  // namespace
@@ -110,7 +101,7 @@ void fit(Run& run, const Progress& progress) {
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
-  const int passes = passesOf(run);
+  const int passes = run.effort.fitPasses;
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     offsets.clear();

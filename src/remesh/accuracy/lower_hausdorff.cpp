@@ -15,10 +15,8 @@ namespace {
 
 // Only a large distance is worth angles: good ones stay good otherwise.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-constexpr double kGoodAngle = radians(50), kFairAngle = radians(42), kWorstLeft = radians(33.2);
 // A lost tip is worth more: what is worse than the worst is polished afterwards.
 constexpr double kLostTip = 0.4;  // of the target edge length
-constexpr double kMendable = radians(28);
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move that changes less than this decides nothing; one that reaches so much may stop there.
@@ -106,13 +104,13 @@ class Descent {
 
   bool lower(Face f) {
     std::optional<double> last;
-    for (const double angle : {kGoodAngle, kFairAngle, kWorstLeft}) {
+    for (const double angle : {kEven, kGood, kSound}) {
       const Kept kept{angle, last};
       if (moveCorner(f, kept) || flipSide(f, angle) || makeWay(f, kept)) return true;
       if (!isBeyond(kWorthAngles, f)) return false;
       last = angle;
     }
-    const Kept kept{kMendable, last};
+    const Kept kept{kFair, last};
     return isBeyond(kLostTip, f) && (moveCorner(f, kept) || makeWay(f, kept));
   }
 
@@ -129,7 +127,7 @@ class Descent {
 
   // Outlines show: a curve always has its way.
   double keptAt(Vertex v, double angle) const {
-    return run_.mesh.kind(v) == VertexKind::Curve ? kWorstLeft : angle;
+    return run_.mesh.kind(v) == VertexKind::Curve ? kSound : angle;
   }
 
   // Whether a search from v would be the last one again, which was in vain: both may do to a star

@@ -2,15 +2,10 @@
 #include "remesh/accuracy/poor_regions.h"
 
 #include "remesh/accuracy/lower_hausdorff.h"
+#include "remesh/gate/angles.h"
 #include "remesh/steps/polish.h"
 
 namespace remesher {
-
-namespace {
-
-constexpr double kPoor = radians(20);
-
-}  // namespace
 
 void mendPoorRegions(Run& run) {
   const FidelityRule rule = run.rule;

@@ -14,7 +14,6 @@ namespace remesher {
 namespace {
 
 constexpr double kMoveWithin = 0.35;  // of the shortest edge around: so near a vertex moves
-constexpr double kSoundAngle = radians(20);
 
 // The faces around a new or moved vertex are others now: what was found for them is void.
 class Touched {
@@ -82,7 +81,7 @@ class Refinement {
       const double way = (place.position - run_.mesh.position(v)).norm();
       if (way == 0 || way > kMoveWithin * shortestEdge(run_.mesh, v)) continue;
       proposePlacement(run_.mesh, v, place, run_.change);
-      if (smallestComingAngle(run_.mesh, run_.change) < kSoundAngle || !commit(run_)) continue;
+      if (smallestComingAngle(run_.mesh, run_.change) < kPoor || !commit(run_)) continue;
       touched_.around(v);
       return true;
     }
@@ -123,7 +122,7 @@ class Refinement {
       if (run_.mesh.isCurve(h) || !proposeSplit(run_.mesh, run_.projector, h, run_.change))
         continue;
       run_.change.place = place;
-      if (smallestComingAngle(run_.mesh, run_.change) < kSoundAngle || !commit(run_)) continue;
+      if (smallestComingAngle(run_.mesh, run_.change) < kPoor || !commit(run_)) continue;
       return touched_.around(run_.result);
     }
     if (const Halfedge side = longestSide(run_.mesh, f)) split(side);

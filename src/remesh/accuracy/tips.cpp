@@ -10,16 +10,12 @@ namespace remesher {
 
 namespace {
 
-// A tip is worth a triangle of this angle for now: smoothing and polish follow.
-constexpr double kSmallestAngle = radians(20);
-
 // Of the tolerance: what is this near to a tangent plane is no tip.
 constexpr double kSurelyNear = 0.4;
 
 // So far from the mesh, in target lengths, a tip that no vertex can move to gets one of its own,
 // though that makes four triangles of two.
 constexpr double kInsertAbove = 0.6;
-constexpr double kInsertAngle = radians(8);
 // More new vertices than this share are a sign of sizes that the surface does not allow.
 constexpr std::size_t kMostInserted = 4;
 
@@ -33,10 +29,11 @@ std::vector<Place> farthestFirst(const Run& run, double tolerance) {
   return places;
 }
 
+// A tip is worth a poor triangle for now: smoothing and polish follow.
 bool moveTo(Run& run, Vertex v, const Placement& place) {
   if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
   proposePlacement(run.mesh, v, place, run.change);
-  return smallestComingAngle(run.mesh, run.change) >= kSmallestAngle && commit(run, lenient(run));
+  return smallestComingAngle(run.mesh, run.change) >= kPoor && commit(run, lenient(run));
 }
 
 // One of the corners of the nearest triangle, the nearest first, moves to the tip.
@@ -59,7 +56,7 @@ void reach(Run& run, const Place& tip) {
 
 // The side of the nearest triangle whose triangles suffer least is split by a vertex on the tip.
 void insert(Run& run, const Place& tip) {
-  double best = kInsertAngle;
+  double best = kSliver;
   LocalChange change;
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
@@ -70,7 +67,7 @@ void insert(Run& run, const Place& tip) {
     best = angle;
     change = run.change;
   }
-  if (best > kInsertAngle) run.mesh.pin(apply(run.mesh, change));
+  if (best > kSliver) run.mesh.pin(apply(run.mesh, change));
 }
 
 }  // namespace

@@ -8,6 +8,15 @@
 
 namespace remesher {
 
+// The one ladder of smallest angles, rung by rung: a triangle that is made only for want of a
+// better one (sliver); that a lost tip or a bound is worth until it is mended (poor, fair); that a
+// move for the sake of distances must leave (sound), for polishing lifts it to where it is left
+// alone (fine); that such a move leaves if it can (good, even). The rung `sound` cannot move
+// without changing the bytes of `rounds`.
+inline constexpr double kSliver = radians(10), kPoor = radians(20), kFair = radians(28),
+                        kSound = radians(33.2), kFine = radians(34.5), kGood = radians(42),
+                        kEven = radians(50);
+
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 
 // An angle up to 60° that all triangles are compared with: most are seen to be wider without

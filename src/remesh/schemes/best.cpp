@@ -3,16 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "original/surface/curvature.h"
 #include "remesh/accuracy/fit.h"
 #include "remesh/accuracy/lower_hausdorff.h"
 #include "remesh/accuracy/tips.h"
+#include "remesh/gate/angles.h"
 #include "remesh/schemes/land.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/boundaries.h"
 #include "remesh/steps/delaunay.h"
+#include "remesh/steps/left_out.h"
 #include "remesh/steps/polish.h"
 #include "remesh/steps/relax.h"
 #include "remesh/steps/subdivide.h"
@@ -23,19 +26,8 @@ namespace remesher {
 
 namespace {
 
-// Irregular vertices of a larger mesh are fewer for its size, and what one round cannot reach costs
-// less: rounds are saved there.
-constexpr int kAnnealRounds = 20, kFewestRounds = 12;
-// A draft that is subdivided needs fewer still.
-constexpr int kDraftRounds = 4, kSketchRounds = 2;
-constexpr double kManyToAnneal = 6000;
-constexpr int kPasses = 4, kDraftPasses = 2;
-constexpr int kSmoothings = 2, kDraftSmoothings = 1;
 constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
-constexpr double kPolishBelow = radians(35);
-constexpr double kSliver = radians(10), kPoor = radians(30), kFair = radians(33),
-                 kFine = radians(34.5);
 constexpr double kHardlyShift = 0.04;  // of the target edge length: not worth a distance
 
 // Two levels pay only for large meshes, none for tiny ones.
@@ -52,9 +44,17 @@ struct Levels {
   int count;
   std::size_t coarse;  // vertices of the coarse mesh, at first
   std::size_t vertices;
+  Quality quality;
+
+  const Effort& effort(int level) const {
+    const bool isFinest = level == count;
+    return effortOf(quality, isFinest ? Level::Finest : Level::Coarse,
+                    isFinest ? vertices : coarse << (2 * level));
+  }
 };
 
-Levels planLevels(const Run& run, std::size_t vertices) {
+Levels planLevels(const Run& run, const BestGoal& goal) {
+  const std::size_t vertices = goal.vertices;
   const HalfedgeMesh& original = run.mesh.surface().mesh();
   const FeatureCurves& curves = run.mesh.surface().curves();
   const std::size_t corners = countCorners(curves, original);
@@ -62,7 +62,7 @@ Levels planLevels(const Run& run, std::size_t vertices) {
   // Subdividing would divide what is to be kept, and spikes.
   const bool isKept =
       std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
-  if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices};
+  if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices, goal.quality};
   int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
   const double area = run.mesh.surface().area();
   const double bend = levels > 0 ? meanBend(run.mesh.surface()) : 0;
@@ -71,20 +71,19 @@ Levels planLevels(const Run& run, std::size_t vertices) {
            bend * evenEdgeLength(area, double(coarse)) > kMostBend;
   };
   while (levels > 0 && isTooCoarse(vertices >> (2 * levels))) --levels;
-  return {levels, vertices >> (2 * levels), vertices};
+  return {levels, vertices >> (2 * levels), vertices, goal.quality};
 }
 
-int annealRounds(const Run& run, const Levels& levels, std::size_t vertices) {
-  if (run.quality == Quality::Draft) return levels.count > 0 ? kSketchRounds : kDraftRounds;
-  const double share = std::sqrt(kManyToAnneal / double(std::max<std::size_t>(vertices, 1)));
-  return std::clamp(int(kAnnealRounds * share), kFewestRounds, kAnnealRounds);
+// A step, unless the ablation benchmark leaves it out.
+template <class Step>
+void take(std::string_view name, Step step) {
+  if (!isLeftOut(name)) step();
 }
 
 void smooth(Run& run) {
-  const bool isDraft = run.quality == Quality::Draft;
-  const int passes = isDraft ? kDraftPasses : kPasses;
-  for (int i = 0; i < (isDraft ? kDraftSmoothings : kSmoothings); ++i) {
-    relax(run, passes);
+  const int smoothings = isLeftOut("second smoothing") ? 1 : run.effort.smoothings;
+  for (int i = 0; i < smoothings; ++i) {
+    relax(run, run.effort.passes);
     delaunayFlips(run.mesh, run.rule);
   }
 }
@@ -103,19 +102,20 @@ void evenOut(Run& run, std::size_t vertices) {
 }
 
 void smoothOntoTips(Run& run) {
-  reachTips(run, kTipTolerance);
+  take("tips", [&] { reachTips(run, kTipTolerance); });
   smooth(run);
 }
 
 // Following the boundaries adds vertices, matching the count takes some away, there as well.
 bool followToCount(Run& run, std::size_t vertices) {
   bool reached = false;
-  for (int i = 0; i < 2; ++i) {
+  const int rounds = isLeftOut("second count") ? 1 : 2;
+  for (int i = 0; i < rounds; ++i) {
     followBoundaries(run);
     reached = matchCount(run, vertices);
-    smooth(run);
+    take("smoothing at the count", [&] { smooth(run); });
   }
-  settleBoundaries(run);
+  take("settle boundaries", [&] { settleBoundaries(run); });
   return reached;
 }
 
@@ -123,13 +123,13 @@ bool followToCount(Run& run, std::size_t vertices) {
 // tips of the original reached.
 void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   run.scale = std::pow(2.0, levels.count);
+  run.effort = levels.effort(0);
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
-  // They come back to as many below: what subdividing makes of them goes.
-  const std::size_t crowded = countCrowded(run);
-  const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count) + crowded -
-                             (crowded >> (2 * levels.count));
+  const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
   matchCount(run, coarse);
-  annealValences(run, annealRounds(run, levels, coarse), progress.phase("anneal", 0.55, 1));
+  const int rounds =
+      isLeftOut("half of annealing") ? run.effort.annealRounds / 2 : run.effort.annealRounds;
+  annealValences(run, rounds, progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);
   progress.phase("tips", 1, 1);
   smoothOntoTips(run);
@@ -141,10 +141,10 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
   for (int i = 0; i < levels.count; ++i) {
     progress.phase("refine", double(i) / levels.count, 1);
     subdivide(run);
-    thinCrowds(run);
-    smooth(run);
+    run.effort = levels.effort(i + 1);
+    take("smoothing after subdividing", [&] { smooth(run); });
   }
-  if (run.quality == Quality::Best) {
+  if (levels.quality == Quality::Best) {
     progress.phase("tips", 1, 1);
     smoothOntoTips(run);
   }
@@ -158,38 +158,35 @@ void finishDraft(Run& run, const Progress& progress) {
   land(run);
   fit(run, progress.phase("fit", 0, 1));
   progress.phase("polish", 1, 1);
-  polish(run, {kPoor});
+  polish(run, {kFair});
 }
 
 // Nearer to the original, and no triangle left that could be better.
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
-  if (areFewBelow(run, kFair)) widenAngles(run);
-  polish(run, {kPolishBelow});
+  if (areFewBelow(run, kFine)) take("widen angles", [&] { widenAngles(run); });
+  take("polish", [&] { polish(run, {kFine}); });
   progress.phase("land", 0, 0);
   land(run);
-  fit(run, progress.phase("fit", 0, 1));
+  take("fit", [&] { fit(run, progress.phase("fit", 0, 1)); });
   progress.phase("lower Hausdorff", 1, 1);
-  lowerHausdorff(run);
+  take("lower Hausdorff", [&] { lowerHausdorff(run); });
   progress.phase("polish", 1, 1);
-  polish(run, {kSliver});
-  if (isLarge(run) || !areFewBelow(run, kFair)) return;
-  polish(run, {kFair, kSmallShift});
-  if (!areFewBelow(run, kFine)) return;
-  polish(run, {kFine, kHardlyShift});
-  polish(run, {kFair, kSmallShift});  // what the number of vertices has cost there
+  if (run.mesh.mesh().vertexCount() >= kLarge || !areFewBelow(run, kFine)) return;
+  take("last polish", [&] { polish(run, {kFine, kHardlyShift}); });
 }
 
 }  // namespace
 
-bool runBest(Run& run, std::size_t vertices, Rival* rival, const Progress& progress) {
-  const Levels levels = planLevels(run, vertices);
+bool runBest(Run& run, const BestGoal& goal, const Progress& progress) {
+  const Levels levels = planLevels(run, goal);
+  const bool isDraft = goal.quality == Quality::Draft;
   run.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
-  if (rival && run.quality == Quality::Best && rival->hasWon(run.mesh)) return reached;
+  if (goal.rival && !isDraft && goal.rival->hasWon(run.mesh)) return reached;
   const Progress last = progress.part(0.85, 1);
-  run.quality == Quality::Draft ? finishDraft(run, last) : finish(run, last);
+  isDraft ? finishDraft(run, last) : finish(run, last);
   return reached;
 }
 

@@ -9,8 +9,14 @@
 
 namespace remesher {
 
+struct BestGoal {
+  std::size_t vertices;
+  Quality quality;
+  Rival* rival;  // what may be taken instead of the mesh, if anything
+};
+
 // Returns whether the number of vertices was reached. Against a rival that has won, the mesh is not
 // finished.
-bool runBest(Run& run, std::size_t vertices, Rival* rival, const Progress& progress);
+bool runBest(Run& run, const BestGoal& goal, const Progress& progress);
 
 }  // namespace remesher

@@ -12,8 +12,8 @@
 #include "base/progress.h"
 #include "original/surface/size_field.h"
 #include "remesh/gate/error_bound.h"
-#include "remesh/schemes/curve_choice.h"
 #include "remesh/ground/stand_in.h"
+#include "remesh/schemes/curve_choice.h"
 
 namespace remesher {
 

@@ -63,7 +63,7 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
     if (run.rule.mode != Fidelity::Strict) mendPoorRegions(run);
     return reached;
   }
-  const bool reached = runBest(run, vertices, manner.rival, progress);
+  const bool reached = runBest(run, {vertices, options.quality, manner.rival}, progress);
   if (options.splitObtuse) splitObtuse(run);
   return reached;
 }
@@ -111,7 +111,6 @@ Places matchPositions(Run& run, std::size_t vertices) {
 
 // Of many vertices each walks: over short edges the straight way leads to where patches do.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
-  constexpr std::size_t kMany = 8000;
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
   if (walks) return Projector(original.ground());
@@ -128,8 +127,8 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   run.standIn = original.standIn();
   run.tree = &manner.tree;
   run.stagger = manner.stagger;
-  run.quality = options.quality;
   const std::size_t vertices = original.vertices();
+  run.effort = effortOf(options.quality, Level::Finest, vertices);
   const bool reached = original.bound()
                            ? runWithin(run, {*original.bound(), vertices}, manner, progress)
                            : runScheme(run, vertices, manner, progress);

@@ -21,16 +21,9 @@ constexpr double kMustGo = 0.4;
 // Halving all sides of a triangle of such edges, whatever its shape, would pile vertices up beside
 // its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
 constexpr double kGiant = 3;
-// A coarse level is annealed, divided and smoothed after that.
-constexpr int kRounds = 5, kSweeps = 2, kCoarseSweeps = 1;
-// Where small handles and folds let no edge go vertices crowd; one in so many is mended later.
-constexpr std::size_t kFewCrowded = 20;
-constexpr int kThinnings = 3;
-constexpr int kSketchRounds = 3;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
-// Of so many times the vertices that are wanted most are thinned out rather than adapted, until
-// edges have this share of the sizes; a sketch collapses what is short instead, up to a limit.
-constexpr std::size_t kFarTooMany = 7, kFarTooManyToSketch = 64;
+// Far too many vertices are thinned out rather than adapted, until edges have this share of the
+// sizes.
 constexpr double kThinned = 0.5;
 
 bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
@@ -112,9 +105,6 @@ std::size_t collapseShort(Run& run, double shortest) {
   return count;
 }
 
-// The coarse level of a draft: each vertex is one of four, and those between them come out regular.
-bool isSketch(const Run& run) { return run.quality == Quality::Draft && run.scale > 1; }
-
 void thinOut(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const double share = kThinned * run.scale;
@@ -188,45 +178,24 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
 }  // namespace
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
-  const bool isRough = isSketch(run);
-  const std::size_t tooMany = isRough ? kFarTooManyToSketch : kFarTooMany;
-  if (run.mesh.mesh().vertexCount() > tooMany * vertices) thinOut(run);
+  if (run.mesh.mesh().vertexCount() > run.effort.thinAbove * vertices) thinOut(run);
   // Slivers can ask for splits for ever, and not give the vertices back.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
-  const int rounds = isRough ? kSketchRounds : kRounds;
-  const int sweeps = run.scale > 1 ? kCoarseSweeps : kSweeps;
+  const int rounds = run.effort.adaptRounds;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
     const bool isFirstOrLast = i == 0 || i + 1 == rounds;
     // What is long among far too many is so still when most have gone.
-    const bool isCrowded = isRough && run.mesh.mesh().vertexCount() > kFarTooMany * vertices;
+    const bool isCrowded = run.mesh.mesh().vertexCount() > kUsual.thinAbove * vertices;
     if (!isCrowded) refine(run, most);
     collapseShort(run, kShort);
     // All that follows goes over the holes as well.
     if (isFirstOrLast) run.mesh.compact();
     valenceFlips(run);
     if (isFirstOrLast) delaunayFlips(run.mesh, run.rule);
-    for (int k = 0; k < sweeps; ++k) laplacianSweep(run);
+    for (int k = 0; k < run.effort.adaptSweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
     if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
-  }
-}
-
-std::size_t countCrowded(const Run& run) {
-  const HalfedgeMesh& mesh = run.mesh.mesh();
-  VertexSizes sizes(run);
-  VertexData<char> isCrowded(mesh.vertexCapacity(), 0);
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
-    if (mesh.isEdge(Halfedge(i)) && sizes.relativeLength(Halfedge(i)) < kMustGo)
-      isCrowded[mesh.origin(Halfedge(i))] = 1;
-  const std::vector<char>& marks = isCrowded.values();
-  const auto count = std::size_t(std::count(marks.begin(), marks.end(), 1));
-  return count * kFewCrowded < mesh.vertexCount() ? 0 : count;
-}
-
-void thinCrowds(Run& run) {
-  if (countCrowded(run) == 0) return;
-  for (int i = 0; i < kThinnings && collapseShort(run, kMustGo) > 0; ++i) {
   }
 }
 

@@ -11,14 +11,6 @@ namespace remesher {
 // with valence flips and smoothing between; run.scale is tuned so that about `vertices` result.
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress);
 
-// How many vertices crowd together, for small handles and folds let none of their edges go; 0 where
-// they are a trifle.
-std::size_t countCrowded(const Run& run);
-
-// Collapses the edges between vertices that crowd together as far as it may: subdividing has made
-// far more of them than handles and folds need.
-void thinCrowds(Run& run);
-
 // Splits the longest or collapses the shortest edges, relative to their targets, until there are
 // exactly `vertices`. Returns whether that was possible.
 bool matchCount(Run& run, std::size_t vertices);

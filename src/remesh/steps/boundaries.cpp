@@ -11,6 +11,7 @@
 
 #include "geometry/triangle.h"
 #include "original/surface/boundary_places.h"
+#include "remesh/gate/angles.h"
 #include "remesh/steps/delaunay.h"
 #include "remesh/steps/relax.h"
 
@@ -22,7 +23,7 @@ constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, o
 constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
 constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
 constexpr int kMostRounds = 8, kSlides = 4, kPasses = 3;
-constexpr double kBadAngle = radians(35), kWorstCounts = 2, kWorthAMove = radians(0.3);
+constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
 constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
 
 struct Station {
@@ -188,7 +189,7 @@ double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double 
   const HalfedgeMesh& m = mesh.mesh();
   int count = 0;
   m.forEachOutgoing(v, [&](Halfedge) { ++count; });
-  double sum = 0, worst = kBadAngle, quality = 0;
+  double sum = 0, worst = kFine, quality = 0;
   int rest = count;
   for (Halfedge h = m.outgoing(v); rest > 0; h = m.twin(m.prev(h))) {
     const double angle = minAngle(place, mesh.position(m.tip(h)), mesh.position(m.opposite(h)));

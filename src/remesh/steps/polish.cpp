@@ -18,15 +18,13 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPolishRounds = 8, kPolishRoundsInLarge = 6, kPolishRoundsInDraft = 4;
 constexpr int kMeansByTurns = 2;  // see meansOf
-// Where so large a share of the bad triangles outlasts two rounds, or one of a draft, the surface
-// allows no better: the rest is around handles no larger than a triangle.
+// Where so large a share of many bad triangles outlasts the effort's patience, the surface allows
+// no better: the rest is around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
-constexpr std::size_t kMany = 200;
-// Per triangle and round; the last one, of small moves, goes on while something is gained. In a
-// large mesh what one round leaves is for the next.
-constexpr int kTries = 3, kTriesInLarge = 1, kLastTries = 12;
+constexpr std::size_t kManyBad = 200;
+// Per triangle in the last round: its small moves go on while something is gained.
+constexpr int kLastTries = 12;
 // Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
 // few triangles are bad a twentieth of it is needed; where all are, and valences high, more is in
 // vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
@@ -294,14 +292,8 @@ Means meansOf(int round, int rounds) {
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
-int roundsOf(const Run& run) {
-  if (run.quality == Quality::Draft) return kPolishRoundsInDraft;
-  return isLarge(run) ? kPolishRoundsInLarge : kPolishRounds;
-}
-
 int triesOf(const Run& run, Means means) {
-  if (means == Means::LeaveSurface) return kLastTries;
-  return isLarge(run) ? kTriesInLarge : kTries;
+  return means == Means::LeaveSurface ? kLastTries : run.effort.polishTries;
 }
 
 std::size_t mostWork(const Run& run) {
@@ -323,7 +315,7 @@ bool areFewBelow(const Run& run, double angle) {
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
-  const int rounds = roundsOf(run);
+  const int rounds = run.effort.polishRounds;
   double before = std::numeric_limits<double>::infinity();
   std::size_t work = mostWork(run);
   const auto mayTry = [&](Face f) {
@@ -339,8 +331,8 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
     if (inVainSince == 0) bad = badTriangles(run, goal.angle);
-    if (bad.empty() || (bad.size() > kMany && double(bad.size()) > kHopeless * before)) break;
-    if (round % 2 == 1 || run.quality == Quality::Draft) before = double(bad.size());
+    if (bad.empty() || (bad.size() > kManyBad && double(bad.size()) > kHopeless * before)) break;
+    if ((round + 1) % run.effort.polishPatience == 0) before = double(bad.size());
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;
     const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};

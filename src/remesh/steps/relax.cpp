@@ -12,9 +12,6 @@ namespace remesher {
 
 namespace {
 
-// A vertex whose neighbours' mean has moved by less than this share of its target length stays; in
-// large meshes, where a pass costs and few triangles are near any limit, and in drafts, sooner.
-constexpr double kStillMoves = 0.003, kStillMovesInLarge = 0.01, kStillMovesInDraft = 0.02;
 constexpr double kNeighbors = 6;  // of most vertices
 // Of the way to the mean of its neighbours, which come after it: waves of many edges' length settle
 // in far fewer passes (successive over-relaxation). Only where there are many vertices: a few of
@@ -27,8 +24,6 @@ bool isAtRest(const Run& run, Vertex v, double share) {
                          unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v)));
 }
 
-// Where smoothing has settled, angles change little after so many.
-constexpr int kWidenings = 3, kWideningsInLarge = 2;
 constexpr double kNarrow = radians(52);
 
 VertexData<char> narrowCorners(const Run& run) {
@@ -43,13 +38,7 @@ VertexData<char> narrowCorners(const Run& run) {
 
 }  // namespace
 
-void relax(Run& run, int passes) {
-  const bool isDraft = run.quality == Quality::Draft;
-  relax(run, passes,
-        isDraft        ? kStillMovesInDraft
-        : isLarge(run) ? kStillMovesInLarge
-                       : kStillMoves);
-}
+void relax(Run& run, int passes) { relax(run, passes, run.effort.rest); }
 
 void relax(Run& run, int passes, double share) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
@@ -74,8 +63,7 @@ void widenAngles(Run& run) {
   PolarMap star;
   // Where nothing has moved since, a search finds what it found before: nothing.
   VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
-  const int passes = isLarge(run) ? kWideningsInLarge : kWidenings;
-  for (int pass = 0; pass < passes; ++pass) {
+  for (int pass = 0; pass < run.effort.widenings; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);
     for (Index i = 0; i < narrow.size(); ++i) {
       const Vertex v(i);

@@ -12,6 +12,7 @@
 #include "remesh/gate/fidelity.h"
 #include "remesh/ground/stand_in.h"
 #include "remesh/operators/local_operators.h"
+#include "remesh/steps/effort.h"
 
 namespace remesher {
 
@@ -25,7 +26,7 @@ struct Run {
   Projector& projector;
   SizeField& sizes;
   FidelityRule rule;
-  Quality quality = Quality::Best;
+  Effort effort = kUsual;
   double scale = 1;    // of the sizes at the present level
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
@@ -80,12 +81,6 @@ inline void grantProofs(const Run& run, std::size_t perTriangle) {
 }
 
 inline bool areProofsSpent(const Run& run) { return run.rule.bound && run.rule.bound->isSpent(); }
-
-// Where a step costs seconds, and a few triangles more or less near a limit are not seen.
-inline bool isLarge(const Run& run) {
-  constexpr std::size_t kLarge = 100000;
-  return run.mesh.mesh().vertexCount() >= kLarge;
-}
 
 // The run's rule, but more tolerant of folds: for what must go.
 inline FidelityRule lenient(const Run& run) {

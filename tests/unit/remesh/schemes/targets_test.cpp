@@ -45,8 +45,8 @@ TEST_CASE("targets: target sizes at the ends of an edge differ by no more than t
       Projector projector(surface, Projection::Patches, 2 * sizes.mean());
       WorkingMesh mesh(surface);
       Run run{mesh, projector, sizes, {}};
-      CHECK(
-          (scheme == Scheme::Best ? runBest(run, 1500, nullptr, {}) : runRounds(run, {1500}, {})));
+      CHECK((scheme == Scheme::Best ? runBest(run, {1500, Quality::Best, nullptr}, {})
+                                    : runRounds(run, {1500}, {})));
       const double most = steepest(mesh, sizes);
       CHECK(most <= gradation);
       CHECK(most > 1.05);

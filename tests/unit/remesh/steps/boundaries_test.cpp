@@ -86,7 +86,7 @@ TEST_CASE("boundaries: a resampled one stays within 0.1 % of the diagonal, in bo
         Projector projector(surface, Projection::Patches, 2 * sizes.mean());
         WorkingMesh mesh(surface);
         Run run{mesh, projector, sizes, {}};
-        CHECK((adaptivity > 0 ? runBest(run, std::size_t(vertices), nullptr, {})
+        CHECK((adaptivity > 0 ? runBest(run, {std::size_t(vertices), Quality::Best, nullptr}, {})
                               : runRounds(run, {std::size_t(vertices)}, {})));
         CHECK(farthestChord(mesh) < 1e-3 * surface.diagonal());
         CHECK(check(mesh.mesh()) == "");
