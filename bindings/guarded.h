@@ -12,7 +12,8 @@
 
 namespace remesher {
 
-inline emscripten::val failure(ErrorCode code, const std::string& message, const std::string& hint) {
+inline emscripten::val failure(ErrorCode code, const std::string& message,
+                               const std::string& hint) {
   using emscripten::val;
   val error = val::object();
   error.set("code", std::string(name(code)));
