@@ -110,7 +110,8 @@ test('no include is circular', () => {
 });
 
 test('the package imports only itself, and Node only where it runs in Node', () => {
-  const inAdapters = ['remesher', 'three', '@gltf-transform/core', '@gltf-transform/functions'];
+  const inAdapters =
+    ['remesher/arrays', 'three', '@gltf-transform/core', '@gltf-transform/functions'];
   const inNode = /\/((cli|files)\/\w+|node|platform_node|(image_)?worker_node)\.js$/;
   const isCodec = (file, name) =>
     file.endsWith('/textures/bundled_packages.js') && name.startsWith('@jsquash/');
@@ -132,7 +133,7 @@ test('what runs in browsers does not reach what runs in Node', () => {
       .filter((name) => packageFiles.includes(`bindings/package/${name}`))
       .forEach(visit);
   };
-  ['index.js', 'worker.js'].forEach(visit);
+  ['index.js', 'arrays.js', 'worker.js'].forEach(visit);
   assert.ok(reached.size > 10, 'the walk goes through the package');
   assert.deepEqual([...reached].filter((file) => /(^|_)node\.js$|^(cli|files)\//.test(file)), []);
 });

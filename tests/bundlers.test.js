@@ -6,15 +6,13 @@ import assert from 'node:assert/strict';
 import { copyFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { promisify } from 'node:util';
 
 import commonjs from '@rollup/plugin-commonjs';
 import { nodeResolve } from '@rollup/plugin-node-resolve';
 import * as esbuild from 'esbuild';
 import { rollup } from 'rollup';
-import { build as viteBuild, createLogger } from 'vite';
-import webpack from 'webpack';
 
+import { buildByVite, buildByWebpack, html, isPeers, nodeModules } from './support/builders.js';
 import { startChromium } from './support/chromium.js';
 import { nodeProgram, pageProgram } from './support/bake_program.js';
 import { commonProgram, entries, expected, moduleProgram } from './support/entries.js';
@@ -35,14 +33,8 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** glTF-Transform speaks of Node's modules, for a class that is not for browsers. */
-const isPeers = (/** @type {string} */ message) => message.includes('@gltf-transform');
-const nodeModules = /^node:/;
-
 /** Where bundlers put it: remesher.wasm beside the script. */
 const beside = "const wasmUrl = new URL('remesher.wasm', import.meta.url);";
-const html = (head = '') => '<!doctype html><link rel="icon" href="data:,">'
-  + `${head}<script type="module" src="page.js"></script>`;
 
 /** The program of a page. @param {string} place @param {string} wasm as moduleProgram takes it */
 function writePage(place, wasm) {
@@ -58,7 +50,7 @@ async function requireLine(place, path = '/', allowed = '') {
 
 test('the programs reach every entry', () => {
   const reached = [...entries, 'remesher/worker', 'remesher/remesher.wasm',
-    'remesher/package.json'];
+    'remesher/remesher_arrays.wasm', 'remesher/package.json'];
   assert.deepEqual(reached.sort(),
     Object.keys(project.manifest.exports).map((name) => join('remesher', name)).sort());
 });
@@ -74,32 +66,6 @@ test('Node, by require()', { ...limit, skip: !process.features.require_module },
   assert.equal(call(process.execPath, ['program.cjs'], folder).trim(), expected);
 });
 
-/** Builds the page in a folder, into `out`. @param {string} place */
-async function buildByVite(place) {
-  /** @type {string[]} */
-  const said = [];
-  const say = (/** @type {string} */ message) => isPeers(message) || said.push(message);
-  const customLogger = { ...createLogger('silent'), warn: say, warnOnce: say, error: say };
-  await viteBuild({ root: join(folder, place), configFile: false, customLogger,
-    worker: { format: 'es' },
-    build: { target: 'es2022', outDir: 'out', chunkSizeWarningLimit: 2000,
-      rolldownOptions: { checks: { bundlerTimings: false } } } });  // a busy core is no fault
-  assert.deepEqual(said, []);
-}
-
-/** The same. @param {string} place */
-async function buildByWebpack(place) {
-  const compiler = webpack({ mode: 'production', context: folder, performance: false,
-    entry: join(folder, place, 'page.js'),
-    plugins: [new webpack.IgnorePlugin({ resourceRegExp: nodeModules })],
-    optimization: { minimize: false },
-    output: { path: join(folder, place, 'out'), filename: 'page.js' } });
-  const stats = await promisify(compiler.run.bind(compiler))();
-  await promisify(compiler.close.bind(compiler))();
-  assert.deepEqual([...stats.compilation.errors, ...stats.compilation.warnings], []);
-  write(`${place}/out/index.html`, html());
-}
-
 /** What Node says of the textures that it paints. */
 let painted = '';
 before(() => {
@@ -112,20 +78,19 @@ before(() => {
  * A page that paints textures in the worker, and then reaches every entry: what one bundler makes
  * of it does what Node does, and the line of each program comes out.
  * @param {string} place @param {string} wasm as moduleProgram takes it
- * @param {(place: string) => Promise<void>} build
+ * @param {typeof buildByVite} build
  */
 async function requireBoth(place, wasm, build) {
-  write(`${place}/index.html`, html());
   write(`${place}/paint.js`, pageProgram);
   write(`${place}/entries.js`, moduleProgram(wasm, 'export default '));
   write(`${place}/page.js`, `const { default: first } = await import('./paint.js');
 const { default: second } = await import('./entries.js');\ntell(first + ' ' + second);\n`);
-  await build(place);
+  await build(project, place);
   assert.deepEqual(await lineOfPage(browser, join(folder, place, 'out')),
     { line: `${painted} ${expected}`, complaints: [] });
-  // The engine, and the two halves of each codec; PNG has both in one.
+  // Both engines, and the two halves of each codec; PNG has both in one.
   const built = readdirSync(join(folder, place, 'out'), { recursive: true });
-  assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 6);
+  assert.equal(built.filter((file) => file.endsWith('.wasm')).length, 7);
   return built;
 }
 
@@ -139,13 +104,20 @@ test('webpack, with textures painted to the bytes that Node paints', limit, () =
   requireBoth('webpack', "const wasmUrl = new URL('remesher/remesher.wasm', import.meta.url);",
     buildByWebpack));
 
+/** @param {string} place */
+function copyEngines(place) {
+  for (const name of ['remesher.wasm', 'remesher_arrays.wasm']) {
+    copyFileSync(join(installed, name), join(folder, place, name));
+  }
+}
+
 test('esbuild', limit, async () => {
   const page = writePage('esbuild', beside);
   const { warnings } = await esbuild.build({ bundle: true, format: 'esm', target: 'es2022',
     entryPoints: { page, worker: 'remesher/worker' }, absWorkingDir: folder,
     outdir: 'esbuild/out', external: ['node:*'], logLevel: 'silent' });
   assert.deepEqual(warnings, []);
-  copyFileSync(join(installed, 'remesher.wasm'), join(folder, 'esbuild/out/remesher.wasm'));
+  copyEngines('esbuild/out');
   write('esbuild/out/index.html', html());
   await requireLine('esbuild/out');
 });
@@ -165,7 +137,7 @@ test('Rollup', limit, async () => {
     entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js' });
   await bundle.close();
   assert.deepEqual(said, []);
-  copyFileSync(join(installed, 'remesher.wasm'), join(folder, 'rollup/out/remesher.wasm'));
+  copyEngines('rollup/out');
   write('rollup/out/index.html', html());
   await requireLine('rollup/out');
 });

@@ -10,6 +10,7 @@ import { after, test } from 'node:test';
 import { inflateSync } from 'node:zlib';
 
 import * as remesher from 'remesher';
+import * as arrays from 'remesher/arrays';
 import * as gltfTransform from 'remesher/gltf-transform';
 import * as options from 'remesher/options';
 import * as pool from 'remesher/pool';
@@ -50,7 +51,7 @@ function deadLinks(file, links, placesOf) {
 }
 
 test('the reference has a page for every public function, and text on it', () => {
-  const names = { remesher, remesher_options: options, remesher_pool: pool,
+  const names = { remesher, remesher_arrays: arrays, remesher_options: options, remesher_pool: pool,
     'remesher_gltf-transform': gltfTransform, remesher_three: three };
   for (const [module, exported] of Object.entries(names)) {
     for (const [name, value] of Object.entries(exported).filter(([, v]) => v instanceof Function)) {

@@ -15,10 +15,11 @@ import { rejectsWith } from './support/errors.js';
 import { torus } from './support/shapes.js';
 
 const wasm = await readFile(new URL('../dist/remesher.wasm', import.meta.url));
-const module = await WebAssembly.compile(wasm);
+const whole =
+  { engine: /** @type {const} */ ('whole'), module: await WebAssembly.compile(wasm) };
 
 test('the codes are those of the core, in the same order', async () => {
-  const instance = await instantiate(module);
+  const instance = await instantiate(whole);
   assert.deepEqual(instance.errorCodes(), [...errorCodes]);
 });
 
@@ -51,12 +52,12 @@ test('WebAssembly that is broken, not there or not ours is said to be', async ()
   await rejectsWith(initAnew({ wasmurl: 'x' }), 'UNKNOWN_OPTION', /wasmurl/);
   const mesh = torus({ columns: 8, rows: 6 });
   assert.equal((await api.inspect(mesh, { worker: false })).input.vertices, 48);
-  const engine = new Engine(await WebAssembly.compile(other));
+  const engine = new Engine({ ...whole, module: await WebAssembly.compile(other) });
   await rejectsWith(engine.run({ kind: 'inspect', mesh }), 'INTERNAL', /cannot be started/);
 });
 
 test('an exception from inside becomes a RemeshError, and the next run works', async () => {
-  const engine = new Engine(module);
+  const engine = new Engine(whole);
   const mesh = torus({ columns: 8, rows: 6 });
   const poisoned = { get length() { throw new Error('no'); } };
   await rejectsWith(engine.run({ kind: 'inspect', mesh: { ...mesh, positions: poisoned } }),
@@ -66,7 +67,7 @@ test('an exception from inside becomes a RemeshError, and the next run works', a
 });
 
 test('no call leaves an Embind handle behind, whether it succeeds or fails', async () => {
-  const instance = await instantiate(module);
+  const instance = await instantiate(whole);
   const mesh = { ...torus({ columns: 8, rows: 6 }), attributes: [] };
   const still = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   const scene = [{ mesh, places: [still] }];

@@ -19,7 +19,8 @@ const refused = (options, code, pattern) => assert.throws(() => checkOptions(opt
 
 test('defaults of the table are those of the core', async () => {
   const wasm = await readFile(new URL('../dist/remesher.wasm', import.meta.url));
-  const instance = await instantiate(await WebAssembly.compile(wasm));
+  const instance = await instantiate(
+    { engine: 'whole', module: await WebAssembly.compile(wasm) });
   const core = instance.defaultOptions();
   assert.deepEqual(Object.keys(core).sort(), optionTable.map(({ name }) => name).sort());
   for (const { name, default: value } of optionTable) {

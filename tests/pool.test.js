@@ -32,11 +32,11 @@ function countedPool(size) {
       port.terminate();
     } };
   };
-  const compileDefault = () => {
+  const compileArrays = () => {
     counts.compiled += 1;
-    return platform.compileDefault();
+    return platform.compileArrays();
   };
-  return { pool: new PoolOf({ ...platform, spawn, compileDefault }, { size }), counts };
+  return { pool: new PoolOf({ ...platform, spawn, compileArrays }, { size }), counts };
 }
 
 /** Without what a clock says. */
@@ -138,7 +138,7 @@ test('closing before a worker is there leaves none', async () => {
   await Promise.resolve();
   pool.close();
   for (const job of jobs) await assert.rejects(job, isAbort);
-  await platform.compileDefault();
+  await platform.compileArrays();
   assert.equal(counts.alive, 0);
 });
 

@@ -58,6 +58,9 @@ test('Node and browsers are given the same functions', async () => {
     [import('remesher'), import('../dist/index.js')]);
   assert.deepEqual(Object.keys(inNode), Object.keys(inBrowsers));
   assert.deepEqual(Object.keys(inNode).sort(), [...Object.keys(functions), 'RemeshError'].sort());
+  const arrays = await Promise.all([import('remesher/arrays'), import('../dist/arrays.js')]);
+  assert.deepEqual(...arrays.map((module) => Object.keys(module)));
+  assert.deepEqual(Object.keys(arrays[0]).filter((name) => !(name in inNode)), []);
 });
 
 for (const [name, options] of Object.entries(settings)) {

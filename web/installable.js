@@ -40,7 +40,9 @@ export function installable() {
       const { warnings } = await injectManifest({
         swSrc: worker, swDest: worker, globDirectory: outDir,
         globPatterns: ['**/*.{html,js,css,wasm,woff2,obj,glb,svg,webmanifest}'],
-        globIgnores: ['offline.js'], maximumFileSizeToCacheInBytes: 2 ** 24,
+        // Nor what the page, which takes files only, never loads: the engine for arrays.
+        globIgnores: ['offline.js', '**/{remesher_arrays,arrays_script}-*'],
+        maximumFileSizeToCacheInBytes: 2 ** 24,
         dontCacheBustURLsMatching: /^assets\//,
       });
       if (warnings.length) throw new Error(warnings.join(' '));

@@ -65,11 +65,34 @@ async function emitDeclarations() {
   }
 }
 
+/** The whole engine, and the one for arrays. */
+const engines = ['remesher', 'remesher_arrays'];
+
+/** @param {string} engine */
+const filesOf = (engine) => [`build/wasm/${engine}.mjs`, `build/wasm/${engine}.wasm`];
+
+/**
+ * Without the address of its WebAssembly, which it gets compiled: bundlers would lay the file
+ * beside every program that might run the script.
+ * @param {string} script
+ */
+const withoutAddress = (script) =>
+  script.replace(/new URL\((["']\w+\.wasm["']), *import\.meta\.url\)\.(toString\(\)|href)/g, '$1');
+
+/** @param {string} engine */
+async function layEngine(engine) {
+  const [script, wasm] = filesOf(engine);
+  const text = await shortened(withoutAddress(readFileSync(join(root, script), 'utf8')));
+  writeFileSync(join(root, 'dist', basename(script)), text);
+  copyFileSync(join(root, wasm), join(root, 'dist', basename(wasm)));
+  chmodSync(join(root, 'dist', basename(wasm)), 0o644);
+}
+
 export async function assemblePackage() {
   const sources = filesIn('bindings/package');
   const declarations = readdirSync(join(root, 'bindings'))
     .filter((file) => /\.d\.m?ts$/.test(file)).map((file) => `bindings/${file}`);
-  const inputs = [...sources, 'build/wasm/remesher.mjs', 'build/wasm/remesher.wasm',
+  const inputs = [...sources, ...engines.flatMap(filesOf),
     ...declarations, 'bindings/build/assemble.js', 'bindings/build/declarations.js',
     'bindings/tsconfig.json', 'package.json', 'package-lock.json'];
   const stamp = new Stamp('build/dist.stamp', inputs);
@@ -77,24 +100,22 @@ export async function assemblePackage() {
   say('Assembling the package in dist/');
   rmSync(join(root, 'dist'), { recursive: true, force: true });
   cpSync(join(root, 'bindings/package'), join(root, 'dist'), { recursive: true });
-  for (const file of ['build/wasm/remesher.wasm', ...declarations]) {
+  for (const file of declarations) {
     copyFileSync(join(root, file), join(root, 'dist', basename(file)));
   }
-  const glue = readFileSync(join(root, 'build/wasm/remesher.mjs'), 'utf8');
-  const modules = { 'remesher.mjs': await shortened(glue), ...await decoderModules() };
-  for (const [name, text] of Object.entries(modules)) {
+  for (const [name, text] of Object.entries(await decoderModules())) {
     writeFileSync(join(root, 'dist', name), text);
   }
-  chmodSync(join(root, 'dist/remesher.wasm'), 0o644);
+  for (const engine of engines) await layEngine(engine);
   chmodSync(join(root, 'dist/cli/cli.js'), 0o755);
   await emitDeclarations();
   stamp.set();
 }
 
-/** build/profile/package: dist/ with a module whose functions have names. */
+/** build/profile/package: dist/ with an engine for arrays whose functions have names. */
 export function assembleProfile() {
   cpSync(join(root, 'dist'), join(root, 'build/profile/package'), { recursive: true });
-  for (const file of ['remesher.mjs', 'remesher.wasm']) {
+  for (const file of ['remesher_arrays.mjs', 'remesher_arrays.wasm']) {
     copyFileSync(join(root, 'build/profile', file), join(root, 'build/profile/package', file));
   }
 }

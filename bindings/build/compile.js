@@ -67,7 +67,7 @@ async function buildTarget(target) {
 
 /** @param {System} system */
 export const buildWebAssembly = (system) => buildTarget({
-  what: 'the WebAssembly module', folder: 'build/wasm', names: ['remesher'],
+  what: 'the WebAssembly modules', folder: 'build/wasm', names: ['remesher', 'remesher_arrays'],
   definitions: [...commonDefinitions(system), ...wasmDefinitions(system)],
 });
 
@@ -85,7 +85,7 @@ const unitTests = (system) => ({
 
 /** @param {System} system */
 export const buildProfile = (system) => buildTarget({
-  what: 'the WebAssembly module with names', folder: 'build/profile', names: ['remesher'],
+  what: 'the WebAssembly module with names', folder: 'build/profile', names: ['remesher_arrays'],
   definitions: [...commonDefinitions(system), ...wasmDefinitions(system),
     '-DCMAKE_EXE_LINKER_FLAGS=--profiling-funcs'],
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The package in browsers; and what is said of its functions, for every platform.
+// The package in browsers; and what is said of its functions, for every platform. The
+// `new URL(…, import.meta.url)` is written out so that bundlers see it.
 
 import { Api } from './api/api.js';
 import * as platform from './platform_browser.js';
@@ -9,8 +10,9 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
- * @typedef {import('./api/api.js').RemeshResult} RemeshResult
- * @typedef {import('./api/api.js').RemeshSceneResult} RemeshSceneResult
+ * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
+ * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
+ * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./api/inputs.js').Bytes} Bytes
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
@@ -39,11 +41,13 @@ import * as platform from './platform_browser.js';
 
 export { RemeshError } from './base/errors.js';
 
-const api = new Api(platform);
+const compileWhole = () => platform.compileUrl(new URL('./remesher.wasm', import.meta.url));
+const api = new Api({ ...platform, compileWhole }, platform.client);
 
 /**
- * Loads the WebAssembly and starts the worker ahead of time. Optional, and cheap to repeat: the
- * first call decides where the WebAssembly comes from.
+ * Loads the whole engine, which serves files and arrays, and starts the worker ahead of time; with
+ * `arrays` the small one, until there is a file. Optional, and cheap to repeat: the first call
+ * decides where an engine comes from.
  *
  * @param {InitOptions} [options] Where the WebAssembly is; where bundlers put it, if not given.
  * @returns {Promise<void>} Once the next run can begin at once.

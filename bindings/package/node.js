@@ -6,7 +6,7 @@ import * as platform from './platform_node.js';
 
 export { RemeshError } from './base/errors.js';
 
-const api = new Api(platform);
+const api = new Api(platform, platform.client);
 export const init = api.init.bind(api);
 export const remesh = api.remesh.bind(api);
 export const remeshScene = api.remeshScene.bind(api);

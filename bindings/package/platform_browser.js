@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What differs in browsers: where the WebAssembly is and how a worker is started. The
-// `new URL(…, import.meta.url)` is written out so that bundlers see it.
+// What differs in browsers: where the small engine is and how a worker is started; the whole engine
+// is known to those who read files. The `new URL(…, import.meta.url)` is written out so that
+// bundlers see it.
 
+import { Client } from './api/client.js';
 import { compileUrl } from './api/wasm_source.js';
 import { plainWorker } from './plain_worker.js';
 import { portOf } from './worker/browser_port.js';
 
 /** @returns {Promise<WebAssembly.Module>} */
-export function compileDefault() {
-  return compileUrl(new URL('./remesher.wasm', import.meta.url));
+export function compileArrays() {
+  return compileUrl(new URL('./remesher_arrays.wasm', import.meta.url));
 }
 
 export { compileUrl };
@@ -25,3 +27,6 @@ export function spawn(codecs) {
 }
 
 export const cores = () => globalThis.navigator?.hardwareConcurrency || 1;
+
+/** Who runs what the package's functions are asked for, whichever entry they come from. */
+export const client = new Client({ compileArrays, compileUrl, spawn, cores });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What differs in Node: where the WebAssembly is and how a worker is started.
+// What differs in Node: where the engines are and how a worker is started.
 
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -7,7 +7,8 @@ import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 
 import { RemeshError } from './base/errors.js';
-import { compileBinary, compileUrl as compileFetched } from './api/wasm_source.js';
+import { Client } from './api/client.js';
+import { compileBinary, compileUrl as compileFetched, sayWhere } from './api/wasm_source.js';
 
 /** @param {string | URL} url @returns {Promise<Uint8Array<ArrayBuffer> | undefined>} */
 async function readLocal(url) {
@@ -16,7 +17,7 @@ async function readLocal(url) {
     return parsed.protocol === 'file:' ? await readFile(parsed) : undefined;
   } catch (cause) {
     throw new RemeshError('INTERNAL', `${url} cannot be read.`,
-      'Say where remesher.wasm is: init({ wasmUrl }).', { cause });
+      sayWhere, { cause });
   }
 }
 
@@ -27,7 +28,12 @@ export async function compileUrl(url) {
 }
 
 /** @returns {Promise<WebAssembly.Module>} */
-export function compileDefault() {
+export function compileArrays() {
+  return compileUrl(new URL('./remesher_arrays.wasm', import.meta.url));
+}
+
+/** @returns {Promise<WebAssembly.Module>} */
+export function compileWhole() {
   return compileUrl(new URL('./remesher.wasm', import.meta.url));
 }
 
@@ -72,3 +78,6 @@ export function spawnForImages() {
 }
 
 export const cores = availableParallelism;
+
+/** Who runs what the package's functions are asked for, whichever entry they come from. */
+export const client = new Client({ compileArrays, compileUrl, spawn, cores, compileCodec });

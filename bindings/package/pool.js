@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// remesher/pool in browsers; and what is said of it, for every platform.
+// remesher/pool in browsers; and what is said of it, for every platform. The
+// `new URL(…, import.meta.url)` is written out so that bundlers see it.
 
 import { PoolOf } from './api/pool_of.js';
 import * as platform from './platform_browser.js';
@@ -10,9 +11,11 @@ import * as platform from './platform_browser.js';
  */
 /** @import * as Package from './index.js' */
 
+const compileWhole = () => platform.compileUrl(new URL('./remesher.wasm', import.meta.url));
+
 /**
  * Several workers with the package's functions. Each job goes to the first worker that is free;
- * workers start when they are needed, share one compiled module, and keep no program from ending
+ * workers start when they are needed, share compiled modules, and keep no program from ending
  * while they are idle.
  *
  * @example
@@ -25,11 +28,12 @@ export class Pool {
 
   /** @param {PoolOptions} [options] How many workers there may be. */
   constructor(options = {}) {
-    this.#pool = new PoolOf(platform, options);
+    this.#pool = new PoolOf({ ...platform, compileWhole }, options);
   }
 
   /**
-   * Loads the WebAssembly and starts all workers ahead of time. Optional.
+   * Loads an engine, as the package's function does, and starts all workers ahead of time.
+   * Optional.
    *
    * @param {Package.InitOptions} [options] Where the WebAssembly is; where bundlers put it, if not
    *   given.

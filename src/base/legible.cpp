@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 namespace remesher {
 namespace {
@@ -99,6 +102,46 @@ void append(std::string& text, char32_t c) {
   for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80U | (c >> 6 * i & 0x3FU));
 }
 
+// Smaller numbers, and those of more digits before the point than are told, have an exponent.
+constexpr int kSmallestExponent = -4;
+
+// Steps of ten each; the largest power of ten that a double holds exactly is the 22nd.
+double timesTenTo(double x, int power) {
+  double factor = 1;
+  for (int i = std::abs(power); i > 0; --i) {
+    factor *= 10;
+    if (i % 22 != 1) continue;
+    x = power > 0 ? x * factor : x / factor;
+    factor = 1;
+  }
+  return x;
+}
+
+// x ≥ 0 as a whole number of so many digits, times a power of ten: d.ddd × 10^exponent.
+struct Scaled {
+  std::uint64_t whole = 0;
+  int exponent = 0;
+};
+
+Scaled scaled(double x, int digits) {
+  Scaled result;
+  for (double size = x; size >= 10; size /= 10) ++result.exponent;
+  for (double size = x; size < 1; size *= 10) --result.exponent;
+  const auto tooMany = std::uint64_t(timesTenTo(1, digits));
+  const auto roundedAt = [&](int exponent) {
+    return std::uint64_t(std::floor(timesTenTo(x, digits - 1 - exponent) + 0.5));
+  };
+  result.whole = roundedAt(result.exponent);
+  if (result.whole >= tooMany) result.whole = roundedAt(++result.exponent);
+  return result;
+}
+
+std::string withExponent(std::string text, int exponent) {
+  if (text.size() > 1) text.insert(1, ".");
+  const std::string size = std::to_string(std::abs(exponent));
+  return text + (exponent < 0 ? "e-" : "e+") + (size.size() < 2 ? "0" : "") + size;
+}
+
 }  // namespace
 
 std::string legible(std::string_view text) {
@@ -120,6 +163,22 @@ std::string legibleList(const std::vector<std::string>& names) {
     list += (i == 0 ? "" : ", ") + legible(names[i]);
   if (names.size() > kMost) list += " and " + std::to_string(names.size() - kMost) + " more";
   return list;
+}
+
+std::string inDigits(double x, int digits) {
+  const std::string sign = std::signbit(x) ? "-" : "";
+  if (std::isnan(x)) return sign + "nan";
+  if (std::isinf(x)) return sign + "inf";
+  if (x == 0) return sign + "0";
+  const auto [whole, exponent] = scaled(std::abs(x), digits);
+  std::string text = std::to_string(whole);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (exponent < kSmallestExponent || exponent >= digits)
+    return sign + withExponent(std::move(text), exponent);
+  if (exponent < 0) return sign + "0." + std::string(std::size_t(-exponent - 1), '0') + text;
+  const auto before = std::size_t(exponent + 1);
+  if (text.size() <= before) return sign + text + std::string(before - text.size(), '0');
+  return sign + text.insert(before, ".");
 }
 
 }  // namespace remesher

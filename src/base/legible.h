@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Foreign text inside a message of ours: names and lines of files from anywhere may be of any
-// length, and may hold what a terminal obeys or what turns the rest of a line around. The package's
-// base/legible.js does the same.
+// What is put into a message of ours. Foreign text: names and lines of files from anywhere may be
+// of any length, and may hold what a terminal obeys or what turns the rest of a line around. The
+// package's base/legible.js does the same.
 #pragma once
 
 #include <string>
@@ -16,5 +16,9 @@ std::string legible(std::string_view text);
 
 // `a, b, c`; of many names the first few, and how many more there are.
 std::string legibleList(const std::vector<std::string>& names);
+
+// What printf's %g says of a number, without printf, which is large: as many significant digits,
+// from 1 to 17, but no zeros at the end: "0.0125", "1.25e+20", "nan".
+std::string inDigits(double x, int digits);
 
 }  // namespace remesher

@@ -3,7 +3,6 @@
 // and nothing that is computed depends on it.
 #pragma once
 
-#include <chrono>
 #include <string_view>
 #include <vector>
 
@@ -21,13 +20,11 @@ class PhaseClock {
   std::vector<Phase> finish();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void leave();
 
   std::vector<Phase> phases_;
   std::size_t current_ = 0;
-  Clock::time_point entered_;
+  double entered_ = 0;
 };
 
 // The four times of the report, by the names of the phases.

@@ -2,14 +2,13 @@
 #include "jobs/result_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 
+#include "base/legible.h"
 #include "geometry/triangle.h"
 #include "mesh/welding.h"
 
@@ -33,11 +32,7 @@ constexpr double kRounding = 1 + 1e-6;
 // Digits that are told, and how many a double has at most.
 constexpr int kDigits = 4, kMostDigits = 17;
 
-std::string number(double x, int digits = kDigits) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
-  return text.data();
-}
+std::string number(double x) { return inDigits(x, kDigits); }
 
 struct WorstTriangle {
   double angle = std::numeric_limits<double>::infinity();
@@ -80,8 +75,8 @@ std::string place(const Vec3& p, const std::vector<io::Part>& parts) {
   int digits = kDigits;
   for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
     ++digits;
-  std::string text = number(p.x(), digits);
-  for (const double x : {p.y(), p.z()}) text.append(", ").append(number(x, digits));
+  std::string text = inDigits(p.x(), digits);
+  for (const double x : {p.y(), p.z()}) text.append(", ").append(inDigits(x, digits));
   return text;
 }
 

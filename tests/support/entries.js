@@ -11,6 +11,7 @@ const octahedron = `{
 /** The names that it takes, by module. */
 const taken = {
   remesher: ['remesh', 'RemeshError'],
+  'remesher/arrays': ['inspect'],
   'remesher/three': ['remeshGeometry'],
   'remesher/gltf-transform': ['remesh: transform'],
   'remesher/pool': ['Pool'],
@@ -23,7 +24,7 @@ const taken = {
 };
 
 /** What it prints. */
-export const expected = '30 90 25 40 true glb true true true';
+export const expected = '30 8 90 25 40 true glb true true true';
 
 /** The entries that the program reaches. */
 export const entries = Object.keys(taken).filter((name) => name.startsWith('remesher'));
@@ -31,6 +32,7 @@ export const entries = Object.keys(taken).filter((name) => name.startsWith('reme
 const body = `
 const mesh = ${octahedron};
 const own = await remesh(mesh, { vertices: 30 });
+const { input } = await inspect(mesh);
 const { report } = await remeshGeometry(new TorusGeometry(1, 0.4, 12, 24), { vertices: 90 });
 const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT));
 const accessor = (type, array) => document.createAccessor().setType(type).setArray(array)
@@ -46,8 +48,8 @@ await pool.init({ wasmUrl });
 const pooled = await pool.remesh(mesh, { vertices: 40 });
 const failed = await pool.inspect({}).catch((error) => error instanceof RemeshError);
 pool.close();
-const line = [own.report.output.vertices, report.output.vertices, written.getCount(),
-  pooled.report.output.vertices, optionTable.length > 10, formats[0], failed,
+const line = [own.report.output.vertices, input.triangles, report.output.vertices,
+  written.getCount(), pooled.report.output.vertices, optionTable.length > 10, formats[0], failed,
   typeof gunzip === 'function', typeof codecs.worker === 'function'].join(' ');`;
 
 /**

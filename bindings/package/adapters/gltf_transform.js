@@ -2,7 +2,7 @@
 // remesher/gltf-transform: a transform for documents of glTF-Transform.
 
 import { createTransform } from '@gltf-transform/functions';
-import { remeshScene } from 'remesher';
+import { remeshScene } from 'remesher/arrays';
 
 import { RemeshError } from '../base/errors.js';
 import { checkOptions, refuseLods } from '../base/options.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // remesher/three: geometries and scenes of three.js.
 
-import { remeshScene } from 'remesher';
+import { remeshScene } from 'remesher/arrays';
 
 import { RemeshError } from '../base/errors.js';
 import { refuseLods } from '../base/options.js';

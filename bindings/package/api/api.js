@@ -1,42 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The public functions, for whichever platform they are made: each has what the caller gave checked
-// and copied, and hands a job to the client.
+// All public functions, of arrays and of files, for whichever platform they are made.
 
-import { Client } from './client.js';
 import { RemeshError } from '../base/errors.js';
-import { legible } from '../base/legible.js';
-import {
-  buffersOf, copyMesh, copyScene, fileBuffers, fileRequest, isBytes,
-} from './inputs.js';
-import { checkOptions, requireObject } from '../base/options.js';
-import { compileBinary } from './wasm_source.js';
+import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
+import { Client } from './client.js';
+import { fileBuffers, fileRequest, isBytes } from './inputs.js';
+import { checkOptions } from '../base/options.js';
 
-/** @import { Inspection, Mesh, NamedBytes, PlacedMesh } from '../base/messages.js' */
-/** @import { RemeshReport, Warning } from '../base/messages.js' */
+/** @import { Inspection, Mesh, NamedBytes, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
+/** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
+/** @import { Compile } from './modules.js' */
 
 /**
  * @typedef {object} InitOptions
- * @property {string | URL} [wasmUrl] Where remesher.wasm is, if not beside the script.
+ * @property {string | URL} [wasmUrl] Where remesher.wasm is, the whole engine, if not beside the
+ *   script.
  * @property {BufferSource} [wasmBinary] Its bytes, if they are there already.
+ * @property {WasmSource} [arrays] Only the small engine for arrays is loaded, and this is where
+ *   remesher_arrays.wasm is: `{}` for beside the script. The whole one is loaded with the first
+ *   file.
  * @property {import('./client.js').Codecs} [codecs] What `remesher/codecs` exports: images are
  *   decoded and encoded by what the bundler has put beside the worker.
- */
-
-/**
- * @typedef {object} RemeshResult
- * @property {Mesh} mesh Arrays of the types that were given.
- * @property {RemeshReport} report What went in, what came out, and how far the two are apart.
- * @property {Mesh[]} lods The levels of detail that were asked for.
- */
-
-/**
- * @typedef {object} RemeshSceneResult
- * @property {Mesh[]} meshes In the order given, arrays of the types that were given.
- * @property {RemeshReport} report On all of them together.
- * @property {Mesh[][]} lods The same meshes for each level of detail that was asked for.
  */
 
 /**
@@ -53,21 +40,21 @@ import { compileBinary } from './wasm_source.js';
  *   RemeshFileResult
  */
 
-const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
+/** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
+
 const fileNames = /** @type {const} */ (['name', 'resources']);
 
 /** What each function does is said where it is exported, in index.js. */
-export class Api {
+export class Api extends ArraysApi {
   #platform;
   #client;
 
-  /**
-   * @param {Platform} platform
-   * @param {Pick<Client, 'bring' | 'load' | 'warmUp' | 'run'>} [client] who runs the jobs
-   */
+  /** @param {WholePlatform} platform @param {Runner} [client] who runs the jobs */
   constructor(platform, client = new Client(platform)) {
+    super(platform, client);
     this.#platform = platform;
     this.#client = client;
+    client.modules.offer('whole', platform.compileWhole);
   }
 
   /**
@@ -75,35 +62,18 @@ export class Api {
    * @returns {Promise<void>}
    */
   async init(options = {}) {
-    refuseOthers(options, ['wasmUrl', 'wasmBinary', 'codecs']);
-    const { wasmUrl, wasmBinary, codecs } = options;
-    checkSource(wasmUrl, wasmBinary);
+    refuseOthers(options, ['wasmUrl', 'wasmBinary', 'arrays', 'codecs']);
+    const { arrays, codecs } = options;
+    if (arrays !== undefined) refuseOthers(arrays, ['wasmUrl', 'wasmBinary']);
+    const compileWhole = compilerOf(options, this.#platform);
+    const compileArrays = compilerOf(arrays ?? {}, this.#platform);
     if (codecs !== undefined) this.#client.bring(requireCodecs(codecs));
-    if (wasmBinary) await this.#client.load(() => compileBinary(wasmBinary, 'wasmBinary'));
-    else if (wasmUrl) await this.#client.load(() => this.#platform.compileUrl(wasmUrl));
-    await this.#client.warmUp();
-  }
-
-  /**
-   * @param {Mesh} mesh
-   * @param {RemeshOptions & RunOptions} [options]
-   * @returns {Promise<RemeshResult>}
-   */
-  async remesh(mesh, options = {}) {
-    const checked = checkOptions(options, { others: runNames });
-    const { meshes, report, lods } =
-      await this.#runScene([{ mesh: copyMesh(mesh) }], checked, options);
-    return { mesh: meshes[0], report, lods: lods.map(([lod]) => lod) };
-  }
-
-  /**
-   * @param {PlacedMesh[]} parts
-   * @param {RemeshOptions & RunOptions} [options]
-   * @returns {Promise<RemeshSceneResult>}
-   */
-  async remeshScene(parts, options = {}) {
-    const checked = checkOptions(options, { others: runNames });
-    return this.#runScene(copyScene(parts), checked, options);
+    if (arrays) {
+      if (compileWhole) this.#client.modules.offer('whole', compileWhole);
+      await start(this.#client, 'arrays', compileArrays);
+    } else {
+      await start(this.#client, 'whole', compileWhole);
+    }
   }
 
   /**
@@ -139,34 +109,12 @@ export class Api {
    */
   async inspect(bytesOrMesh, options = {}) {
     refuseOthers(options, [...runNames, ...fileNames]);
-    if (isBytes(bytesOrMesh)) {
-      const file = await fileRequest(bytesOrMesh, options);
-      return this.#client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
+    if (!isBytes(bytesOrMesh)) {
+      const { signal, onProgress, worker } = options;
+      return super.inspect(bytesOrMesh, { signal, onProgress, worker });
     }
-    const copy = copyMesh(bytesOrMesh);
-    return this.#client.run({ kind: 'inspect', mesh: copy }, buffersOf(copy), options);
-  }
-
-  /**
-   * @param {PlacedMesh[]} parts our own
-   * @param {Record<string, unknown>} checked
-   * @param {RunOptions} options
-   * @returns {Promise<RemeshSceneResult>}
-   */
-  #runScene(parts, checked, options) {
-    return this.#client.run({ kind: 'remesh', parts, options: checked },
-      parts.flatMap(({ mesh }) => buffersOf(mesh)), options);
-  }
-}
-
-/** @param {unknown} wasmUrl @param {unknown} wasmBinary */
-function checkSource(wasmUrl, wasmBinary) {
-  if (wasmUrl !== undefined && typeof wasmUrl !== 'string' && !(wasmUrl instanceof URL)) {
-    throw new RemeshError('INVALID_OPTION', 'wasmUrl must be a string or a URL.');
-  }
-  if (wasmBinary !== undefined && !ArrayBuffer.isView(wasmBinary)
-    && !(wasmBinary instanceof ArrayBuffer)) {
-    throw new RemeshError('INVALID_OPTION', 'wasmBinary must be an ArrayBuffer or a typed array.');
+    const file = await fileRequest(bytesOrMesh, options);
+    return this.#client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
   }
 }
 
@@ -175,14 +123,4 @@ function requireCodecs(codecs) {
   const { worker, load } = /** @type {any} */ (codecs ?? {});
   if (typeof worker === 'function' && typeof load === 'function') return { worker, load };
   throw new RemeshError('INVALID_OPTION', 'codecs must be what remesher/codecs exports.');
-}
-
-/** @param {object} options @param {readonly string[]} known */
-function refuseOthers(options, known) {
-  requireObject(options);
-  const unknown = Object.keys(options).find((name) => !known.includes(name));
-  if (unknown) {
-    throw new RemeshError('UNKNOWN_OPTION', `There is no option ${legible(unknown)} here.`,
-      `There are ${known.join(', ')}.`);
-  }
 }

@@ -2,11 +2,13 @@
 // Who runs a job: one worker, kept warm, one job at a time in the order of asking; or an engine in
 // the calling thread where there are no workers or none is wanted. Aborting a running job
 // terminates its worker, which frees all it held; the next job starts another from the module
-// compiled already. Every promise settles.
+// compiled already. Arrays make do with the small engine until the whole one is there: then that
+// takes its place. Every promise settles.
 
 import { RemeshError, abortError, errorFrom } from '../base/errors.js';
+import { Modules, neededBy } from './modules.js';
 
-/** @import { FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
+/** @import { EngineName, FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
 
 /**
  * A worker, the same in browsers and Node.
@@ -28,7 +30,7 @@ import { RemeshError, abortError, errorFrom } from '../base/errors.js';
 
 /**
  * @typedef {object} Platform
- * @property {() => Promise<WebAssembly.Module>} compileDefault
+ * @property {() => Promise<WebAssembly.Module>} compileArrays the small engine
  * @property {(url: string | URL) => Promise<WebAssembly.Module>} compileUrl
  * @property {(codecs?: Codecs) => WorkerPort | undefined} spawn
  * @property {() => number} cores how many workers can be busy at once
@@ -71,12 +73,12 @@ const mostHelpers = 4;
 
 export class Client {
   #platform;
-  /** @type {Promise<WebAssembly.Module> | undefined} */
-  #module;
-  /** @type {Promise<import('../worker/engine.js').Engine> | undefined} */
+  /** @type {import('../worker/engine.js').Engine | undefined} in the calling thread */
   #engine;
   /** @type {WorkerPort | undefined} */
   #worker;
+  /** @type {EngineName | undefined} which engine the worker has */
+  #inWorker;
   /** @type {Task[]} the first is running, if #isRunning */
   #tasks = [];
   #isRunning = false;
@@ -84,26 +86,15 @@ export class Client {
   /** @type {Codecs | undefined} */
   #codecs;
 
-  /** @param {Platform} platform */
-  constructor(platform) {
+  /** @param {Platform} platform @param {Modules} [modules] of a pool */
+  constructor(platform, modules = new Modules(platform.compileArrays)) {
     this.#platform = platform;
+    this.modules = modules;
   }
 
   /** For workers and engines that start from now on. @param {Codecs} codecs */
   bring(codecs) {
     this.#codecs = codecs;
-  }
-
-  /**
-   * The compiled module; the first call says where it comes from, a failed one may be repeated.
-   * @param {() => Promise<WebAssembly.Module>} compile
-   */
-  load(compile = () => this.#platform.compileDefault()) {
-    if (!this.#module) {
-      this.#module = compile();
-      this.#module.catch(() => (this.#module = undefined));
-    }
-    return this.#module;
   }
 
   /**
@@ -135,19 +126,31 @@ export class Client {
     });
   }
 
-  /** Makes the worker, if there can be one. @returns {Promise<WorkerPort | undefined>} */
-  async warmUp() {
-    const module = await this.load();
+  /**
+   * The worker, if there can be one, with an engine for jobs that need this one: the first it had
+   * gives way to another.
+   * @param {EngineName} needed
+   * @returns {Promise<WorkerPort | undefined>}
+   */
+  async warmUp(needed) {
+    const { engine, module } = await this.modules.load(needed);
     if (this.#isClosed) throw abortError();
-    if (this.#worker) return this.#worker;
+    const worker = this.#worker ?? this.#spawn();
+    if (!worker || this.#inWorker === engine) return worker;
+    this.#inWorker = engine;
+    const helpers = Math.min(mostHelpers, this.#platform.cores() - 1);
+    worker.post({ type: 'start', engine, module, helpers }, []);
+    return worker;
+  }
+
+  #spawn() {
     const worker = this.#platform.spawn(this.#codecs);
     if (!worker) return undefined;
     this.#worker = worker;
+    this.#inWorker = undefined;
     worker.listen(
       (message) => this.#receive(worker, message),
       (why) => this.#fail(worker, why));
-    const helpers = Math.min(mostHelpers, this.#platform.cores() - 1);
-    worker.post({ type: 'start', module, helpers }, []);
     worker.keepAlive(false);
     return worker;
   }
@@ -157,7 +160,7 @@ export class Client {
     if (this.#isRunning || !task) return;
     this.#isRunning = true;
     try {
-      const worker = await this.warmUp();
+      const worker = await this.warmUp(neededBy(task.job));
       if (this.#tasks[0] !== task) return; // aborted meanwhile
       if (!worker) {
         const result = await this.#runHere(task.job, task);
@@ -235,16 +238,23 @@ export class Client {
       'Check that worker.js is served beside the script, or pass worker: false.'));
   }
 
+  /** In the calling thread, as in the worker. @param {EngineName} needed */
+  async #engineHere(needed) {
+    const { Engine } = await import('../worker/engine.js');
+    const loaded = await this.modules.load(needed);
+    if (this.#engine?.name !== loaded.engine) {
+      this.#engine = new Engine(loaded,
+        { load: this.#codecs?.load, compile: this.#platform.compileCodec });
+    }
+    return this.#engine;
+  }
+
   /**
    * @param {Job} job
    * @param {{ signal?: AbortSignal, onProgress?: (event: ProgressEvent) => void }} options
    */
   async #runHere(job, { signal, onProgress }) {
-    this.#engine ??= Promise.all([import('../worker/engine.js'), this.load()])
-      .then(([{ Engine }, module]) => new Engine(module,
-        { load: this.#codecs?.load, compile: this.#platform.compileCodec }));
-    this.#engine.catch(() => (this.#engine = undefined));
-    const engine = await this.#engine;
+    const engine = await this.#engineHere(neededBy(job));
     if (signal?.aborted) throw abortError();
     /** @type {unknown} */
     let thrown;

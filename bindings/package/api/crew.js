@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Runs jobs as a client does, but several at once: a client for each worker, all with one compiled
-// module. Jobs wait in the order of asking for the first client that is free; those of lower number
-// come first, so that no more workers are started than are needed.
+// Runs jobs as a client does, but several at once: a client for each worker, all with the same
+// compiled modules. Jobs wait in the order of asking for the first client that is free; those of
+// lower number come first, so that no more workers are started than are needed.
 
 import { Client, checkRun } from './client.js';
+import { Modules } from './modules.js';
 import { abortError } from '../base/errors.js';
 
-/** @import { Job } from '../base/messages.js' */
+/** @import { EngineName, Job } from '../base/messages.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 
 /**
@@ -27,16 +28,9 @@ export class Crew {
   constructor(platform, size) {
     /** @type {Platform} */
     const own = { ...platform, cores: () => Math.floor(platform.cores() / size) }; // each its share
-    /** @type {Platform} */
-    const shared = { ...own, compileDefault: () => first.load(platform.compileDefault) };
-    const first = new Client(own);
-    this.#clients = [first, ...Array.from({ length: size - 1 }, () => new Client(shared))];
+    this.modules = new Modules(platform.compileArrays);
+    this.#clients = Array.from({ length: size }, () => new Client(own, this.modules));
     this.#free = new Set(this.#clients);
-  }
-
-  /** The compiled module, see Client. @param {() => Promise<WebAssembly.Module>} [compile] */
-  load(compile) {
-    return this.#clients[0].load(compile);
   }
 
   /** See Client. @param {import('./client.js').Codecs} codecs */
@@ -44,10 +38,9 @@ export class Crew {
     for (const client of this.#clients) client.bring(codecs);
   }
 
-  /** Makes all workers; the first of them is the answer. */
-  async warmUp() {
-    await this.load();
-    const [first] = await Promise.all(this.#clients.map((client) => client.warmUp()));
+  /** Makes all workers; the first of them is the answer. @param {EngineName} needed */
+  async warmUp(needed) {
+    const [first] = await Promise.all(this.#clients.map((client) => client.warmUp(needed)));
     return first;
   }
 

@@ -7,6 +7,7 @@ import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { requireObject } from '../base/options.js';
 
+/** @import { WholePlatform } from './api.js' */
 /** @import { Platform } from './client.js' */
 
 /**
@@ -37,7 +38,7 @@ function sizeOf(options, platform) {
 export class PoolOf extends Api {
   #crew;
 
-  /** @param {Platform} platform @param {PoolOptions} options */
+  /** @param {WholePlatform} platform @param {PoolOptions} options */
   constructor(platform, options) {
     const crew = new Crew(platform, sizeOf(options, platform));
     super(platform, crew);

@@ -4,7 +4,9 @@
 
 import { RemeshError } from '../base/errors.js';
 
-const sayWhere = 'Serve remesher.wasm beside the script, or say where it is: init({ wasmUrl }).';
+export const sayWhere =
+  'Serve it beside the script, or say where it is: init({ wasmUrl }), or '
+  + ' for the small engine init({ arrays: { wasmUrl } }).';
 
 /** @param {Uint8Array} bytes @param {string} where */
 function checkMagic(bytes, where) {

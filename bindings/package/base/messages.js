@@ -43,6 +43,13 @@
  */
 
 /**
+ * Which engine: the small one, which knows arrays only, or the whole.
+ * @typedef {'arrays' | 'whole'} EngineName
+ */
+
+/** @typedef {{ engine: EngineName, module: WebAssembly.Module }} Loaded */
+
+/**
  * What an engine is asked to do.
  * @typedef {{ kind: 'remesh', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
@@ -73,8 +80,9 @@
  */
 
 /**
- * To the worker: first the compiled module, then jobs, one at a time.
- * @typedef {{ type: 'start', module: WebAssembly.Module, helpers: number }
+ * To the worker: first the compiled module, then jobs, one at a time. Another module takes the
+ * place of the first.
+ * @typedef {Loaded & { type: 'start', helpers: number }
  *   | { type: 'job', job: Job, progress: boolean }} ToWorker
  */
 

@@ -3,12 +3,10 @@
 // into plain objects and errors. An instance that has failed in itself, or whose memory has grown
 // large (it never shrinks), is dropped; the next call makes a new one from the compiled module.
 
-import createInstance from '../remesher.mjs';
-import { decompress } from '../codecs/decompress.js';
-import { gunzipAll } from '../codecs/gunzip.js';
 import { RemeshError } from '../base/errors.js';
 
 /** @typedef {import('../base/messages.js').Job} Job */
+/** @typedef {import('../base/messages.js').Loaded} Loaded */
 /** @typedef {import('../base/messages.js').Mesh} Mesh */
 /** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
@@ -17,11 +15,15 @@ import { RemeshError } from '../base/errors.js';
 // draft of ten thousand vertices.
 const keptMemory = 64 * 2 ** 20;
 
-/**
- * @param {WebAssembly.Module} module
- * @returns {Promise<any>}
- */
-export function instantiate(module) {
+// What belongs to each, loaded when it is needed: with the small one not what opens files.
+const scripts = {
+  arrays: () => import('./arrays_script.js'),
+  whole: () => import('./whole_script.js'),
+};
+
+/** @param {Loaded} loaded @returns {Promise<any>} */
+export async function instantiate({ engine, module }) {
+  const { createInstance } = await scripts[engine]();
   return new Promise((resolve, reject) => {
     /**
      * @param {WebAssembly.Imports} imports
@@ -97,18 +99,22 @@ function call(instance, job, ask) {
 }
 
 export class Engine {
-  #module;
+  #loaded;
   #codecs;
   /** @type {Promise<any> | undefined} */
   #instance;
 
   /**
-   * @param {WebAssembly.Module} module
+   * @param {Loaded} loaded
    * @param {import('../textures/image_codecs.js').CodecSource} [codecs]
    */
-  constructor(module, codecs = {}) {
-    this.#module = module;
+  constructor(loaded, codecs = {}) {
+    this.#loaded = loaded;
     this.#codecs = codecs;
+  }
+
+  get name() {
+    return this.#loaded.engine;
   }
 
   /**
@@ -118,8 +124,7 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    const plainJob = 'file' in job
-      ? { ...job, file: await decompress(await gunzipAll(job.file)) } : job;
+    const plainJob = 'file' in job ? await (await scripts.whole()).opened(job) : job;
     if (plainJob.kind !== 'remeshFile' || plainJob.options.textures !== 'bake') {
       return this.#run(plainJob, onProgress);
     }
@@ -155,11 +160,11 @@ export class Engine {
 
   async #start() {
     try {
-      return await (this.#instance ??= instantiate(this.#module));
+      return await (this.#instance ??= instantiate(this.#loaded));
     } catch (cause) {
       this.#instance = undefined;
       throw new RemeshError('INTERNAL', `The WebAssembly cannot be started: ${String(cause)}.`,
-        'Are remesher.wasm and the script of one version?', { cause });
+        'Are its file and the script of one version?', { cause });
     }
   }
 

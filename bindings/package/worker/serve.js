@@ -28,7 +28,7 @@ export function serve(post, codecs) {
   let engine;
   return async (message) => {
     if (message.type === 'start') {
-      engine = new Engine(message.module, { ...codecs, helpers: message.helpers });
+      engine = new Engine(message, { ...codecs, helpers: message.helpers });
       return;
     }
     try {

@@ -5,13 +5,14 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+// First, before tinygltf brings the same.
 #include "io/gltf/tinygltf.h"
+#include "io/model/json.h"
 #include "io/model/model.h"
 
 namespace remesher::io {

@@ -3,9 +3,10 @@
 // names, which is ours: a second one is large. Of the headers two are those that it forgets to
 // include, or includes hidden.
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
+
+#include "io/model/json.h"
 
 // What tinygltf calls std: the same, but for the streams that it puts its messages together in.
 // Those of the library bring its locales along, a fourteenth of our module.

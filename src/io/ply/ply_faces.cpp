@@ -11,6 +11,9 @@
 namespace remesher::io {
 namespace {
 
+// Of what is no number of a vertex: all that a double is sure to hold.
+constexpr int kIndexDigits = 15;
+
 // What a property of a face says.
 enum class Role { Corners, Texcoords, TextureNumber, Ignored };
 
@@ -33,17 +36,12 @@ std::vector<Role> rolesOf(PlyBody& body, const PlyElement& element) {
   return roles;
 }
 
-std::string inDigits(double number) {
-  const bool isWhole = std::abs(number) < 1e15 && number == std::trunc(number);
-  return isWhole ? std::to_string(static_cast<long long>(number)) : std::to_string(number);
-}
-
 // The vertex that a number names.
 Index vertexAt(PlyBody& body, double number, Index vertexCount) {
   if (number >= 0 && number < vertexCount && number == static_cast<Index>(number))
     return static_cast<Index>(number);
   body.fail(ErrorCode::IndexOutOfRange,
-            "a face names vertex " + inDigits(number) + ", but there are " +
+            "a face names vertex " + inDigits(number, kIndexDigits) + ", but there are " +
                 std::to_string(vertexCount) + ", counted from 0.",
             "Repair the file: every face may name only vertices that are there.");
 }

@@ -3,7 +3,8 @@
 
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
+
+#include "io/model/json.h"
 
 namespace remesher::io {
 namespace {

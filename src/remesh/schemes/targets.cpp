@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "base/legible.h"
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
 
@@ -22,6 +23,9 @@ constexpr std::size_t kFewestVertices = 4;
 // would do for some meshes, and more than there are addresses, or numbers for six halfedges to a
 // vertex, for none.
 constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
+
+// Of numbers in messages.
+constexpr int kDigits = 6;
 
 double mostVertices(const BuiltMesh& built) {
   constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
@@ -58,7 +62,7 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give one value for each input vertex.");
   for (std::size_t i = 0; i < density.size(); ++i)
     require(std::isfinite(density[i]) && density[i] >= 0,
-            "density[" + std::to_string(i) + "] is " + std::to_string(density[i]) + ".",
+            "density[" + std::to_string(i) + "] is " + inDigits(density[i], kDigits) + ".",
             "Densities are finite numbers of at least 0.");
   require(*std::max_element(density.begin(), density.end()) > 0, "density is 0 everywhere.",
           "Give at least one value above 0; only their ratios count.");
@@ -68,11 +72,11 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
 
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(options.gradation > 1,
-          "gradation is " + std::to_string(options.gradation) + ", not above 1.",
+          "gradation is " + inDigits(options.gradation, kDigits) + ", not above 1.",
           "Sizes need room to change: 1.5 is usual.");
   const double adaptivity = options.adaptivity.value_or(0);
   require(adaptivity >= 0 && adaptivity <= 1,
-          "adaptivity is " + std::to_string(adaptivity) + ", not between 0 and 1.",
+          "adaptivity is " + inDigits(adaptivity, kDigits) + ", not between 0 and 1.",
           "0 gives even triangles, 1 follows curvature fully.");
   require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
           "It is a percentage of the bounding box diagonal.");

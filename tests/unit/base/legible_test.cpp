@@ -5,9 +5,26 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
 #include <utility>
 
+#include "base/random.h"
+
 using namespace remesher;
+
+namespace {
+
+std::string printed(double x, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+  return text.data();
+}
+
+}  // namespace
 
 TEST_CASE("legible: what can be read stays as it is") {
   for (const char* text : {"", "wood.png", "a b/ä-日本.obj", "C:\\x", "🦊 %20", "~^`"})
@@ -59,4 +76,35 @@ TEST_CASE("legible: of a long text the two ends are shown") {
   // What is spelled out is long as it is shown.
   for (const std::size_t length : {31UL, 100UL, 100000UL})
     CHECK(legible(std::string(length, '\0')).size() == 119 + 3);
+}
+
+TEST_CASE("legible: numbers, as printf tells them, which rounds nothing differently there") {
+  for (const double x : {0.0, -0.0, 1.0, -1.0, 9.9996, 0.0001, 0.00001, 123456.0, 1e6, 999999.5e3,
+                         0.3, 1e22, 1e23, 1.7e308, 2.3e-308, 33.75, 1e-4, 99995e-9, 12e15}) {
+    for (int digits = 1; digits <= 15; ++digits) {
+      CAPTURE(x);
+      CAPTURE(digits);
+      // Halves, which printf rounds to the even digit, go up.
+      const std::string text = inDigits(x, digits);
+      const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+      const bool isHalf = std::abs(std::abs(std::remainder(x / unit, 1)) - 0.5) < 1e-6;
+      if (!isHalf) CHECK(text == printed(x, digits));
+    }
+  }
+  CHECK(inDigits(std::numeric_limits<double>::infinity(), 4) == "inf");
+  CHECK(inDigits(-std::numeric_limits<double>::infinity(), 4) == "-inf");
+  CHECK(inDigits(std::abs(std::numeric_limits<double>::quiet_NaN()), 4) == "nan");
+}
+
+TEST_CASE("legible: any number is told to half of the last digit, but for the last bits") {
+  Random random(1);
+  for (int k = 0; k < 20000; ++k) {
+    const double x = (random.uniform() - 0.5) * std::pow(10, 600 * random.uniform() - 300);
+    const int digits = 1 + k % 17;
+    CAPTURE(x);
+    CAPTURE(digits);
+    const double told = std::strtod(inDigits(x, digits).c_str(), nullptr);
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(x))) + 1 - digits);
+    CHECK(std::abs(told - x) <= 0.5001 * unit + 16 * std::abs(x) * 0x1p-53);
+  }
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the whole WebAssembly module has besides: files. What is reached from here only, as readers
+// and writers, is not linked into the other.
+#include <emscripten/bind.h>
+
+#include "from_js.h"
+#include "guarded.h"
+#include "remesher.h"
+#include "to_js.h"
+
+namespace remesher {
+namespace {
+
+using emscripten::val;
+
+// request: { name, bytes, resources, output }
+val remeshBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RemeshFileResult run =
+        remeshFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
+                   progressFrom(onProgress));
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
+    if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources, output }
+val convertBytes(const val& request) {
+  return guarded([&] {
+    const ConvertFileResult run =
+        convertFile(bundleFrom(request), request["output"].as<std::string>());
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
+    result.set("warnings", objectFrom(run.warnings));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources }
+val inspectBytes(const val& request) {
+  return guarded([&] { return objectFrom(inspectFile(bundleFrom(request))); });
+}
+
+// For the tests that hold the lists of both languages together.
+val errorCodes() {
+  val result = val::array();
+  for (std::string_view code : kErrorCodeNames) result.call<void>("push", std::string(code));
+  return result;
+}
+
+val defaultOptions() { return objectFrom(RemeshOptions()); }
+
+EMSCRIPTEN_BINDINGS(remesher_files) {
+  emscripten::function("remeshFile", &remeshBytes);
+  emscripten::function("convertFile", &convertBytes);
+  emscripten::function("inspectFile", &inspectBytes);
+  emscripten::function("errorCodes", &errorCodes);
+  emscripten::function("defaultOptions", &defaultOptions);
+}
+
+}  // namespace
+}  // namespace remesher

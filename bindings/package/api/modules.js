@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The two engines as compiled modules, of one client or of all of a pool: the small one, for
+// arrays, and the whole one. Each is compiled when it is needed first. The whole one, once it is
+// there, serves arrays too: nobody holds both.
+
+/** @import { EngineName, Job, Loaded } from '../base/messages.js' */
+
+/** @typedef {() => Promise<WebAssembly.Module>} Compile */
+
+/** @param {Job} job @returns {EngineName} the least that can run it */
+export const neededBy = ({ kind }) =>
+  (kind === 'remesh' || kind === 'inspect' ? 'arrays' : 'whole');
+
+export class Modules {
+  /** @type {Partial<Record<EngineName, Compile>>} */
+  #sources = {};
+  /** @type {Partial<Record<EngineName, Promise<WebAssembly.Module>>>} */
+  #loading = {};
+
+  /** @param {Compile} compileArrays */
+  constructor(compileArrays) {
+    this.#sources.arrays = compileArrays;
+  }
+
+  /** Where one comes from, if nobody says otherwise. @param {EngineName} engine
+   * @param {Compile} compile */
+  offer(engine, compile) {
+    this.#sources[engine] = compile;
+  }
+
+  /**
+   * What runs jobs that need this engine. The first call says where a module comes from, a failed
+   * one may be repeated. Where the small one is not to be had, as beside scripts that were bundled
+   * before there was one, the whole one does its work.
+   * @param {EngineName} needed
+   * @param {Compile} [compile]
+   * @returns {Promise<Loaded>}
+   */
+  async load(needed, compile) {
+    const engine = this.#loading.whole ? 'whole' : needed;
+    try {
+      return { engine, module: await this.#compiled(engine, compile) };
+    } catch (error) {
+      if (engine === 'whole' || compile || !this.#sources.whole) throw error;
+      return this.load('whole');
+    }
+  }
+
+  /** @param {EngineName} engine @param {Compile | undefined} compile */
+  #compiled(engine, compile = this.#sources[engine]) {
+    const known = this.#loading[engine];
+    if (known) return known;
+    const loading = /** @type {Compile} */ (compile)();
+    this.#loading[engine] = loading;
+    loading.then(
+      () => engine === 'whole' && delete this.#loading.arrays,
+      () => delete this.#loading[engine]);
+    return loading;
+  }
+}
