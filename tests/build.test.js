@@ -127,6 +127,14 @@ test('a clang without the libraries of its sanitizers is none', () => {
     answers: { '/usr/bin/clang++': runtime } })), undefined);
 });
 
+test('a clang that names a folder of its target has its libraries beside it', () => {
+  const of = (/** @type {string[]} */ libraries) => findSanitizingClang(system({
+    files: ['/usr/bin/clang++', ...libraries],
+    answers: { '/usr/bin/clang++': '/lib/clang/x86_64-pc-linux-gnu' } }));
+  assert.equal(of([`${runtime}/libclang_rt.asan-x86_64.a`]), '/usr/bin/clang++');
+  assert.equal(of([]), undefined);
+});
+
 test('any Chromium will do, the named one before all, then the one without windows', () => {
   const chrome = { files: ['/usr/bin/google-chrome'] };
   assert.equal(findChromium(system(chrome)), '/usr/bin/google-chrome');

@@ -62,15 +62,19 @@ export function findFirefox(system) {
 }
 
 /**
- * A clang++ that has the libraries of its sanitizers: it finds more than g++, in less time.
+ * A clang++ that has the libraries of its sanitizers: it finds more than g++, in less time. Some
+ * (Debian's from 17 on) name a folder called after the target, which is not there, and look into
+ * the one called `linux` beside it.
  * @param {System} system
  */
 export function findSanitizingClang(system) {
   const clang = findProgram(system, 'clang++') ?? findProgram(system, 'clang++-14');
   if (!clang || system.platform === 'darwin') return clang;
-  const folder = system.ask(clang, ['-print-runtime-dir']);
+  const named = system.ask(clang, ['-print-runtime-dir']);
+  const folders = [named, join(dirname(named), 'linux')];
   const names = ['libclang_rt.asan-x86_64.a', 'libclang_rt.asan-aarch64.a', 'libclang_rt.asan.a'];
-  return names.some((name) => system.exists(join(folder, name))) ? clang : undefined;
+  return folders.some((folder) => names.some((name) => system.exists(join(folder, name))))
+    ? clang : undefined;
 }
 
 /** @param {string} name */
