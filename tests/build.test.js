@@ -114,6 +114,23 @@ test('what is missing is named in a line each, as the package manager calls it',
     'tinygltf 2: REMESHER_INCLUDE', 'g++: PATH']);
 });
 
+test('Ubuntu has no browsers in its archive: they are named as snaps', () => {
+  const ubuntu = system({ ...debian, osRelease: 'ID=ubuntu\nID_LIKE=debian' });
+  const [chromium] = needs.filter(({ name }) => name === 'Chromium');
+  assert.deepEqual(advice(ubuntu, [chromium]),
+    ['Chromium is missing: sudo snap install chromium']);
+  assert.deepEqual(advice(debian, [chromium]),
+    ['Chromium is missing: sudo apt-get install chromium']);
+});
+
+test('warnings are errors where the compilers are known', () => {
+  const areErrors = (/** @type {string} */ osRelease) =>
+    !commonDefinitions(system({ osRelease })).some((word) => word.includes('AS_ERROR=OFF'));
+  assert.deepEqual(['ID=debian\nVERSION_ID="12"', 'ID=debian\nVERSION_ID="13"',
+    'ID=debian', 'ID=debian\nVERSION_ID="14"', 'ID=ubuntu\nVERSION_ID="24.04"', 'ID=fedora']
+    .map(areErrors), [true, true, false, false, false, false]);
+});
+
 test('every need can be had from apt, and only tests need what only checks', () => {
   assert.deepEqual(needs.filter(({ packages }) => !packages.apt), []);
   const bare = system({ osRelease: 'ID=ubuntu' });
@@ -125,6 +142,14 @@ test('every need can be had from apt, and only tests need what only checks', () 
 test('a clang without the libraries of its sanitizers is none', () => {
   assert.equal(findSanitizingClang(system({ files: ['/usr/bin/clang++'],
     answers: { '/usr/bin/clang++': runtime } })), undefined);
+});
+
+test('a clang that names a folder of its target has its libraries beside it', () => {
+  const of = (/** @type {string[]} */ libraries) => findSanitizingClang(system({
+    files: ['/usr/bin/clang++', ...libraries],
+    answers: { '/usr/bin/clang++': '/lib/clang/x86_64-pc-linux-gnu' } }));
+  assert.equal(of([`${runtime}/libclang_rt.asan-x86_64.a`]), '/usr/bin/clang++');
+  assert.equal(of([]), undefined);
 });
 
 test('any Chromium will do, the named one before all, then the one without windows', () => {

@@ -87,8 +87,9 @@ test('in the background, without frames, the page goes on and shows its result l
 });
 
 test('where memory ends that is said, the last result stays, and the page goes on', async () => {
+  const megabytes = 20;
   const { page: small } = await openPage(site, { ...sight,
-    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), 20) });
+    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), megabytes) });
   await settled(small);
   const refused = async () => {
     await small.waitForSelector('#error:visible');
@@ -101,8 +102,9 @@ test('where memory ends that is said, the last result stays, and the page goes o
   await small.fill('#target', '60000');
   await small.click('form button[type=submit]');
   await refused();
-  await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '',
-    buffer: Buffer.from(stl(ring({ columns: 320, rows: 200 }))) });
+  const large = Buffer.from(stl(ring({ columns: 1000, rows: 215 })));
+  assert.ok(large.length > megabytes * 2 ** 20, 'not even the file itself has room');
+  await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '', buffer: large });
   await refused();
   await small.fill('#target', '400');
   await small.click('form button[type=submit]');

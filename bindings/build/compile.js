@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { findEmscripten, findSanitizingClang } from './needs.js';
 import { ask, root, run, say } from './say.js';
-import { includeFolders, packageManager } from './system.js';
+import { includeFolders, isKnown } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 
@@ -18,7 +18,7 @@ export function commonDefinitions(system) {
   return [
     `-DREMESHER_INCLUDE=${includeFolders(system).join(';')}`,
     '-DREMESHER_UNITY=ON', '-DREMESHER_PRECOMPILE=ON',
-    ...(packageManager(system) === 'apt' ? [] : ['-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF']),
+    ...(isKnown(system) ? [] : ['-DCMAKE_COMPILE_WARNING_AS_ERROR=OFF']),
   ];
 }
 

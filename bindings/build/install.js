@@ -4,7 +4,7 @@
 import { advice, missingNeeds } from './needs.js';
 import { ask, BuildError, run, say } from './say.js';
 import { Stamp } from './stamp.js';
-import { packageManager } from './system.js';
+import { isUbuntu, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 
@@ -16,8 +16,9 @@ async function installDebianPackages(system, needs) {
   const [command, ...first] = [...(system.isRoot ? [] : ['sudo', '-n']), 'env',
     'DEBIAN_FRONTEND=noninteractive', 'apt-get'];
   await run(command, [...first, 'update', '-qq']);
-  const packages = needs.flatMap(({ lighter, packages: { apt = '' } }) =>
-    (lighter && isInArchive(lighter) ? lighter : apt).split(' '));
+  const packages = needs.filter(({ ubuntu }) => !(ubuntu && isUbuntu(system)))
+    .flatMap(({ lighter, packages: { apt = '' } }) =>
+      (lighter && isInArchive(lighter) ? lighter : apt).split(' '));
   await run(command, [...first, 'install', '-y', '-qq', '--no-install-recommends', ...packages]);
 }
 

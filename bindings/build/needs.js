@@ -2,7 +2,7 @@
 // What the build needs, how it is found, and how each package manager calls it.
 import { dirname, join } from 'node:path';
 
-import { findHeader, findProgram, packageManager } from './system.js';
+import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
@@ -15,6 +15,7 @@ import { findHeader, findProgram, packageManager } from './system.js';
  * @property {(system: System) => string | undefined} find where it is
  * @property {Partial<Record<Manager, string>>} packages
  * @property {string} [lighter] taken instead of apt's where the archive has it, as Debian's does
+ * @property {string} [ubuntu] the command for Ubuntu, whose archive has no browsers
  * @property {string} [variable] names the place where it is; PATH if it does not say
  */
 
@@ -62,15 +63,19 @@ export function findFirefox(system) {
 }
 
 /**
- * A clang++ that has the libraries of its sanitizers: it finds more than g++, in less time.
+ * A clang++ that has the libraries of its sanitizers: it finds more than g++, in less time. Some
+ * (Debian's from 17 on) name a folder called after the target, which is not there, and look into
+ * the one called `linux` beside it.
  * @param {System} system
  */
 export function findSanitizingClang(system) {
   const clang = findProgram(system, 'clang++') ?? findProgram(system, 'clang++-14');
   if (!clang || system.platform === 'darwin') return clang;
-  const folder = system.ask(clang, ['-print-runtime-dir']);
+  const named = system.ask(clang, ['-print-runtime-dir']);
+  const folders = [named, join(dirname(named), 'linux')];
   const names = ['libclang_rt.asan-x86_64.a', 'libclang_rt.asan-aarch64.a', 'libclang_rt.asan.a'];
-  return names.some((name) => system.exists(join(folder, name))) ? clang : undefined;
+  return folders.some((folder) => names.some((name) => system.exists(join(folder, name))))
+    ? clang : undefined;
 }
 
 /** @param {string} name */
@@ -124,7 +129,7 @@ export const needs = [
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
   { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',
-    lighter: 'chromium-headless-shell',
+    lighter: 'chromium-headless-shell', ubuntu: 'sudo snap install chromium',
     packages: { apt: 'chromium', dnf: 'chromium', pacman: 'chromium', apk: 'chromium',
       brew: '--cask chromium', nix: 'chromium' } },
   { name: 'Redis', parts: ['tests'], find: program('redis-server'),
@@ -137,6 +142,7 @@ export const needs = [
     packages: { apt: 'assimp-utils', dnf: 'assimp', pacman: 'assimp', brew: 'assimp',
       nix: 'assimp' } },
   { name: 'Firefox', parts: ['bits'], find: findFirefox, variable: 'REMESHER_FIREFOX',
+    ubuntu: 'sudo snap install firefox',
     packages: { apt: 'firefox-esr', dnf: 'firefox', pacman: 'firefox', apk: 'firefox-esr',
       brew: '--cask firefox', nix: 'firefox-esr' } },
 ];
@@ -164,7 +170,8 @@ const installing = {
  */
 export function advice(system, missing) {
   const manager = packageManager(system);
-  return missing.map(({ name, packages, variable: place = 'PATH' }) => {
+  return missing.map(({ name, packages, ubuntu, variable: place = 'PATH' }) => {
+    if (ubuntu && isUbuntu(system)) return `${name} is missing: ${ubuntu}`;
     const words = packages[manager];
     if (words) return `${name} is missing: ${installing[manager]} ${words}`;
     if (name.startsWith('Emscripten')) {

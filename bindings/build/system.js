@@ -51,6 +51,13 @@ export function packageManager(system) {
   return distributions.find(([, pattern]) => pattern.test(system.osRelease))?.[0] ?? 'none';
 }
 
+/** Ubuntu, and what is made of it. @param {System} system */
+export const isUbuntu = ({ osRelease }) => /^(ID|ID_LIKE)=.*\bubuntu\b/m.test(osRelease);
+
+/** Whose compilers have been held to no warnings: Debian 12 and 13. @param {System} system */
+export const isKnown = ({ osRelease }) =>
+  /^ID=debian$/m.test(osRelease) && /^VERSION_ID="?1[23]"?$/m.test(osRelease);
+
 /** @param {string | undefined} list @param {System} system */
 const splitPath = (list, system) =>
   (list ?? '').split(system.platform === 'win32' ? ';' : ':').filter(Boolean);

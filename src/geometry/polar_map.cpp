@@ -21,7 +21,7 @@ void PolarMap::build(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
   center_ = v;
   neighbors_.clear();
   spokes_.clear();
-  const Vec3 center = positions[v];
+  const Vec3& center = positions[v];
   mesh.forEachNeighbor(v, [&](Vertex n) {
     neighbors_.push_back(n);
     spokes_.push_back(positions[n] - center);

@@ -154,7 +154,10 @@ std::vector<Value> AccessorReader::values() const {
 template <class Value>
 void AccessorReader::applySparse(std::vector<Value>& values) const {
   const auto& sparse = accessor_.sparse;
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+  // Offsets are ints in tinygltf 2.7 and sizes in 2.9, where what is negative wraps around.
+  const auto isNegative = [](std::int64_t number) { return number < 0; };
+  if (isNegative(sparse.count) || isNegative(sparse.indices.byteOffset) ||
+      isNegative(sparse.values.byteOffset))
     fail("has a malformed sparse part");
   const auto count = static_cast<std::size_t>(sparse.count);
   const std::size_t indexSize = componentSize(sparse.indices.componentType);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/mtl.h"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,11 +29,8 @@ bool beginsNumber(std::string_view word) {
 }
 
 std::optional<double> numberIn(std::string_view word) {
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, problem] = fast_float::from_chars(word.data(), end, value);
-  if (problem != std::errc() || stop != end || !std::isfinite(value)) return {};
-  return value;
+  const std::optional<double> value = TextScanner::numberIn(word);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // One to three numbers; those that are missing are as they were.

@@ -27,6 +27,7 @@ struct Corner {
 
   bool operator==(const Corner&) const = default;
 };
+using CornerField = Index Corner::*;
 
 struct ObjContent {
   std::vector<Vec3> positions;
@@ -143,11 +144,11 @@ void ObjReader::readFace() {
   if (polygon_.size() < 3)
     scanner_.fail(ErrorCode::ParseError, "a face has fewer than three corners.");
   // A face whose corners disagree in what they name has none of it.
-  const auto lacks = [&](Index Corner::*field) {
+  const auto lacks = [&](CornerField field) {
     return std::any_of(polygon_.begin(), polygon_.end(),
                        [&](const Corner& corner) { return corner.*field == kNone; });
   };
-  for (Index Corner::*field : {&Corner::texcoord, &Corner::normal})
+  for (const CornerField field : {&Corner::texcoord, &Corner::normal})
     if (lacks(field))
       for (Corner& corner : polygon_) corner.*field = kNone;
 
@@ -243,7 +244,7 @@ struct ListedValues {
   const char* semantic;
   int itemSize;
   const std::vector<float>& values;
-  Index Corner::*field;
+  CornerField field;
 };
 
 Attribute gathered(const ListedValues& list, const Wedges& wedges) {
@@ -267,7 +268,7 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
   for (const Corner& corner : wedges.corners)
     mesh.positions.push_back(content.positions[corner.position]);
 
-  const auto anyGroup = [&](bool ObjGroup::*field) {
+  const auto anyGroup = [&](auto field) {
     return std::any_of(groups.begin(), groups.end(),
                        [&](const ObjGroup& group) { return group.*field; });
   };

@@ -89,13 +89,12 @@ double TextScanner::anyNumber(std::string_view what) {
   const std::string_view text = word();
   const char* const begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
   const char* const end = text.data() + text.size();
-  double value = 0;
-  const auto [stop, problem] = fast_float::from_chars(begin, end, value);
-  if (problem != std::errc() || stop != end)
+  const std::optional<double> value = numberIn({begin, static_cast<std::size_t>(end - begin)});
+  if (!value)
     fail(ErrorCode::ParseError,
          text.empty() ? legible(what) + " is missing."
                       : legible(what) + " is not a number: \"" + legible(text) + "\".");
-  return value;
+  return *value;
 }
 
 double TextScanner::number(std::string_view what) {
@@ -112,6 +111,16 @@ float TextScanner::singleNumber(std::string_view what) {
     fail(ErrorCode::NonFinite, legible(what) + " is too large for a number of single precision.",
          "Only the coordinates of vertices may be larger.");
   return static_cast<float>(value);
+}
+
+std::optional<double> TextScanner::numberIn(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, problem] = fast_float::from_chars(text.data(), end, value);
+  // Of what no double holds, newer versions say so; all versions give infinity or zero for it.
+  const bool isRead = problem == std::errc() || problem == std::errc::result_out_of_range;
+  if (!isRead || stop != end) return {};
+  return value;
 }
 
 TextScanner::IntegerAndRest TextScanner::leadingInteger(std::string_view text) {

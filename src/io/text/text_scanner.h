@@ -4,6 +4,7 @@
 // by a backslash at its end. Numbers do not depend on the machine's locale.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,9 @@ class TextScanner {
 
   // How many bytes follow.
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+
+  // All of `text` as a number: infinity or zero where no double is as large or as small.
+  static std::optional<double> numberIn(std::string_view text);
 
   // The number at the start of `text`, and what follows it; nothing read when rest == text.
   struct IntegerAndRest {

@@ -15,9 +15,8 @@ class Star {
  public:
   void gather(const WorkingMesh& mesh, Vertex center) {
     spokes_.clear();
-    mesh.mesh().forEachNeighbor(center, [&](Vertex v) {
-      spokes_.push_back({&mesh.position(v), &mesh.normal(v)});
-    });
+    const auto add = [&](Vertex v) { spokes_.push_back({&mesh.position(v), &mesh.normal(v)}); };
+    mesh.mesh().forEachNeighbor(center, add);
   }
 
   std::size_t size() const { return spokes_.size(); }

@@ -55,7 +55,8 @@ void onEveryHalfedge(Body body) {
   for (const shapes::Shape& shape : shapes::all()) {
     CAPTURE(shape.name);
     const HalfedgeMesh original = buildMesh(shape.mesh).mesh;
-    for (Index h = 0; h<original.halfedgeCapacity(); h += original.faceCount()> 80 ? 5 : 1) {
+    const Index stride = original.faceCount() > 80 ? 5 : 1;
+    for (Index h = 0; h < original.halfedgeCapacity(); h += stride) {
       CAPTURE(h);
       HalfedgeMesh mesh = original;
       body(mesh, Halfedge(h));

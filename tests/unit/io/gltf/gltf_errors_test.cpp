@@ -91,22 +91,19 @@ TEST_CASE("gltf: buffer views whose numbers have fractions or too many digits ar
 }
 
 TEST_CASE("gltf: whatever refers to accessors or buffer views that are not there is refused") {
-  checkContains(failureAfter([](Json& t) {
-                  t["skins"] = {{{"inverseBindMatrices", 2}}};
-                }),
+  const auto failureWith = [](const char* member, const Json& value) {
+    return failureAfter([&](Json& t) { t[member] = value; });
+  };
+  checkContains(failureWith("skins", {{{"inverseBindMatrices", 2}}}),
                 "refers to accessor 2, which is not there");
-  checkContains(failureAfter([](Json& t) {
-                  t["images"] = {{{"bufferView", 2}}};
-                }),
+  checkContains(failureWith("images", {{{"bufferView", 2}}}),
                 "refers to buffer view 2, which is not there");
-  checkContains(failureAfter([](Json& t) {
-                  t["images"] = {{{"bufferView", 0.5}}};
-                }),
+  checkContains(failureWith("images", {{{"bufferView", 0.5}}}),
                 "refers to buffer view by what is no number");
-  checkContains(failureAfter([](Json& t) {
-                  t["meshes"][0]["primitives"][0]["targets"] = {7, {{"A", 0}}};
-                }),
-                "morph targets are no list of attributes");
+  const Json targets = {7, {{"A", 0}}};
+  checkContains(
+      failureAfter([&](Json& t) { t["meshes"][0]["primitives"][0]["targets"] = targets; }),
+      "morph targets are no list of attributes");
 }
 
 TEST_CASE("gltf: primitives that are none are refused, for those behind them have their numbers") {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <string_view>
 
 #include "io/files.h"
@@ -46,6 +47,15 @@ TEST_CASE("text_scanner: numbers in every notation, and nothing else") {
   for (const double expected : {1.5, -2e-3, 0.5, 7.0}) CHECK(scanner.number("it") == expected);
   CHECK(failureOf([&] { scanner.number("it"); }).find("PARSE_ERROR") == 0);
   CHECK(failureOf([&] { scanner.number("it"); }).find("it is missing") != std::string::npos);
+}
+
+TEST_CASE("text_scanner: what no double holds is infinite or zero in all of fast_float") {
+  TextScanner scanner("1e999 -1e999 1e-999 1e999x", "t");
+  CHECK(scanner.nextLine());
+  CHECK(failureOf([&] { scanner.number("it"); }).find("NON_FINITE") == 0);
+  CHECK(scanner.anyNumber("it") == -std::numeric_limits<double>::infinity());
+  CHECK(scanner.number("it") == 0);
+  CHECK(failureOf([&] { scanner.number("it"); }).find("PARSE_ERROR") == 0);
 }
 
 TEST_CASE("text_scanner: names that a file gives are quoted legibly, to the end of the sentence") {
