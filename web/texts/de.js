@@ -274,8 +274,8 @@ export default {
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
   'help.scheme': 'rounds: Algorithmus 2 des Berichts, Schritt für Schritt; best: unser eigener',
   'help.quality': 'draft: in einem Bruchteil der Zeit, fast so gut, Abstände nur grob gemessen',
-  'help.projection': 'auf das Original über einander überlappende Flecken, oder auf das jetzige '
-    + 'Netz',
+  'help.projection': 'patches: auf das Original, über einander überlappende Flecken oder, bei best '
+    + 'ab 8000 Punkten, auf dem Weg zur nächsten Stelle; current: auf das jetzige Netz',
   'help.fidelity': 'ein Schritt wird verweigert, wenn nicht jedes Paar von Normalen innerhalb der '
     + 'Winkel unten liegt (strict), wenn nicht wenigstens eines (loose), oder nur, wo ein Dreieck '
     + 'umklappte (fold)',

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "remesh/accuracy/refine_excess.h"
+#include "remesh/gate/angles.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
