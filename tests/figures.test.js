@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { cppFunctions } from './support/cpp_functions.js';
+import { dialsIn, dialsOfRooms, mostDials } from './support/dials.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
 } from './support/figures.js';
@@ -99,4 +100,17 @@ test(`most functions have at most ${limits.habit} lines`, () => {
 test(`a function has at most ${limits.parameters} parameters`, () => {
   const wrong = functions.filter(({ parameters }) => parameters > limits.parameters);
   assert.deepEqual(wrong.map(({ where }) => where), []);
+});
+
+test('dials are counted, several to a statement, and no calls or mentions', () => {
+  assert.equal(dialsIn(`constexpr double kOne = 1, kTwo = 2.5;  // not kThree = 3
+    inline constexpr Effort kRow = {1, 2}; const double kFour = std::cos(kOne);
+    if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`), 5);
+});
+
+test('the algorithm has no more dials than it had', () => {
+  const all = dialsOfRooms();
+  assert.ok(all.every(([, dials]) => dials > 0), 'every room is looked at');
+  const sum = all.reduce((total, [, dials]) => total + dials, 0);
+  assert.ok(sum <= mostDials, `${sum} dials, at most ${mostDials}: derive the new one, or measure`);
 });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Prints how large the house is: modules in each folder, and of each tree the longest files, the
-// longest functions and those with most parameters.
+// Prints how large the house is: modules in each folder, dials in each room of the algorithm, and of
+// each tree the longest files, the longest functions and those with most parameters.
 //   npm run figures
+import { dialsOfRooms, mostDials } from '../support/dials.js';
 import { filesWithSizes, folderSizes, limits, shareOfLong } from '../support/figures.js';
 import { markdownTable } from './table.js';
 
@@ -22,6 +23,8 @@ function print(title, names, rows) {
 
 print(`Folders (at most ${limits.modules} modules)`, ['folder', 'modules', 'files'],
   [...folderSizes(files)].map(([folder, size]) => [folder, size.modules, size.files]));
+
+print(`Dials (at most ${mostDials} in all)`, ['room of the algorithm', 'dials'], dialsOfRooms());
 
 print('Trees', ['tree', 'files', 'lines', 'functions', 'median', 'longest', `% > ${limits.habit}`],
   trees.map((top) => {
