@@ -29,7 +29,7 @@ test('defaults of the table are those of the core', async () => {
   }
 });
 
-test('a default that depends on the scheme is the core’s own: given, it changes no byte', async () => {
+test('a default that depends on the scheme is the core’s own: it changes no byte', async () => {
   const byScheme = optionTable.filter(({ default: value }) => typeof value === 'object');
   assert.ok(byScheme.length > 0);
   const ring = signetRing();

@@ -27,7 +27,8 @@ const memory = join(root, 'build/checks');
 const portion = 6;
 /** Their cases take seconds each: they begin first, each by itself, so that none is left to the end
  * with the other cores idle. */
-const slowest = ['tests/unit/textures/charts/unwrap_test.cpp', 'tests/unit/remesh/schemes/follow_test.cpp'];
+const slowest = ['tests/unit/textures/charts/unwrap_test.cpp',
+  'tests/unit/remesh/schemes/follow_test.cpp'];
 /** No case takes a tenth of this, on busy cores. */
 const longest = 900_000;
 

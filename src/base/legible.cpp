@@ -176,7 +176,7 @@ std::string inDigits(double x, int digits) {
   if (exponent < kSmallestExponent || exponent >= digits)
     return sign + withExponent(std::move(text), exponent);
   if (exponent < 0) return sign + "0." + std::string(std::size_t(-exponent - 1), '0') + text;
-  const auto before = std::size_t(exponent + 1);
+  const std::size_t before = std::size_t(exponent) + 1;
   if (text.size() <= before) return sign + text + std::string(before - text.size(), '0');
   return sign + text.insert(before, ".");
 }

@@ -19,7 +19,12 @@ const columns = ['case', 'without', 'same', 'time ×', '50–60° pts', 'mean °
 
 /** @typedef {Record<string, number>} Figures of one run */
 
-/** @param {string} model @param {string | undefined} folder @param {number} vertices @param {string[]} steps */
+/**
+ * @param {string} model
+ * @param {string | undefined} folder
+ * @param {number} vertices
+ * @param {string[]} steps
+ */
 function runsBy(model, folder, vertices, steps) {
   const mesh = loadModel(model, folder);
   if (!mesh) return undefined;
@@ -51,7 +56,10 @@ function rowOf(name, step, whole, without) {
     fixed(more('valence6'), 2)];
 }
 
-/** @param {Record<string, any>} cases @param {{ folder?: string, names: string[], steps: string[] }} wanted */
+/**
+ * @param {Record<string, any>} cases
+ * @param {{ folder?: string, names: string[], steps: string[] }} wanted
+ */
 export function runAblation(cases, { folder, names, steps }) {
   const rows = [];
   for (const [name, { model, vertices }] of Object.entries(cases)) {

@@ -275,8 +275,8 @@ export default {
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
   'help.scheme': 'rounds : l’algorithme 2 du rapport, pas à pas ; best : le nôtre',
   'help.quality': 'draft : en une fraction du temps, presque aussi bon, distances peu mesurées',
-  'help.projection': 'patches : sur l’original, par des disques qui se recouvrent ou, avec best et à '
-    + 'partir de 8000 sommets, en allant au point le plus proche ; current : sur le maillage actuel',
+  'help.projection': 'patches : sur l’original, par des disques qui se recouvrent ou, avec best '
+    + 'dès 8000 points, en allant au plus proche ; current : sur le maillage actuel',
   'help.fidelity': 'un pas est refusé si une paire de normales dépasse les angles ci-dessous '
     + '(strict), si toutes les dépassent (loose), ou seulement là où un triangle se retournerait '
     + '(fold)',

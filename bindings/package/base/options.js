@@ -46,8 +46,8 @@ export const optionTable = [
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
-    help: 'patches: onto the original surface, through overlapping disk patches or, with best from ' +
-      '8000 vertices on, by walking to the nearest point; current: on the current mesh' },
+    help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
+      'from 8000 vertices on, by walking to the nearest point; current: on the current mesh' },
   { name: 'fidelity', flag: '--fidelity F', type: 'choice', choices: ['strict', 'loose', 'fold'],
     default: { best: 'fold', rounds: 'loose' },
     help: 'refuse an operation unless every pair of normals is within the angles below (strict), ' +
