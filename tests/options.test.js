@@ -9,7 +9,7 @@ import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options'
 
 import { helpText, parseCommandLine } from '../dist/cli/cli_arguments.js';
 import { instantiate } from '../dist/worker/engine.js';
-import { signetRing } from './support/shapes.js';
+import { drilledTorus } from './support/shapes.js';
 
 const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
   assert.equal(error.code, code);
@@ -32,9 +32,9 @@ test('defaults of the table are those of the core', async () => {
 test('a default that depends on the scheme is the core’s own: it changes no byte', async () => {
   const byScheme = optionTable.filter(({ default: value }) => typeof value === 'object');
   assert.ok(byScheme.length > 0);
-  const ring = signetRing();
+  const surface = drilledTorus();
   const positionsWith = async (/** @type {import('remesher').RemeshOptions} */ options) =>
-    (await remesh(ring, { vertices: 900, worker: false, ...options })).mesh.positions;
+    (await remesh(surface, { vertices: 2500, worker: false, ...options })).mesh.positions;
   for (const [scheme, otherScheme] of [['best', 'rounds'], ['rounds', 'best']]) {
     const untold = await positionsWith({ scheme });
     for (const option of byScheme) {
