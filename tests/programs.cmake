@@ -81,6 +81,7 @@ add_executable(unit_tests
   tests/unit/patches/patch_atlas_test.cpp
   tests/unit/patches/point_location_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/schemes/follow_test.cpp
   tests/unit/schemes/remesh_test.cpp
   tests/unit/schemes/rounds_test.cpp

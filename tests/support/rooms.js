@@ -21,6 +21,7 @@ export const coreRooms = {
   schemes: ['base', 'soup', 'mesh', 'geometry', 'curves', 'surface', 'operators', 'gate',
     'thinning', 'steps', 'accuracy', 'attributes'],
   measure: ['base', 'soup', 'geometry'],
+  'repair/holes': ['base', 'soup', 'mesh', 'geometry', 'measure'],
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],
   'io/ply': ['base', 'io/model', 'io/text'],
