@@ -68,6 +68,29 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
   });
 }
 
+val repairArrays(const val& mesh, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RepairResult run = repair(meshFrom(mesh), optionsFrom(options), progressFrom(onProgress));
+    val result = val::object();
+    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources, output }
+val repairBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RemeshFileResult run =
+        repairFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
+                   progressFrom(onProgress));
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
 // request: { name, bytes, resources, output }
 val convertBytes(const val& request) {
   return guarded([&] {
@@ -101,6 +124,8 @@ val defaultOptions() { return objectFrom(RemeshOptions()); }
 EMSCRIPTEN_BINDINGS(remesher) {
   emscripten::function("remesh", &remeshParts);
   emscripten::function("remeshFile", &remeshBytes);
+  emscripten::function("repair", &repairArrays);
+  emscripten::function("repairFile", &repairBytes);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspect", &inspectArrays);
   emscripten::function("inspectFile", &inspectBytes);

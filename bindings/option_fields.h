@@ -30,6 +30,8 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("textureFormat", options.textureFormat);
   visit("density", options.density);
   visit("featureEdges", options.featureEdges);
+  visit("repair", options.repair);
+  visit("holesUpTo", options.holesUpTo);
   visit("lods", options.lods);
   visit("lodFiles", options.lodFiles);
 }

@@ -84,10 +84,12 @@ const belongsInForm = ({ name, flag, form }) =>
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 
-/** How large and of which format new textures are means nothing without them.
+/** How large and of which format new textures are, and how long the holes to be closed, means
+ * nothing without them.
  * @param {string} name @param {Values} values */
-const isIdle = (name, { textures }) =>
-  name !== 'textures' && ofTextures.includes(name) && textures !== 'bake';
+const isIdle = (name, { textures, repair }) =>
+  (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
+  || (name === 'holesUpTo' && (repair ?? 'off') === 'off');
 
 export class Panel {
   #form;

@@ -8,12 +8,13 @@ import { legible } from '../base/legible.js';
 import {
   buffersOf, copyMesh, copyScene, fileBuffers, fileRequest, isBytes,
 } from './inputs.js';
-import { checkOptions, requireObject } from '../base/options.js';
+import { checkOptions, checkRepair, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
 /** @import { Inspection, Mesh, NamedBytes, PlacedMesh } from '../base/messages.js' */
-/** @import { RemeshReport, Warning } from '../base/messages.js' */
+/** @import { RemeshReport, RepairReport, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
+/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo'>} RepairOptions */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
 
@@ -51,6 +52,17 @@ import { compileBinary } from './wasm_source.js';
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>}
  *   RemeshFileResult
+ */
+
+/**
+ * @typedef {object} RepairResult
+ * @property {Mesh} mesh Arrays of the types that were given.
+ * @property {RepairReport} report What went in, what was mended, what came out.
+ */
+
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RepairResult, 'report'>}
+ *   RepairFileResult
  */
 
 const runNames = /** @type {const} */ (['signal', 'onProgress', 'worker']);
@@ -116,6 +128,32 @@ export class Api {
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, report };
+  }
+
+  /**
+   * @param {Mesh} mesh
+   * @param {RepairOptions & RunOptions} [options]
+   * @returns {Promise<RepairResult>}
+   */
+  async repair(mesh, options = {}) {
+    const checked = checkRepair(options, runNames);
+    const parts = [{ mesh: copyMesh(mesh) }];
+    const { meshes, report } = await this.#client.run({ kind: 'repair', parts, options: checked },
+      buffersOf(parts[0].mesh), options);
+    return { mesh: meshes[0], report };
+  }
+
+  /**
+   * @param {Bytes} bytes
+   * @param {RepairOptions & FileOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<RepairFileResult>}
+   */
+  async repairFile(bytes, options = {}) {
+    const checked = checkRepair(options, [...runNames, ...fileNames, 'output']);
+    const file = await fileRequest(bytes, options);
+    const { files, report } = await this.#client.run(
+      { kind: 'repairFile', file, options: checked }, fileBuffers(file), options);
     return { ...files[0], files, report };
   }
 

@@ -123,7 +123,9 @@ ClosedHoles closeHoles(const TriangleMesh& input, double longest) {
   result.islands = kept.islands;
   result.trianglesRemoved = kept.trianglesRemoved;
   result.turned = kept.turned;
+  const std::size_t before = kept.built.mesh.faceCount();
   result.mesh = Closer(input, kept.built, std::move(loops)).run();
+  result.plugTriangles = result.mesh.triangleCount() - before;
   return result;
 }
 
