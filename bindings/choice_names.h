@@ -26,7 +26,11 @@ inline constexpr Names<Textures, 2> kTextures = {
     {{"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
-inline constexpr Names<Repair, 2> kRepairs = {{{"off", Repair::Off}, {"holes", Repair::Holes}}};
+inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
+                                               {"holes", Repair::Holes},
+                                               {"solid", Repair::Solid},
+                                               {"wrap", Repair::Wrap},
+                                               {"auto", Repair::Auto}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},

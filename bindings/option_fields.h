@@ -32,6 +32,7 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("featureEdges", options.featureEdges);
   visit("repair", options.repair);
   visit("holesUpTo", options.holesUpTo);
+  visit("gap", options.gap);
   visit("lods", options.lods);
   visit("lodFiles", options.lodFiles);
 }

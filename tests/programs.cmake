@@ -82,6 +82,9 @@ add_executable(unit_tests
   tests/unit/patches/point_location_test.cpp
   tests/unit/remesher_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
+  tests/unit/repair/repair_test.cpp
+  tests/unit/repair/solid/cell_loops_test.cpp
+  tests/unit/repair/solid/solid_test.cpp
   tests/unit/schemes/follow_test.cpp
   tests/unit/schemes/remesh_test.cpp
   tests/unit/schemes/rounds_test.cpp

@@ -294,7 +294,11 @@ export default {
   'unit.% of the diagonal': '% der Diagonale',
   'option.repair': 'Reparatur',
   'option.holesUpTo': 'Löcher bis',
-  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest lassen',
+  'option.gap': 'Lücke',
+  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest lassen; '
+    + 'solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
+    + 'als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
+  'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
   'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
   'option.textures': 'Texturen',
   'option.textureSize': 'Texturgröße',

@@ -14,7 +14,7 @@ import { compileBinary } from './wasm_source.js';
 /** @import { Inspection, Mesh, NamedBytes, PlacedMesh } from '../base/messages.js' */
 /** @import { RemeshReport, RepairReport, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
-/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo'>} RepairOptions */
+/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
 

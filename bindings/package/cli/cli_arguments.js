@@ -223,7 +223,7 @@ export function parseCommandLine(words) {
     else setOwn(line, flag, value);
   }
   setNames(line, names);
-  if (line.command === 'repair') line.options.repair ??= 'holes';
+  if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
   checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
