@@ -30,6 +30,9 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("textureFormat", options.textureFormat);
   visit("density", options.density);
   visit("featureEdges", options.featureEdges);
+  visit("repair", options.repair);
+  visit("holesUpTo", options.holesUpTo);
+  visit("gap", options.gap);
   visit("lods", options.lods);
   visit("lodFiles", options.lodFiles);
 }

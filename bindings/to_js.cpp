@@ -53,6 +53,21 @@ val objectFrom(const FidelityReport& fidelity) {
   return result;
 }
 
+val objectFrom(const RepairReport& repair) {
+  val result = val::object();
+  val selfIntersections = val::array();
+  for (const std::size_t count : repair.selfIntersections)
+    selfIntersections.call<void>("push", double(count));
+  result.set("mode", repair.mode);
+  result.set("holes", double(repair.holes));
+  result.set("islands", double(repair.islands));
+  result.set("shells", double(repair.shells));
+  result.set("turned", double(repair.turned));
+  result.set("lost", repair.lost);
+  result.set("selfIntersections", selfIntersections);
+  return result;
+}
+
 val objectFrom(const Timings& timings) {
   val result = val::object();
   result.set("read", timings.read);
@@ -140,6 +155,7 @@ val objectFrom(const Report& report) {
   result.set("input", objectFrom(report.input));
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
+  if (report.repair) result.set("repair", objectFrom(*report.repair));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
   result.set("phases", listFrom(report.phases));

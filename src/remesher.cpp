@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <new>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "base/legible.h"
 #include "io/formats.h"
+#include "jobs/mending.h"
 #include "jobs/part_report.h"
 #include "jobs/part_scale.h"
 #include "jobs/part_targets.h"
 #include "jobs/precision.h"
 #include "jobs/result_check.h"
+#include "jobs/run_guards.h"
 #include "remesh/schemes/remesh.h"
 #include "textures/repaint.h"
 
@@ -25,7 +25,6 @@ namespace remesher {
 namespace {
 
 // The shares of a run's time, about.
-constexpr double kReadShare = 0.05;
 constexpr double kMeasureShare = 0.15;
 
 // Every part remeshed, and a report on all but reading and writing.
@@ -84,18 +83,6 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   return run;
 }
 
-// What the machine cannot hold is said like everything else; all that was held is free again.
-template <class Body>
-auto withinMemory(Body body) {
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-  } catch (const std::length_error&) {
-  }
-  throw Error(ErrorCode::OutOfMemory, "The run needs more memory than there is.",
-              "Ask for fewer vertices, or give the model in parts.");
-}
-
 // The same for parts of any size.
 Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& options,
                  const Progress& progress) {
@@ -113,12 +100,6 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
   run.report.warnings =
       joined(std::move(run.report.warnings), fartherThanAsked(run.report, options));
   return run;
-}
-
-Report timed(Report report, PhaseClock& clock) {
-  report.phases = clock.finish();
-  report.timings = timingsOf(report.phases);
-  return report;
 }
 
 // What a level of detail asks for: that share of what the whole does, or as few vertices as the
@@ -162,26 +143,6 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
     runs.push_back(std::move(run));
   }
   return runs;
-}
-
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
-  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts));
-  const std::vector<io::Part> scaled = scale.applied(parts);
-  return inspectParts(scaled, weldingsOf(scaled));
-}
-
-// Errors that speak of a vertex or a triangle alone do not say of which file.
-template <class Body>
-auto inFile(const std::string& name, Body body) {
-  try {
-    return body();
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    const bool saysWhere = name.empty() || message.find(legible(name)) != std::string::npos;
-    if (error.code == ErrorCode::Cancelled || saysWhere) throw;
-    throw Error(error.code, legible(name) + ": " + message, error.hint);
-  }
 }
 
 constexpr double kPaintShare = 0.4;
@@ -328,7 +289,11 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (auto& [mesh, places] : scene) parts.push_back({"", std::move(mesh), std::move(places)});
-  std::vector<Run> runs = remeshAll(parts, options, progress.timedBy(clock));
+  const Progress whole = progress.timedBy(clock);
+  const double mended = mendShare(options);
+  const Mending mending(parts, options, whole.part(0, mended));
+  std::vector<Run> runs = remeshAll(parts, options, whole.part(mended, 1));
+  mending.note(runs.front().report);
   std::vector<std::vector<TriangleMesh>> levels;
   for (Run& run : runs) {
     levels.emplace_back();
@@ -338,6 +303,14 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
       std::move(levels.front()), timed(std::move(runs.front().report), clock), {}};
   result.lods.assign(std::next(levels.begin()), levels.end());
   return result;
+}
+
+RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress) {
+  PhaseClock clock;
+  std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
+  Report report = repairOnly(parts, options, progress.timedBy(clock));
+  return {std::move(parts.front().mesh), timed(std::move(report), clock)};
 }
 
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
@@ -350,9 +323,16 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input);
   std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
-    const Progress body = whole.part(kReadShare, 1);
-    if (options.textures == Textures::Keep) return remeshAll(model.parts, options, body);
-    return {remeshBaked(model, std::move(input.pictures), options, body)};
+    const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
+    const Mending mending(model.parts, options, whole.part(kReadShare, mended));
+    const Progress body = whole.part(mended, 1);
+    std::vector<Run> all;
+    if (options.textures == Textures::Keep)
+      all = remeshAll(model.parts, options, body);
+    else
+      all.push_back(remeshBaked(model, std::move(input.pictures), options, body));
+    mending.note(all.front().report);
+    return all;
   });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = inFile(input.file.name, [&] {

@@ -68,6 +68,17 @@ struct RemeshFileResult {
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
 
+struct RepairResult {
+  TriangleMesh mesh;
+  Report report;  // without distances
+};
+
+// Mended as the options' repair says, and no more; what else they say does not count.
+RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress = {});
+RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
+                            const RemeshOptions& options, const Progress& progress = {});
+
 struct ConvertFileResult {
   std::vector<File> files;  // as above
   std::vector<Warning> warnings;

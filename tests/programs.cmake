@@ -95,6 +95,10 @@ add_executable(unit_tests
   tests/unit/remesh/steps/sweeps_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/holes/close_holes_test.cpp
+  tests/unit/repair/repair_test.cpp
+  tests/unit/repair/solid/cell_loops_test.cpp
+  tests/unit/repair/solid/solid_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/painting/canvas_test.cpp

@@ -59,10 +59,22 @@ struct Timings {  // milliseconds
   double write = 0;
 };
 
+// What mending did. Of files of several parts: sums, and the mode that mended most triangles.
+struct RepairReport {
+  std::string mode;
+  std::size_t holes = 0;    // open loops closed
+  std::size_t islands = 0;  // open scraps taken off
+  std::size_t shells = 0;   // bodies that lay inside of others, taken off
+  std::size_t turned = 0;   // triangles turned over
+  double lost = 0;          // percent of the area given that the result has not
+  std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
+  std::optional<RepairReport> repair;  // where asked for
   Timings timings;
   std::vector<Phase> phases;  // in order; together they are the run
   std::uint64_t peakBytes = 0;

@@ -24,6 +24,9 @@ export const coreRooms = {
     'simplify', 'remesh/operators', 'remesh/gate', 'remesh/ground', 'remesh/steps',
     'remesh/accuracy', 'remesh/transfer'],
   measure: ['base', 'mesh', 'geometry'],
+  'repair/holes': ['base', 'mesh', 'geometry', 'measure'],
+  'repair/solid': ['base', 'mesh', 'geometry'],
+  repair: ['base', 'mesh', 'geometry', 'measure', 'repair/holes', 'repair/solid'],
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],
   'io/ply': ['base', 'io/model', 'io/text'],
@@ -33,7 +36,8 @@ export const coreRooms = {
   'textures/charts': ['base', 'mesh', 'geometry'],
   'textures/painting': ['base', 'mesh', 'geometry', 'io/model'],
   textures: ['base', 'mesh', 'geometry', 'io/model', 'textures/charts', 'textures/painting'],
-  jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model'],
+  jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair',
+    'io/model'],
   '': ['base', 'geometry', 'remesh/schemes', 'measure', 'io/model', 'io', 'textures', 'jobs'],
 };
 

@@ -209,6 +209,7 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird angesehen',
+  'phase.repair': 'Ausbessern',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -292,6 +293,14 @@ export default {
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
+  'option.repair': 'Reparatur',
+  'option.holesUpTo': 'Löcher bis',
+  'option.gap': 'Lücke',
+  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest lassen; '
+    + 'solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
+    + 'als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
+  'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
+  'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
   'option.textures': 'Texturen',
   'option.textureSize': 'Texturgröße',
   'option.textureFormat': 'Texturformat',
@@ -310,10 +319,12 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher tat.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
+  'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '
@@ -339,6 +350,8 @@ export default {
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
+  'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt, die nur in Punkten mit der Fläche '
+    + 'zusammenhängen, lose in Löchern liegen oder doppelt sind.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '

@@ -209,6 +209,7 @@ export default {
 
   'progress.left': '{seconds} s left',
   'phase.inspect': 'Looking at the input',
+  'phase.repair': 'Mending',
   'phase.read': 'Reading',
   'phase.build': 'Connecting the triangles',
   'phase.curves': 'Finding creases',

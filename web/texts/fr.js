@@ -210,6 +210,7 @@ export default {
 
   'progress.left': 'encore {seconds} s',
   'phase.inspect': 'Examen de l’original',
+  'phase.repair': 'Réparation',
   'phase.read': 'Lecture',
   'phase.build': 'Liaison des triangles',
   'phase.curves': 'Recherche des plis',
@@ -293,6 +294,15 @@ export default {
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
+  'option.repair': 'Réparation',
+  'option.holesUpTo': 'Trous jusqu’à',
+  'option.gap': 'Ouverture',
+  'help.repair': 'réparer d’abord la surface. holes : fermer les boucles ouvertes, laisser le reste ; '
+    + 'solid : l’extérieur de ce qui enferme quelque chose ; wrap : ce que l’on atteint de '
+    + 'l’extérieur par des passages plus larges que l’ouverture ; auto : le premier qui convient',
+  'help.gap': 'wrap ferme les passages jusqu’à cette largeur ; 2 sans indication',
+  'help.holesUpTo': 'les boucles plus longues restent ouvertes ; sans indication, toutes sont '
+    + 'fermées',
   'option.textures': 'Textures',
   'option.textureSize': 'Taille des textures',
   'option.textureFormat': 'Format des textures',
@@ -312,11 +322,14 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
+  'warning.CROSSINGS_LEFT': 'Des triangles en traversent encore d’autres, là où la surface le '
+    + 'faisait déjà.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
+  'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
@@ -341,6 +354,8 @@ export default {
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
+  'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '
+    + 'des points, flottent dans des trous ou sont en double.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '

@@ -53,6 +53,8 @@
  * What an engine is asked to do.
  * @typedef {{ kind: 'remesh', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
+ *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
+ *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh }
  *   | { kind: 'inspectFile', file: FileRequest }} Job
@@ -181,6 +183,23 @@
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
  */
 
-/** @typedef {Inspection & RunReport & { lods?: RemeshReport[] }} RemeshReport */
+/**
+ * What mending did.
+ * @typedef {object} RepairSummary
+ * @property {string} mode How it was mended.
+ * @property {number} holes Open loops closed.
+ * @property {number} islands Loose open scraps taken off.
+ * @property {number} shells Bodies inside of others, taken off.
+ * @property {number} turned Triangles turned over.
+ * @property {number} lost Percent of the area that the result lacks.
+ * @property {number[]} selfIntersections Triangles that meet others, before and after.
+ */
+
+/** @typedef {Inspection & { output: MeshReport, repair: RepairSummary }} RepairReport */
+
+/**
+ * @typedef {Inspection & RunReport & { repair?: RepairSummary, lods?: RemeshReport[] }}
+ *   RemeshReport
+ */
 
 export {};

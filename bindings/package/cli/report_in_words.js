@@ -25,10 +25,19 @@ function distanceInWords({ hausdorff, rms }) {
     + `point found, ${rms.toFixed(4)} % RMS, of the diagonal`;
 }
 
+/** @param {import('../base/messages.js').RepairSummary} repair */
+function repairInWords({ mode, holes, islands, shells, turned, lost, selfIntersections }) {
+  const [before, after] = selfIntersections;
+  return `repair (${mode}): ${holes} holes closed, ${islands} islands and ${shells} inner shells `
+    + `removed, ${turned} triangles turned over, ${lost.toFixed(2)} % of the area lost\n`
+    + `  triangles that pass through others: ${before} before, ${after} after`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
   if (report.input) parts.push(meshInWords('input', report.input));
+  if (report.repair) parts.push(repairInWords(report.repair));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
   for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {

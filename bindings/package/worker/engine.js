@@ -89,6 +89,10 @@ function call(instance, job, ask) {
         job.options, ask);
     case 'remeshFile':
       return instance.remeshFile(job.file, job.options, ask);
+    case 'repair':
+      return instance.repair(withList(job.parts[0].mesh), job.options, ask);
+    case 'repairFile':
+      return instance.repairFile(job.file, job.options, ask);
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
@@ -152,10 +156,10 @@ export class Engine {
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
-    if (job.kind !== 'remesh') return outcome;
+    if (job.kind !== 'remesh' && job.kind !== 'repair') return outcome;
     const alike = (/** @type {any[]} */ meshes) =>
       job.parts.map(({ mesh }, i) => meshLike(meshes[i], mesh));
-    return { ...outcome, meshes: alike(outcome.meshes), lods: outcome.lods.map(alike) };
+    return { ...outcome, meshes: alike(outcome.meshes), ...(outcome.lods ? { lods: outcome.lods.map(alike) } : {}) };
   }
 
   async #start() {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/mending.h"
+
+#include <utility>
+
+#include "jobs/part_report.h"
+#include "jobs/part_scale.h"
+#include "jobs/precision.h"
+#include "jobs/run_guards.h"
+
+namespace remesher {
+
+MeshReport inspectScaled(const std::vector<io::Part>& parts) {
+  const PartScale scale(parts);
+  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts));
+  const std::vector<io::Part> scaled = scale.applied(parts);
+  return inspectParts(scaled, weldingsOf(scaled));
+}
+
+double mendShare(const RemeshOptions& options) { return options.repair == Repair::Off ? 0 : 0.1; }
+
+Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
+                 const Progress& progress) {
+  if (options.repair == Repair::Off) return;
+  input_ = inspectScaled(parts);
+  repair_ = withinMemory(
+      [&] { return repairParts(std::move(parts), options, progress.phase("repair", 0, 1)); });
+  parts = std::move(repair_->parts);
+}
+
+void Mending::note(Report& report) const {
+  if (!repair_) return;
+  report.input = input_;
+  report.repair = repair_->report;
+  report.warnings = joined(repair_->warnings, report.warnings);
+}
+
+Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+                  const Progress& progress) {
+  const std::vector<io::Part> originals = parts;
+  const Mending mending(parts, options, progress);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
+  progress.phase("measure", 1, 1);
+  Report report;
+  report.output = inspectScaled(parts);
+  mending.note(report);
+  return report;
+}
+
+}  // namespace remesher
