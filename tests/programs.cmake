@@ -34,6 +34,9 @@ add_executable(unit_tests
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp
   tests/unit/io/gltf/gltf_writer_test.cpp
+  tests/unit/io/gltf/tree/gltf_extensions_test.cpp
+  tests/unit/io/gltf/tree/gltf_levels_test.cpp
+  tests/unit/io/gltf/tree/gltf_pointers_test.cpp
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp
   tests/unit/io/model/near_origin_test.cpp
@@ -70,6 +73,8 @@ add_executable(unit_tests
   tests/unit/painting/side_finder_test.cpp
   tests/unit/painting/tangents_test.cpp
   tests/unit/painting/texture_test.cpp
+  tests/unit/parts/part_joining_test.cpp
+  tests/unit/parts/part_places_test.cpp
   tests/unit/parts/part_report_test.cpp
   tests/unit/parts/part_scale_test.cpp
   tests/unit/parts/part_targets_test.cpp
@@ -87,6 +92,7 @@ add_executable(unit_tests
   tests/unit/schemes/stand_in_test.cpp
   tests/unit/schemes/targets_test.cpp
   tests/unit/soup/edge_groups_test.cpp
+  tests/unit/soup/joining_test.cpp
   tests/unit/soup/welding_test.cpp
   tests/unit/steps/adapt_test.cpp
   tests/unit/steps/apart_test.cpp

@@ -25,9 +25,10 @@ export const coreRooms = {
   'io/text': ['base', 'io/model'],
   'io/ply': ['base', 'io/model', 'io/text'],
   'io/stl': ['base', 'io/model', 'io/text'],
-  'io/gltf': ['base', 'io/model'],
+  'io/gltf/tree': ['base'],
+  'io/gltf': ['base', 'io/model', 'io/gltf/tree'],
   io: ['base', 'io/model', 'io/text', 'io/ply', 'io/stl', 'io/gltf'],
-  parts: ['base', 'soup', 'geometry', 'attributes', 'measure', 'io/model'],
+  parts: ['base', 'soup', 'geometry', 'attributes', 'schemes', 'measure', 'io/model'],
   painting: ['base', 'soup', 'mesh', 'geometry', 'io/model'],
   '': ['base', 'geometry', 'charts', 'schemes', 'measure', 'io/model', 'io', 'parts', 'painting'],
 };

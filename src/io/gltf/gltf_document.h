@@ -5,18 +5,17 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "io/gltf/tinygltf.h"
+#include "io/gltf/tree/json.h"
 #include "io/model/model.h"
 
 namespace remesher::io {
 
-using Json = nlohmann::ordered_json;
 using Bytes = std::vector<std::uint8_t>;
 
 struct GltfDocument : Source {
@@ -28,7 +27,6 @@ struct GltfDocument : Source {
   std::vector<Bytes> buffers;
   std::vector<File> bufferFiles;  // those of them that lay beside the file
   tinygltf::Model typed;          // accessors, bufferViews, meshes, nodes, scenes, skins
-  std::vector<int> partMeshes;    // per part of the model: its mesh
 
   // "name: what".
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;
