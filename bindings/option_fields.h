@@ -25,6 +25,7 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("featureAngle", options.featureAngle);
   visit("boundary", options.boundary);
   visit("maxError", options.maxError);
+  visit("weld", options.weld);
   visit("textures", options.textures);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);

@@ -11,8 +11,11 @@
 
 #include "base/legible.h"
 #include "io/formats.h"
+#include "io/model/levels.h"
 #include "jobs/mending.h"
+#include "jobs/part_joining.h"
 #include "jobs/part_report.h"
+#include "jobs/part_run.h"
 #include "jobs/part_scale.h"
 #include "jobs/part_targets.h"
 #include "jobs/precision.h"
@@ -35,11 +38,6 @@ struct Run {
   Report report;
 };
 
-// All of a part but its mesh.
-io::Part withoutMesh(const io::Part& part) {
-  return {part.name, {}, part.instances, part.groups, part.lods};
-}
-
 void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh& original) {
   RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
   if (const std::size_t count = std::max(rounded.coincident, outcome.coincident); count > 0)
@@ -58,28 +56,33 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   progress.phase("inspect", 0, 0);
   Run run{{}, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
   for (const io::Part& part : originals) run.parts.push_back(withoutMesh(part));
-  run.report.input = inspectParts(originals, run.weldings);
-  PartTargets targets(originals, options);
-  const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
+  const std::vector<PartPlace> places = placesOf(originals);
+  run.report.input = inspectParts(originals, run.weldings, places);
+  run.report.warnings = looseTriangles(run.report.input, originals);
+  PartTargets targets(originals, places, options);
+  double total = 0;
+  for (const io::Part& part : originals)
+    total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
   double done = 0;
   std::optional<ListedTree> tree;  // of the last part
   for (const std::size_t i : targets.order()) {
     const double share = double(originals[i].mesh.triangleCount()) / total;
     const TriangleMesh& mesh = originals[i].mesh;
-    RemeshOutcome outcome = remeshSurface(mesh, std::move(run.weldings[i]), targets.of(i),
-                                          progress.part(done, done + share));
+    RemeshOutcome outcome = remeshAsShown({mesh, std::move(run.weldings[i]), places[i]},
+                                          {targets, i}, progress.part(done, done + share));
     targets.given(i, outcome.vertices);
     tree = std::move(outcome.tree);
     take(run, i, std::move(outcome), mesh);
     done += share;
   }
   progress.phase("measure", 1 - kMeasureShare, 1);
-  run.report.output = inspectParts(run.parts, weldingsOf(run.parts));
+  run.report.output = inspectParts(run.parts, weldingsOf(run.parts), places);
   // Whether a bound is kept shows from both sides only.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
-    run.report.fidelity = fidelityOf(
-        originals, run.parts, isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
+    run.report.fidelity =
+        fidelityOf({originals, run.parts, places},
+                   isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
   return run;
 }
 
@@ -93,12 +96,8 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
                     : remeshParts(originals, options, progress);
   });
   if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
-  run.report.warnings = joined(std::move(run.report.warnings),
-                               worseThanGiven({run.report.input, *run.report.output}, run.parts));
   run.report.warnings =
-      joined(std::move(run.report.warnings), fartherThanLarge(run.report, run.parts));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), fartherThanAsked(run.report, options));
+      joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, options));
   return run;
 }
 
@@ -152,9 +151,7 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
   if (!options.lods.empty())
     throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
                 "Ask for one of them: --textures, --lods.");
-  const std::string extension =
-      outputName.substr(std::min(outputName.rfind('.'), outputName.size()));
-  if (extension == ".glb" || extension == ".gltf") return;
+  if (io::holdsLods(outputName)) return;
   throw Error(ErrorCode::Unsupported,
               "Baked textures are written as glTF only, not as " + legible(outputName) + ".",
               "Let the output's name end in .glb or .gltf.");
@@ -288,7 +285,11 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
                 "Give the file, with its images, to remeshFile.");
   PhaseClock clock;
   std::vector<io::Part> parts;
-  for (auto& [mesh, places] : scene) parts.push_back({"", std::move(mesh), std::move(places)});
+  for (PlacedMesh& placed : scene) {
+    parts.push_back({"", std::move(placed.mesh), std::move(placed.places)});
+    parts.back().finer = std::move(placed.finer);
+  }
+  parts = joinedPlaces(std::move(parts), options.weld);
   const Progress whole = progress.timedBy(clock);
   const double mended = mendShare(options);
   const Mending mending(parts, options, whole.part(0, mended));
@@ -322,7 +323,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input);
+  if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
+    model.parts = joinedPlaces(std::move(model.parts), options.weld);
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     const Progress body = whole.part(mended, 1);
@@ -357,18 +360,23 @@ Report inspect(const TriangleMesh& mesh) {
   PhaseClock clock;
   clock.enter("inspect");
   Report report;
-  report.input = inspectScaled({io::Part{"", mesh, {}}});
+  const std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
+  report.input = inspectScaled(parts);
+  report.warnings = looseTriangles(report.input, parts);
   return timed(std::move(report), clock);
 }
 
 Report inspectFile(const FileBundle& input) {
   PhaseClock clock;
   clock.enter("read");
-  const io::Model model = io::read(input.file, input.resources);
+  io::Model model = io::read(input.file, input.resources);
   clock.enter("inspect");
   Report report;
-  report.warnings = model.warnings;
-  report.input = inFile(input.file.name, [&] { return inspectScaled(model.parts); });
+  report.input = inFile(input.file.name, [&] {
+    model.parts = joinedPlaces(std::move(model.parts), {});
+    return inspectScaled(model.parts);
+  });
+  report.warnings = joined(model.warnings, looseTriangles(report.input, model.parts));
   return timed(std::move(report), clock);
 }
 

@@ -30,6 +30,9 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
 struct PlacedMesh {
   TriangleMesh mesh;
   std::vector<Transform> places;
+  // The meshes, by number, that it stands for from afar: then it is a coarser level of detail,
+  // keeps its proportion to them, and the report leaves it out.
+  std::vector<std::size_t> finer = {};
 };
 
 struct RemeshSceneResult {

@@ -15,6 +15,9 @@ add_executable(unit_tests
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp
   tests/unit/io/gltf/gltf_writer_test.cpp
+  tests/unit/io/gltf/tree/gltf_extensions_test.cpp
+  tests/unit/io/gltf/tree/gltf_levels_test.cpp
+  tests/unit/io/gltf/tree/gltf_pointers_test.cpp
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp
   tests/unit/io/model/near_origin_test.cpp
@@ -26,6 +29,8 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/part_joining_test.cpp
+  tests/unit/jobs/part_places_test.cpp
   tests/unit/jobs/part_report_test.cpp
   tests/unit/jobs/part_scale_test.cpp
   tests/unit/jobs/part_targets_test.cpp
@@ -40,6 +45,7 @@ add_executable(unit_tests
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
+  tests/unit/mesh/joining_test.cpp
   tests/unit/mesh/joints_test.cpp
   tests/unit/mesh/manifold_cut_test.cpp
   tests/unit/mesh/mesh_builder_test.cpp

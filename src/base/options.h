@@ -39,6 +39,7 @@ struct RemeshOptions {
   std::optional<double> featureAngle;
   Boundary boundary = Boundary::Resample;
   std::optional<double> maxError;                     // percent of the diagonal
+  std::optional<double> weld;                         // the same: nearer places are one
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
   Textures textures = Textures::Keep;                 // of files

@@ -4,18 +4,11 @@
 #include <utility>
 
 #include "jobs/part_report.h"
-#include "jobs/part_scale.h"
+#include "jobs/part_run.h"
 #include "jobs/precision.h"
 #include "jobs/run_guards.h"
 
 namespace remesher {
-
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
-  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts));
-  const std::vector<io::Part> scaled = scale.applied(parts);
-  return inspectParts(scaled, weldingsOf(scaled));
-}
 
 double mendShare(const RemeshOptions& options) { return options.repair == Repair::Off ? 0 : 0.1; }
 

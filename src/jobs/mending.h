@@ -13,9 +13,6 @@
 
 namespace remesher {
 
-// The same for parts of any size.
-MeshReport inspectScaled(const std::vector<io::Part>& parts);
-
 // Of a run's time, about.
 double mendShare(const RemeshOptions& options);
 

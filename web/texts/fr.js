@@ -271,6 +271,7 @@ export default {
   'option.featureAngle': 'Angle des arêtes vives',
   'option.boundary': 'Bord',
   'option.maxError': 'Erreur maximale',
+  'option.weld': 'Souder',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -291,6 +292,8 @@ export default {
     + 'qui est conservée',
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
+  'help.weld': 'réunit les endroits plus proches que cela ; sans indication seulement ceux qui ne '
+    + 'diffèrent que par l’arrondi',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
@@ -330,12 +333,16 @@ export default {
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de triangles, de points ou de '
+    + 'textures qui sont refaits ne vaut plus et disparaît.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
     + 'pas ; elles disparaissent.',
   'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
     + 'plus.',
+  'warning.LEVELS_REPLACED': 'Les niveaux de détail qu’avait le fichier font place à ceux '
+    + 'demandés.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
@@ -361,6 +368,8 @@ export default {
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
+  'warning.TRIANGLES_NOT_JOINED': 'Aucun triangle ne partage une arête avec un autre : chacun est '
+    + 'une surface à lui seul. « Souder » réunit ce qui est proche.',
   'warning.VERTICES_COINCIDE': 'Des points du résultat se confondent : des parties sont plus '
     + 'proches que les nombres du fichier ne peuvent le dire.',
 

@@ -34,6 +34,8 @@
  * @property {Mesh} mesh In its own space.
  * @property {ArrayLike<number>[]} [places] From its own space to the world, once for each place
  *   where the scene shows it: matrices of 16 numbers, column after column.
+ * @property {ArrayLike<number>} [finer] The meshes of the scene, by number, that it stands for from
+ *   afar: a coarser level of detail keeps its proportion to them, and the report leaves it out.
  */
 
 /**

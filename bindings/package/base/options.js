@@ -72,6 +72,9 @@ export const optionTable = [
   { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
     unit: '% of the diagonal', off: true, default: 'off',
     help: 'refuse what would leave the original by more' },
+  { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
+    help: 'join places that are nearer to each other; only those that are equal but for rounding '
+      + 'if not given' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
     default: 'keep',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +

@@ -85,7 +85,8 @@ function call(instance, job, ask) {
   switch (job.kind) {
     case 'remesh':
       return instance.remesh(
-        job.parts.map(({ mesh, places = [] }) => ({ mesh: withList(mesh), places })),
+        job.parts.map(({ mesh, places = [], finer }) =>
+          ({ mesh: withList(mesh), places, finer })),
         job.options, ask);
     case 'remeshFile':
       return instance.remeshFile(job.file, job.options, ask);

@@ -109,11 +109,23 @@ Places matchPositions(Run& run, std::size_t vertices) {
   return {countDistinct(run.mesh) == vertices, coincident};
 }
 
-// Of many vertices each walks: over short edges the straight way leads to where patches do.
+std::size_t largestStar(const HalfedgeMesh& mesh) {
+  std::vector<std::size_t> spokes(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isAlive(Halfedge(i))) ++spokes[mesh.origin(Halfedge(i)).index];
+  return *std::max_element(spokes.begin(), spokes.end());
+}
+
+// Of many vertices each walks: over short edges the straight way leads to where patches do. So it
+// does in a star so large that patches, which hold whole stars, would each hold all of it: of
+// 20,000 triangles together 400 million.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+  constexpr std::size_t kManySpokes = 1000;
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
-  if (walks) return Projector(original.ground());
+  const bool isStar = options.projection == Projection::Patches &&
+                      largestStar(original.ground().mesh()) >= kManySpokes;
+  if (walks || isStar) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 
@@ -154,11 +166,28 @@ RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<War
           std::move(warnings)};
 }
 
-}  // namespace
+// More vertices keep more curves, which have more corners: a number that is named must do when it
+// is asked for.
+std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
+                            std::size_t vertices) {
+  constexpr int kTries = 100;
+  options.ratio.reset();
+  options.edgeLength.reset();
+  for (int i = 0; i < kTries; ++i) {
+    options.vertices = Index(vertices);
+    try {
+      const Prepared prepared(planRun(input, Welding(input), options, {}), options, {});
+      return vertices;
+    } catch (const TooFewVertices& error) {
+      constexpr std::size_t kAtLeast = 16;  // a sixteenth more each time: a factor of 400 in all
+      vertices = std::max(error.needed, vertices + vertices / kAtLeast + 1);
+    }
+  }
+  return vertices;
+}
 
-RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  checkOptions(options, input.positions.size());
   Plan plan = planRun(input, std::move(welding), options, progress);
   const bool isRivalled = mayFollow(options);
   if (isRivalled && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
@@ -186,6 +215,19 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
           original.warnings(),
           remeshed.coincident,
           tree.ofInput()};
+}
+
+}  // namespace
+
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
+  checkOptions(options, input.positions.size());
+  try {
+    return remeshPlanned(input, std::move(welding), options, progress);
+  } catch (const TooFewVertices& error) {
+    if (error.code != ErrorCode::TargetBelowCurves) throw;
+    throw TooFewVertices(error.code, error.target, enoughForCurves(input, options, error.needed));
+  }
 }
 
 }  // namespace remesher
