@@ -28,6 +28,7 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/quad_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
@@ -48,6 +49,7 @@ add_executable(unit_tests
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
+  tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
@@ -80,6 +82,19 @@ add_executable(unit_tests
   tests/unit/patches/face_cells_test.cpp
   tests/unit/patches/patch_atlas_test.cpp
   tests/unit/patches/point_location_test.cpp
+  tests/unit/remesh/quads/extract/extraction_test.cpp
+  tests/unit/remesh/quads/extract/mending_test.cpp
+  tests/unit/remesh/quads/field/cross_field_test.cpp
+  tests/unit/remesh/quads/map/cut_test.cpp
+  tests/unit/remesh/quads/map/integer_rows_test.cpp
+  tests/unit/remesh/quads/map/rounding_test.cpp
+  tests/unit/remesh/quads/map/seamless_map_test.cpp
+  tests/unit/remesh/quads/map/untangle_test.cpp
+  tests/unit/remesh/quads/mesh/quad_check_test.cpp
+  tests/unit/remesh/quads/pair/pairing_test.cpp
+  tests/unit/remesh/quads/quads_test.cpp
+  tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesher_test.cpp
   tests/unit/schemes/follow_test.cpp
   tests/unit/schemes/remesh_test.cpp
