@@ -32,6 +32,16 @@ Json boundsOf(const std::vector<double>& bounds, int componentType) {
   return list;
 }
 
+// That triangles in a row with one first corner are a polygon: true of new triangles only where
+// they are quads.
+constexpr const char* kPolygons = "FB_ngon_encoding";
+
+void forgetPolygons(Json& primitive) {
+  if (!primitive.contains("extensions")) return;
+  primitive["extensions"].erase(kPolygons);
+  if (primitive["extensions"].empty()) primitive.erase("extensions");
+}
+
 // The attributes that have a new accessor, in their order.
 Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
              const std::string& prefix) {
@@ -158,16 +168,23 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
       Json& primitive = primitives[number];
       abandon(primitive);
       const auto triangles = encoded.triangles.find(number);
-      if (triangles == encoded.triangles.end())
+      if (triangles == encoded.triangles.end()) {
         emptied.insert(number);
-      else
-        rewritePrimitive(primitive, accessors,
-                         addIndices(primitive, triangles->second, encoded.vertexCount));
+        continue;
+      }
+      rewritePrimitive(primitive, accessors,
+                       addIndices(primitive, triangles->second, encoded.vertexCount));
+      forgetPolygons(primitive);
+      if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }
   }
   for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
     primitives.erase(*number);
   tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
+  Json& used = tree_["extensionsUsed"];
+  if (mesh.isQuads && std::find(used.begin(), used.end(), kPolygons) == used.end())
+    used.push_back(kPolygons);
+  if (used.empty()) tree_.erase("extensionsUsed");
   dropForeignWeights(meshNumber);
 }
 
