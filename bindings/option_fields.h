@@ -25,6 +25,8 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("featureAngle", options.featureAngle);
   visit("boundary", options.boundary);
   visit("maxError", options.maxError);
+  visit("quads", options.quads);
+  visit("exact", options.exact);
   visit("textures", options.textures);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);

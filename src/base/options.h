@@ -40,6 +40,8 @@ struct RemeshOptions {
   std::optional<double> maxError;                     // percent of the diagonal
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+  bool quads = false;                                 // pure quads instead of triangles
+  bool exact = false;                                 // of quads: exactly so many vertices
   Textures textures = Textures::Keep;                 // of files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;

@@ -227,6 +227,7 @@ export default {
   'phase.smooth': 'Glätten',
   'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
+  'phase.quads': 'Vierecke bilden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
   'phase.write': 'Schreiben',
@@ -268,6 +269,8 @@ export default {
   'option.featureAngle': 'Kantenwinkel',
   'option.boundary': 'Rand',
   'option.maxError': 'Größter Fehler',
+  'option.quads': 'Vierecke',
+  'option.exact': 'Genaue Zahl',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
@@ -288,6 +291,9 @@ export default {
     + 'die erhalten bleibt',
   'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
+  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der Punkte '
+    + 'auf 1 % genau',
+  'help.exact': 'von Vierecken: genau so viele Punkte',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
@@ -337,6 +343,8 @@ export default {
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
+  'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
+    + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',

@@ -71,6 +71,11 @@ export const optionTable = [
   { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
     unit: '% of the diagonal', off: true, default: 'off',
     help: 'refuse what would leave the original by more' },
+  { name: 'quads', flag: '--quads', type: 'boolean', default: false,
+    help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
+      + 'within 1 %' },
+  { name: 'exact', flag: '--exact', type: 'boolean', default: false,
+    help: 'of quads: exactly the number of vertices' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
     default: 'keep',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +
