@@ -26,6 +26,8 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("boundary", options.boundary);
   visit("maxError", options.maxError);
   visit("weld", options.weld);
+  visit("quads", options.quads);
+  visit("exact", options.exact);
   visit("textures", options.textures);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);

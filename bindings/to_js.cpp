@@ -31,6 +31,21 @@ val objectFrom(const AngleStatistics& angles) {
   return result;
 }
 
+val objectFrom(const QuadReport& quads) {
+  val deviation = val::object(), jacobian = val::object(), result = val::object();
+  deviation.set("mean", quads.angleDeviation.mean);
+  deviation.set("p95", quads.angleDeviation.p95);
+  deviation.set("worst", quads.angleDeviation.worst);
+  jacobian.set("min", quads.scaledJacobian.min);
+  jacobian.set("mean", quads.scaledJacobian.mean);
+  result.set("count", double(quads.count));
+  result.set("irregular", double(quads.irregular));
+  result.set("angleDeviation", deviation);
+  result.set("scaledJacobian", jacobian);
+  result.set("edgeVariation", quads.edgeVariation);
+  return result;
+}
+
 val objectFrom(const MeshReport& mesh) {
   val result = val::object();
   result.set("vertices", double(mesh.vertices));
@@ -43,6 +58,7 @@ val objectFrom(const MeshReport& mesh) {
   result.set("minAngle", objectFrom(mesh.minAngle));
   result.set("maxAngle", mesh.maxAngle);
   result.set("valence6", mesh.valence6);
+  if (mesh.quads) result.set("quads", objectFrom(*mesh.quads));
   return result;
 }
 
@@ -135,6 +151,7 @@ val objectFrom(const TriangleMesh& mesh) {
   result.set("indices", arrayFrom(mesh.indices));
   result.set("attributes", listFrom(mesh.attributes));
   if (!mesh.groups.empty()) result.set("groups", arrayFrom(mesh.groups));
+  if (mesh.isQuads) result.set("quads", arrayFrom(quadsOf(mesh)));
   return result;
 }
 

@@ -9,6 +9,7 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/quad_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
@@ -39,6 +40,7 @@ add_executable(unit_tests
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
+  tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
@@ -86,6 +88,19 @@ add_executable(unit_tests
   tests/unit/remesh/operators/shift_test.cpp
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
+  tests/unit/remesh/quads/extract/extraction_test.cpp
+  tests/unit/remesh/quads/extract/mending_test.cpp
+  tests/unit/remesh/quads/field/cross_field_test.cpp
+  tests/unit/remesh/quads/map/cut_test.cpp
+  tests/unit/remesh/quads/map/integer_rows_test.cpp
+  tests/unit/remesh/quads/map/rounding_test.cpp
+  tests/unit/remesh/quads/map/seamless_map_test.cpp
+  tests/unit/remesh/quads/map/untangle_test.cpp
+  tests/unit/remesh/quads/mesh/quad_check_test.cpp
+  tests/unit/remesh/quads/pair/pairing_test.cpp
+  tests/unit/remesh/quads/quads_test.cpp
+  tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp

@@ -42,6 +42,8 @@ struct RemeshOptions {
   std::optional<double> weld;                         // the same: nearer places are one
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+  bool quads = false;                                 // pure quads instead of triangles
+  bool exact = false;                                 // of quads: exactly so many vertices
   Textures textures = Textures::Keep;                 // of files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;

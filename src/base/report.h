@@ -26,6 +26,23 @@ struct AngleStatistics {
   std::array<double, 6> histogram{};
 };
 
+// Of quads. irregular: vertices inside whose valence is not 4; angleDeviation: |angle − 90°| of all
+// corners; scaledJacobian: of each quad's worst corner, 1 in a square, negative in a fold;
+// edgeVariation: the standard deviation of the edges' lengths over their mean.
+struct QuadReport {
+  struct Deviation {
+    double mean = 0, p95 = 0, worst = 0;
+  };
+  struct Jacobian {
+    double min = 0, mean = 0;
+  };
+  std::size_t count = 0;
+  std::size_t irregular = 0;
+  Deviation angleDeviation;
+  Jacobian scaledJacobian;
+  double edgeVariation = 0;
+};
+
 struct MeshReport {
   std::size_t vertices = 0;  // distinct positions
   std::size_t triangles = 0;
@@ -35,8 +52,9 @@ struct MeshReport {
   long eulerCharacteristic = 0;
   std::size_t degenerateTriangles = 0;
   AngleStatistics minAngle;
-  double maxAngle = 0;  // the largest angle of any triangle
-  double valence6 = 0;  // percent of the interior vertices
+  double maxAngle = 0;              // the largest angle of any triangle
+  double valence6 = 0;              // percent of the interior vertices
+  std::optional<QuadReport> quads;  // of a mesh of quads
 };
 
 // Two-sided distance between the result and the original, percent of the original's diagonal.

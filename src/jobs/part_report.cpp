@@ -7,6 +7,7 @@
 
 #include "geometry/triangle.h"
 #include "measure/mesh_report.h"
+#include "measure/quad_report.h"
 
 namespace remesher {
 namespace {
@@ -44,6 +45,18 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
     if (interior > 0) sum.valence6 += part.valence6 * interiorVertices(part) / interior;
   }
   return sum;
+}
+
+// Where all parts are of quads.
+std::optional<QuadReport> reportQuads(const std::vector<io::Part>& parts,
+                                      const std::vector<Welding>& weldings) {
+  QuadStatistics quads;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].mesh.isQuads) return {};
+    quads.add(parts[i].mesh, weldings[i]);
+  }
+  if (parts.empty()) return {};
+  return quads.report();
 }
 
 // What has two corners in one place is a line, which the remesher does not know.
@@ -100,7 +113,9 @@ MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<We
     reports.push_back(stretch ? inspectMesh(stretched(parts[i].mesh, *stretch), weldings[i])
                               : inspectMesh(parts[i].mesh, weldings[i]));
   }
-  return combined(reports);
+  MeshReport report = combined(reports);
+  report.quads = reportQuads(parts, weldings);
+  return report;
 }
 
 TriangleMesh gathered(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places) {

@@ -139,7 +139,7 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   const auto& [before, after] = reports;
   std::vector<Warning> warnings;
   const std::string angles = worseAngles(before.minAngle, after.minAngle);
-  if (!angles.empty())
+  if (!angles.empty() && !after.quads)  // half of a quad is no triangle of its own
     warnings.push_back(
         {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
                              ". The worst lies near (" +

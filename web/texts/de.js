@@ -229,6 +229,7 @@ export default {
   'phase.smooth': 'Glätten',
   'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
+  'phase.quads': 'Vierecke bilden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
   'phase.write': 'Schreiben',
@@ -271,6 +272,8 @@ export default {
   'option.boundary': 'Rand',
   'option.maxError': 'Größter Fehler',
   'option.weld': 'Verbinden',
+  'option.quads': 'Vierecke',
+  'option.exact': 'Genaue Zahl',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
@@ -293,6 +296,9 @@ export default {
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
   'help.weld': 'fügt Stellen zusammen, die näher beieinander liegen; ohne Angabe nur, was bis auf '
     + 'Rundung gleich ist',
+  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der Punkte '
+    + 'auf 1 % genau',
+  'help.exact': 'von Vierecken: genau so viele Punkte',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
@@ -355,6 +361,8 @@ export default {
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
+  'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
+    + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt, die nur in Punkten mit der Fläche '
     + 'zusammenhängen, lose in Löchern liegen oder doppelt sind.',

@@ -229,6 +229,7 @@ export default {
   'phase.smooth': 'Smoothing',
   'phase.mend': 'Mending',
   'phase.coarsen': 'Coarsening',
+  'phase.quads': 'Making quads',
   'phase.measure': 'Measuring',
   'phase.paint': 'Painting textures',
   'phase.write': 'Writing',

@@ -230,6 +230,7 @@ export default {
   'phase.smooth': 'Lissage',
   'phase.mend': 'Réparation',
   'phase.coarsen': 'Simplification',
+  'phase.quads': 'Quadrilatères',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
   'phase.write': 'Écriture',
@@ -272,6 +273,8 @@ export default {
   'option.boundary': 'Bord',
   'option.maxError': 'Erreur maximale',
   'option.weld': 'Souder',
+  'option.quads': 'Quadrilatères',
+  'option.exact': 'Nombre exact',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -294,6 +297,9 @@ export default {
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
   'help.weld': 'réunit les endroits plus proches que cela ; sans indication seulement ceux qui ne '
     + 'diffèrent que par l’arrondi',
+  'help.quads': 'seulement des quadrilatères, le long des arêtes vives et de la courbure ; le '
+    + 'nombre de sommets à 1 % près',
+  'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
@@ -365,6 +371,8 @@ export default {
     + 'des points, flottent dans des trous ou sont en double.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
+  'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
+    + 'quadrilatères sont des paires de triangles divisées.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

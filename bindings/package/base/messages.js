@@ -26,6 +26,8 @@
  *   morph target's have its number in front: `TARGET_0/POSITION`.
  * @property {Indices} [groups] One number for each triangle: a material, for instance. Borders
  *   between groups are kept as curves.
+ * @property {Indices} [quads] Of a result of quads: four vertices for each, counterclockwise, in
+ *   the order of the triangles, two to a quad.
  */
 
 /**
@@ -131,6 +133,19 @@
  * @property {MinAngle} minAngle The smallest angle of each triangle.
  * @property {number} maxAngle The largest angle of all, degrees.
  * @property {number} valence6 Percent of the interior vertices with six neighbours.
+ * @property {QuadReport} [quads] Of a mesh of quads alone.
+ */
+
+/**
+ * How good quads are.
+ * @typedef {object} QuadReport
+ * @property {number} count How many there are.
+ * @property {number} irregular Vertices inside whose valence is not 4.
+ * @property {{ mean: number, p95: number, worst: number }} angleDeviation |angle − 90°| of all
+ *   corners, degrees; 95 % of them are within p95.
+ * @property {{ min: number, mean: number }} scaledJacobian Of each quad’s worst corner: the sine of
+ *   its angle, 1 in a square, negative in a fold.
+ * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
  */
 
 /**

@@ -75,6 +75,11 @@ export const optionTable = [
   { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
     help: 'join places that are nearer to each other; only those that are equal but for rounding '
       + 'if not given' },
+  { name: 'quads', flag: '--quads', type: 'boolean', default: false,
+    help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
+      + 'within 1 %' },
+  { name: 'exact', flag: '--exact', type: 'boolean', default: false,
+    help: 'of quads: exactly the number of vertices' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
     default: 'keep',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +

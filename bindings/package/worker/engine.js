@@ -61,7 +61,8 @@ const likeIndices = (values, model) =>
 
 /** @param {any} mesh as it comes back @param {Mesh} model as it went in @returns {Mesh} */
 function meshLike(mesh, model) {
-  const { positions, indices } = mesh;
+  const { positions, indices, quads } = mesh;
+  const isSmall = positions.length / 3 <= 2 ** 16;
   /** @type {Record<string, MeshAttribute>} */
   const attributes = {};
   for (const { semantic, array, itemSize } of mesh.attributes) {
@@ -70,9 +71,10 @@ function meshLike(mesh, model) {
   }
   return {
     positions: model.positions instanceof Float32Array ? Float32Array.from(positions) : positions,
-    indices: positions.length / 3 <= 2 ** 16 ? likeIndices(indices, model.indices) : indices,
+    indices: isSmall ? likeIndices(indices, model.indices) : indices,
     attributes,
     ...(mesh.groups ? { groups: likeIndices(mesh.groups, model.groups) } : {}),
+    ...(quads ? { quads: isSmall ? likeIndices(quads, model.indices) : quads } : {}),
   };
 }
 

@@ -32,6 +32,16 @@ Json boundsOf(const std::vector<double>& bounds, int componentType) {
   return list;
 }
 
+// That triangles in a row with one first corner are a polygon: true of new triangles only where
+// they are quads.
+constexpr const char* kPolygons = "FB_ngon_encoding";
+
+void forgetPolygons(Json& primitive) {
+  if (!primitive.contains("extensions")) return;
+  primitive["extensions"].erase(kPolygons);
+  if (primitive["extensions"].empty()) primitive.erase("extensions");
+}
+
 // The attributes that have a new accessor, in their order.
 Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
              const std::string& prefix) {
@@ -192,13 +202,19 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
       }
       rewritePrimitive(primitive, accessors,
                        addIndices(primitive, triangles->second, encoded.vertexCount), texcoords);
+      forgetPolygons(primitive);
       settlePrimitive(tree_, primitive, texcoords, lost_);
+      if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }
   }
   for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
     primitives.erase(*number);
   tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
   settleHolder(tree_["meshes"][meshNumber], lost_);
+  Json& used = tree_["extensionsUsed"];
+  if (mesh.isQuads && std::find(used.begin(), used.end(), kPolygons) == used.end())
+    used.push_back(kPolygons);
+  if (used.empty()) tree_.erase("extensionsUsed");
   dropForeignWeights(meshNumber);
 }
 

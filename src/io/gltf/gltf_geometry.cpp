@@ -103,6 +103,7 @@ class GeometryReader {
   std::vector<std::vector<Index>> vertexSequences(int primitiveNumber,
                                                   std::size_t vertexCount) const;
   void dropForeignJoints();
+  bool areQuads() const;
   void warn(const char* code, const std::string& message);
 
   const GltfDocument& document_;
@@ -280,6 +281,16 @@ void GeometryReader::dropForeignJoints() {
   }
 }
 
+// In FB_ngon_encoding triangles in a row are one polygon as long as they have the same first
+// corner: of quads each two have.
+bool GeometryReader::areQuads() const {
+  for (const tinygltf::Primitive& primitive : mesh_.primitives)
+    if (isTriangles(primitive) && !primitive.extensions.contains("FB_ngon_encoding")) return false;
+  for (std::size_t i = 6; i < result_.indices.size(); i += 6)
+    if (result_.indices[i] == result_.indices[i - 3]) return false;
+  return arePairs(result_);
+}
+
 TriangleMesh GeometryReader::read() {
   const std::vector<VertexPool> pools = vertexPools(document_, number_);
   std::vector<std::size_t> firstVertices = {0};
@@ -295,6 +306,7 @@ TriangleMesh GeometryReader::read() {
   for (const auto& [primitive, pool] : primitives)
     readTriangles(primitive, static_cast<Index>(firstVertices[pool]),
                   firstVertices[pool + 1] - firstVertices[pool]);
+  result_.isQuads = areQuads();
   layOutAttributes(pools);
   for (std::size_t i = 0; i < pools.size(); ++i)
     readAttributes(pools[i], firstVertices[i], firstVertices[i + 1] - firstVertices[i]);

@@ -51,9 +51,12 @@ void transformMesh(TriangleMesh& mesh, const Transform& transform) {
       transformDirections(attribute, linear.inverse().transpose());
     if (attribute.semantic == "TANGENT") transformDirections(attribute, linear);
   }
-  if (linear.determinant() < 0)
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-      std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  if (linear.determinant() >= 0) return;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  // Of a quad turned over the second triangle comes first.
+  for (std::size_t i = 0; mesh.isQuads && i + 5 < mesh.indices.size(); i += 6)
+    std::swap_ranges(&mesh.indices[i], &mesh.indices[i] + 3, &mesh.indices[i] + 3);
 }
 
 std::vector<Part> bodiesOf(std::vector<Part> parts) {
@@ -96,6 +99,8 @@ TriangleMesh mergeParts(const std::vector<Part>& parts) {
     merged.groups.resize(merged.groups.size() + mesh.triangleCount(), number);
   }
   if (parts.empty()) return merged;
+  merged.isQuads =
+      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isQuads; });
   for (const Attribute& attribute : parts.front().mesh.attributes) {
     Attribute joined{attribute.semantic, attribute.itemSize, {}};
     const bool everywhere = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {

@@ -12,6 +12,7 @@
 #include "io/model/bake.h"
 #include "io/model/conventions.h"
 #include "io/model/dropped.h"
+#include "io/model/faces.h"
 #include "io/model/polygon.h"
 #include "io/text/text_scanner.h"
 #include "io/text/text_writer.h"
@@ -75,6 +76,7 @@ class OffReader {
   int dimension_ = 3;
   std::size_t faceCount_ = 0;
   std::size_t coloredFaces_ = 0;
+  bool haveAllFour_ = true;  // corners, the faces so far
   std::vector<float> normals_;
   std::vector<float> colors_;  // 4 each
   std::vector<float> texcoords_;
@@ -241,6 +243,7 @@ void OffReader::readFace() {
                     "Repair the file: every face may name only vertices that are there.");
     polygon_.push_back(static_cast<Index>(vertex));
   }
+  haveAllFour_ &= corners == 4;
   if (!scanner_.atLineEnd()) ++coloredFaces_;
   while (!scanner_.atLineEnd()) scanner_.word();
   if (corners == 3) {
@@ -258,6 +261,7 @@ TriangleMesh OffReader::read() {
   for (std::size_t i = 0; i < vertexCount; ++i) readVertex();
   settleOrder();
   for (std::size_t i = 0; i < faceCount_; ++i) readFace();
+  mesh_.isQuads = haveAllFour_ && arePairs(mesh_);
   if (header_.hasNormals) mesh_.attributes.push_back({"NORMAL", 3, std::move(normals_)});
   if (header_.hasTexcoords) mesh_.attributes.push_back({"TEXCOORD_0", 2, std::move(texcoords_)});
   if (header_.hasColors)
@@ -300,11 +304,13 @@ std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh) {
   const std::vector<const Attribute*> attributes = writableAttributes(mesh);
   TextWriter out;
   out.text(keywordFor(attributes)).text("\n");
-  out.integer(mesh.positions.size()).text(" ").integer(mesh.triangleCount()).text(" 0\n");
+  const Faces faces(mesh);
+  out.integer(mesh.positions.size()).text(" ").integer(faces.count()).text(" 0\n");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) writeVertex(out, mesh, i, attributes);
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    out.text("3");
-    for (int corner = 0; corner < 3; ++corner) out.text(" ").integer(mesh.indices[i + corner]);
+  for (std::size_t face = 0; face < faces.count(); ++face) {
+    out.integer(faces.corners());
+    for (std::size_t corner = 0; corner < faces.corners(); ++corner)
+      out.text(" ").integer(mesh.indices[faces.place(face, corner)]);
     out.text("\n");
   }
   return out.bytes();
