@@ -295,10 +295,8 @@ export default {
     + 'qui est conservée',
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
-  'help.weld': 'réunit les endroits plus proches que cela ; sans indication seulement ceux qui ne '
-    + 'diffèrent que par l’arrondi',
-  'help.quads': 'seulement des quadrilatères, le long des arêtes vives et de la courbure ; le '
-    + 'nombre de sommets à 1 % près',
+  'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
+  'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
   'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
@@ -339,8 +337,7 @@ export default {
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
-  'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de triangles, de points ou de '
-    + 'textures qui sont refaits ne vaut plus et disparaît.',
+  'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
@@ -397,8 +394,7 @@ export default {
   'fault.NON_FINITE': 'Une coordonnée n’est pas un nombre fini.',
   'fault.NO_TRIANGLES': 'Le modèle n’a pas de triangles.',
   'fault.TARGET_TOO_SMALL': 'Si peu de points ne suffisent pas à cette surface.',
-  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et aux coutures qui '
-    + 'restent.',
+  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et coutures gardées.',
   'fault.INPUT_UNREADABLE': 'Le fichier ne s’ouvre pas.',
   'fault.OUTPUT_UNWRITABLE': 'Le résultat ne s’écrit pas.',
 };
