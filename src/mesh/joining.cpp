@@ -98,12 +98,14 @@ Extents extentsOf(const TriangleMesh& mesh) {
 }
 
 struct EdgeCounts {
-  std::size_t shared = 0, all = 0;
+  std::size_t shared = 0, all = 0, triangles = 0;
+  double share() const { return all > 0 ? double(shared) / double(all) : 0; }
 };
 
 EdgeCounts edgesOf(const TriangleMesh& mesh) {
-  EdgeCounts edges;
-  Welding(mesh).forEachEdge([&](std::span<const Index> edge) {
+  const Welding welding(mesh);
+  EdgeCounts edges{0, 0, welding.corners.size() / 3};
+  welding.forEachEdge([&](std::span<const Index> edge) {
     ++edges.all;
     edges.shared += edge.size() > 1;
   });
@@ -162,14 +164,19 @@ bool isLoose(const TriangleMesh& mesh) {
 }
 
 std::optional<double> percentThatJoins(const TriangleMesh& mesh) {
+  constexpr double kMost = 0.5;
   const double diagonal = diagonalOf(mesh);
+  EdgeCounts before;
+  std::optional<double> best;
   for (const double percent : kPercents) {
     TriangleMesh joined{mesh.positions, mesh.indices, {}, {}};
     joinNear(joined, percent / 100 * diagonal);
     const EdgeCounts edges = edgesOf(joined);
-    if (2 * edges.shared >= edges.all && edges.all > 0) return percent;
+    if (best && (edges.triangles < before.triangles || edges.share() <= before.share())) break;
+    if (edges.share() >= kMost) best = percent;
+    before = edges;
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace remesher

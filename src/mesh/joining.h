@@ -23,7 +23,7 @@ double diagonalOf(const TriangleMesh& mesh);
 bool isLoose(const TriangleMesh& mesh);
 
 // The smallest of a few distances, in percent of the diagonal, that joins most edges of what is
-// loose.
+// loose; the next, as long as that joins more and no triangle goes.
 std::optional<double> percentThatJoins(const TriangleMesh& mesh);
 
 }  // namespace remesher
