@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Repair, alone and before remeshing: holes closed and the rest as it was; bodies united; sheets wrapped.
+// Repair, alone and before remeshing: holes closed and the rest as it was; bodies united; sheets
+// wrapped.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
