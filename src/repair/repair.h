@@ -16,8 +16,8 @@ struct RepairedMesh {
   std::vector<Warning> warnings;
 };
 
-// As the options' repair, holesUpTo and gap say. Throws Error as requireValid does, NO_TRIANGLES if nothing
-// can be kept.
+// As the options' repair, holesUpTo and gap say. Throws Error as requireValid does, NO_TRIANGLES if
+// nothing can be kept.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
 }  // namespace remesher

@@ -305,8 +305,8 @@ export default {
   'option.repair': 'Reparatur',
   'option.holesUpTo': 'Löcher bis',
   'option.gap': 'Lücke',
-  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest lassen; '
-    + 'solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
+  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest '
+    + 'lassen; solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
     + 'als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
   'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
   'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
@@ -328,7 +328,8 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
-  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher tat.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher '
+    + 'tat.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',

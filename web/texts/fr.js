@@ -304,8 +304,8 @@ export default {
   'option.repair': 'Réparation',
   'option.holesUpTo': 'Trous jusqu’à',
   'option.gap': 'Ouverture',
-  'help.repair': 'réparer d’abord la surface. holes : fermer les boucles ouvertes, laisser le reste ; '
-    + 'solid : l’extérieur de ce qui enferme quelque chose ; wrap : ce que l’on atteint de '
+  'help.repair': 'réparer d’abord la surface. holes : fermer les boucles ouvertes, laisser le '
+    + 'reste ; solid : l’extérieur de ce qui enferme quelque chose ; wrap : ce que l’on atteint de '
     + 'l’extérieur par des passages plus larges que l’ouverture ; auto : le premier qui convient',
   'help.gap': 'wrap ferme les passages jusqu’à cette largeur ; 2 sans indication',
   'help.holesUpTo': 'les boucles plus longues restent ouvertes ; sans indication, toutes sont '

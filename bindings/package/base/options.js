@@ -255,14 +255,10 @@ function canonical(option, value) {
 }
 
 /** @param {Record<string, unknown>} given */
-function checkTogetherWithRepair({ repair = 'off', holesUpTo, gap }) {
+function checkTogetherWithRepair({ repair = 'off', holesUpTo }) {
   if (holesUpTo !== undefined && repair !== 'holes' && repair !== 'auto') {
     throw new RemeshError('INVALID_OPTION', 'No holes are closed, long or short.',
       'Ask for it: --repair holes, repair.');
-  }
-  if (gap !== undefined && repair !== 'wrap' && repair !== 'auto') {
-    throw new RemeshError('INVALID_OPTION', 'The gap is for what is wrapped.',
-      'Ask for it: --repair wrap, repair.');
   }
 }
 

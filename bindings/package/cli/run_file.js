@@ -14,7 +14,10 @@ import { requireOutput, writeOutput } from '../files/output.js';
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 /** @typedef {import('../base/messages.js').Warning} Warning */
-/** @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'repairFile' | 'remeshFile'>} Api */
+/**
+ * @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'repairFile'
+ *   | 'remeshFile'>} Api
+ */
 /** @typedef {import('../api/client.js').RunOptions} RunOptions */
 
 /**

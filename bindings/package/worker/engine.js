@@ -162,7 +162,8 @@ export class Engine {
     if (job.kind !== 'remesh' && job.kind !== 'repair') return outcome;
     const alike = (/** @type {any[]} */ meshes) =>
       job.parts.map(({ mesh }, i) => meshLike(meshes[i], mesh));
-    return { ...outcome, meshes: alike(outcome.meshes), ...(outcome.lods ? { lods: outcome.lods.map(alike) } : {}) };
+    const lods = outcome.lods ? { lods: outcome.lods.map(alike) } : {};
+    return { ...outcome, meshes: alike(outcome.meshes), ...lods };
   }
 
   async #start() {
