@@ -2,23 +2,12 @@
 #include "jobs/part_joining.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 
+#include "base/legible.h"
 #include "mesh/joining.h"
 
 namespace remesher {
-namespace {
-
-std::string inDigits(double percent) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", percent);
-  return text.data();
-}
-
-}  // namespace
-
 std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent) {
   for (io::Part& part : parts) {
     requireValid(part.mesh);
@@ -40,7 +29,7 @@ std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<
       percent = std::max(percent.value_or(0), *needed);
   std::string message = "No triangle shares an edge with another: each is a surface of its own.";
   if (percent)
-    message += " Their corners are near to each other: --weld " + inDigits(*percent) +
+    message += " Their corners are near to each other: --weld " + inDigits(*percent, 6) +
                " (weld) joins them.";
   return {{"TRIANGLES_NOT_JOINED", message, report.triangles}};
 }

@@ -62,7 +62,7 @@ SeamlessMap MapMaker::map(double length) const {
 // whole numbers, where the walk over the map begins.
 SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
   std::vector<Whole> wholes;
-  for (Index i = 0; i < values.size(); ++i)
+  for (Index i = 0; i < Index(values.size()); ++i)
     wholes.push_back(i < system_.realCount()
                          ? 2 * Whole(std::floor(values[i] * double(kUnit / 2))) + 1
                          : Whole(std::llround(values[i])) * kUnit);

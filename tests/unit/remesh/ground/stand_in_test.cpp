@@ -8,6 +8,7 @@
 #include "mesh/topology.h"
 #include "remesh/accuracy/places.h"
 #include "remesh/ground/decimate.h"
+#include "remesh/schemes/land.h"
 #include "remesh/steps/sweeps.h"
 #include "support/runs.h"
 
