@@ -26,6 +26,11 @@ inline constexpr Names<Textures, 2> kTextures = {
     {{"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
+inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
+                                               {"holes", Repair::Holes},
+                                               {"solid", Repair::Solid},
+                                               {"wrap", Repair::Wrap},
+                                               {"auto", Repair::Auto}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},
@@ -37,6 +42,7 @@ constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }
 constexpr const auto& namesOf(Textures) { return kTextures; }
+constexpr const auto& namesOf(Repair) { return kRepairs; }
 constexpr const auto& namesOf(TextureFormat) { return kTextureFormats; }
 
 template <class E, std::size_t n>

@@ -28,6 +28,19 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
 }
 
 // request: { name, bytes, resources, output }
+val repairBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RemeshFileResult run =
+        repairFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
+                   progressFrom(onProgress));
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources, output }
 val convertBytes(const val& request) {
   return guarded([&] {
     const ConvertFileResult run =
@@ -55,6 +68,7 @@ val defaultOptions() { return objectFrom(RemeshOptions()); }
 
 EMSCRIPTEN_BINDINGS(remesher_files) {
   emscripten::function("remeshFile", &remeshBytes);
+  emscripten::function("repairFile", &repairBytes);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspectFile", &inspectBytes);
   emscripten::function("errorCodes", &errorCodes);

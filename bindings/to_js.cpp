@@ -31,6 +31,21 @@ val objectFrom(const AngleStatistics& angles) {
   return result;
 }
 
+val objectFrom(const QuadReport& quads) {
+  val deviation = val::object(), jacobian = val::object(), result = val::object();
+  deviation.set("mean", quads.angleDeviation.mean);
+  deviation.set("p95", quads.angleDeviation.p95);
+  deviation.set("worst", quads.angleDeviation.worst);
+  jacobian.set("min", quads.scaledJacobian.min);
+  jacobian.set("mean", quads.scaledJacobian.mean);
+  result.set("count", double(quads.count));
+  result.set("irregular", double(quads.irregular));
+  result.set("angleDeviation", deviation);
+  result.set("scaledJacobian", jacobian);
+  result.set("edgeVariation", quads.edgeVariation);
+  return result;
+}
+
 val objectFrom(const MeshReport& mesh) {
   val result = val::object();
   result.set("vertices", double(mesh.vertices));
@@ -43,6 +58,7 @@ val objectFrom(const MeshReport& mesh) {
   result.set("minAngle", objectFrom(mesh.minAngle));
   result.set("maxAngle", mesh.maxAngle);
   result.set("valence6", mesh.valence6);
+  if (mesh.quads) result.set("quads", objectFrom(*mesh.quads));
   return result;
 }
 
@@ -50,6 +66,21 @@ val objectFrom(const FidelityReport& fidelity) {
   val result = val::object();
   result.set("hausdorff", fidelity.hausdorff);
   result.set("rms", fidelity.rms);
+  return result;
+}
+
+val objectFrom(const RepairReport& repair) {
+  val result = val::object();
+  val selfIntersections = val::array();
+  for (const std::size_t count : repair.selfIntersections)
+    selfIntersections.call<void>("push", double(count));
+  result.set("mode", repair.mode);
+  result.set("holes", double(repair.holes));
+  result.set("islands", double(repair.islands));
+  result.set("shells", double(repair.shells));
+  result.set("turned", double(repair.turned));
+  result.set("lost", repair.lost);
+  result.set("selfIntersections", selfIntersections);
   return result;
 }
 
@@ -120,6 +151,7 @@ val objectFrom(const TriangleMesh& mesh) {
   result.set("indices", arrayFrom(mesh.indices));
   result.set("attributes", listFrom(mesh.attributes));
   if (!mesh.groups.empty()) result.set("groups", arrayFrom(mesh.groups));
+  if (mesh.isQuads) result.set("quads", arrayFrom(quadsOf(mesh)));
   return result;
 }
 
@@ -140,6 +172,7 @@ val objectFrom(const Report& report) {
   result.set("input", objectFrom(report.input));
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
+  if (report.repair) result.set("repair", objectFrom(*report.repair));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
   result.set("phases", listFrom(report.phases));

@@ -209,6 +209,7 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird angesehen',
+  'phase.repair': 'Ausbessern',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -228,6 +229,7 @@ export default {
   'phase.smooth': 'Glätten',
   'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
+  'phase.quads': 'Vierecke bilden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
   'phase.write': 'Schreiben',
@@ -269,6 +271,9 @@ export default {
   'option.featureAngle': 'Kantenwinkel',
   'option.boundary': 'Rand',
   'option.maxError': 'Größter Fehler',
+  'option.weld': 'Verbinden',
+  'option.quads': 'Vierecke',
+  'option.exact': 'Genaue Zahl',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
@@ -289,9 +294,22 @@ export default {
     + 'die erhalten bleibt',
   'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
+  'help.weld': 'fügt Stellen zusammen, die näher beieinander liegen; ohne Angabe nur, was bis auf '
+    + 'Rundung gleich ist',
+  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der Punkte '
+    + 'auf 1 % genau',
+  'help.exact': 'von Vierecken: genau so viele Punkte',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',
+  'option.repair': 'Reparatur',
+  'option.holesUpTo': 'Löcher bis',
+  'option.gap': 'Lücke',
+  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest '
+    + 'lassen; solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
+    + 'als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
+  'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
+  'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
   'option.textures': 'Texturen',
   'option.textureSize': 'Texturgröße',
   'option.textureFormat': 'Texturformat',
@@ -310,16 +328,22 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher '
+    + 'tat.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
+  'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
+  'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
+    + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '
     + 'weg.',
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
     + 'mehr aneinander.',
+  'warning.LEVELS_REPLACED': 'Die gröberen Stufen, die die Datei hatte, weichen den verlangten.',
   'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '
     + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
@@ -338,12 +362,18 @@ export default {
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
+  'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
+    + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
+  'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt, die nur in Punkten mit der Fläche '
+    + 'zusammenhängen, lose in Löchern liegen oder doppelt sind.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',
+  'warning.TRIANGLES_NOT_JOINED': 'Kein Dreieck teilt eine Kante mit einem anderen: jedes ist eine '
+    + 'Fläche für sich. „Verbinden“ fügt zusammen, was nah beieinander liegt.',
   'warning.VERTICES_COINCIDE': 'Punkte des Ergebnisses liegen aufeinander: Teile sind näher '
     + 'beisammen, als die Zahlen der Datei unterscheiden können.',
 

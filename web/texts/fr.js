@@ -210,6 +210,7 @@ export default {
 
   'progress.left': 'encore {seconds} s',
   'phase.inspect': 'Examen de l’original',
+  'phase.repair': 'Réparation',
   'phase.read': 'Lecture',
   'phase.build': 'Liaison des triangles',
   'phase.curves': 'Recherche des plis',
@@ -229,6 +230,7 @@ export default {
   'phase.smooth': 'Lissage',
   'phase.mend': 'Réparation',
   'phase.coarsen': 'Simplification',
+  'phase.quads': 'Quadrilatères',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
   'phase.write': 'Écriture',
@@ -270,6 +272,9 @@ export default {
   'option.featureAngle': 'Angle des arêtes vives',
   'option.boundary': 'Bord',
   'option.maxError': 'Erreur maximale',
+  'option.weld': 'Souder',
+  'option.quads': 'Quadrilatères',
+  'option.exact': 'Nombre exact',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -290,9 +295,21 @@ export default {
     + 'qui est conservée',
   'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
   'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
+  'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
+  'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
+  'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',
+  'option.repair': 'Réparation',
+  'option.holesUpTo': 'Trous jusqu’à',
+  'option.gap': 'Ouverture',
+  'help.repair': 'réparer d’abord la surface. holes : fermer les boucles ouvertes, laisser le '
+    + 'reste ; solid : l’extérieur de ce qui enferme quelque chose ; wrap : ce que l’on atteint de '
+    + 'l’extérieur par des passages plus larges que l’ouverture ; auto : le premier qui convient',
+  'help.gap': 'wrap ferme les passages jusqu’à cette largeur ; 2 sans indication',
+  'help.holesUpTo': 'les boucles plus longues restent ouvertes ; sans indication, toutes sont '
+    + 'fermées',
   'option.textures': 'Textures',
   'option.textureSize': 'Taille des textures',
   'option.textureFormat': 'Format des textures',
@@ -312,17 +329,23 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
+  'warning.CROSSINGS_LEFT': 'Des triangles en traversent encore d’autres, là où la surface le '
+    + 'faisait déjà.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
+  'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
     + 'pas ; elles disparaissent.',
   'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
     + 'plus.',
+  'warning.LEVELS_REPLACED': 'Les niveaux de détail qu’avait le fichier font place à ceux '
+    + 'demandés.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
@@ -341,11 +364,17 @@ export default {
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
+  'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '
+    + 'des points, flottent dans des trous ou sont en double.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
+  'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
+    + 'quadrilatères sont des paires de triangles divisées.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
+  'warning.TRIANGLES_NOT_JOINED': 'Aucun triangle ne partage une arête avec un autre : chacun est '
+    + 'une surface à lui seul. « Souder » réunit ce qui est proche.',
   'warning.VERTICES_COINCIDE': 'Des points du résultat se confondent : des parties sont plus '
     + 'proches que les nombres du fichier ne peuvent le dire.',
 
@@ -365,8 +394,7 @@ export default {
   'fault.NON_FINITE': 'Une coordonnée n’est pas un nombre fini.',
   'fault.NO_TRIANGLES': 'Le modèle n’a pas de triangles.',
   'fault.TARGET_TOO_SMALL': 'Si peu de points ne suffisent pas à cette surface.',
-  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et aux coutures qui '
-    + 'restent.',
+  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et coutures gardées.',
   'fault.INPUT_UNREADABLE': 'Le fichier ne s’ouvre pas.',
   'fault.OUTPUT_UNWRITABLE': 'Le résultat ne s’écrit pas.',
 };

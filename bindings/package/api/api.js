@@ -5,11 +5,12 @@ import { RemeshError } from '../base/errors.js';
 import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
 import { Client } from './client.js';
 import { fileBuffers, fileRequest, isBytes } from './inputs.js';
-import { checkOptions } from '../base/options.js';
+import { checkOptions, checkRepair } from '../base/options.js';
 
 /** @import { Inspection, Mesh, NamedBytes, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
-/** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
+/** @import { RemeshResult, RepairOptions, RepairResult } from './arrays_api.js' */
+/** @import { Runner, WasmSource } from './arrays_api.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
 /** @import { Compile } from './modules.js' */
@@ -38,6 +39,11 @@ import { checkOptions } from '../base/options.js';
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>}
  *   RemeshFileResult
+ */
+
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RepairResult, 'report'>}
+ *   RepairFileResult
  */
 
 /** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
@@ -86,6 +92,19 @@ export class Api extends ArraysApi {
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, report };
+  }
+
+  /**
+   * @param {Bytes} bytes
+   * @param {RepairOptions & FileOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<RepairFileResult>}
+   */
+  async repairFile(bytes, options = {}) {
+    const checked = checkRepair(options, [...runNames, ...fileNames, 'output']);
+    const file = await fileRequest(bytes, options);
+    const { files, report } = await this.#client.run(
+      { kind: 'repairFile', file, options: checked }, fileBuffers(file), options);
     return { ...files[0], files, report };
   }
 

@@ -9,7 +9,7 @@
 
 /** @param {Job} job @returns {EngineName} the least that can run it */
 export const neededBy = ({ kind }) =>
-  (kind === 'remesh' || kind === 'inspect' ? 'arrays' : 'whole');
+  (['remesh', 'repair', 'inspect'].includes(kind) ? 'arrays' : 'whole');
 
 export class Modules {
   /** @type {Partial<Record<EngineName, Compile>>} */

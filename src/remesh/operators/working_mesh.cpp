@@ -30,6 +30,13 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       place(chains[c].vertices[i], onCurve({c, chains[c].arcs[i]}));
 }
 
+WorkingMesh::WorkingMesh(const OriginalSurface& surface, const Parts& parts)
+    : surface_(&surface), mesh_(parts.places.size(), parts.triangles, parts.twins) {
+  grow();
+  for (Index v = 0; v < parts.places.size(); ++v) place(Vertex(v), parts.places[v]);
+  for (Index h = 0; h < parts.curves.size(); ++h) curve_[Halfedge(h)] = parts.curves[h];
+}
+
 Vec3 WorkingMesh::areaVectorAround(Vertex v) const {
   const Vec3& at = position(v);
   Vec3 sum = Vec3::Zero();

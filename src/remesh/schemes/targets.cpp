@@ -68,7 +68,24 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give at least one value above 0; only their ratios count.");
 }
 
+std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
+  const bool isByCurves = code == ErrorCode::TargetBelowCurves;
+  return "The target of " + std::to_string(target) + " vertices is " +
+         (isByCurves ? "below the " : "too small: this surface needs at least ") +
+         std::to_string(needed) +
+         (isByCurves ? " that the corners of feature curves and kept boundaries need." : ".");
+}
+
 }  // namespace
+
+TooFewVertices::TooFewVertices(ErrorCode errorCode, std::size_t askedFor, std::size_t enough)
+    : Error(errorCode, tooFew(errorCode, askedFor, enough),
+            "Ask for " + std::to_string(enough) + " vertices or more" +
+                (errorCode == ErrorCode::TargetBelowCurves
+                     ? ", or for fewer features (featureAngle, boundary)."
+                     : ".")),
+      target(askedFor),
+      needed(enough) {}
 
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(options.gradation > 1,
@@ -78,6 +95,8 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(adaptivity >= 0 && adaptivity <= 1,
           "adaptivity is " + inDigits(adaptivity, kDigits) + ", not between 0 and 1.",
           "0 gives even triangles, 1 follows curvature fully.");
+  require(!options.weld || *options.weld > 0, "weld is not above 0.",
+          "It is in percent of the diagonal; leave it out to join nothing more.");
   require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
           "It is a percentage of the bounding box diagonal.");
   require(!options.edgeLength || *options.edgeLength > 0, "edgeLength is not above 0.",
@@ -115,11 +134,7 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
   const std::size_t fewest = fewestVertices(built.mesh);
   if (target < double(fewest) && options.tooFew == TooFew::Raise) return fewest;
   if (target < double(fewest))
-    throw Error(ErrorCode::TargetTooSmall,
-                "The target of " + std::to_string(std::size_t(target)) +
-                    " vertices is too small: this surface needs at least " +
-                    std::to_string(fewest) + ".",
-                "Ask for " + std::to_string(fewest) + " vertices or more.");
+    throw TooFewVertices(ErrorCode::TargetTooSmall, std::size_t(target), fewest);
   return std::size_t(target);
 }
 
@@ -130,12 +145,7 @@ std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh) 
 }
 
 void checkCurves(std::size_t corners, std::size_t vertices) {
-  if (corners <= vertices) return;
-  throw Error(ErrorCode::TargetBelowCurves,
-              "The target of " + std::to_string(vertices) + " vertices is below the " +
-                  std::to_string(corners) +
-                  " that the corners of feature curves and kept boundaries need.",
-              "Ask for more vertices, or for fewer features (featureAngle, boundary).");
+  if (corners > vertices) throw TooFewVertices(ErrorCode::TargetBelowCurves, vertices, corners);
 }
 
 SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density) {
