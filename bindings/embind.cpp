@@ -28,23 +28,12 @@ val remeshParts(const val& parts, const val& options, const val& onProgress) {
   });
 }
 
-val repairArrays(const val& mesh, const val& options, const val& onProgress) {
-  return guarded([&] {
-    const RepairResult run = repair(meshFrom(mesh), optionsFrom(options), progressFrom(onProgress));
-    val result = val::object();
-    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
-    result.set("report", objectFrom(run.report));
-    return result;
-  });
-}
-
 val inspectArrays(const val& mesh) {
   return guarded([&] { return objectFrom(inspect(meshFrom(mesh))); });
 }
 
 EMSCRIPTEN_BINDINGS(remesher) {
   emscripten::function("remesh", &remeshParts);
-  emscripten::function("repair", &repairArrays);
   emscripten::function("inspect", &inspectArrays);
 }
 

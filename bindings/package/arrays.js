@@ -9,8 +9,6 @@ import * as platform from './platform_browser.js';
  * All that goes in and comes out.
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
  * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
- * @typedef {import('./api/arrays_api.js').RepairOptions} RepairOptions
- * @typedef {import('./api/arrays_api.js').RepairResult} RepairResult
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
@@ -28,7 +26,6 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').PlacedMesh} PlacedMesh
  * @typedef {import('./base/messages.js').ProgressEvent} ProgressEvent
  * @typedef {import('./base/messages.js').RemeshReport} RemeshReport
- * @typedef {import('./base/messages.js').RepairReport} RepairReport
  * @typedef {import('./base/messages.js').RepairSummary} RepairSummary
  * @typedef {import('./base/messages.js').RunReport} RunReport
  * @typedef {import('./base/messages.js').Timings} Timings
@@ -80,22 +77,6 @@ export function remesh(mesh, options) {
  */
 export function remeshScene(parts, options) {
   return api.remeshScene(parts, options);
-}
-
-/**
- * Mends a mesh and does no more: its triangles stay as they are where nothing was broken. The
- * arrays are copied, and stay the caller's.
- *
- * @example
- * const { mesh, report } = await repair({ positions, indices }, { holesUpTo: 5 });
- *
- * @param {Mesh} mesh The surface, as remesh takes it.
- * @param {RepairOptions & RunOptions} [options] How to mend it, and how to run.
- * @returns {Promise<RepairResult>} The mended mesh and a report. Rejects with a
- *   {@link RemeshError}.
- */
-export function repair(mesh, options) {
-  return api.repair(mesh, options);
 }
 
 /**

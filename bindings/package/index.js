@@ -13,8 +13,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/api.js').RepairFileResult} RepairFileResult
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
  * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
- * @typedef {import('./api/arrays_api.js').RepairOptions} RepairOptions
- * @typedef {import('./api/arrays_api.js').RepairResult} RepairResult
+ * @typedef {import('./api/api.js').RepairOptions} RepairOptions
+ * @typedef {import('./api/api.js').RepairResult} RepairResult
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./api/inputs.js').Bytes} Bytes

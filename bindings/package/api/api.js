@@ -4,13 +4,12 @@
 import { RemeshError } from '../base/errors.js';
 import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
 import { Client } from './client.js';
-import { fileBuffers, fileRequest, isBytes } from './inputs.js';
+import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
 import { checkOptions, checkRepair } from '../base/options.js';
 
-/** @import { Inspection, Mesh, NamedBytes, Warning } from '../base/messages.js' */
+/** @import { Inspection, Mesh, NamedBytes, RepairReport, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
-/** @import { RemeshResult, RepairOptions, RepairResult } from './arrays_api.js' */
-/** @import { Runner, WasmSource } from './arrays_api.js' */
+/** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
 /** @import { Platform, RunOptions } from './client.js' */
 /** @import { Bytes, FileOptions, OutputOptions } from './inputs.js' */
 /** @import { Compile } from './modules.js' */
@@ -25,6 +24,14 @@ import { checkOptions, checkRepair } from '../base/options.js';
  *   file.
  * @property {import('./client.js').Codecs} [codecs] What `remesher/codecs` exports: images are
  *   decoded and encoded by what the bundler has put beside the worker.
+ */
+
+/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
+
+/**
+ * @typedef {object} RepairResult
+ * @property {Mesh} mesh Arrays of the types that were given.
+ * @property {RepairReport} report What went in, what was mended, what came out.
  */
 
 /**
@@ -93,6 +100,19 @@ export class Api extends ArraysApi {
     const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
     return { ...files[0], files, report };
+  }
+
+  /**
+   * @param {Mesh} mesh
+   * @param {RepairOptions & RunOptions} [options]
+   * @returns {Promise<RepairResult>}
+   */
+  async repair(mesh, options = {}) {
+    const checked = checkRepair(options, runNames);
+    const parts = [{ mesh: copyMesh(mesh) }];
+    const { meshes, report } = await this.#client.run({ kind: 'repair', parts, options: checked },
+      buffersOf(parts[0].mesh), options);
+    return { mesh: meshes[0], report };
   }
 
   /**

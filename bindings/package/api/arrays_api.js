@@ -5,16 +5,14 @@
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { buffersOf, copyMesh, copyScene } from './inputs.js';
-import { checkOptions, checkRepair, requireObject } from '../base/options.js';
+import { checkOptions, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
 /** @import { EngineName, Inspection, Mesh, PlacedMesh } from '../base/messages.js' */
-/** @import { RemeshReport, RepairReport } from '../base/messages.js' */
+/** @import { RemeshReport } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { Client, Platform, RunOptions } from './client.js' */
 /** @import { Compile } from './modules.js' */
-
-/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
 
 /** @typedef {Pick<Client, 'bring' | 'modules' | 'warmUp' | 'run'>} Runner */
 
@@ -36,12 +34,6 @@ import { compileBinary } from './wasm_source.js';
  * @property {Mesh[]} meshes In the order given, arrays of the types that were given.
  * @property {RemeshReport} report On all of them together.
  * @property {Mesh[][]} lods The same meshes for each level of detail that was asked for.
- */
-
-/**
- * @typedef {object} RepairResult
- * @property {Mesh} mesh Arrays of the types that were given.
- * @property {RepairReport} report What went in, what was mended, what came out.
  */
 
 export const runNames =
@@ -87,19 +79,6 @@ export class ArraysApi {
   async remeshScene(parts, options = {}) {
     const checked = checkOptions(options, { others: runNames });
     return this.#runScene(copyScene(parts), checked, options);
-  }
-
-  /**
-   * @param {Mesh} mesh
-   * @param {RepairOptions & RunOptions} [options]
-   * @returns {Promise<RepairResult>}
-   */
-  async repair(mesh, options = {}) {
-    const checked = checkRepair(options, runNames);
-    const parts = [{ mesh: copyMesh(mesh) }];
-    const { meshes, report } = await this.#client.run({ kind: 'repair', parts, options: checked },
-      buffersOf(parts[0].mesh), options);
-    return { mesh: meshes[0], report };
   }
 
   /**
