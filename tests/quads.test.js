@@ -41,7 +41,7 @@ test('quads come beside their triangles, two to each, from the same first corner
   });
 });
 
-test('the surface is closed, of its own kind, and has the number of vertices within 1 %', async () => {
+test('the surface is closed, of its own kind, with as many vertices within 1 %', async () => {
   const { mesh, report } = await remesh(round, asked);
   assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
   assert.equal(eulerCharacteristic(mesh), 0);

@@ -19,6 +19,9 @@ const functions = {
     + 'Promise<RemeshSceneResult>',
   remeshFile: 'remeshFile(bytes: Bytes, options?: RemeshOptions & FileOptions & OutputOptions '
     + '& RunOptions): Promise<RemeshFileResult>',
+  repair: 'repair(mesh: Mesh, options?: RepairOptions & RunOptions): Promise<RepairResult>',
+  repairFile: 'repairFile(bytes: Bytes, options?: RepairOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<RepairFileResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
     + 'Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: FileOptions & RunOptions): '

@@ -202,7 +202,7 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
       }
       rewritePrimitive(primitive, accessors,
                        addIndices(primitive, triangles->second, encoded.vertexCount), texcoords);
-      forgetPolygons(primitive);
+      if (mesh.isQuads) forgetPolygons(primitive);
       settlePrimitive(tree_, primitive, texcoords, lost_);
       if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }

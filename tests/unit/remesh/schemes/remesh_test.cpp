@@ -300,11 +300,3 @@ TEST_CASE("curves: the number that is named where vertices are too few is enough
   options.vertices = Index(needed);
   CHECK_NOTHROW(remeshSurface(columns, options, {}));
 }
-
-TEST_CASE("rounds: a star of many triangles is no square of work") {
-  const TriangleMesh star = shapes::cone(3000);
-  RemeshOptions options;
-  options.scheme = Scheme::Rounds;
-  options.vertices = 500;
-  CHECK(remeshSurface(star, options, {}).vertices == 500);
-}

@@ -30,6 +30,7 @@ GltfMaker square() {
 io::WrittenFiles written(const File& file) {
   io::Model model = io::read(file);
   std::reverse(model.parts[0].mesh.indices.begin(), model.parts[0].mesh.indices.end());
+  model.parts[0].mesh.isQuads = false;
   return io::write(model, "out.glb");
 }
 
