@@ -14,6 +14,8 @@ template <class E, std::size_t n>
 using Names = std::array<std::pair<std::string_view, E>, n>;
 
 inline constexpr Names<Scheme, 2> kSchemes = {{{"best", Scheme::Best}, {"rounds", Scheme::Rounds}}};
+inline constexpr Names<Prefer, 3> kPrefers = {
+    {{"auto", Prefer::Auto}, {"even", Prefer::Even}, {"shape", Prefer::Shape}}};
 inline constexpr Names<Quality, 2> kQualities = {
     {{"draft", Quality::Draft}, {"best", Quality::Best}}};
 inline constexpr Names<Projection, 2> kProjections = {
@@ -37,6 +39,7 @@ inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"cancelled", Stopped::Cancelled}}};
 
 constexpr const auto& namesOf(Scheme) { return kSchemes; }
+constexpr const auto& namesOf(Prefer) { return kPrefers; }
 constexpr const auto& namesOf(Quality) { return kQualities; }
 constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }

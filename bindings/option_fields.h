@@ -14,6 +14,7 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("ratio", options.ratio);
   visit("edgeLength", options.edgeLength);
   visit("scheme", options.scheme);
+  visit("prefer", options.prefer);
   visit("quality", options.quality);
   visit("projection", options.projection);
   visit("fidelity", options.fidelity);

@@ -3,6 +3,8 @@
 
 #include <emscripten/heap.h>
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -163,6 +165,16 @@ val objectFrom(const std::vector<Picture>& pictures) { return listFrom(pictures)
 
 val objectFrom(const std::vector<Warning>& warnings) { return listFrom(warnings); }
 
+// One word for all parts; a list where they differ.
+val preferenceFrom(const std::vector<Prefer>& parts) {
+  const auto word = [](Prefer part) { return std::string(nameOf(kPrefers, part)); };
+  if (std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to()) == parts.end())
+    return val(word(parts.front()));
+  val result = val::array();
+  for (const Prefer part : parts) result.call<void>("push", word(part));
+  return result;
+}
+
 // WebAssembly's memory only grows: its size now is the peak.
 val objectFrom(const Report& report) {
   val memory = val::object();
@@ -173,6 +185,7 @@ val objectFrom(const Report& report) {
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair) result.set("repair", objectFrom(*report.repair));
+  if (!report.prefer.empty()) result.set("prefer", preferenceFrom(report.prefer));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
   result.set("phases", listFrom(report.phases));

@@ -49,6 +49,7 @@ void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh&
   run.places[part] = std::move(outcome.places);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
+  run.report.prefer[part] = outcome.prefer;
 }
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
@@ -56,6 +57,7 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   progress.phase("inspect", 0, 0);
   Run run{{}, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
   for (const io::Part& part : originals) run.parts.push_back(withoutMesh(part));
+  run.report.prefer.assign(originals.size(), Prefer::Even);
   const std::vector<PartPlace> places = placesOf(originals);
   run.report.input = inspectParts(originals, run.weldings, places);
   run.report.warnings = looseTriangles(run.report.input, originals);

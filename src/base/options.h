@@ -17,6 +17,7 @@ enum class Quality { Draft, Best };          // of the scheme `best`: soon | as 
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
+enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
 enum class Textures { Keep, Bake };  // texture coordinates along their seams | painted anew
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
@@ -27,6 +28,7 @@ struct RemeshOptions {
   std::optional<double> ratio;       // the same as a share of the input's
   std::optional<double> edgeLength;  // the same from a mean edge length
   Scheme scheme = Scheme::Best;
+  Prefer prefer = Prefer::Auto;
   Quality quality = Quality::Best;
   Projection projection = Projection::Patches;
   std::optional<Fidelity> fidelity;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/options.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -98,6 +99,7 @@ struct Report {
   std::uint64_t peakBytes = 0;
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
+  std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
   std::vector<Report> lods;  // of the coarser levels of detail, as they were asked for
 };
 

@@ -193,11 +193,15 @@
  * @property {number} rms Root mean square.
  */
 
+/** @typedef {'even' | 'shape'} Preferred */
+
 /**
  * @typedef {object} RunReport
  * @property {MeshReport} output The mesh as it is now.
  * @property {Distances} fidelity How far the two are apart.
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
+ * @property {Preferred | Preferred[]} prefer What the result is made of: even triangles, or
+ *   vertices where the shape needs them most; for each part where parts differ.
  */
 
 /**

@@ -44,6 +44,10 @@ export const optionTable = [
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
     default: 'best',
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
+  { name: 'prefer', flag: '--prefer P', type: 'choice', choices: ['auto', 'even', 'shape'],
+    default: 'auto',
+    help: 'even: even triangles; shape: vertices of the original where its shape and looks need ' +
+      'them most; auto: even where that keeps both, else shape' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
@@ -262,6 +266,24 @@ function checkTogetherWithRepair({ repair = 'off', holesUpTo }) {
   }
 }
 
+/**
+ * What decides where vertices lie leaves nothing to the shape.
+ * @param {Record<string, unknown>} given
+ * @param {(option: Option) => string} label
+ */
+function checkTogetherWithShape(given, label) {
+  if (given.prefer !== 'shape') return;
+  const excluded = Object.entries({ scheme: 'rounds', boundary: 'keep', quads: true,
+    splitObtuse: true }).find(([name, value]) => given[name] === value)?.[0]
+    ?? ['maxError', 'density', 'featureEdges'].find((name) =>
+      given[name] !== undefined && given[name] !== 'off');
+  const option = excluded && byName.get(excluded);
+  if (!option) return;
+  throw new RemeshError('INVALID_OPTION',
+    `${label(option)} decides where vertices lie, and so does the shape that is preferred.`,
+    'Ask for one of them.');
+}
+
 /** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
 function checkTogether(given, label) {
   const targets = optionTable.filter(({ name }) =>
@@ -271,6 +293,7 @@ function checkTogether(given, label) {
       'Give their shares of the vertices: --lods, lods.');
   }
   checkTogetherWithRepair(given);
+  checkTogetherWithShape(given, label);
   if (targets.length < 2) return;
   throw new RemeshError('INVALID_OPTION',
     `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');

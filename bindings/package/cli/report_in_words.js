@@ -52,6 +52,9 @@ export function reportInWords(report) {
   if (report.repair) parts.push(repairInWords(report.repair));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
+  if ([report.prefer].flat().includes('shape')) {
+    parts.push('vertices are where the shape needs them most, not evenly spread');
+  }
   for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
     parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
   }

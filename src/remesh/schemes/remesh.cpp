@@ -158,11 +158,12 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
           places.coincident};
 }
 
-// Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
-// even triangles are too large for.
+// Whether those vertices of the original that its shape needs may be taken instead of even
+// triangles: not where sizes, bounds or edges are the caller's own.
 bool mayFollow(const RemeshOptions& options) {
-  return options.textures == Textures::Bake && options.scheme == Scheme::Best &&
-         options.density.empty() && !options.maxError && !options.splitObtuse;
+  return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
+         options.density.empty() && options.featureEdges.empty() && !options.maxError &&
+         !options.splitObtuse && options.boundary == Boundary::Resample;
 }
 
 // The shares of a run's time: of triangles for the map, and of each mesh for pairs.
@@ -225,8 +226,14 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
 }
 
 RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {
-  return {std::move(followed.mesh), std::move(followed.places), Stopped::Target, vertices,
-          std::move(warnings)};
+  return {std::move(followed.mesh),
+          std::move(followed.places),
+          Stopped::Target,
+          vertices,
+          std::move(warnings),
+          0,
+          {},
+          Prefer::Shape};
 }
 
 // More vertices keep more curves, which have more corners: a number that is named must do when it
@@ -254,11 +261,18 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
   Plan plan = planRun(input, std::move(welding), options, progress);
   if (options.quads) return remeshToQuads(std::move(plan), input, options, progress);
   const bool isRivalled = mayFollow(options);
-  if (isRivalled && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
-    if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))
+  const bool isWished = options.prefer == Prefer::Shape;
+  const auto isForced = [&] {
+    return options.textures == Textures::Bake &&
+           countCorners(plan.curves, plan.built.mesh) > plan.vertices &&
+           isWorthFollowing(plan.built, plan.vertices);
+  };
+  if (isRivalled && (isWished || isForced()))
+    if (std::optional<Followed> followed =
+            follow(plan.built, input, plan.vertices, options.textures))
       return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
   const Prepared original(std::move(plan), options, progress);
-  Rival rival(original, input);
+  Rival rival(original, input, options.textures);
   OriginalTree tree(original.surface(), &input);
   const Manner manner{options, input.attributes.empty() ? 0 : kStagger, grainOf(input),
                       isRivalled ? &rival : nullptr, tree};

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "mesh/mesh_builder.h"
@@ -41,14 +43,36 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   const TriangleMesh input = pleats();
   const BuiltMesh built = buildMesh(input);
   for (const std::size_t count : {1000, 500, 150}) {
-    const std::optional<Followed> followed = follow(built, input, count);
+    const std::optional<Followed> followed = follow(built, input, count, Textures::Bake);
     REQUIRE(followed);
     CHECK(inspectMesh(followed->mesh).vertices == count);
     CHECK(followed->places.size() == followed->mesh.indices.size());
   }
-  CHECK(!follow(built, input, 4));
-  // Nothing is left out of what has no more.
-  CHECK(!follow(built, input, built.mesh.vertexCount()));
+  CHECK(!follow(built, input, 4, Textures::Bake));
+  // Nothing is left out of what has just so many, and nothing is made of fewer.
+  const std::optional<Followed> whole =
+      follow(built, input, built.mesh.vertexCount(), Textures::Bake);
+  REQUIRE(whole);
+  CHECK(whole->distance == 0);
+  CHECK(!follow(built, input, built.mesh.vertexCount() + 1, Textures::Bake));
+}
+
+TEST_CASE("follow: where attributes are kept, vertices are the original's, and so are theirs") {
+  TriangleMesh input = shapes::icosphere(12);
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (const Vec3& p : input.positions)
+    uv.values.insert(uv.values.end(), {float(p.x()), float(p.y())});
+  input.attributes.push_back(uv);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 200, Textures::Keep);
+  REQUIRE(followed);
+  const TriangleMesh& result = followed->mesh;
+  CHECK(inspectMesh(result).vertices == 200);
+  for (std::size_t v = 0; v < result.positions.size(); ++v) {
+    const Vec3& p = result.positions[v];
+    CHECK(std::find(input.positions.begin(), input.positions.end(), p) != input.positions.end());
+    CHECK(result.attributes[0].values[2 * v] == float(p.x()));
+    CHECK(result.attributes[0].values[2 * v + 1] == float(p.y()));
+  }
 }
 
 TEST_CASE("follow: every triangle keeps its group, and corners know a place of that near them") {
@@ -59,7 +83,7 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   input.attributes.push_back(places);
   for (Index t = 0; t < input.triangleCount(); ++t)
     input.groups.push_back(input.positions[input.indices[3 * t]].x() < 11.5 ? 0 : 1);
-  const std::optional<Followed> followed = follow(buildMesh(input), input, 60);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 60, Textures::Bake);
   REQUIRE(followed);
   CHECK(inspectMesh(followed->mesh).vertices == 60);
   CHECK(followed->mesh.groups.size() == followed->mesh.triangleCount());
@@ -100,4 +124,20 @@ TEST_CASE("follow: what even triangles show has even triangles") {
       mean += inspectMesh(remeshed(original, vertices, Textures::Bake)).minAngle.mean / 3;
     CHECK(mean > 52);
   }
+}
+
+TEST_CASE("follow: taken for a figure of cubes at its own number, not for what is round") {
+  const auto preferred = [](const TriangleMesh& input, double share, Prefer prefer) {
+    RemeshOptions options;
+    options.ratio = share;
+    options.prefer = prefer;
+    return remeshSurface(input, options, {}).prefer;
+  };
+  const TriangleMesh figure =
+      shapes::cells(6, [](int i, int j, int k) { return (i + 2 * j + 3 * k) % 5 < 2; });
+  CHECK(preferred(figure, 1, Prefer::Auto) == Prefer::Shape);
+  CHECK(preferred(figure, 1, Prefer::Even) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);
 }
