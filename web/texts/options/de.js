@@ -45,8 +45,8 @@ export default {
   'help.maxError': 'verweigert, was vom Original mehr abwiche',
   'help.weld': 'fügt Stellen zusammen, die näher beieinander liegen; ohne Angabe nur, was bis auf '
     + 'Rundung gleich ist',
-  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der Punkte '
-    + 'auf 1 % genau',
+  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der '
+    + 'Punkte auf 1 % genau',
   'help.exact': 'von Vierecken: genau so viele Punkte',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
@@ -55,8 +55,8 @@ export default {
   'option.holesUpTo': 'Löcher bis',
   'option.gap': 'Lücke',
   'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest '
-    + 'lassen; solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch Öffnungen, weiter '
-    + 'als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
+    + 'lassen; solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch '
+    + 'Öffnungen, weiter als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
   'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
   'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
   'option.textures': 'Texturen',
