@@ -52,7 +52,8 @@ export const coreRooms = {
   textures: ['base', 'mesh', 'geometry', 'io/model', 'textures/charts', 'textures/painting'],
   jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair',
     'io/model'],
-  '': ['base', 'geometry', 'remesh/schemes', 'measure', 'io/model', 'io', 'textures', 'jobs'],
+  '': ['base', 'geometry', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io', 'textures',
+    'jobs'],
 };
 
 /** @type {Record<string, string[]>} folders of bindings/package; '': what is imported by name */
@@ -70,7 +71,8 @@ export const packageRooms = {
 
 /** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */
 export const pageRooms = {
-  texts: [],
+  'texts/options': [],
+  texts: ['texts/options'],
   base: ['texts'],
   files: ['base'],
   model: ['base', 'files'],
