@@ -49,7 +49,9 @@ function forEachNumber({ accessor, stride, bytes }, visit) {
 /** What an accessor says of its bounds. @param {Decoded} decoded */
 function tellBounds(decoded) {
   /** @type {number[]} */
-  const [min, max] = [[], []];
+  const min = [];
+  /** @type {number[]} */
+  const max = [];
   forEachNumber(decoded, (value, component) => {
     min[component] = Math.min(min[component] ?? value, value);
     max[component] = Math.max(max[component] ?? value, value);
