@@ -18,6 +18,7 @@
 #include "jobs/part_run.h"
 #include "jobs/part_scale.h"
 #include "jobs/part_targets.h"
+#include "jobs/part_unions.h"
 #include "jobs/precision.h"
 #include "jobs/result_check.h"
 #include "jobs/run_guards.h"
@@ -52,6 +53,35 @@ void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh&
   run.report.prefer[part] = outcome.prefer;
 }
 
+// Each part, those whose borders lie on each other as one. The tree is the last part's.
+std::optional<ListedTree> remeshSurfaces(Run& run, const std::vector<io::Part>& originals,
+                                         const RemeshOptions& options, const Progress& progress) {
+  const PartUnions unions(originals, options);
+  const std::vector<io::Part>& surfaces = unions.surfaces();
+  const std::vector<PartPlace> places = placesOf(surfaces);
+  PartTargets targets(surfaces, places, options);
+  double total = 0;
+  for (const io::Part& part : surfaces)
+    total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
+  double done = 0;
+  std::optional<ListedTree> tree;
+  for (const std::size_t i : targets.order()) {
+    const std::vector<std::size_t>& members = unions.membersOf(i);
+    const TriangleMesh& mesh = surfaces[i].mesh;
+    const double share = double(mesh.triangleCount()) / total;
+    Welding welding = members.size() > 1 ? Welding(mesh) : std::move(run.weldings[members.front()]);
+    RemeshOutcome outcome = remeshAsShown({mesh, std::move(welding), places[i]},
+                                          {targets, unions, i}, progress.part(done, done + share));
+    targets.given(i, outcome.vertices);
+    tree = std::move(outcome.tree);
+    std::vector<RemeshOutcome> parted = unions.parted(i, std::move(outcome));
+    for (std::size_t k = 0; k < parted.size(); ++k)
+      take(run, members[k], std::move(parted[k]), originals[members[k]].mesh);
+    done += share;
+  }
+  return tree;
+}
+
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                 const Progress& progress) {
   progress.phase("inspect", 0, 0);
@@ -61,24 +91,9 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   const std::vector<PartPlace> places = placesOf(originals);
   run.report.input = inspectParts(originals, run.weldings, places);
   run.report.warnings = looseTriangles(run.report.input, originals);
-  PartTargets targets(originals, places, options);
-  double total = 0;
-  for (const io::Part& part : originals)
-    total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
-  double done = 0;
-  std::optional<ListedTree> tree;  // of the last part
-  for (const std::size_t i : targets.order()) {
-    const double share = double(originals[i].mesh.triangleCount()) / total;
-    const TriangleMesh& mesh = originals[i].mesh;
-    RemeshOutcome outcome = remeshAsShown({mesh, std::move(run.weldings[i]), places[i]},
-                                          {targets, i}, progress.part(done, done + share));
-    targets.given(i, outcome.vertices);
-    tree = std::move(outcome.tree);
-    take(run, i, std::move(outcome), mesh);
-    done += share;
-  }
+  std::optional<ListedTree> tree = remeshSurfaces(run, originals, options, progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
-  run.report.output = inspectParts(run.parts, weldingsOf(run.parts), places);
+  run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
   // Whether a bound is kept shows from both sides only.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())

@@ -35,6 +35,7 @@ add_executable(unit_tests
   tests/unit/jobs/part_report_test.cpp
   tests/unit/jobs/part_scale_test.cpp
   tests/unit/jobs/part_targets_test.cpp
+  tests/unit/jobs/part_unions_test.cpp
   tests/unit/jobs/precision_test.cpp
   tests/unit/jobs/result_check_test.cpp
   tests/unit/main.cpp

@@ -10,8 +10,8 @@ import { BatchedMesh, BufferAttribute, BufferGeometry, Group, LOD, Mesh, MeshBas
   from 'three';
 
 import { scenes } from './fuzz/made_scenes.js';
-import { GltfMaker, openGltf, validate } from './support/gltf.js';
-import { distinctPositions, torus } from './support/shapes.js';
+import { GltfMaker, openGltf, validate, valuesOf } from './support/gltf.js';
+import { distinctPositions, sheetOf, torus } from './support/shapes.js';
 
 const ring = torus({ columns: 24, rows: 12 });
 const shape = {
@@ -90,6 +90,19 @@ test('levels keep their proportions to the finest, which the number is for', asy
   assert.deepEqual(openGltf(result).tree.nodes[0].extensions.MSFT_lod.ids, [1]);
 });
 
+test('nodes side by side that are named so are levels, too', async () => {
+  const named = () => sceneOf(['ring_LOD0', 'ring_LOD1', 'ring'].map((name) => ({ name })));
+  const result = await remeshed(named(), { vertices: 288 });
+  assert.deepEqual(countsOf(result), [144, 144, 144]);
+  assert.equal(result.report.output.vertices, 288);
+  const replaced = await remeshed(named(), { vertices: 288, lods: [0.5] });
+  assert.deepEqual(countsOf(replaced), [144, 144, 72, 72]);
+  assert.deepEqual(await validate(replaced), []);
+  assert.ok(replaced.report.warnings.some(({ code }) => code === 'LEVELS_REPLACED'));
+  const { report } = await remeshed(named(), { vertices: 288, output: 'a.obj' });
+  assert.equal(report.output.components, 2);
+});
+
 test('levels that are asked for replace those that were, which is said', async () => {
   for (const options of [{}, { lodFiles: true }]) {
     const result = await remeshed(levels(), { vertices: 200, lods: [0.5, 0.25], ...options });
@@ -116,4 +129,47 @@ test('the levels of a LOD in three.js keep their proportions, and batches are na
   assert.deepEqual(counts, [144, 36]);
   assert.equal(report.output.vertices, 144);
   assert.ok(report.warnings.some(({ message }) => /Batched meshes are not remeshed/.test(message)));
+});
+
+const seamAt = 1;
+
+/** Tiles of the ground, each so many cells from its x on, under nodes of their own. */
+function tiles(cells) {
+  const maker = new GltfMaker();
+  const placed = cells.map((count, x) => sheetOf(count, (i, j) => {
+    const [u, v] = [x + i / count, j / count];
+    return [u - 3 * x, v, 0.2 * Math.sin(3 * u) * Math.cos(5 * v)];
+  }));
+  const meshes = placed.map(({ positions, indices }) => ({ primitives: [{
+    attributes: { POSITION: maker.add(positions, 'VEC3') },
+    indices: maker.addIndices(Uint16Array.from(indices)),
+  }] }));
+  maker.show(meshes[0].primitives);
+  Object.assign(maker.tree, { meshes,
+    nodes: meshes.map((_, mesh) => ({ mesh, translation: [3 * mesh, 0, 0] })) });
+  maker.tree.scenes[0].nodes = meshes.map((_, i) => i);
+  return maker.glb();
+}
+
+/** The places of a tile of a result at the seam, by their y. */
+function seamOf({ bytes }, number) {
+  const opened = openGltf({ bytes });
+  const { primitives: [{ attributes }] } = opened.tree.meshes[number];
+  const places = valuesOf(opened, attributes.POSITION).map(([x, y, z]) => [x + 3 * number, y, z]);
+  return places.filter(([x]) => Math.abs(x - seamAt) < 1e-5).sort((a, b) => a[1] - b[1]);
+}
+
+test('the borders of tiles that meet stay on each other', async () => {
+  for (const options of [{ vertices: 120 }, { vertices: 400 }, { ratio: 2 }, {},
+    { vertices: 300, scheme: 'rounds' }, { vertices: 300, boundary: 'keep' }]) {
+    const result = await remeshed(tiles([16, 16]), options);
+    const { input, output } = result.report;
+    assert.equal(output.vertices, options.vertices ?? input.vertices * (options.ratio ?? 1));
+    assert.deepEqual(await validate(result), []);
+    const [left, right] = [seamOf(result, 0), seamOf(result, 1)];
+    assert.ok(left.length > 2);
+    assert.equal(left.length, right.length);
+    left.forEach((place, i) =>
+      place.forEach((x, k) => assert.ok(Math.abs(x - right[i][k]) < 1e-6)));
+  }
 });

@@ -51,10 +51,14 @@ struct RemeshOptions {
   std::optional<TextureFormat> textureFormat;
   Repair repair = Repair::Off;
   std::optional<double> holesUpTo;  // the longest loop to be closed, percent of the diagonal
-  std::optional<double> gap;       // the widest opening that repair closes, percent of the diagonal
-  std::vector<double> lods;        // shares of the number of vertices, each > 0
-  bool lodFiles = false;           // a file for each level, not one for all
-  TooFew tooFew = TooFew::Refuse;  // not the caller's: see PartTargets
+  std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal
+  std::vector<double> lods;   // shares of the number of vertices, each > 0
+  bool lodFiles = false;      // a file for each level, not one for all
+
+  // Not the caller's: see PartTargets and PartUnions.
+  TooFew tooFew = TooFew::Refuse;
+  std::vector<Index> bodies;      // per group of the input: several bodies are one surface
+  std::optional<Index> inBodies;  // the exact number of places, each once in every body it is in
 };
 
 }  // namespace remesher

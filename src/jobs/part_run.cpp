@@ -24,9 +24,11 @@ RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Pro
 
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   try {
-    return remeshPart(std::move(part), target.targets.of(target.part), progress);
+    const RemeshOptions options =
+        target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+    return remeshPart(std::move(part), options, progress);
   } catch (const TooFewVertices& error) {
-    target.targets.refuse(target.part, error);
+    target.targets.refuse(target.surface, error);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "io/model/model.h"
 #include "jobs/part_places.h"
 #include "jobs/part_targets.h"
+#include "jobs/part_unions.h"
 #include "mesh/welding.h"
 #include "remesh/schemes/remesh.h"
 
@@ -19,10 +20,11 @@ struct PartInput {
   const PartPlace& place;
 };
 
-// The number of a part, with what is asked of it.
+// The number of a part, or of a union of several, with what is asked of it.
 struct PartTarget {
   const PartTargets& targets;
-  std::size_t part;
+  const PartUnions& unions;
+  std::size_t surface;
 };
 
 // The outcome is in the part's own space; its tree only where the part looks as it does there.

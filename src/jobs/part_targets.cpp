@@ -146,7 +146,7 @@ void PartTargets::refuse(std::size_t part, const TooFewVertices& error) const {
     hasCharts = hasCharts || reserved_[i] > 0;
   }
   const double share = areas_[part] / area * (hasCharts ? kLeftByArea : 1);
-  const double least = double(error.needed) + given;
+  const double least = double(error.enough) + given;
   const double enough = std::ceil(share > 0 ? least / share : least);
   const std::string number = std::to_string(std::llround(enough));
   throw Error(error.code,

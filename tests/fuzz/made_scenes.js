@@ -56,6 +56,21 @@ function batch(shape) {
   return maker;
 }
 
+/** The two halves of a surface, which meet, as meshes of their own. */
+function halves({ positions, triangles }) {
+  const maker = new GltfMaker();
+  const middle = Math.ceil(triangles.length / 2);
+  const pieces = [triangles.slice(0, middle), triangles.slice(middle)];
+  const meshes = pieces.filter((own) => own.length > 0).map((own) => ({
+    primitives: [primitiveOf(maker, { positions: positions.map(([x, y, z]) => [x - 1, y, z]),
+      triangles: own })] }));
+  maker.show(meshes[0].primitives);
+  Object.assign(maker.tree, { meshes,
+    nodes: meshes.map((_, mesh) => ({ mesh, translation: [1, 0, 0] })) });
+  maker.tree.scenes[0].nodes = meshes.map((_, i) => i);
+  return maker;
+}
+
 /** A strip for each triangle, in one list. */
 function restarted(shape) {
   const maker = new GltfMaker();
@@ -94,5 +109,5 @@ function referring(shape) {
 
 /** By kind. */
 export const scenes = Object.fromEntries(
-  Object.entries({ uneven, hidden, levels, batch, restarted, referring })
+  Object.entries({ uneven, hidden, levels, batch, halves, restarted, referring })
     .map(([kind, make]) => [kind, (shape) => make(shape).glb()]));

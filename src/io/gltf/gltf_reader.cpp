@@ -57,11 +57,17 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t numb
 void tellLevels(const Json& tree, std::vector<Part>& parts) {
   std::map<int, std::size_t> partOf;
   for (std::size_t i = 0; i < parts.size(); ++i) partOf[parts[i].source] = i;
+  const auto tell = [&](std::size_t part, const std::set<int>& finest) {
+    for (const int mesh : finest)
+      if (partOf.count(mesh) == 1) parts[part].finer.push_back(partOf[mesh]);
+  };
   for (const auto& [level, finest] : meshLevels(tree)) {
     const auto part = partOf.find(level);
-    if (part == partOf.end() || !parts[part->second].instances.empty()) continue;
-    for (const int mesh : finest)
-      if (partOf.count(mesh) == 1) parts[part->second].finer.push_back(partOf[mesh]);
+    if (part != partOf.end() && parts[part->second].instances.empty()) tell(part->second, finest);
+  }
+  for (const auto& [level, finest] : meshLevelsByName(tree)) {
+    const auto part = partOf.find(level);
+    if (part != partOf.end() && parts[part->second].finer.empty()) tell(part->second, finest);
   }
 }
 

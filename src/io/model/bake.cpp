@@ -63,7 +63,7 @@ std::vector<Part> bodiesOf(std::vector<Part> parts) {
   std::vector<Part> bodies;
   for (Part& part : parts) {
     for (const Transform& instance : part.instances) {
-      if (!showsAreas(instance)) continue;
+      if (!part.finer.empty() || !showsAreas(instance)) continue;
       bodies.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
       if (isWhereItIs(instance)) continue;
       transformMesh(bodies.back().mesh, instance);
@@ -77,6 +77,7 @@ std::vector<Part> bodiesOf(std::vector<Part> parts) {
 std::vector<Part> bakeInstances(const Model& model) {
   std::vector<Part> baked;
   for (const Part& part : model.parts) {
+    if (!part.finer.empty()) continue;
     for (const Transform& instance : part.instances) {
       baked.push_back({part.name,
                        converted(part.mesh, model.conventions, Conventions::Classic),

@@ -14,6 +14,7 @@
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/best.h"
+#include "remesh/schemes/bodies.h"
 #include "remesh/schemes/follow.h"
 #include "remesh/schemes/plan.h"
 #include "remesh/schemes/rival.h"
@@ -48,6 +49,7 @@ struct Manner {
   Grain grain;
   Rival* rival;  // what may be taken in its stead, if anything
   OriginalTree& tree;
+  const Bodies& bodies;
 };
 
 Grain grainOf(const TriangleMesh& input) {
@@ -89,10 +91,6 @@ bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Prog
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
 }
 
-std::size_t countDistinct(const WorkingMesh& mesh) {
-  return distinctPositions(mesh.mesh(), mesh.positions());
-}
-
 struct Places {
   bool areReached;
   std::size_t coincident;  // see moveApart
@@ -100,17 +98,17 @@ struct Places {
 
 // Where the builder cut the input apart, several vertices may share a place; what was promised is a
 // number of places.
-Places matchPositions(Run& run, std::size_t vertices) {
+Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   constexpr int kTries = 4;
   std::size_t coincident = moveApart(run);
   for (int i = 0; i < kTries; ++i) {
-    const std::size_t now = countDistinct(run.mesh);
+    const std::size_t now = bodies.countPlaces(run.mesh);
     if (now == vertices) return {true, coincident};
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
     if (!matchCount(run, aim) && !fillUp(run, aim)) return {false, coincident};
     coincident = moveApart(run);
   }
-  return {countDistinct(run.mesh) == vertices, coincident};
+  return {bodies.countPlaces(run.mesh) == vertices, coincident};
 }
 
 std::size_t largestStar(const HalfedgeMesh& mesh) {
@@ -144,26 +142,29 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   run.tree = &manner.tree;
   run.stagger = manner.stagger;
   const std::size_t vertices = original.vertices();
+  const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.effort = effortOf(options.quality, Level::Finest, vertices);
   const bool reached = original.bound()
                            ? runWithin(run, {*original.bound(), vertices}, manner, progress)
                            : runScheme(run, vertices, manner, progress);
-  const bool mayMatch = !options.splitObtuse && (reached || countDistinct(mesh) < vertices);
-  const Places places = mayMatch ? matchPositions(run, vertices) : Places{reached, moveApart(run)};
+  const bool mayMatch =
+      !options.splitObtuse && (reached || manner.bodies.countPlaces(mesh) < places);
+  const Places matched =
+      mayMatch ? matchPositions(run, places, manner.bodies) : Places{reached, moveApart(run)};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh),
-          places.areReached ? Stopped::Target
-          : byBound         ? Stopped::MaxError
-                            : Stopped::Fidelity,
-          places.coincident};
+          matched.areReached ? Stopped::Target
+          : byBound          ? Stopped::MaxError
+                             : Stopped::Fidelity,
+          matched.coincident};
 }
 
 // Whether those vertices of the original that its shape needs may be taken instead of even
 // triangles: not where sizes, bounds or edges are the caller's own.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
-         options.density.empty() && options.featureEdges.empty() && !options.maxError &&
-         !options.splitObtuse && options.boundary == Boundary::Resample;
+         options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
+         !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample;
 }
 
 // The shares of a run's time: of triangles for the map, and of each mesh for pairs.
@@ -203,7 +204,8 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     copy.vertices = vertices;
     originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
     OriginalTree tree(originals.back()->surface(), &input);
-    const Manner manner{options, 0, grainOf(input), nullptr, tree};
+    const Bodies bodies(input, options.bodies);
+    const Manner manner{options, 0, grainOf(input), nullptr, tree, bodies};
     Remeshed remeshed = remeshOriginal(*originals.back(), manner, stretch);
     remeshed.mesh.compact();
     stretch.phase("quads", 1, 1);
@@ -274,8 +276,10 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
   const Prepared original(std::move(plan), options, progress);
   Rival rival(original, input, options.textures);
   OriginalTree tree(original.surface(), &input);
-  const Manner manner{options, input.attributes.empty() ? 0 : kStagger, grainOf(input),
-                      isRivalled ? &rival : nullptr, tree};
+  const Bodies bodies(input, options.bodies);
+  const Manner manner{options,        input.attributes.empty() ? 0 : kStagger,
+                      grainOf(input), isRivalled ? &rival : nullptr,
+                      tree,           bodies};
   const Remeshed remeshed = remeshOriginal(original, manner, progress);
   if (isRivalled)
     if (std::optional<Followed> followed =
@@ -285,7 +289,7 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
-      options.splitObtuse ? original.vertices() : countDistinct(remeshed.mesh);
+      options.splitObtuse ? original.vertices() : bodies.countPlaces(remeshed.mesh);
   return {extractMesh(remeshed.mesh, input, original.transfer()),
           std::move(places),
           remeshed.stopped,
@@ -304,7 +308,8 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
     return remeshPlanned(input, std::move(welding), options, progress);
   } catch (const TooFewVertices& error) {
     if (error.code != ErrorCode::TargetBelowCurves) throw;
-    throw TooFewVertices(error.code, error.target, enoughForCurves(input, options, error.needed));
+    const std::size_t enough = enoughForCurves(input, options, error.needed);
+    throw TooFewVertices(error.code, {error.target, enough, enough});
   }
 }
 

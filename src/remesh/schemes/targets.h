@@ -11,9 +11,13 @@
 namespace remesher {
 
 // TARGET_TOO_SMALL, TARGET_BELOW_CURVES: fewer vertices than a surface needs.
-struct TooFewVertices : Error {
-  TooFewVertices(ErrorCode errorCode, std::size_t askedFor, std::size_t enough);
-  std::size_t target, needed;
+struct VertexNeeds {
+  std::size_t target;  // asked for
+  std::size_t needed;  // what is fewer is refused
+  std::size_t enough;  // what can be reached, as far as anybody knows
+};
+struct TooFewVertices : Error, VertexNeeds {
+  TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs);
 };
 
 // Throws INVALID_OPTION for values out of range and for lists that do not fit the input.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/tree/gltf_levels.h"
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +71,60 @@ void visitMembers(Json& tree, const char* list, const std::function<void(Json& m
   if (!tree.contains(list) || !tree[list].is_array()) return;
   for (Json& member : tree[list])
     if (member.is_object()) visit(member);
+}
+
+// A level by its name: `rock_LOD1` is level 1 of `rock_`.
+struct NamedLevel {
+  std::string stem;
+  std::size_t level;
+};
+
+std::optional<NamedLevel> namedLevel(const Json& node) {
+  const Json name = node.is_object() ? node.value("name", Json()) : Json();
+  if (!name.is_string()) return std::nullopt;
+  std::string stem = name.get<std::string>();
+  std::string digits;
+  const auto last = [&] { return stem.empty() ? '\0' : stem.back(); };
+  for (; last() >= '0' && last() <= '9'; stem.pop_back()) digits.insert(0, 1, last());
+  constexpr std::size_t kMostDigits = 2;
+  if (digits.empty() || digits.size() > kMostDigits) return std::nullopt;
+  if (last() == '_' || last() == '-' || last() == ' ') stem.pop_back();
+  for (const char letter : {'d', 'o', 'l'}) {
+    if (std::tolower(static_cast<unsigned char>(last())) != letter) return std::nullopt;
+    stem.pop_back();
+  }
+  // `melod1` is none.
+  if (std::isalpha(static_cast<unsigned char>(last()))) return std::nullopt;
+  return NamedLevel{stem, std::stoul(digits)};
+}
+
+// The levels of one thing, side by side, each a list of nodes; the finest first.
+using NamedFamily = std::map<std::size_t, std::vector<std::size_t>>;
+
+std::vector<NamedFamily> familiesAmong(const Json& tree, const std::vector<std::size_t>& siblings) {
+  std::map<std::string, NamedFamily> byStem;
+  for (const std::size_t number : siblings)
+    if (const Json* const node = nodeAt(tree, number))
+      if (const auto named = namedLevel(*node)) byStem[named->stem][named->level].push_back(number);
+  std::vector<NamedFamily> families;
+  for (auto& [stem, levels] : byStem)
+    if (levels.size() > 1) families.push_back(std::move(levels));
+  return families;
+}
+
+// Of all that hangs on one node, or stands in one scene, side by side.
+std::vector<NamedFamily> namedFamilies(const Json& tree) {
+  std::vector<NamedFamily> all;
+  const auto add = [&](const char* list, const char* key) {
+    if (!tree.contains(list) || !tree[list].is_array()) return;
+    for (const Json& holder : tree[list])
+      for (NamedFamily& levels :
+           familiesAmong(tree, numbersIn(holder, Json::json_pointer(std::string("/") + key))))
+        all.push_back(std::move(levels));
+  };
+  add("nodes", "children");
+  add("scenes", "nodes");
+  return all;
 }
 
 // Where the tree names nodes from outside of them: scenes, skins, animations.
@@ -184,8 +242,39 @@ std::map<int, std::set<int>> meshLevels(const Json& tree) {
   return levels;
 }
 
+std::map<int, std::set<int>> meshLevelsByName(const Json& tree) {
+  std::map<int, std::set<int>> levels;
+  std::set<int> finest;
+  for (const NamedFamily& named : namedFamilies(tree)) {
+    std::set<int> own;
+    for (const std::size_t node : named.begin()->second) own.merge(meshesOf(tree, node));
+    for (auto level = std::next(named.begin()); level != named.end(); ++level)
+      for (const std::size_t node : level->second)
+        for (const int mesh : meshesOf(tree, node)) levels[mesh].insert(own.begin(), own.end());
+    finest.merge(own);
+  }
+  for (const int mesh : finest) levels.erase(mesh);
+  return levels;
+}
+
 std::set<std::size_t> takeLevels(Json& tree) {
-  std::set<std::size_t> taken;
+  std::set<std::size_t> taken, named;
+  for (const NamedFamily& levels : namedFamilies(tree))
+    for (auto level = std::next(levels.begin()); level != levels.end(); ++level)
+      named.insert(level->second.begin(), level->second.end());
+  const auto unhang = [&](const char* list, const char* key) {
+    visitMembers(tree, list, [&](Json& holder) {
+      if (!holder.contains(key) || !holder[key].is_array()) return;
+      Json kept = Json::array();
+      for (const Json& number : holder[key])
+        if (!isWholeNumber(number) || named.count(number.get<std::size_t>()) == 0)
+          kept.push_back(number);
+      holder[key] = std::move(kept);
+    });
+  };
+  unhang("nodes", "children");
+  unhang("scenes", "nodes");
+  for (const std::size_t node : named) taken.merge(family(tree, node));
   visitMembers(tree, "nodes", [&](Json& node) {
     for (const std::size_t level : levelsOf(node))
       for (const std::size_t number : family(tree, level)) taken.insert(number);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Levels of detail of nodes (MSFT_lod): which meshes stand for which from afar; and how they go.
+// Levels of detail of nodes, by MSFT_lod or by names, `rock_LOD0` beside `rock_LOD1`: which meshes
+// stand for which from afar; and how they go.
 #pragma once
 
 #include <map>
@@ -12,6 +13,8 @@ namespace remesher::io {
 // By the number of the mesh of a coarser level: those of the finest that it is one of. What is in a
 // finest level itself is no other's.
 std::map<int, std::set<int>> meshLevels(const Json& tree);
+// The same of those that are told by names, all of which the scene shows.
+std::map<int, std::set<int>> meshLevelsByName(const Json& tree);
 
 // Takes the levels from nodes and returns the nodes that were those.
 std::set<std::size_t> takeLevels(Json& tree);

@@ -77,3 +77,29 @@ TEST_CASE("levels: a node that something else shows stays, and all where one may
   io::dropNodes(unknown, io::takeLevels(unknown));
   CHECK(unknown["nodes"].size() == 7);
 }
+
+TEST_CASE("levels: nodes side by side that are named so are levels") {
+  const auto named = [](const char* name, int mesh) {
+    return Json{{"name", name}, {"mesh", mesh}};
+  };
+  Json tree = {{"scenes", {{{"nodes", {0, 1, 2, 6}}}}},
+               {"nodes",
+                {named("rock_LOD0", 0),
+                 named("rock_LOD1", 1),
+                 named("rock_LOD2", 2),
+                 named("lod1", 3),
+                 named("melod0", 4),
+                 named("rock.lod 1", 5),
+                 {{"name", "tree"}, {"children", {3, 7, 4, 5}}},
+                 named("lod0", 6)}},
+               {"meshes", meshes(7)}};
+  const std::map<int, std::set<int>> expected = {{1, {0}}, {2, {0}}, {3, {6}}};
+  CHECK(io::meshLevelsByName(tree) == expected);
+  const std::set<std::size_t> taken = io::takeLevels(tree);
+  CHECK(taken == std::set<std::size_t>{1, 2, 3});
+  CHECK(tree["scenes"][0]["nodes"] == Json{0, 6});
+  CHECK(io::dropNodes(tree, taken) == std::set<int>{1, 2, 3});
+  CHECK(tree["nodes"].size() == 5);
+  CHECK(tree["meshes"].size() == 4);
+  CHECK(io::meshLevelsByName(tree).empty());
+}
