@@ -72,7 +72,7 @@ test('the report says it for each part where parts differ', async () => {
   assert.deepEqual(report.prefer, ['even', 'shape']);
 });
 
-test('what decides where vertices lie, and a shape that is preferred, exclude each other', async () => {
+test('what decides where vertices lie excludes a shape that is preferred', async () => {
   const others = { maxError: 1, scheme: 'rounds', boundary: 'keep', splitObtuse: true, quads: true,
     density: new Float32Array(ring.positions.length / 3).fill(1), featureEdges: [[0, 1]] };
   for (const [name, value] of Object.entries(others)) {

@@ -18,7 +18,7 @@ enum class Projection { Patches, Current };  // onto the original | on the curre
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
 enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
-enum class Textures { Keep, Bake };  // texture coordinates along their seams | painted anew
+enum class Textures { Keep, Bake };       // texture coordinates along their seams | painted anew
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class TooFew { Refuse, Raise };                  // a target below what the surface needs

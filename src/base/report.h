@@ -100,7 +100,7 @@ struct Report {
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
-  std::vector<Report> lods;  // of the coarser levels of detail, as they were asked for
+  std::vector<Report> lods;    // of the coarser levels of detail, as they were asked for
 };
 
 }  // namespace remesher

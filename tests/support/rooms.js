@@ -52,8 +52,8 @@ export const coreRooms = {
   textures: ['base', 'mesh', 'geometry', 'io/model', 'textures/charts', 'textures/painting'],
   jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair',
     'io/model'],
-  '': ['base', 'geometry', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io', 'textures',
-    'jobs'],
+  '': ['base', 'geometry', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io',
+    'textures', 'jobs'],
 };
 
 /** @type {Record<string, string[]>} folders of bindings/package; '': what is imported by name */

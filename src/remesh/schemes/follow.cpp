@@ -165,8 +165,8 @@ bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, Textures textures) {
   std::size_t now = distinctPositions(original.mesh, original.positions);
-  if (now < positions) return {};
   const bool keepsLook = textures == Textures::Keep;
+  if (now < positions || (now == positions && !keepsLook)) return {};
   SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, keepsLook)};
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;

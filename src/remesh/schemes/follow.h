@@ -28,9 +28,9 @@ struct Followed {
 // Whether the original's own triangles show at so few vertices, if not that many are wished for.
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 
-// With exactly so many distinct positions; none where the original has fewer, or where nothing else
-// goes. textures: whether attributes are
-// to be kept, for which vertices stay where they are, or painted anew.
+// With exactly so many distinct positions; none where the original has fewer (of what is painted
+// anew: no more), or where nothing else goes. textures: whether attributes are to be kept, for
+// which vertices stay where they are, or painted anew.
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, Textures textures);
 

@@ -9,8 +9,9 @@ namespace remesher {
 
 namespace {
 
-// Of the diagonal: half a pixel in a picture a thousand pixels wide, and a pixel.
-constexpr double kSeen = 5e-4, kNearerSeen = 1e-3;
+// Of the diagonal: half a pixel in a picture a thousand pixels wide, a pixel, and where nothing is
+// drawn two.
+constexpr double kSeen = 5e-4, kNearerSeen = 1e-3, kSeenPlain = 2e-3;
 // Times as near, where textures or colours show what is off; and where only shape does.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;  // times: it makes nothing twice as near
@@ -33,7 +34,7 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
       input_(input),
       textures_(textures),
       isPlain_(isPlain(input, textures)),
-      seen_((isPlain_ ? kNearerSeen : kSeen) * original.surface().diagonal()) {}
+      seen_((isPlain_ ? kSeenPlain : kSeen) * original.surface().diagonal()) {}
 
 double Rival::distanceOf(const WorkingMesh& even) const {
   return distanceTo(even.mesh(), even.positions(), original_.surface().built());
