@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "remesh/quads/extract/mending.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
@@ -66,6 +67,7 @@ TEST_CASE("holes: whatever is missing of a closed surface, it is closed again") 
     QuadMesh mesh = torusWithout(ground, missing);
     REQUIRE(kindOf(mesh).boundaryLoops > 0);
     fillHoles(mesh, ground);
+    removeDoublets(mesh);  // a hole may end in a narrow corner
     CHECK(check(mesh) == "");
     CHECK(kindOf(mesh) == SurfaceKind{0, 1, 0});
   }
