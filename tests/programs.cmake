@@ -90,6 +90,7 @@ add_executable(unit_tests
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
+  tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/extract/mending_test.cpp
   tests/unit/remesh/quads/field/cross_field_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp

@@ -21,7 +21,7 @@ export const coreRooms = {
     'remesh/gate', 'remesh/ground', 'remesh/steps'],
   'remesh/transfer': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators'],
   'remesh/quads/mesh': ['base', 'mesh', 'original/surface', 'remesh/operators'],
-  'remesh/quads/field': ['base', 'mesh', 'geometry', 'remesh/operators'],
+  'remesh/quads/field': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators'],
   'remesh/quads/map': ['base', 'mesh', 'remesh/operators', 'remesh/quads/field'],
   'remesh/quads/extract': ['base', 'mesh', 'original/surface', 'remesh/operators',
     'remesh/quads/mesh', 'remesh/quads/map'],

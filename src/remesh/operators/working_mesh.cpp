@@ -73,8 +73,10 @@ SurfacePoint WorkingMesh::cornerPoint(Halfedge h) const {
   if (kind_[v] == VertexKind::Interior) return at_[v];
   Halfedge edge = h;
   while (!isCurve(edge)) {
+    // A tip is on no curve; neither are boundaries that quads do not follow.
+    if (mesh_.isBoundary(edge)) return at_[v];
     edge = mesh_.next(mesh_.twin(edge));
-    if (edge == h) return at_[v];  // a tip, which is on no curve
+    if (edge == h) return at_[v];
   }
   const Index chain = curve_[edge];
   const CurvePoint here = onChain(v, chain), there = onChain(mesh_.tip(edge), chain);

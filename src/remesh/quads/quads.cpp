@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "remesh/quads/extract/extraction.h"
+#include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/mending.h"
+#include "remesh/quads/field/sectors.h"
 #include "remesh/quads/field/singularities.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
@@ -23,12 +25,14 @@ namespace {
 constexpr std::size_t kLeastForMap = 5000;
 // Opposite singular vertices nearer than this cancel each other; in sides of quads.
 constexpr double kCancelWithin = 1.5;
-constexpr int kTries = 24;
+constexpr int kTries = 12;
 constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
 // Towards the count by what the last map had; then aside. A map farther off is no result.
 constexpr int kSteps = 4;
 constexpr double kFarthest = 0.1;
 constexpr int kSmoothings = 12;
+// Of maps whose quads fold somewhere, so many are looked at.
+constexpr int kShaped = 4;
 
 double areaOf(const WorkingMesh& mesh) {
   double sum = 0;
@@ -45,6 +49,13 @@ void shape(QuadMesh& quads, const WorkingMesh& ground) {
   mendCorners(moving);
 }
 
+std::size_t countFolds(QuadMesh& quads, const WorkingMesh& ground) {
+  const MovingQuads moving(quads, ground);
+  std::size_t count = 0;
+  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) <= 0;
+  return count;
+}
+
 CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
   CrossField field = makeCrossField(mesh, frames, length);
   cancelPairs(field, mesh, frames, kCancelWithin * length);
@@ -55,23 +66,32 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
 struct Extracted {
   QuadMesh quads;
   bool areCurvesFollowed;
+  std::size_t folds = 0;
 };
 std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
   QuadMesh quads = extractQuads(part, map);
+  dropUnsound(quads);
   if (quads.quads.empty()) return {};
+  fillHoles(quads, part);
   const bool areCurvesFollowed = followCurves(quads, part);
   removeDoublets(quads);
   if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
   return Extracted{std::move(quads), areCurvesFollowed};
 }
 
-double countError(std::size_t count, double wanted) { return std::abs(double(count) / wanted - 1); }
+// Too many can be made fewer, but not the other way round.
+double countError(double count, double wanted) {
+  const double off = count / wanted - 1;
+  return off < -kCountTolerance ? kFarthest : std::abs(off);
+}
 
-// Whether one result is to be had rather than another: curves first, then the count.
+// Whether one result is to be had rather than another: curves first, then folds, then the count.
 bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double wanted) {
   if (!b) return true;
   if (a.areCurvesFollowed != b->areCurvesFollowed) return a.areCurvesFollowed;
-  return countError(a.quads.vertices.size(), wanted) < countError(b->quads.vertices.size(), wanted);
+  if (a.folds != b->folds) return a.folds < b->folds;
+  return countError(double(a.quads.vertices.size()), wanted) <
+         countError(double(b->quads.vertices.size()), wanted);
 }
 
 // Rounding makes of each scale another map, and numbers come in steps: scales to both sides of the
@@ -79,28 +99,31 @@ bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double want
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
                                      double vertices) {
   std::optional<Extracted> best;
-  double least = kFarthest;  // off the count, of the maps so far
-  for (int i = 0; i < kTries; ++i) {
+  int shaped = 0;
+  for (int i = 0; i < kTries && shaped < kShaped; ++i) {
     const bool isFirst = i < kSteps;
     const double aside = i % 2 == 0 ? 1 + kNudge * (i - kSteps) : 1 - kNudge * (i - kSteps);
     const SeamlessMap map = maker.map(isFirst ? length : length * aside);
-    const double count = maker.countVertices(map), error = std::abs(count / vertices - 1);
-    if (error < std::max(least, kCountTolerance))
-      if (std::optional<Extracted> made = extracted(part, map);
-          made && isBetter(*made, best, vertices)) {
-        best = std::move(made);
-        least = error;
-      }
-    if (best && best->areCurvesFollowed &&
-        countError(best->quads.vertices.size(), vertices) <= kCountTolerance)
-      break;
+    const double count = maker.countVertices(map);
+    std::optional<Extracted> made;
+    if (countError(count, vertices) < (isFirst || best ? kCountTolerance : kFarthest))
+      made = extracted(part, map);
+    if (made && countError(double(made->quads.vertices.size()), vertices) < kFarthest) {
+      shape(made->quads, part);
+      made->folds = countFolds(made->quads, part);
+      ++shaped;
+      if (isBetter(*made, best, vertices)) best = std::move(made);
+      if (best->folds == 0 && best->areCurvesFollowed &&
+          countError(double(best->quads.vertices.size()), vertices) <= kCountTolerance)
+        break;
+    }
     if (isFirst) length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
   }
   return best;
 }
 
 // Quads can be taken out one by one, but not put in: for an exact number a few more are made.
-constexpr double kMore = 1.006;
+constexpr double kMore = 1.011;
 
 // To the number that is wanted, or as near as is allowed.
 void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
@@ -145,7 +168,7 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
       if (found == wanted.end()) continue;
       append(quads, pairToQuads(part, std::sqrt(areaOf(part) / found->vertices)));
     }
-    if (countError(quads.vertices.size(), share) <= kCountTolerance / 2) break;
+    if (std::abs(double(quads.vertices.size()) / share - 1) <= kCountTolerance / 2) break;
     const double factor = share / double(quads.vertices.size());
     const auto next = std::size_t(std::max(4.0, std::round(double(coarse) * factor)));
     if (next == coarse) break;
@@ -164,7 +187,6 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices) {
   if (!maker.isPossible()) return {};
   std::optional<Extracted> found = searchScale(part, maker, length, vertices);
   if (!found) return {};
-  shape(found->quads, part);
   return std::move(found->quads);
 }
 
@@ -179,7 +201,8 @@ QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   const double more = goal.isExact ? kMore : 1;
   const auto vertices = std::size_t(std::ceil(more * double(goal.vertices)));
-  const WorkingMesh base = triangles(std::max(vertices, kLeastForMap));
+  WorkingMesh base = triangles(std::max(vertices, kLeastForMap));
+  openSectors(base);
   const std::vector<WorkingMesh> parts = connectedParts(base);
   const std::vector<PartShare> shares = sharesOf(parts, double(vertices));
   MadeQuads made{{}, parts.size(), 0};

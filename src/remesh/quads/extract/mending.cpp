@@ -25,6 +25,13 @@ bool joinAt(QuadMesh& mesh, const QuadSides& sides, Index v, std::vector<char>& 
   return true;
 }
 
+bool isOnCurve(const QuadMesh& mesh, const QuadSides& sides, Index v) {
+  bool isFound = false;
+  sides.forEachOutgoing(v,
+                        [&](Index side) { isFound |= mesh.curves[side / 4][side % 4] != kNone; });
+  return isFound;
+}
+
 }  // namespace
 
 void removeDoublets(QuadMesh& mesh) {
@@ -34,8 +41,8 @@ void removeDoublets(QuadMesh& mesh) {
     const QuadSides sides(mesh.vertices.size(), quads);
     std::vector<char> isGone(quads.size(), 0), isTouched(quads.size(), 0);
     for (Index v = 0; v < mesh.vertices.size(); ++v) {
-      if (mesh.vertices[v].kind != VertexKind::Interior || sides.outgoing(v) == kNone) continue;
-      if (sides.isBoundary(v) || sides.valence(v) != 2) continue;
+      if (sides.outgoing(v) == kNone || sides.isBoundary(v) || sides.valence(v) != 2) continue;
+      if (isOnCurve(mesh, sides, v)) continue;
       const Index a = sides.outgoing(v) / 4, b = sides.across(sides.outgoing(v)) / 4;
       if (isTouched[a] || isTouched[b]) continue;
       isTouched[a] = isTouched[b] = 1;

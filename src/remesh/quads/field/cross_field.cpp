@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "remesh/quads/field/curvature_directions.h"
+#include "remesh/quads/field/sectors.h"
 
 namespace remesher {
 
@@ -24,18 +25,33 @@ struct Wish {
   bool isFixed = false;
 };
 
-// Of a triangle with edges on curves: the mean of their crosses.
+// Whether two edges on curves meet at less than 45° in a triangle.
+bool isAcute(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
+  for (int corner = 0; corner < 3; ++corner) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, corner), back = HalfedgeMesh::prev(h);
+    if (!mesh.isCurve(h) || !mesh.isCurve(back)) continue;
+    const Vec2 out = frames.edge(h), other = -frames.edge(back);
+    if (cross(out, other) < out.dot(other)) return true;
+  }
+  return false;
+}
+
+// Of a triangle with edges on curves: the mean of their crosses. Where two of them meet at less
+// than 45° it is turned by as much, so that one is along each direction: on the same one the
+// triangle would have no area in the map.
 Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
   Complex sum = 0, first = 0;
+  int count = 0;
   for (int corner = 0; corner < 3; ++corner) {
     const Halfedge h = HalfedgeMesh::halfedge(f, corner);
     if (!mesh.isCurve(h)) continue;
     const Complex cross = std::polar(1.0, 4 * frames.angle(h));
-    if (first == 0.0) first = cross;
+    if (count++ == 0) first = cross;
     sum += cross;
   }
   constexpr double kOpposed = 1e-6;  // edges at 45°, or rounding away from it
-  return std::abs(sum) > kOpposed ? sum / std::abs(sum) : first;
+  if (std::abs(sum) <= kOpposed) return first;
+  return (count == 2 && isAcute(mesh, frames, f) ? -sum : sum) / std::abs(sum);
 }
 
 FaceData<Wish> makeWishes(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
@@ -176,6 +192,7 @@ CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, dou
     field.turn[h] = int(std::lround(-field.bend(frames, m, h) / kQuarter));
     field.turn[twin] = -field.turn[h];
   }
+  turnSectors(field, mesh, frames);
   return field;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -73,6 +74,40 @@ std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indi
   return pairs;
 }
 
+// A quarter turn more over each edge of the way: one less at its start, one more at its end.
+void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Halfedge>& way) {
+  for (const Halfedge h : way) {
+    ++field.turn[h];
+    --field.turn[mesh.twin(h)];
+  }
+}
+
+// Of a vertex around which crosses turn twice all but one quarter goes to the farthest regular
+// vertices within reach: a vertex of two quads is none, and one of six is two of five.
+bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices,
+                 double reach) {
+  bool isChanged = false;
+  for (Index i = 0; i < indices.size(); ++i)
+    for (const Vertex v(i); std::abs(indices[v]) > 1;) {
+      const Ways ways(mesh, v, reach);
+      const auto isNearer = [&](const auto& a, const auto& b) {
+        return (indices[a.first] == 0 ? a.second.distance : -1) <
+               (indices[b.first] == 0 ? b.second.distance : -1);
+      };
+      const auto farthest = std::max_element(ways.found().begin(), ways.found().end(), isNearer);
+      if (indices[farthest->first] != 0) break;
+      std::vector<Halfedge> way = ways.wayTo(farthest->first);
+      const int sign = indices[v] > 0 ? 1 : -1;
+      if (sign < 0)
+        for (Halfedge& h : way) h = mesh.mesh().twin(h);
+      turnAlong(field, mesh.mesh(), way);
+      indices[v] -= sign;
+      indices[farthest->first] += sign;
+      isChanged = true;
+    }
+  return isChanged;
+}
+
 }  // namespace
 
 VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
@@ -97,14 +132,10 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
 void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
                  double reach) {
   VertexData<int> indices = quarterIndices(field, mesh, frames);
-  bool isChanged = false;
+  bool isChanged = partDoubles(field, mesh, indices, reach);
   for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, reach)) {
     if (indices[positive] <= 0 || indices[negative] >= 0) continue;
-    // One quarter turn more over each edge of the way: one less at its start, one more at its end.
-    for (const Halfedge h : Ways(mesh, positive, reach).wayTo(negative)) {
-      ++field.turn[h];
-      --field.turn[mesh.mesh().twin(h)];
-    }
+    turnAlong(field, mesh.mesh(), Ways(mesh, positive, reach).wayTo(negative));
     --indices[positive];
     ++indices[negative];
     isChanged = true;

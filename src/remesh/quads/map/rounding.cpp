@@ -5,6 +5,7 @@
 #include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace remesher {
@@ -82,48 +83,82 @@ Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
   return right;
 }
 
-// A sum c·z that would round to less than 1 is pulled to 1: by a weight w the least is where
-// z + w (1 − c·z) / (1 + w c·C·c) C·c is, C the inverse [Sherman & Morrison].
-void Rounding::pull(Wholes& wholes) const {
-  constexpr double kShort = 0.75, kWeight = 1e3;  // of a quad's side; beside weights of about 1
-  for (const IntegerSum& sum : required_) {
-    Eigen::VectorXd c = Eigen::VectorXd::Zero(wholes_);
-    for (const auto& [variable, coefficient] : sum) c[variable - reals_] = coefficient;
-    const double now = c.dot(wholes.values);
-    if (now >= kShort) continue;
-    const Eigen::VectorXd column = wholes.inverse * c;
-    const double share = kWeight / (1 + kWeight * c.dot(column));
-    wholes.values += share * (1 - now) * column;
-    wholes.inverse.noalias() -= share * column * column.transpose();
+// Sums c·z are pulled to 1: by a weight w the least is where z + C·c (1/w + c·C·c)⁻¹ (1 − c·z) is,
+// C the inverse, c with a column for each sum [Woodbury].
+void Rounding::pull(Wholes& wholes, const std::vector<char>& isPulled) const {
+  constexpr double kYield = 1e-3;  // one over the weight, beside weights of about 1
+  const Eigen::Index count = std::count(isPulled.begin(), isPulled.end(), 1);
+  if (count == 0) return;
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(wholes_, count);
+  Eigen::Index column = 0;
+  for (std::size_t k = 0; k < required_.size(); ++k) {
+    if (!isPulled[k]) continue;
+    for (const auto& [variable, coefficient] : required_[k])
+      sums(variable - reals_, column) = coefficient;
+    ++column;
+  }
+  const Eigen::MatrixXd moved = wholes.inverse * sums;
+  Eigen::MatrixXd yields = sums.transpose() * moved;
+  yields.diagonal().array() += kYield;
+  const Eigen::LLT<Eigen::MatrixXd> factor(yields);
+  const Eigen::VectorXd lack = Eigen::VectorXd::Ones(count) - sums.transpose() * wholes.values;
+  wholes.values += moved * factor.solve(lack);
+  wholes.inverse.noalias() -= moved * factor.solve(moved.transpose());
+}
+
+// Those nearest to whole numbers at once, the others go to where the least is then; and so on.
+void Rounding::roundAll(Wholes& all) const {
+  constexpr double kSure = 0.03;  // off a whole number
+  std::vector<int> left = std::vector<int>(std::size_t(wholes_));
+  std::iota(left.begin(), left.end(), 0);
+  Eigen::VectorXd values = all.values;
+  Eigen::MatrixXd inverse = std::move(all.inverse);
+  while (!left.empty()) {
+    const Eigen::VectorXd whole = values.array().round();
+    const Eigen::VectorXd away = (values - whole).cwiseAbs();
+    const double most = std::max(away.minCoeff(), kSure);
+    std::vector<int> near, far, still;
+    for (int i = 0; i < int(left.size()); ++i) {
+      if (!(away[i] > most)) {
+        near.push_back(i);
+        all.values[left[std::size_t(i)]] = whole[i];
+        continue;
+      }
+      far.push_back(i);
+      still.push_back(left[std::size_t(i)]);
+    }
+    const Eigen::MatrixXd own = inverse(near, near), between = inverse(far, near);
+    const Eigen::LLT<Eigen::MatrixXd> factor(own);
+    const Eigen::VectorXd step = (whole - values)(near);
+    values = (values(far) + between * factor.solve(step)).eval();
+    inverse = (inverse(far, far) - between * factor.solve(between.transpose())).eval();
+    left = std::move(still);
   }
 }
 
-void Rounding::roundAll(Wholes& all) const {
-  auto& [wholes, inverse] = all;
-  std::vector<char> isRounded(std::size_t(wholes_), 0);
-  for (Eigen::Index round = 0; round < wholes_; ++round) {
-    Eigen::Index nearest = -1;
-    double least = 1;
-    for (Eigen::Index i = 0; i < wholes.size(); ++i) {
-      const double away = std::abs(wholes[i] - std::round(wholes[i]));
-      if (isRounded[std::size_t(i)] || away >= least) continue;
-      nearest = i;
-      least = away;
+// Sums that are too small when all is rounded are pulled, and all is rounded anew.
+Rounding::Wholes Rounding::roundedWholes(double factor) const {
+  constexpr int kTries = 3;
+  std::vector<char> isPulled(required_.size(), 0);
+  for (int i = 0;; ++i) {
+    Wholes all{factor * relaxed_, inverse_};
+    pull(all, isPulled);
+    roundAll(all);
+    bool isShort = false;
+    for (std::size_t k = 0; k < required_.size(); ++k) {
+      double sum = 0;
+      for (const auto& [variable, coefficient] : required_[k])
+        sum += coefficient * all.values[variable - reals_];
+      if (sum >= 1 || isPulled[k]) continue;
+      isShort = true;
+      isPulled[k] = 1;
     }
-    isRounded[std::size_t(nearest)] = 1;
-    const double whole = std::round(wholes[nearest]), own = inverse(nearest, nearest);
-    const Eigen::VectorXd column = inverse.col(nearest);
-    wholes += column * ((whole - wholes[nearest]) / own);
-    wholes[nearest] = whole;
-    inverse.noalias() -= column * (column / own).transpose();
+    if (!isShort || i == kTries) return all;
   }
-  for (double& x : wholes) x = std::round(x);
 }
 
 Eigen::VectorXd Rounding::rounded(double factor) const {
-  Wholes all{factor * relaxed_, inverse_};
-  pull(all);
-  roundAll(all);
+  const Wholes all = roundedWholes(factor);
   const Eigen::VectorXd reals = solveReals(factor * right_.head(reals_) - coupling_ * all.values);
   Eigen::VectorXd result(right_.size());
   for (Eigen::Index i = 0; i < reals_; ++i) result[i] = reals[order_[i]];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The least of a quadratic some of whose variables are to be whole: these are rounded one by one,
-// the one nearest to a whole number first, and after each all others are where the least is now
-// [Bommes 2009]. Real variables are eliminated once, so that all of that is done on a dense matrix
+// The least of a quadratic some of whose variables are to be whole: those nearest to whole numbers
+// are rounded first, and then all others are where the least is now, and so on [Bommes 2009]. Real variables are eliminated once, so that all of that is done on a dense matrix
 // with a row for each whole variable.
 #pragma once
 
@@ -36,8 +35,9 @@ class Rounding {
     Eigen::VectorXd values;
     Eigen::MatrixXd inverse;  // of the matrix that is left for them
   };
-  void pull(Wholes& wholes) const;
+  void pull(Wholes& wholes, const std::vector<char>& isPulled) const;
   void roundAll(Wholes& wholes) const;
+  Wholes roundedWholes(double factor) const;
   Eigen::VectorXd solveReals(Eigen::VectorXd right) const;
 
   Eigen::Index reals_, wholes_;

@@ -47,7 +47,7 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field)
   const SeamlessSystem::Quadratic quadratic = system_.quadratic();
   rounding_ = std::make_unique<Rounding>(quadratic.matrix, quadratic.right, system_.realCount());
   if (rounding_->isSolvable())
-    rounding_->require(chainLengths({mesh, frames_, cut_, singular_}, system_));
+    rounding_->require(leastSpacings({mesh, frames_, cut_, singular_}, system_));
   else
     rounding_.reset();
 }

@@ -28,11 +28,13 @@ Halfedge nextOnChain(const WorkingMesh& mesh, Halfedge h) {
   return next;
 }
 
-}  // namespace
+bool isWholeSum(const IntegerSum& sum, const SeamlessSystem& system) {
+  return !sum.empty() && sum.front().first >= system.realCount();
+}
 
-std::vector<IntegerSum> chainLengths(const MapInput& input, const SeamlessSystem& system) {
+void addChainLengths(std::set<IntegerSum>& lengths, const MapInput& input,
+                     const SeamlessSystem& system) {
   const HalfedgeMesh& m = input.mesh.mesh();
-  std::vector<IntegerSum> lengths;
   std::set<Index> seen;
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     Halfedge h(i);
@@ -43,10 +45,33 @@ std::vector<IntegerSum> chainLengths(const MapInput& input, const SeamlessSystem
       h = nextOnChain(input.mesh, h);
       if (h) length = plus(length, lengthOf(input, system, h), 1);
     }
-    const bool isWhole = !length.empty() && length.front().first >= system.realCount();
-    if (h && isWhole) lengths.push_back(std::move(length));
+    if (h && isWholeSum(length, system)) lengths.insert(std::move(length));
   }
-  return lengths;
+}
+
+// Along the direction of the cross that the edge is nearest to.
+void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
+  constexpr double kAlong = 0.5;  // of the edge's length
+  for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
+    const double along[] = {std::cos(angle), std::sin(angle)};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (std::abs(along[axis]) < kAlong) continue;
+      const IntegerSum gone =
+          plus(system.corner(HalfedgeMesh::next(h))[axis], system.corner(h)[axis], -1);
+      if (isWholeSum(gone, system)) lengths.insert(plus({}, gone, along[axis] > 0 ? 1 : -1));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<IntegerSum> leastSpacings(const MapInput& input, const SeamlessSystem& system) {
+  std::set<IntegerSum> lengths;
+  addChainLengths(lengths, input, system);
+  addEdges(lengths, input, system);
+  return {lengths.begin(), lengths.end()};
 }
 
 }  // namespace remesher

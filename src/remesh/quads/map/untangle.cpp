@@ -12,7 +12,8 @@ namespace {
 
 // A triangle with less than this share of the area it should have counts as folded.
 constexpr double kLeastArea = 0.02;
-constexpr int kRings = 3, kSweeps = 60, kHalvings = 6;
+// It ends after so many sweeps, or so many without one fold fewer.
+constexpr int kRings = 3, kSweeps = 60, kIdle = 8, kHalvings = 6;
 
 using Matrix2 = Eigen::Matrix2d;
 
@@ -21,15 +22,22 @@ class Untangling {
   Untangling(Eigen::VectorXd& values, const TangleInput& input) : values_(values), input_(input) {}
 
   std::size_t run() {
-    std::vector<Face> folded = findFolded();
+    std::vector<Face> all(input_.mesh.mesh().faceCapacity());
+    for (Index f = 0; f < all.size(); ++f) all[f] = Face(f);
+    std::vector<Face> folded = foldedOf(all);
     if (folded.empty()) return 0;
     const std::vector<Vertex> region = regionAround(folded);
-    for (int sweep = 0; sweep < kSweeps && !folded.empty(); ++sweep) {
+    const std::vector<Face> faces = facesAround(region);
+    std::size_t fewest = folded.size();
+    int idle = 0;
+    for (int sweep = 0; sweep < kSweeps && idle < kIdle && !folded.empty(); ++sweep) {
       double least = 0;
       for (const Face f : folded) least = std::min(least, jacobian(f).determinant());
       epsilon_ = std::max(1e-3, 0.5 * std::sqrt(least * least + 1e-4));
       for (const Vertex v : region) improve(v);
-      folded = findFolded();
+      folded = foldedOf(faces);
+      idle = folded.size() < fewest ? 0 : idle + 1;
+      fewest = std::min(fewest, folded.size());
     }
     return folded.size();
   }
@@ -55,11 +63,19 @@ class Untangling {
     return image * rest.inverse() * input_.length;
   }
 
-  std::vector<Face> findFolded() const {
+  std::vector<Face> foldedOf(const std::vector<Face>& faces) const {
     std::vector<Face> folded;
-    for (Index f = 0; f < input_.mesh.mesh().faceCapacity(); ++f)
-      if (!(jacobian(Face(f)).determinant() > kLeastArea)) folded.push_back(Face(f));
+    for (const Face f : faces)
+      if (!(jacobian(f).determinant() > kLeastArea)) folded.push_back(f);
     return folded;
+  }
+
+  std::vector<Face> facesAround(const std::vector<Vertex>& vertices) const {
+    std::set<Face> faces;
+    for (const Vertex v : vertices)
+      input_.mesh.mesh().forEachOutgoing(v,
+                                         [&](Halfedge h) { faces.insert(HalfedgeMesh::face(h)); });
+    return {faces.begin(), faces.end()};
   }
 
   std::vector<Vertex> regionAround(const std::vector<Face>& faces) const {

@@ -69,3 +69,20 @@ TEST_CASE("rounding: one whole variable after the other is no worse than all at 
   }
   CHECK(greedy <= atOnce);
 }
+
+TEST_CASE("rounding: a sum that is to be 1 at least is, where it would be 0 without") {
+  int helped = 0;
+  for (std::uint64_t seed = 1; seed < 12; ++seed) {
+    const Row row(seed);
+    Rounding rounding(row.matrix, row.right, Row::kReals);
+    constexpr double kSmall = 0.1;  // of the scale: neighbours that are whole meet
+    const auto gap = [&] {
+      const Eigen::VectorXd x = rounding.rounded(kSmall);
+      return x[Row::kReals + 1] - x[Row::kReals];
+    };
+    helped += gap() < 1;
+    rounding.require({{{Row::kReals, -1}, {Row::kReals + 1, 1}}});
+    CHECK(gap() >= 1);
+  }
+  CHECK(helped > 0);
+}
