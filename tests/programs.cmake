@@ -104,7 +104,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/collapse_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
-  tests/unit/remesh/schemes/flat_sides_test.cpp
+  tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
   tests/unit/remesh/schemes/rounds_test.cpp

@@ -187,10 +187,11 @@ class ChainTracer {
   // three would hold no more than a triangle, and what lies close around it lets no more come in.
   std::size_t cornersOf(const Chain& loop) const {
     constexpr double kShortest = 0.5;  // target edge lengths
-    constexpr std::size_t kFewest = 3, kMost = 6;
-    if (loop.boundary) return kFewest;
+    constexpr std::size_t kMost = 6;
+    if (loop.boundary || !(rules_.size > 0)) return 3;
     const double fit = loop.length() / (kShortest * rules_.size);
-    return std::min({kMost, loop.vertices.size() - 1, std::max(kFewest, std::size_t(fit))});
+    const std::size_t most = std::min(kMost, loop.vertices.size() - 1);
+    return fit < double(most) ? std::max<std::size_t>(3, std::size_t(fit)) : most;
   }
 
   void divideLoop(const Chain& path) {

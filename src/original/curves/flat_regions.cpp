@@ -11,9 +11,6 @@ namespace remesher {
 
 namespace {
 
-// Faces of one plane that face the same way differ by less, however small they are.
-const double kSameSide = std::cos(radians(10));
-
 struct Plane {
   Vec3 normal = Vec3::Zero();  // unit
   Vec3 point = Vec3::Zero();
@@ -82,7 +79,7 @@ class RegionGrowth {
   bool contains(const Plane& plane, Face f) const {
     for (const Vertex v : mesh_.vertices(f))
       if (std::abs(plane.normal.dot(positions_[v] - plane.point)) > tolerance_) return false;
-    return !hasArea(f) || planeOf(f).normal.dot(plane.normal) > kSameSide;
+    return !hasArea(f) || planeOf(f).normal.dot(plane.normal) > 0;
   }
 
   // All faces of the plane that hang together with the seed; those without area only lead on.

@@ -14,10 +14,10 @@ namespace remesher {
 namespace {
 
 // At full adaptivity sizes range over these factors of the even one.
-constexpr double kSmallest = 0.0625, kLargest = 4;
-// The distance that is the same everywhere is sought between these shares of the even length, by
-// so many halvings of the ratio between them.
-constexpr double kLeastError = 1e-5;
+constexpr double kSmallest = 0.0625, kLargest = 2.25;
+// The distance that is the same everywhere is sought between this share of the even length and all
+// of it, by so many halvings of the ratio.
+constexpr double kLeastError = 1e-4;
 constexpr int kHalvings = 10;
 
 // Edges along a strip, in units of its width: longer ones make needles across it.
