@@ -59,6 +59,7 @@ add_executable(unit_tests
   tests/unit/original/curves/curve_simplification_test.cpp
   tests/unit/original/curves/feature_curves_test.cpp
   tests/unit/original/curves/feature_detection_test.cpp
+  tests/unit/original/curves/flat_regions_test.cpp
   tests/unit/original/curves/seams_test.cpp
   tests/unit/original/curves/shape_angles_test.cpp
   tests/unit/original/curves/spikes_test.cpp
@@ -67,6 +68,7 @@ add_executable(unit_tests
   tests/unit/original/patches/face_cells_test.cpp
   tests/unit/original/patches/patch_atlas_test.cpp
   tests/unit/original/patches/point_location_test.cpp
+  tests/unit/original/surface/accurate_sizes_test.cpp
   tests/unit/original/surface/boundary_places_test.cpp
   tests/unit/original/surface/curvature_test.cpp
   tests/unit/original/surface/original_surface_test.cpp
@@ -104,6 +106,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/collapse_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
   tests/unit/remesh/schemes/rounds_test.cpp
