@@ -2,7 +2,7 @@
 // The benchmark: named models to named numbers of vertices, in this process, on one thread.
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
-//   npm run bench -- ablation --models FOLDER [--without STEP]… [case…] what steps are worth
+//   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
