@@ -18,8 +18,8 @@ struct FlatRegions {
 };
 
 // Regions of two triangles or more that are at least so wide (model units): one triangle is flat
-// on any surface. The facets of what is round, each among its like, are none. Triangles without area
-// belong to what they lie against.
+// on any surface. The facets of what is round, each among its like, are none. Triangles without
+// area belong to what they lie against.
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width);
 
