@@ -15,6 +15,8 @@ namespace {
 constexpr double kSharp = 0.766;
 // Of what is half as wide a region is one of many; where most of its border is to such, a facet.
 constexpr double kLike = 2, kMostLikes = 0.5;
+// Where less of a body is flat it is round, with a place where it hardly bends.
+constexpr double kLeastShare = 0.25;
 
 struct Plane {
   Vec3 normal = Vec3::Zero();  // unit
@@ -43,7 +45,7 @@ class RegionGrowth {
       result.widths.push_back(own);
     }
     dropFacets(result.widths);
-    if (result.widths.empty()) return result;
+    if (result.widths.empty() || flatShare() < kLeastShare) return {};
     result.of.assign(mesh_.faceCapacity(), kNone);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
     return result;
@@ -133,9 +135,20 @@ class RegionGrowth {
     return rim > 0 ? 2 * areaOf(f).norm() / rim : 0;
   }
 
+  // Whether a region is no more than a square cut in two.
+  std::vector<char> quadsAmong(std::size_t regions) const {
+    std::vector<int> faces(regions, 0);
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] != kNone) ++faces[of_[Face(i)]];
+    std::vector<char> result(regions);
+    for (std::size_t r = 0; r < regions; ++r) result[r] = faces[r] <= 2;
+    return result;
+  }
+
   // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
   std::vector<double> sharesOfLikes(const std::vector<double>& widths) const {
     std::vector<double> like(widths.size(), 0), all(widths.size(), 0);
+    const std::vector<char> isQuad = quadsAmong(widths.size());
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const Halfedge h(i), t = mesh_.isAlive(h) ? mesh_.twin(h) : Halfedge();
       if (!t) continue;
@@ -144,7 +157,8 @@ class RegionGrowth {
       if (region == kNone || region == of_[other]) continue;
       const double length = distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
       all[region] += length;
-      const bool isSharp = planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
+      const bool isSharp =
+          !isQuad[region] && planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
       if (!isSharp && kLike * widthAt(other, widths) > widths[region]) like[region] += length;
     }
     for (std::size_t r = 0; r < like.size(); ++r) like[r] = all[r] > 0 ? like[r] / all[r] : 0;
@@ -164,6 +178,17 @@ class RegionGrowth {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (of_[Face(i)] != kNone) of_[Face(i)] = kept[of_[Face(i)]];
     widths = std::move(left);
+  }
+
+  // Of the area.
+  double flatShare() const {
+    double flat = 0, all = 0;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      const double area = areaOf(Face(i)).norm();
+      all += area;
+      if (of_[Face(i)] != kNone) flat += area;
+    }
+    return all > 0 ? flat / all : 0;
   }
 
   double widthOfGrown() const {
