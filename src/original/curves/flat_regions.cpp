@@ -135,20 +135,9 @@ class RegionGrowth {
     return rim > 0 ? 2 * areaOf(f).norm() / rim : 0;
   }
 
-  // Whether a region is no more than a square cut in two.
-  std::vector<char> quadsAmong(std::size_t regions) const {
-    std::vector<int> faces(regions, 0);
-    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
-      if (of_[Face(i)] != kNone) ++faces[of_[Face(i)]];
-    std::vector<char> result(regions);
-    for (std::size_t r = 0; r < regions; ++r) result[r] = faces[r] <= 2;
-    return result;
-  }
-
   // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
   std::vector<double> sharesOfLikes(const std::vector<double>& widths) const {
     std::vector<double> like(widths.size(), 0), all(widths.size(), 0);
-    const std::vector<char> isQuad = quadsAmong(widths.size());
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const Halfedge h(i), t = mesh_.isAlive(h) ? mesh_.twin(h) : Halfedge();
       if (!t) continue;
@@ -157,8 +146,7 @@ class RegionGrowth {
       if (region == kNone || region == of_[other]) continue;
       const double length = distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
       all[region] += length;
-      const bool isSharp =
-          !isQuad[region] && planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
+      const bool isSharp = planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
       if (!isSharp && kLike * widthAt(other, widths) > widths[region]) like[region] += length;
     }
     for (std::size_t r = 0; r < like.size(); ++r) like[r] = all[r] > 0 ? like[r] / all[r] : 0;
