@@ -14,6 +14,8 @@ template <class E, std::size_t n>
 using Names = std::array<std::pair<std::string_view, E>, n>;
 
 inline constexpr Names<Scheme, 2> kSchemes = {{{"best", Scheme::Best}, {"rounds", Scheme::Rounds}}};
+inline constexpr Names<Prefer, 3> kPrefers = {
+    {{"auto", Prefer::Auto}, {"even", Prefer::Even}, {"shape", Prefer::Shape}}};
 inline constexpr Names<Quality, 2> kQualities = {
     {{"draft", Quality::Draft}, {"best", Quality::Best}}};
 inline constexpr Names<Projection, 2> kProjections = {
@@ -26,17 +28,24 @@ inline constexpr Names<Textures, 2> kTextures = {
     {{"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
+inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
+                                               {"holes", Repair::Holes},
+                                               {"solid", Repair::Solid},
+                                               {"wrap", Repair::Wrap},
+                                               {"auto", Repair::Auto}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},
                                                 {"cancelled", Stopped::Cancelled}}};
 
 constexpr const auto& namesOf(Scheme) { return kSchemes; }
+constexpr const auto& namesOf(Prefer) { return kPrefers; }
 constexpr const auto& namesOf(Quality) { return kQualities; }
 constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }
 constexpr const auto& namesOf(Textures) { return kTextures; }
+constexpr const auto& namesOf(Repair) { return kRepairs; }
 constexpr const auto& namesOf(TextureFormat) { return kTextureFormats; }
 
 template <class E, std::size_t n>

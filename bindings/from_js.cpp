@@ -99,6 +99,8 @@ std::vector<PlacedMesh> sceneFrom(const val& list) {
       const std::vector<double> columns = copied<double>(matrix);
       placed.places.emplace_back(Eigen::Map<const Eigen::Matrix4d>(columns.data()));
     });
+    if (const val finer = object["finer"]; !finer.isUndefined())
+      for (const Index number : copied<Index>(finer)) placed.finer.push_back(number);
     scene.push_back(std::move(placed));
   });
   return scene;

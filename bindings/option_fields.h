@@ -14,6 +14,7 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("ratio", options.ratio);
   visit("edgeLength", options.edgeLength);
   visit("scheme", options.scheme);
+  visit("prefer", options.prefer);
   visit("quality", options.quality);
   visit("projection", options.projection);
   visit("fidelity", options.fidelity);
@@ -25,11 +26,17 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("featureAngle", options.featureAngle);
   visit("boundary", options.boundary);
   visit("maxError", options.maxError);
+  visit("weld", options.weld);
+  visit("quads", options.quads);
+  visit("exact", options.exact);
   visit("textures", options.textures);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);
   visit("density", options.density);
   visit("featureEdges", options.featureEdges);
+  visit("repair", options.repair);
+  visit("holesUpTo", options.holesUpTo);
+  visit("gap", options.gap);
   visit("lods", options.lods);
   visit("lodFiles", options.lodFiles);
 }

@@ -3,6 +3,8 @@
 
 #include <emscripten/heap.h>
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -31,6 +33,21 @@ val objectFrom(const AngleStatistics& angles) {
   return result;
 }
 
+val objectFrom(const QuadReport& quads) {
+  val deviation = val::object(), jacobian = val::object(), result = val::object();
+  deviation.set("mean", quads.angleDeviation.mean);
+  deviation.set("p95", quads.angleDeviation.p95);
+  deviation.set("worst", quads.angleDeviation.worst);
+  jacobian.set("min", quads.scaledJacobian.min);
+  jacobian.set("mean", quads.scaledJacobian.mean);
+  result.set("count", double(quads.count));
+  result.set("irregular", double(quads.irregular));
+  result.set("angleDeviation", deviation);
+  result.set("scaledJacobian", jacobian);
+  result.set("edgeVariation", quads.edgeVariation);
+  return result;
+}
+
 val objectFrom(const MeshReport& mesh) {
   val result = val::object();
   result.set("vertices", double(mesh.vertices));
@@ -43,6 +60,7 @@ val objectFrom(const MeshReport& mesh) {
   result.set("minAngle", objectFrom(mesh.minAngle));
   result.set("maxAngle", mesh.maxAngle);
   result.set("valence6", mesh.valence6);
+  if (mesh.quads) result.set("quads", objectFrom(*mesh.quads));
   return result;
 }
 
@@ -50,6 +68,21 @@ val objectFrom(const FidelityReport& fidelity) {
   val result = val::object();
   result.set("hausdorff", fidelity.hausdorff);
   result.set("rms", fidelity.rms);
+  return result;
+}
+
+val objectFrom(const RepairReport& repair) {
+  val result = val::object();
+  val selfIntersections = val::array();
+  for (const std::size_t count : repair.selfIntersections)
+    selfIntersections.call<void>("push", double(count));
+  result.set("mode", repair.mode);
+  result.set("holes", double(repair.holes));
+  result.set("islands", double(repair.islands));
+  result.set("shells", double(repair.shells));
+  result.set("turned", double(repair.turned));
+  result.set("lost", repair.lost);
+  result.set("selfIntersections", selfIntersections);
   return result;
 }
 
@@ -120,6 +153,7 @@ val objectFrom(const TriangleMesh& mesh) {
   result.set("indices", arrayFrom(mesh.indices));
   result.set("attributes", listFrom(mesh.attributes));
   if (!mesh.groups.empty()) result.set("groups", arrayFrom(mesh.groups));
+  if (mesh.isQuads) result.set("quads", arrayFrom(quadsOf(mesh)));
   return result;
 }
 
@@ -131,6 +165,16 @@ val objectFrom(const std::vector<Picture>& pictures) { return listFrom(pictures)
 
 val objectFrom(const std::vector<Warning>& warnings) { return listFrom(warnings); }
 
+// One word for all parts; a list where they differ.
+val preferenceFrom(const std::vector<Prefer>& parts) {
+  const auto word = [](Prefer part) { return std::string(nameOf(kPrefers, part)); };
+  if (std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to()) == parts.end())
+    return val(word(parts.front()));
+  val result = val::array();
+  for (const Prefer part : parts) result.call<void>("push", word(part));
+  return result;
+}
+
 // WebAssembly's memory only grows: its size now is the peak.
 val objectFrom(const Report& report) {
   val memory = val::object();
@@ -140,6 +184,8 @@ val objectFrom(const Report& report) {
   result.set("input", objectFrom(report.input));
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
+  if (report.repair) result.set("repair", objectFrom(*report.repair));
+  if (!report.prefer.empty()) result.set("prefer", preferenceFrom(report.prefer));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
   result.set("phases", listFrom(report.phases));

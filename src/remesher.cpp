@@ -4,20 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <new>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "base/legible.h"
 #include "io/formats.h"
+#include "io/model/levels.h"
+#include "jobs/mending.h"
+#include "jobs/part_joining.h"
 #include "jobs/part_report.h"
+#include "jobs/part_run.h"
 #include "jobs/part_scale.h"
 #include "jobs/part_targets.h"
+#include "jobs/part_unions.h"
 #include "jobs/precision.h"
 #include "jobs/result_check.h"
+#include "jobs/run_guards.h"
 #include "remesh/schemes/remesh.h"
 #include "textures/repaint.h"
 
@@ -25,7 +29,6 @@ namespace remesher {
 namespace {
 
 // The shares of a run's time, about.
-constexpr double kReadShare = 0.05;
 constexpr double kMeasureShare = 0.15;
 
 // Every part remeshed, and a report on all but reading and writing.
@@ -35,11 +38,6 @@ struct Run {
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   Report report;
 };
-
-// All of a part but its mesh.
-io::Part withoutMesh(const io::Part& part) {
-  return {part.name, {}, part.instances, part.groups, part.lods};
-}
 
 void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh& original) {
   RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
@@ -52,6 +50,36 @@ void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh&
   run.places[part] = std::move(outcome.places);
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
+  run.report.prefer[part] = outcome.prefer;
+}
+
+// Each part, those whose borders lie on each other as one. The tree is the last part's.
+std::optional<ListedTree> remeshSurfaces(Run& run, const std::vector<io::Part>& originals,
+                                         const RemeshOptions& options, const Progress& progress) {
+  const PartUnions unions(originals, options);
+  const std::vector<io::Part>& surfaces = unions.surfaces();
+  const std::vector<PartPlace> places = placesOf(surfaces);
+  PartTargets targets(surfaces, places, options);
+  double total = 0;
+  for (const io::Part& part : surfaces)
+    total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
+  double done = 0;
+  std::optional<ListedTree> tree;
+  for (const std::size_t i : targets.order()) {
+    const std::vector<std::size_t>& members = unions.membersOf(i);
+    const TriangleMesh& mesh = surfaces[i].mesh;
+    const double share = double(mesh.triangleCount()) / total;
+    Welding welding = members.size() > 1 ? Welding(mesh) : std::move(run.weldings[members.front()]);
+    RemeshOutcome outcome = remeshAsShown({mesh, std::move(welding), places[i]},
+                                          {targets, unions, i}, progress.part(done, done + share));
+    targets.given(i, outcome.vertices);
+    tree = std::move(outcome.tree);
+    std::vector<RemeshOutcome> parted = unions.parted(i, std::move(outcome));
+    for (std::size_t k = 0; k < parted.size(); ++k)
+      take(run, members[k], std::move(parted[k]), originals[members[k]].mesh);
+    done += share;
+  }
+  return tree;
 }
 
 Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
@@ -59,41 +87,20 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   progress.phase("inspect", 0, 0);
   Run run{{}, weldingsOf(originals), std::vector<std::vector<InputPlace>>(originals.size()), {}};
   for (const io::Part& part : originals) run.parts.push_back(withoutMesh(part));
-  run.report.input = inspectParts(originals, run.weldings);
-  PartTargets targets(originals, options);
-  const double total = double(run.report.input.triangles) / (1 - kMeasureShare);
-  double done = 0;
-  std::optional<ListedTree> tree;  // of the last part
-  for (const std::size_t i : targets.order()) {
-    const double share = double(originals[i].mesh.triangleCount()) / total;
-    const TriangleMesh& mesh = originals[i].mesh;
-    RemeshOutcome outcome = remeshSurface(mesh, std::move(run.weldings[i]), targets.of(i),
-                                          progress.part(done, done + share));
-    targets.given(i, outcome.vertices);
-    tree = std::move(outcome.tree);
-    take(run, i, std::move(outcome), mesh);
-    done += share;
-  }
+  run.report.prefer.assign(originals.size(), Prefer::Even);
+  const std::vector<PartPlace> places = placesOf(originals);
+  run.report.input = inspectParts(originals, run.weldings, places);
+  run.report.warnings = looseTriangles(run.report.input, originals);
+  std::optional<ListedTree> tree = remeshSurfaces(run, originals, options, progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
-  run.report.output = inspectParts(run.parts, weldingsOf(run.parts));
+  run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
   // Whether a bound is kept shows from both sides only.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
-    run.report.fidelity = fidelityOf(
-        originals, run.parts, isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
+    run.report.fidelity =
+        fidelityOf({originals, run.parts, places},
+                   isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
   return run;
-}
-
-// What the machine cannot hold is said like everything else; all that was held is free again.
-template <class Body>
-auto withinMemory(Body body) {
-  try {
-    return body();
-  } catch (const std::bad_alloc&) {
-  } catch (const std::length_error&) {
-  }
-  throw Error(ErrorCode::OutOfMemory, "The run needs more memory than there is.",
-              "Ask for fewer vertices, or give the model in parts.");
 }
 
 // The same for parts of any size.
@@ -106,19 +113,9 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
                     : remeshParts(originals, options, progress);
   });
   if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
-  run.report.warnings = joined(std::move(run.report.warnings),
-                               worseThanGiven({run.report.input, *run.report.output}, run.parts));
   run.report.warnings =
-      joined(std::move(run.report.warnings), fartherThanLarge(run.report, run.parts));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), fartherThanAsked(run.report, options));
+      joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, options));
   return run;
-}
-
-Report timed(Report report, PhaseClock& clock) {
-  report.phases = clock.finish();
-  report.timings = timingsOf(report.phases);
-  return report;
 }
 
 // What a level of detail asks for: that share of what the whole does, or as few vertices as the
@@ -164,26 +161,6 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
   return runs;
 }
 
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
-  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts));
-  const std::vector<io::Part> scaled = scale.applied(parts);
-  return inspectParts(scaled, weldingsOf(scaled));
-}
-
-// Errors that speak of a vertex or a triangle alone do not say of which file.
-template <class Body>
-auto inFile(const std::string& name, Body body) {
-  try {
-    return body();
-  } catch (const Error& error) {
-    const std::string message = error.what();
-    const bool saysWhere = name.empty() || message.find(legible(name)) != std::string::npos;
-    if (error.code == ErrorCode::Cancelled || saysWhere) throw;
-    throw Error(error.code, legible(name) + ": " + message, error.hint);
-  }
-}
-
 constexpr double kPaintShare = 0.4;
 
 // Textures can only be painted with what formats say that have materials.
@@ -191,9 +168,7 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
   if (!options.lods.empty())
     throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
                 "Ask for one of them: --textures, --lods.");
-  const std::string extension =
-      outputName.substr(std::min(outputName.rfind('.'), outputName.size()));
-  if (extension == ".glb" || extension == ".gltf") return;
+  if (io::holdsLods(outputName)) return;
   throw Error(ErrorCode::Unsupported,
               "Baked textures are written as glTF only, not as " + legible(outputName) + ".",
               "Let the output's name end in .glb or .gltf.");
@@ -327,8 +302,16 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
                 "Give the file, with its images, to remeshFile.");
   PhaseClock clock;
   std::vector<io::Part> parts;
-  for (auto& [mesh, places] : scene) parts.push_back({"", std::move(mesh), std::move(places)});
-  std::vector<Run> runs = remeshAll(parts, options, progress.timedBy(clock));
+  for (PlacedMesh& placed : scene) {
+    parts.push_back({"", std::move(placed.mesh), std::move(placed.places)});
+    parts.back().finer = std::move(placed.finer);
+  }
+  parts = joinedPlaces(std::move(parts), options.weld);
+  const Progress whole = progress.timedBy(clock);
+  const double mended = mendShare(options);
+  const Mending mending(parts, options, whole.part(0, mended));
+  std::vector<Run> runs = remeshAll(parts, options, whole.part(mended, 1));
+  mending.note(runs.front().report);
   std::vector<std::vector<TriangleMesh>> levels;
   for (Run& run : runs) {
     levels.emplace_back();
@@ -340,6 +323,14 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   return result;
 }
 
+RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress) {
+  PhaseClock clock;
+  std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
+  Report report = repairOnly(parts, options, progress.timedBy(clock));
+  return {std::move(parts.front().mesh), timed(std::move(report), clock)};
+}
+
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
@@ -349,10 +340,19 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input);
+  if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<Run> runs = inFile(input.file.name, [&]() -> std::vector<Run> {
-    const Progress body = whole.part(kReadShare, 1);
-    if (options.textures == Textures::Keep) return remeshAll(model.parts, options, body);
-    return {remeshBaked(model, std::move(input.pictures), options, body)};
+    model.parts = joinedPlaces(std::move(model.parts), options.weld);
+    const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
+    const Mending mending(model.parts, options, whole.part(kReadShare, mended));
+    const Progress body = whole.part(mended, 1);
+    std::vector<Run> all;
+    if (options.textures == Textures::Keep)
+      all = remeshAll(model.parts, options, body);
+    else
+      all.push_back(remeshBaked(model, std::move(input.pictures), options, body));
+    mending.note(all.front().report);
+    return all;
   });
   whole.phase("write", 1, 1);
   io::WrittenFiles written = inFile(input.file.name, [&] {
@@ -377,18 +377,23 @@ Report inspect(const TriangleMesh& mesh) {
   PhaseClock clock;
   clock.enter("inspect");
   Report report;
-  report.input = inspectScaled({io::Part{"", mesh, {}}});
+  const std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
+  report.input = inspectScaled(parts);
+  report.warnings = looseTriangles(report.input, parts);
   return timed(std::move(report), clock);
 }
 
 Report inspectFile(const FileBundle& input) {
   PhaseClock clock;
   clock.enter("read");
-  const io::Model model = io::read(input.file, input.resources);
+  io::Model model = io::read(input.file, input.resources);
   clock.enter("inspect");
   Report report;
-  report.warnings = model.warnings;
-  report.input = inFile(input.file.name, [&] { return inspectScaled(model.parts); });
+  report.input = inFile(input.file.name, [&] {
+    model.parts = joinedPlaces(std::move(model.parts), {});
+    return inspectScaled(model.parts);
+  });
+  report.warnings = joined(model.warnings, looseTriangles(report.input, model.parts));
   return timed(std::move(report), clock);
 }
 

@@ -30,6 +30,9 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
 struct PlacedMesh {
   TriangleMesh mesh;
   std::vector<Transform> places;
+  // The meshes, by number, that it stands for from afar: then it is a coarser level of detail,
+  // keeps its proportion to them, and the report leaves it out.
+  std::vector<std::size_t> finer = {};
 };
 
 struct RemeshSceneResult {
@@ -66,6 +69,17 @@ struct RemeshFileResult {
 };
 
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
+                            const RemeshOptions& options, const Progress& progress = {});
+
+struct RepairResult {
+  TriangleMesh mesh;
+  Report report;  // without distances
+};
+
+// Mended as the options' repair says, and no more; what else they say does not count.
+RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
+                    const Progress& progress = {});
+RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
 
 struct ConvertFileResult {

@@ -13,7 +13,8 @@ const { convertFile, init, inspect, remesh, remeshFile } = remesher;
 
 test('the package exports what it promises and nothing else', () => {
   assert.deepEqual(Object.keys(remesher).sort(),
-    ['RemeshError', 'convertFile', 'init', 'inspect', 'remesh', 'remeshFile', 'remeshScene']);
+    ['RemeshError', 'convertFile', 'init', 'inspect', 'remesh', 'remeshFile', 'remeshScene',
+      'repair', 'repairFile']);
 });
 
 test('init may be called often, and with the bytes', async () => {

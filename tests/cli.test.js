@@ -62,7 +62,7 @@ test('--json is the whole report and nothing else on standard output', () => {
   assert.equal(stderr, '');
   const report = JSON.parse(stdout);
   assert.deepEqual(Object.keys(report).sort(), ['fidelity', 'input', 'memory', 'output',
-    'phases', 'stopped', 'timings', 'version', 'warnings']);
+    'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
   assert.equal(report.output.vertices, 600);
   assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);
   assert.ok(report.memory.peakBytes > 0);

@@ -108,6 +108,8 @@ test('arrays are copied into the form the core reads', () => {
 
 /** What some flags say nothing without. */
 const beside = {
+  gap: ['--repair', 'wrap'],
+  holesUpTo: ['--repair', 'holes'],
   lodFiles: ['--lods', '0.5'],
   textureSize: ['--textures', 'bake'],
   textureFormat: ['--textures', 'bake'],

@@ -9,12 +9,16 @@ add_executable(unit_tests
   tests/unit/geometry/piecewise_test.cpp
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
+  tests/unit/geometry/quad_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp
   tests/unit/io/gltf/gltf_writer_test.cpp
+  tests/unit/io/gltf/tree/gltf_extensions_test.cpp
+  tests/unit/io/gltf/tree/gltf_levels_test.cpp
+  tests/unit/io/gltf/tree/gltf_pointers_test.cpp
   tests/unit/io/model/companions_test.cpp
   tests/unit/io/model/conventions_test.cpp
   tests/unit/io/model/near_origin_test.cpp
@@ -26,20 +30,25 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/part_joining_test.cpp
+  tests/unit/jobs/part_places_test.cpp
   tests/unit/jobs/part_report_test.cpp
   tests/unit/jobs/part_scale_test.cpp
   tests/unit/jobs/part_targets_test.cpp
+  tests/unit/jobs/part_unions_test.cpp
   tests/unit/jobs/precision_test.cpp
   tests/unit/jobs/result_check_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
+  tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
+  tests/unit/mesh/joining_test.cpp
   tests/unit/mesh/joints_test.cpp
   tests/unit/mesh/manifold_cut_test.cpp
   tests/unit/mesh/mesh_builder_test.cpp
@@ -50,6 +59,7 @@ add_executable(unit_tests
   tests/unit/original/curves/curve_simplification_test.cpp
   tests/unit/original/curves/feature_curves_test.cpp
   tests/unit/original/curves/feature_detection_test.cpp
+  tests/unit/original/curves/flat_regions_test.cpp
   tests/unit/original/curves/seams_test.cpp
   tests/unit/original/curves/shape_angles_test.cpp
   tests/unit/original/curves/spikes_test.cpp
@@ -58,6 +68,7 @@ add_executable(unit_tests
   tests/unit/original/patches/face_cells_test.cpp
   tests/unit/original/patches/patch_atlas_test.cpp
   tests/unit/original/patches/point_location_test.cpp
+  tests/unit/original/surface/accurate_sizes_test.cpp
   tests/unit/original/surface/boundary_places_test.cpp
   tests/unit/original/surface/curvature_test.cpp
   tests/unit/original/surface/original_surface_test.cpp
@@ -80,7 +91,22 @@ add_executable(unit_tests
   tests/unit/remesh/operators/shift_test.cpp
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
+  tests/unit/remesh/quads/extract/extraction_test.cpp
+  tests/unit/remesh/quads/extract/holes_test.cpp
+  tests/unit/remesh/quads/extract/mending_test.cpp
+  tests/unit/remesh/quads/field/cross_field_test.cpp
+  tests/unit/remesh/quads/map/cut_test.cpp
+  tests/unit/remesh/quads/map/integer_rows_test.cpp
+  tests/unit/remesh/quads/map/rounding_test.cpp
+  tests/unit/remesh/quads/map/seamless_map_test.cpp
+  tests/unit/remesh/quads/map/untangle_test.cpp
+  tests/unit/remesh/quads/mesh/quad_check_test.cpp
+  tests/unit/remesh/quads/pair/pairing_test.cpp
+  tests/unit/remesh/quads/quads_test.cpp
+  tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
   tests/unit/remesh/schemes/rounds_test.cpp
@@ -95,6 +121,10 @@ add_executable(unit_tests
   tests/unit/remesh/steps/sweeps_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/holes/close_holes_test.cpp
+  tests/unit/repair/repair_test.cpp
+  tests/unit/repair/solid/cell_loops_test.cpp
+  tests/unit/repair/solid/solid_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/painting/canvas_test.cpp

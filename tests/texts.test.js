@@ -13,7 +13,8 @@ import en from '../web/texts/en.js';
 import { withWords } from '../web/words_in_place.js';
 import { filesUnder, readText, root } from './support/tree.js';
 
-const others = filesUnder('web/texts', /\.js$/).filter((file) => !file.endsWith('/en.js'));
+const others = filesUnder('web/texts', /\.js$/)
+  .filter((file) => !/\/(en|options\/\w+)\.js$/.test(file));
 const textsOf = async (file) => (await import(pathToFileURL(`${root}/${file}`))).default;
 
 const inForm = optionTable.filter(({ flag, form }) => flag && form !== false);

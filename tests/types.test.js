@@ -19,6 +19,9 @@ const functions = {
     + 'Promise<RemeshSceneResult>',
   remeshFile: 'remeshFile(bytes: Bytes, options?: RemeshOptions & FileOptions & OutputOptions '
     + '& RunOptions): Promise<RemeshFileResult>',
+  repair: 'repair(mesh: Mesh, options?: RepairOptions & RunOptions): Promise<RepairResult>',
+  repairFile: 'repairFile(bytes: Bytes, options?: RepairOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<RepairFileResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
     + 'Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: FileOptions & RunOptions): '
@@ -37,10 +40,10 @@ const program = [
   '',
 ].join('\n');
 
-/** Where a line of the program begins with a word. */
-function placeOf(word) {
-  const line = program.split('\n').findIndex((text) => new RegExp(`^ *${word}[;:]`).test(text));
-  return { line, character: program.split('\n')[line].indexOf(word) + 1 };
+/** Where a line of the program begins with these characters. */
+function placeOf(beginning) {
+  const line = program.split('\n').findIndex((text) => text.trim().startsWith(beginning));
+  return { line, character: program.split('\n')[line].indexOf(beginning) + 1 };
 }
 
 /** Words as they are read, however an editor breaks its lines. */
@@ -84,7 +87,7 @@ for (const [name, options] of Object.entries(settings)) {
 
     test('a function shows its parameters by name, and what it does', async () => {
       for (const [word, signature] of Object.entries(functions)) {
-        const shown = flat(await editor.hover(file, placeOf(word)));
+        const shown = flat(await editor.hover(file, placeOf(`${word};`)));
         assert.ok(shown.includes(`function ${signature}`), shown);
         assert.doesNotMatch(shown, /import\(/);
         const documented = new RegExp(`\\/\\*\\*\\n((?: \\*.*\\n)+)export function ${word}\\(`)
@@ -97,7 +100,7 @@ for (const [name, options] of Object.entries(settings)) {
 
     test('an option shows its text, range, unit and default', async () => {
       for (const option of optionTable) {
-        const shown = flat(await editor.hover(file, placeOf(option.name)));
+        const shown = flat(await editor.hover(file, placeOf(`${option.name}:`)));
         assert.ok(shown.includes(`RemeshOptions.${option.name}?: `), shown);
         const expected = [option.help.slice(1), rangeInWords(option).slice(1), option.unit ?? ''];
         for (const words of expected) assert.ok(shown.includes(words), `${words}: ${shown}`);

@@ -26,6 +26,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').PlacedMesh} PlacedMesh
  * @typedef {import('./base/messages.js').ProgressEvent} ProgressEvent
  * @typedef {import('./base/messages.js').RemeshReport} RemeshReport
+ * @typedef {import('./base/messages.js').RepairSummary} RepairSummary
  * @typedef {import('./base/messages.js').RunReport} RunReport
  * @typedef {import('./base/messages.js').Timings} Timings
  * @typedef {import('./base/messages.js').Warning} Warning

@@ -10,8 +10,11 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
+ * @typedef {import('./api/api.js').RepairFileResult} RepairFileResult
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
  * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
+ * @typedef {import('./api/api.js').RepairOptions} RepairOptions
+ * @typedef {import('./api/api.js').RepairResult} RepairResult
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
  * @typedef {import('./api/client.js').RunOptions} RunOptions
  * @typedef {import('./api/inputs.js').Bytes} Bytes
@@ -33,6 +36,8 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./base/messages.js').PlacedMesh} PlacedMesh
  * @typedef {import('./base/messages.js').ProgressEvent} ProgressEvent
  * @typedef {import('./base/messages.js').RemeshReport} RemeshReport
+ * @typedef {import('./base/messages.js').RepairReport} RepairReport
+ * @typedef {import('./base/messages.js').RepairSummary} RepairSummary
  * @typedef {import('./base/messages.js').RunReport} RunReport
  * @typedef {import('./base/messages.js').Timings} Timings
  * @typedef {import('./base/messages.js').Warning} Warning
@@ -101,6 +106,38 @@ export function remeshScene(parts, options) {
  */
 export function remeshFile(bytes, options) {
   return api.remeshFile(bytes, options);
+}
+
+/**
+ * Mends a mesh and does no more: its triangles stay as they are where nothing was broken. The
+ * arrays are copied, and stay the caller's.
+ *
+ * @example
+ * const { mesh, report } = await repair({ positions, indices }, { holesUpTo: 5 });
+ *
+ * @param {Mesh} mesh The surface, as remesh takes it.
+ * @param {RepairOptions & RunOptions} [options] How to mend it, and how to run.
+ * @returns {Promise<RepairResult>} The mended mesh and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function repair(mesh, options) {
+  return api.repair(mesh, options);
+}
+
+/**
+ * Mends a file, given and returned as bytes, and does no more.
+ *
+ * @example
+ * const { bytes } = await repairFile(file, { name: 'scan.stl', output: 'stl' });
+ *
+ * @param {Bytes} bytes The file.
+ * @param {RepairOptions & FileOptions & OutputOptions & RunOptions} [options] How to mend it, its
+ *   name, the result's name, and how to run.
+ * @returns {Promise<RepairFileResult>} The mended file and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function repairFile(bytes, options) {
+  return api.repairFile(bytes, options);
 }
 
 /**

@@ -11,5 +11,7 @@ export const init = api.init.bind(api);
 export const remesh = api.remesh.bind(api);
 export const remeshScene = api.remeshScene.bind(api);
 export const remeshFile = api.remeshFile.bind(api);
+export const repair = api.repair.bind(api);
+export const repairFile = api.repairFile.bind(api);
 export const convertFile = api.convertFile.bind(api);
 export const inspect = api.inspect.bind(api);

@@ -84,6 +84,31 @@ export class Pool {
   }
 
   /**
+   * Mends a mesh, as the package's function does.
+   *
+   * @param {Package.Mesh} mesh The surface.
+   * @param {Package.RepairOptions & Package.RunOptions} [options] How to mend it, and how to run.
+   * @returns {Promise<Package.RepairResult>} The mended mesh and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  repair(mesh, options) {
+    return this.#pool.repair(mesh, options);
+  }
+
+  /**
+   * Mends a file, as the package's function does.
+   *
+   * @param {Package.Bytes} bytes The file.
+   * @param {Package.RepairOptions & Package.FileOptions & Package.OutputOptions
+   *   & Package.RunOptions} [options] How to mend it, its name, the result's name, and how to run.
+   * @returns {Promise<Package.RepairFileResult>} The mended file and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  repairFile(bytes, options) {
+    return this.#pool.repairFile(bytes, options);
+  }
+
+  /**
    * Writes a file in another format, as the package's function does.
    *
    * @param {Package.Bytes} bytes The file.

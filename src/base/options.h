@@ -17,15 +17,18 @@ enum class Quality { Draft, Best };          // of the scheme `best`: soon | as 
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
-enum class Textures { Keep, Bake };  // texture coordinates along their seams | painted anew
+enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
+enum class Textures { Keep, Bake };       // texture coordinates along their seams | painted anew
 enum class TextureFormat { Png, Jpeg, Webp };
-enum class TooFew { Refuse, Raise };  // a target below what the surface needs
+enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
+enum class TooFew { Refuse, Raise };                  // a target below what the surface needs
 
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
   std::optional<double> ratio;       // the same as a share of the input's
   std::optional<double> edgeLength;  // the same from a mean edge length
   Scheme scheme = Scheme::Best;
+  Prefer prefer = Prefer::Auto;
   Quality quality = Quality::Best;
   Projection projection = Projection::Patches;
   std::optional<Fidelity> fidelity;
@@ -38,14 +41,24 @@ struct RemeshOptions {
   std::optional<double> featureAngle;
   Boundary boundary = Boundary::Resample;
   std::optional<double> maxError;                     // percent of the diagonal
+  std::optional<double> weld;                         // the same: nearer places are one
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
+  bool quads = false;                                 // pure quads instead of triangles
+  bool exact = false;                                 // of quads: exactly so many vertices
   Textures textures = Textures::Keep;                 // of files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;
-  std::vector<double> lods;        // shares of the number of vertices, each > 0
-  bool lodFiles = false;           // a file for each level, not one for all
-  TooFew tooFew = TooFew::Refuse;  // not the caller's: see PartTargets
+  Repair repair = Repair::Off;
+  std::optional<double> holesUpTo;  // the longest loop to be closed, percent of the diagonal
+  std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal
+  std::vector<double> lods;   // shares of the number of vertices, each > 0
+  bool lodFiles = false;      // a file for each level, not one for all
+
+  // Not the caller's: see PartTargets and PartUnions.
+  TooFew tooFew = TooFew::Refuse;
+  std::vector<Index> bodies;      // per group of the input: several bodies are one surface
+  std::optional<Index> inBodies;  // the exact number of places, each once in every body it is in
 };
 
 }  // namespace remesher

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/options.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -26,6 +27,23 @@ struct AngleStatistics {
   std::array<double, 6> histogram{};
 };
 
+// Of quads. irregular: vertices inside whose valence is not 4; angleDeviation: |angle − 90°| of all
+// corners; scaledJacobian: of each quad's worst corner, 1 in a square, negative in a fold;
+// edgeVariation: the standard deviation of the edges' lengths over their mean.
+struct QuadReport {
+  struct Deviation {
+    double mean = 0, p95 = 0, worst = 0;
+  };
+  struct Jacobian {
+    double min = 0, mean = 0;
+  };
+  std::size_t count = 0;
+  std::size_t irregular = 0;
+  Deviation angleDeviation;
+  Jacobian scaledJacobian;
+  double edgeVariation = 0;
+};
+
 struct MeshReport {
   std::size_t vertices = 0;  // distinct positions
   std::size_t triangles = 0;
@@ -35,8 +53,9 @@ struct MeshReport {
   long eulerCharacteristic = 0;
   std::size_t degenerateTriangles = 0;
   AngleStatistics minAngle;
-  double maxAngle = 0;  // the largest angle of any triangle
-  double valence6 = 0;  // percent of the interior vertices
+  double maxAngle = 0;              // the largest angle of any triangle
+  double valence6 = 0;              // percent of the interior vertices
+  std::optional<QuadReport> quads;  // of a mesh of quads
 };
 
 // Two-sided distance between the result and the original, percent of the original's diagonal.
@@ -59,16 +78,29 @@ struct Timings {  // milliseconds
   double write = 0;
 };
 
+// What mending did. Of files of several parts: sums, and the mode that mended most triangles.
+struct RepairReport {
+  std::string mode;
+  std::size_t holes = 0;    // open loops closed
+  std::size_t islands = 0;  // open scraps taken off
+  std::size_t shells = 0;   // bodies that lay inside of others, taken off
+  std::size_t turned = 0;   // triangles turned over
+  double lost = 0;          // percent of the area given that the result has not
+  std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
+  std::optional<RepairReport> repair;  // where asked for
   Timings timings;
   std::vector<Phase> phases;  // in order; together they are the run
   std::uint64_t peakBytes = 0;
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
-  std::vector<Report> lods;  // of the coarser levels of detail, as they were asked for
+  std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
+  std::vector<Report> lods;    // of the coarser levels of detail, as they were asked for
 };
 
 }  // namespace remesher

@@ -23,6 +23,25 @@ const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semant
   return nullptr;
 }
 
+std::vector<Index> quadsOf(const TriangleMesh& mesh) {
+  std::vector<Index> quads;
+  if (!mesh.isQuads) return quads;
+  quads.reserve(mesh.indices.size() / 6 * 4);
+  for (std::size_t i = 0; i + 5 < mesh.indices.size(); i += 6) {
+    quads.insert(quads.end(), &mesh.indices[i], &mesh.indices[i] + 3);
+    quads.push_back(mesh.indices[i + 5]);
+  }
+  return quads;
+}
+
+bool arePairs(const TriangleMesh& mesh) {
+  const std::vector<Index>& corners = mesh.indices;
+  if (corners.empty() || corners.size() % 6 != 0) return false;
+  for (std::size_t i = 0; i < corners.size(); i += 6)
+    if (corners[i] != corners[i + 3] || corners[i + 2] != corners[i + 4]) return false;
+  return true;
+}
+
 std::size_t groupCount(const TriangleMesh& mesh) {
   if (mesh.groups.empty()) return 1;
   return std::size_t{*std::max_element(mesh.groups.begin(), mesh.groups.end())} + 1;

@@ -27,6 +27,8 @@ struct TriangleMesh {
   std::vector<Attribute> attributes;
   bool isSingle = false;  // the coordinates are of single precision, and will be when written
   double scale = 1;       // of the coordinates, over those that are written
+  // Triangles 2i and 2i + 1 are a quad each, cut from its first corner: (a, b, c) and (a, c, d).
+  bool isQuads = false;
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
@@ -35,6 +37,12 @@ struct TriangleMesh {
 inline Vec3 inSingle(const Vec3& p, double scale) {
   return (p / scale).cast<float>().cast<double>() * scale;
 }
+
+// Four indices for each quad, in the triangles' order; empty if the mesh is none of quads.
+std::vector<Index> quadsOf(const TriangleMesh& mesh);
+
+// Whether each two triangles are cut from one quad as those of a mesh of quads are.
+bool arePairs(const TriangleMesh& mesh);
 
 // Null if the mesh has none of this semantic.
 const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/legible.h"
 #include "io/gltf/gltf.h"
+#include "io/model/bake.h"
 #include "io/model/companions.h"
 #include "io/model/near_origin.h"
 #include "io/ply/ply.h"
@@ -122,7 +123,9 @@ bool holdsLods(const std::string& outputName) {
 
 void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
-  if (format == nullptr || !format->isSingle) return;
+  if (format == nullptr) return;
+  if (format->read != readGltf) model.parts = bodiesOf(std::move(model.parts));
+  if (!format->isSingle) return;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
     if (wasExact && format->read == readGltf && isFarFromOrigin(part.mesh)) moveToOrigin(part);

@@ -7,6 +7,7 @@
 
 #include "geometry/triangle.h"
 #include "measure/mesh_report.h"
+#include "measure/quad_report.h"
 
 namespace remesher {
 namespace {
@@ -46,6 +47,18 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
   return sum;
 }
 
+// Where all parts are of quads.
+std::optional<QuadReport> reportQuads(const std::vector<io::Part>& parts,
+                                      const std::vector<Welding>& weldings) {
+  QuadStatistics quads;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].mesh.isQuads) return {};
+    quads.add(parts[i].mesh, weldings[i]);
+  }
+  if (parts.empty()) return {};
+  return quads.report();
+}
+
 // What has two corners in one place is a line, which the remesher does not know.
 bool isLine(const TriangleMesh& mesh, std::size_t first) {
   const Index* const t = &mesh.indices[first];
@@ -76,9 +89,8 @@ bool keepsShape(const Transform& place) {
 }
 
 // Where a part is shown without its shape its distances are those it has by itself.
-Transform placeOf(const io::Part& part) {
-  const bool isShown = !part.instances.empty() && keepsShape(part.instances.front());
-  return isShown ? Transform(part.instances.front()) : Transform::Identity();
+Transform placeFor(const PartPlace& place) {
+  return keepsShape(place.toWorld) ? Transform(place.toWorld) : Transform::Identity();
 }
 
 }  // namespace
@@ -92,42 +104,51 @@ std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts) {
   return weldings;
 }
 
-MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings) {
+MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings,
+                        const std::vector<PartPlace>& places) {
   std::vector<MeshReport> reports;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    reports.push_back(inspectMesh(parts[i].mesh, weldings[i]));
-  return combined(reports);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].finer.empty()) continue;
+    const auto stretch = stretchAt(places[i].toWorld);
+    reports.push_back(stretch ? inspectMesh(stretched(parts[i].mesh, *stretch), weldings[i])
+                              : inspectMesh(parts[i].mesh, weldings[i]));
+  }
+  MeshReport report = combined(reports);
+  report.quads = reportQuads(parts, weldings);
+  return report;
 }
 
-TriangleMesh gathered(const std::vector<io::Part>& parts) {
+TriangleMesh gathered(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places) {
   TriangleMesh all;
   if (parts.empty()) return all;
   // A scene may lie so far away that its shape would be lost to rounding.
-  const Vec3 origin = placeOf(parts.front()).translation();
-  for (const io::Part& part : parts) {
+  const Vec3 origin = placeFor(places.front()).translation();
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    if (!parts[n].finer.empty()) continue;
+    const TriangleMesh& mesh = parts[n].mesh;
     const auto first = static_cast<Index>(all.positions.size());
-    Transform place = placeOf(part);
+    Transform place = placeFor(places[n]);
     place.translation() -= origin;
-    const std::vector<Vec3>& own = part.mesh.positions;
+    const std::vector<Vec3>& own = mesh.positions;
     all.positions.insert(all.positions.end(), own.begin(), own.end());
     if (!place.matrix().isIdentity(0))
       for (std::size_t i = first; i < all.positions.size(); ++i)
         all.positions[i] = place * all.positions[i];
-    all.indices.reserve(all.indices.size() + part.mesh.indices.size());
-    for (const Index i : part.mesh.indices) all.indices.push_back(first + i);
+    all.indices.reserve(all.indices.size() + mesh.indices.size());
+    for (const Index i : mesh.indices) all.indices.push_back(first + i);
   }
   removeLines(all);
   return all;
 }
 
-FidelityReport fidelityOf(const std::vector<io::Part>& originals,
-                          const std::vector<io::Part>& results, Maximum maximum,
-                          std::optional<ListedTree> tree) {
+FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree) {
+  const auto& [originals, results, places] = parts;
   const io::Part& first = originals.front();
-  const bool isByItself = originals.size() == 1 && placeOf(first).linear().isIdentity(0);
+  const TriangleMesh made = gathered(results, places);
+  const bool isByItself = originals.size() == 1 && placeFor(places.front()).linear().isIdentity(0);
   if (isByItself && (tree || !hasLines(first.mesh)))
-    return measureFidelity(first.mesh, gathered(results), maximum, std::move(tree));
-  return measureFidelity(gathered(originals), gathered(results), maximum);
+    return measureFidelity(first.mesh, made, maximum, std::move(tree));
+  return measureFidelity(gathered(originals, places), made, maximum);
 }
 
 std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more) {

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <string>
 
 #include "base/error.h"
+#include "base/legible.h"
+#include "base/place.h"
 #include "geometry/triangle.h"
 #include "remesh/schemes/chart_needs.h"
 
@@ -24,47 +27,34 @@ struct Wish {
   std::size_t part;
 };
 
-// How much longer lengths are in the world than in the part: the mean over its instances.
-double scaleOf(const io::Part& part) {
-  if (part.instances.empty()) return 1;
-  double sum = 0;
-  for (const Transform& place : part.instances)
-    sum += std::cbrt(std::abs(place.linear().determinant()));
-  return sum / double(part.instances.size());
-}
-
-// The mean over its places: however often a part is shown, its triangles shall be as large as those
-// of the others.
-double worldArea(const io::Part& part) {
-  double sum = 0;
-  for (const Transform& place : part.instances)
-    sum += std::pow(std::abs(place.linear().determinant()), 2.0 / 3);
-  const double perArea = part.instances.empty() ? 1 : sum / double(part.instances.size());
-  double area = 0;
-  for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
-    const Vec3& a = part.mesh.positions[part.mesh.indices[i]];
-    const Vec3& b = part.mesh.positions[part.mesh.indices[i + 1]];
-    const Vec3& c = part.mesh.positions[part.mesh.indices[i + 2]];
-    area += remesher::area(a, b, c);
-  }
-  return area * perArea;
+// How much longer lengths are at the place than in the part.
+double scaleOf(const PartPlace& place) {
+  return std::cbrt(std::abs(place.toWorld.linear().determinant()));
 }
 
 }  // namespace
 
-PartTargets::PartTargets(const std::vector<io::Part>& parts, const RemeshOptions& options)
-    : parts_(parts), options_(options), order_(parts.size()) {
+PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places,
+                         const RemeshOptions& options)
+    : parts_(parts), places_(places), options_(options), order_(parts.size()) {
   if (parts.size() > 1 && !(options.density.empty() && options.featureEdges.empty()))
     throw Error(ErrorCode::InvalidOption,
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
   // One alone shares with nobody.
-  for (const io::Part& part : parts) areas_.push_back(parts.size() > 1 ? worldArea(part) : 1);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double area = parts.size() > 1 ? places[i].area : 1;
+    areas_.push_back(isLevel(i) ? 0 : area);
+  }
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](std::size_t a, std::size_t b) { return areas_[a] < areas_[b]; });
-  waiting_ = order_;
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    return isLevel(a) != isLevel(b) ? isLevel(b) : areas_[a] < areas_[b];
+  });
+  std::copy_if(order_.begin(), order_.end(), std::back_inserter(waiting_),
+               [&](std::size_t i) { return !isLevel(i); });
+  last_ = waiting_.empty() ? parts.size() : waiting_.back();
+  given_.assign(parts.size(), 0);
   verticesLeft_ = options.vertices ? double(*options.vertices) : 0;
   reserved_.assign(parts.size(), 0);
   if (parts.size() > 1 && options.vertices) reserveForCharts();
@@ -74,9 +64,9 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const RemeshOptions
 void PartTargets::reserveForCharts() {
   const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
   std::vector<Wish> wishes;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
+  for (const std::size_t i : waiting_)
     for (const ChartNeed& need : chartNeeds(parts_[i].mesh, options_))
-      if (need.width * scaleOf(parts_[i]) >= kShows * std::sqrt(area))
+      if (need.width * scaleOf(places_[i]) >= kShows * std::sqrt(area))
         wishes.push_back({std::ceil(need.vertices), i});
   if (wishes.empty()) return;
   std::stable_sort(wishes.begin(), wishes.end(),
@@ -112,9 +102,27 @@ double PartTargets::shareOf(std::size_t part) const {
   }
 }
 
-RemeshOptions PartTargets::of(std::size_t part) const {
+// As much of its own as the finest has of its.
+RemeshOptions PartTargets::ofLevel(std::size_t part) const {
+  double own = 0, given = 0;
+  for (const std::size_t finer : parts_[part].finer) {
+    own += double(countPlaces(parts_[finer].mesh.positions));
+    given += given_[finer];
+  }
+  const double share = own > 0 && given > 0 ? given / own : 1;
   RemeshOptions result = options_;
-  const bool isLast = part == order_.back();
+  result.ratio.reset();
+  result.edgeLength.reset();
+  result.tooFew = TooFew::Raise;
+  const double count = share * double(countPlaces(parts_[part].mesh.positions));
+  result.vertices = Index(std::max(1LL, std::llround(count)));
+  return result;
+}
+
+RemeshOptions PartTargets::of(std::size_t part) const {
+  if (isLevel(part)) return ofLevel(part);
+  RemeshOptions result = options_;
+  const bool isLast = part == last_;
   // The last part has only what is left; and a whole that asks for no number asks for no fewer.
   const bool asksForNone = !options_.vertices && !options_.ratio && !options_.edgeLength;
   const bool isOneOfMany = parts_.size() > 1 && !(isLast && options_.vertices);
@@ -122,11 +130,37 @@ RemeshOptions PartTargets::of(std::size_t part) const {
   if (options_.vertices) {
     result.vertices = Index(std::llround(isLast ? verticesLeft_ : shareOf(part)));
   }
-  if (options_.edgeLength) *result.edgeLength /= scaleOf(parts_[part]);
+  if (options_.edgeLength) *result.edgeLength /= scaleOf(places_[part]);
   return result;
 }
 
+// The part has its share by area, or what is left of that to charts of others, of all but what
+// others have been given: of so many more that is what it needs.
+void PartTargets::refuse(std::size_t part, const TooFewVertices& error) const {
+  if (!options_.vertices || parts_.size() == 1) throw error;
+  double area = 0, given = 0;
+  bool hasCharts = false;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    area += areas_[i];
+    given += isLevel(i) ? 0 : given_[i];
+    hasCharts = hasCharts || reserved_[i] > 0;
+  }
+  const double share = areas_[part] / area * (hasCharts ? kLeftByArea : 1);
+  const double least = double(error.enough) + given;
+  const double enough = std::ceil(share > 0 ? least / share : least);
+  const std::string number = std::to_string(std::llround(enough));
+  throw Error(error.code,
+              "The target of " + std::to_string(*options_.vertices) +
+                  " vertices is too small for all " + std::to_string(parts_.size()) +
+                  " meshes of the file: of it " + std::to_string(error.target) + " are left for " +
+                  legible(parts_[part].name) + ", which needs at least " +
+                  std::to_string(error.needed) + ".",
+              "Ask for " + number + " vertices or more, or give the meshes one by one.");
+}
+
 void PartTargets::given(std::size_t part, std::size_t vertices) {
+  given_[part] = double(vertices);
+  if (isLevel(part)) return;
   std::erase(waiting_, part);
   verticesLeft_ = std::max(0.0, verticesLeft_ - double(vertices));
 }

@@ -4,14 +4,16 @@
 #include <utility>
 
 #include "base/place.h"
+#include "mesh/joining.h"
 
 namespace remesher {
 
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
-  if (!original.isSingle) return {std::move(result)};
   const std::size_t places = countPlaces(result.positions);
-  for (Vec3& p : result.positions) p = inSingle(p, original.scale);
-  result.isSingle = true;
+  if (original.isSingle)
+    for (Vec3& p : result.positions) p = inSingle(p, original.scale);
+  result.isSingle = original.isSingle;
+  joinNoise(result);
   const std::size_t left = countPlaces(result.positions);
   return {std::move(result), places - left};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Coordinates that were given in single precision come back in it, so that what is reported of a
-// result is what its file or its arrays hold.
+// Coordinates that were given in single precision come back in it, and what is noise around zero to
+// whoever reads the result is noise here: what is reported of it is what its file or its arrays
+// hold.
 #pragma once
 
 #include <cstddef>

@@ -10,6 +10,7 @@
 
 #include "base/legible.h"
 #include "geometry/triangle.h"
+#include "jobs/part_places.h"
 #include "mesh/welding.h"
 
 namespace remesher {
@@ -39,16 +40,22 @@ struct WorstTriangle {
   Vec3 centre = Vec3::Zero();
 };
 
+// By its angle as it is shown.
 WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
   WorstTriangle worst;
-  for (const io::Part& part : parts)
-    for (std::size_t i = 0; i + 2 < part.mesh.indices.size(); i += 3) {
-      const Vec3& a = part.mesh.positions[part.mesh.indices[i]];
-      const Vec3& b = part.mesh.positions[part.mesh.indices[i + 1]];
-      const Vec3& c = part.mesh.positions[part.mesh.indices[i + 2]];
-      const double angle = minAngle(a, b, c);
+  const std::vector<PartPlace> places = placesOf(parts);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const TriangleMesh& mesh = parts[n].mesh;
+    const auto stretch = stretchAt(places[n].toWorld);
+    const auto shown = [&](const Vec3& p) { return stretch ? Vec3(*stretch * p) : p; };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      const Vec3& a = mesh.positions[mesh.indices[i]];
+      const Vec3& b = mesh.positions[mesh.indices[i + 1]];
+      const Vec3& c = mesh.positions[mesh.indices[i + 2]];
+      const double angle = minAngle(shown(a), shown(b), shown(c));
       if (angle < worst.angle) worst = {angle, (a + b + c) / 3};
     }
+  }
   return worst;
 }
 
@@ -132,7 +139,7 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   const auto& [before, after] = reports;
   std::vector<Warning> warnings;
   const std::string angles = worseAngles(before.minAngle, after.minAngle);
-  if (!angles.empty())
+  if (!angles.empty() && !after.quads)  // half of a quad is no triangle of its own
     warnings.push_back(
         {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
                              ". The worst lies near (" +
@@ -178,6 +185,14 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
   text.append(
       " % at most. The bound holds for the surface as it was repaired, and in numbers more ");
   return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
+}
+
+std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
+                                    const RemeshOptions& options) {
+  std::vector<Warning> all = worseThanGiven({report.input, *report.output}, result);
+  for (const auto& more : {fartherThanLarge(report, result), fartherThanAsked(report, options)})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 }  // namespace remesher

@@ -29,4 +29,8 @@ std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io
 // MAX_ERROR_EXCEEDED, where a bound was asked for and what was measured lies beyond it.
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);
 
+// All of these that hold.
+std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
+                                    const RemeshOptions& options);
+
 }  // namespace remesher

@@ -2,114 +2,15 @@
 #include "measure/self_intersections.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <optional>
 
 #include "base/place.h"
-#include "geometry/predicates.h"
-#include "geometry/triangle.h"
+#include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 
 namespace remesher {
 
 namespace {
-
-using FlatTriangle = std::array<Vec2, 3>;
-
-// The plane's axes that remain when the one nearest to the normal is dropped.
-std::array<Eigen::Index, 2> widestAxes(const Triangle& t) {
-  Eigen::Index dropped = 0;
-  areaVector(t[0], t[1], t[2]).cwiseAbs().maxCoeff(&dropped);
-  return {(dropped + 1) % 3, (dropped + 2) % 3};
-}
-
-bool hasArea(const Triangle& t) {
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto flat = [&](const Vec3& p) { return Vec2(p[axis], p[(axis + 1) % 3]); };
-    if (orient2d(flat(t[0]), flat(t[1]), flat(t[2])) != 0) return true;
-  }
-  return false;
-}
-
-bool isInside(const Vec2& p, const FlatTriangle& t) {
-  const int a = orient2d(t[1], t[2], p), b = orient2d(t[2], t[0], p), c = orient2d(t[0], t[1], p);
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
-}
-
-bool isBetween(const Vec2& p, const Vec2& a, const Vec2& b) {
-  return orient2d(a, b, p) == 0 && (p.array() >= a.cwiseMin(b).array()).all() &&
-         (p.array() <= a.cwiseMax(b).array()).all();
-}
-
-bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const int cSide = orient2d(a, b, c), dSide = orient2d(a, b, d);
-  const int aSide = orient2d(c, d, a), bSide = orient2d(c, d, b);
-  if (cSide * dSide < 0 && aSide * bSide < 0) return true;
-  return isBetween(c, a, b) || isBetween(d, a, b) || isBetween(a, c, d) || isBetween(b, c, d);
-}
-
-// A segment in the plane of a triangle.
-bool meetsInPlane(const Vec3& p, const Vec3& q, const Triangle& t) {
-  const std::array<Eigen::Index, 2> axes = widestAxes(t);
-  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
-  const FlatTriangle f = {flat(t[0]), flat(t[1]), flat(t[2])};
-  const Vec2 a = flat(p), b = flat(q);
-  return isInside(a, f) || isInside(b, f) || segmentsMeet(a, b, f[0], f[1]) ||
-         segmentsMeet(a, b, f[1], f[2]) || segmentsMeet(a, b, f[2], f[0]);
-}
-
-// Whether the closed segment and the closed triangle have a point in common. The line pq passes
-// through the triangle when it passes all three edges on the same side.
-bool meets(const Vec3& p, const Vec3& q, const Triangle& t) {
-  const int pSide = orient3d(t[0], t[1], t[2], p), qSide = orient3d(t[0], t[1], t[2], q);
-  if (pSide * qSide > 0) return false;
-  if (pSide == 0 && qSide == 0) return meetsInPlane(p, q, t);
-  const int a = orient3d(p, q, t[1], t[2]), b = orient3d(p, q, t[2], t[0]),
-            c = orient3d(p, q, t[0], t[1]);
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
-}
-
-bool liesOnOneSide(const Triangle& t, const Triangle& ofPlane) {
-  const auto side = [&](const Vec3& p) { return orient3d(ofPlane[0], ofPlane[1], ofPlane[2], p); };
-  const int first = side(t[0]);
-  return first != 0 && first == side(t[1]) && first == side(t[2]);
-}
-
-bool disjointTrianglesMeet(const Triangle& s, const Triangle& t) {
-  if (liesOnOneSide(s, t) || liesOnOneSide(t, s)) return false;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (meets(s[k], s[(k + 1) % 3], t) || meets(t[k], t[(k + 1) % 3], s)) return true;
-  return false;
-}
-
-// s[0] = t[0]. What they share beyond that corner reaches the far edge of one of them.
-bool cornersMeet(const Triangle& s, const Triangle& t) {
-  return meets(s[1], s[2], t) || meets(t[1], t[2], s);
-}
-
-// s[0] = t[0], s[1] = t[1]. They overlap only when folded flat onto each other.
-bool flapsMeet(const Triangle& s, const Triangle& t) {
-  if (orient3d(s[0], s[1], s[2], t[2]) != 0) return false;
-  const std::array<Eigen::Index, 2> axes = widestAxes(s);
-  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
-  return orient2d(flat(s[0]), flat(s[1]), flat(s[2])) ==
-         orient2d(flat(s[0]), flat(s[1]), flat(t[2]));
-}
-
-// Turns both triangles so that the vertices they share come first; says how many those are.
-std::size_t alignShared(std::array<Index, 3>& s, std::array<Index, 3>& t) {
-  std::size_t shared = 0;
-  for (std::size_t i = shared; i < 3; ++i)
-    for (std::size_t k = shared; k < 3; ++k)
-      if (s[i] == t[k]) {
-        std::swap(s[i], s[shared]);
-        std::swap(t[k], t[shared]);
-        ++shared;
-        break;
-      }
-  return shared;
-}
 
 class Search {
  public:
@@ -117,24 +18,26 @@ class Search {
       : positions_(mesh.positions),
         corners_(cornerPlaces(mesh)),
         tree_(positions_, corners_),
-        isHit_(mesh.triangleCount(), 0) {}
+        counts_(mesh.triangleCount()),
+        isHit_(mesh.triangleCount(), 0) {
+    for (Index t = 0; t < counts_.size(); ++t) counts_[t] = hasArea(triangle(t).at);
+  }
 
   std::vector<Index> run() {
-    std::vector<std::uint8_t> counts(isHit_.size());
-    for (Index t = 0; t < counts.size(); ++t) counts[t] = hasArea(places(triangle(t)));
-    for (const Index s : tree_.order()) {
-      if (!counts[s]) continue;
-      Box box;
-      for (const Vec3& p : places(triangle(s))) box.extend(p);
-      tree_.visitOverlapping(box, [&](Index t) {
-        if (s < t && counts[t] && !(isHit_[s] && isHit_[t]) && trianglesMeet(s, t))
+    for (const Index s : tree_.order())
+      lookAround(s, [&](Index t) {
+        if (s < t && !(isHit_[s] && isHit_[t]) && trianglesMeet(triangle(s), triangle(t)))
           isHit_[s] = isHit_[t] = 1;
       });
-    }
-    std::vector<Index> result;
-    for (Index t = 0; t < counts.size(); ++t)
-      if (isHit_[t]) result.push_back(t);
-    return result;
+    return hits();
+  }
+
+  std::vector<Index> run(Index first) {
+    for (Index s = first; s < counts_.size(); ++s)
+      lookAround(s, [&](Index t) {
+        if (s != t && !isHit_[s] && trianglesMeet(triangle(s), triangle(t))) isHit_[s] = 1;
+      });
+    return hits();
   }
 
  private:
@@ -145,37 +48,41 @@ class Search {
     return corners;
   }
 
-  std::array<Index, 3> triangle(Index t) const {
+  NamedTriangle triangle(Index t) const {
     const Index* const v = &corners_[std::size_t{3} * t];
-    return {v[0], v[1], v[2]};
+    return {{v[0], v[1], v[2]}, {positions_[v[0]], positions_[v[1]], positions_[v[2]]}};
   }
 
-  Triangle places(const std::array<Index, 3>& v) const {
-    return {positions_[v[0]], positions_[v[1]], positions_[v[2]]};
+  template <class Visit>
+  void lookAround(Index s, Visit visit) const {
+    if (!counts_[s]) return;
+    Box box;
+    for (const Vec3& p : triangle(s).at) box.extend(p);
+    tree_.visitOverlapping(box, [&](Index t) {
+      if (counts_[t]) visit(t);
+    });
   }
 
-  bool trianglesMeet(Index first, Index second) const {
-    std::array<Index, 3> s = triangle(first), t = triangle(second);
-    switch (alignShared(s, t)) {
-      case 0:
-        return disjointTrianglesMeet(places(s), places(t));
-      case 1:
-        return cornersMeet(places(s), places(t));
-      case 2:
-        return flapsMeet(places(s), places(t));
-      default:
-        return true;
-    }
+  std::vector<Index> hits() const {
+    std::vector<Index> result;
+    for (Index t = 0; t < isHit_.size(); ++t)
+      if (isHit_[t]) result.push_back(t);
+    return result;
   }
 
   const std::vector<Vec3>& positions_;
   const std::vector<Index> corners_;  // each the first vertex at its place
   TriangleTree tree_;
+  std::vector<std::uint8_t> counts_;  // whether it has an area
   std::vector<std::uint8_t> isHit_;
 };
 
 }  // namespace
 
 std::vector<Index> selfIntersections(const TriangleMesh& mesh) { return Search(mesh).run(); }
+
+std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first) {
+  return Search(mesh).run(first);
+}
 
 }  // namespace remesher

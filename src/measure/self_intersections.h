@@ -14,4 +14,7 @@ namespace remesher {
 // twice. A triangle without area meets nothing.
 std::vector<Index> selfIntersections(const TriangleMesh& mesh);
 
+// Those among the triangles from number `first` on, which meet any.
+std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first);
+
 }  // namespace remesher

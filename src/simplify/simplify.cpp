@@ -4,11 +4,15 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "geometry/triangle.h"
 #include "mesh/euler_operators.h"
+#include "simplify/attribute_quadrics.h"
+#include "simplify/quadric.h"
 
 namespace remesher {
 
@@ -28,36 +32,6 @@ constexpr double kFarthest = 2;
 // A look around a vertex costs as much as it has neighbours.
 constexpr int kMostNeighbors = 64;
 
-// The sum of weighted squared distances from planes and points, as a function of the place.
-struct Quadric {
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-  Vec3 linear = Vec3::Zero();
-  double constant = 0;
-  double area = 0;  // of the triangles, and of squares over border edges
-
-  void addPlane(const Vec3& normal, const Vec3& point, double weight) {
-    const double offset = -normal.dot(point);
-    square += weight * normal * normal.transpose();
-    linear += weight * offset * normal;
-    constant += weight * offset * offset;
-  }
-
-  void addPoint(const Vec3& point, double weight) {
-    square += weight * Eigen::Matrix3d::Identity();
-    linear -= weight * point;
-    constant += weight * point.squaredNorm();
-  }
-
-  void add(const Quadric& other) {
-    square += other.square;
-    linear += other.linear;
-    constant += other.constant;
-    area += other.area;
-  }
-
-  double at(const Vec3& p) const { return p.dot(square * p) + 2 * linear.dot(p) + constant; }
-};
-
 struct Offer {
   double cost;  // more than the sum: what is off over a large area is seen more
   Halfedge halfedge;
@@ -76,15 +50,17 @@ enum class Freedom : char { Free, Seam, Fixed };
 
 class Simplification {
  public:
-  explicit Simplification(SimpleSurface& surface)
+  Simplification(SimpleSurface& surface, KeptAttributes* kept)
       : surface_(surface),
         mesh_(surface.mesh),
+        kept_(kept),
         quadrics_(mesh_.vertexCapacity()),
         stamps_(mesh_.vertexCapacity(), 0),
         freedom_(mesh_.vertexCapacity(), Freedom::Free) {
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
       if (mesh_.isAlive(Vertex(i))) center_ += surface.positions[Vertex(i)];
     center_ /= double(mesh_.vertexCount());
+    if (kept) attributes_.emplace(kept->itemSize, kept->values);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) addFace(Face(i));
     for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
@@ -115,6 +91,10 @@ class Simplification {
       quadrics_[v].addPlane(normal, a, own);
       quadrics_[v].addPoint(at(v), kSideways * own);
       quadrics_[v].area += own;
+    }
+    if (attributes_) {
+      const auto wedge = [&](int k) { return kept_->wedges[HalfedgeMesh::halfedge(f, k)]; };
+      attributes_->addTriangle({a, b, c}, {wedge(0), wedge(1), wedge(2)});
     }
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
@@ -172,7 +152,10 @@ class Simplification {
     sum.add(quadrics_[into]);
     Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],
                   surface_.positions[into]};
-    if (freedom_[from] == freedom_[into]) {
+    if (attributes_) {
+      for (const auto& [going, staying] : wedgesAlong(h))
+        offered.cost += attributes_->cost(going, staying, at(into));
+    } else if (freedom_[from] == freedom_[into]) {
       const Vec3 best = sum.square.ldlt().solve(-sum.linear);
       const double farthest = kFarthest * (at(into) - at(from)).norm();
       if ((best - at(into)).norm() < farthest && sum.at(best) < offered.cost) {
@@ -182,6 +165,18 @@ class Simplification {
     }
     offered.cost = std::max(offered.cost, 0.0) * std::sqrt(sum.area);
     queue_.push(offered);
+  }
+
+  // The wedges at the origin and at the tip of an edge, on one side and on the other: once, where
+  // both sides have the same.
+  std::vector<std::pair<Index, Index>> wedgesAlong(Halfedge h) const {
+    const auto& wedges = kept_->wedges;
+    std::vector<std::pair<Index, Index>> pairs = {{wedges[h], wedges[HalfedgeMesh::next(h)]}};
+    if (const Halfedge t = mesh_.twin(h)) {
+      const std::pair<Index, Index> other(wedges[HalfedgeMesh::next(t)], wedges[t]);
+      if (other != pairs.front()) pairs.push_back(other);
+    }
+    return pairs;
   }
 
   bool isLegal(Halfedge h) const {
@@ -221,12 +216,23 @@ class Simplification {
       for (const Halfedge edge : {second, third})
         if (mesh_.twin(edge)) surface_.seams[mesh_.twin(edge)] = seam;
     }
+    if (attributes_) mergeWedges(h);
     const Vertex into = EulerOperators(surface_.mesh).collapse(h);
     surface_.positions[into] = offered.place;
     quadrics_[into].add(gone);
     ++stamps_[into];
     mesh_.forEachNeighbor(into, [&](Vertex w) { ++stamps_[w]; });
     offerAround(into);
+  }
+
+  // Before its collapse: the corners at its origin get what those at its tip have on their side.
+  void mergeWedges(Halfedge h) {
+    const auto pairs = wedgesAlong(h);
+    for (const auto& [going, staying] : pairs) attributes_->merge(going, staying);
+    mesh_.forEachOutgoing(mesh_.origin(h), [&](Halfedge corner) {
+      Index& wedge = kept_->wedges[corner];
+      wedge = pairs[wedge == pairs.back().first ? pairs.size() - 1 : 0].second;
+    });
   }
 
   // What was refused may be possible now, all around.
@@ -247,6 +253,8 @@ class Simplification {
 
   SimpleSurface& surface_;
   const HalfedgeMesh& mesh_;
+  KeptAttributes* kept_;
+  std::optional<AttributeQuadrics> attributes_;
   double leastTurned_ = kTurned;
   Vec3 center_ = Vec3::Zero();
   VertexData<Quadric> quadrics_;
@@ -258,8 +266,8 @@ class Simplification {
 
 }  // namespace
 
-void simplify(SimpleSurface& surface, std::size_t vertices) {
-  Simplification simplification(surface);
+void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept) {
+  Simplification simplification(surface, kept);
   simplification.run(kTurned, vertices);
   simplification.run(kFarTurned, vertices);
 }

@@ -18,13 +18,12 @@
 #include "textures/painting/tangents.h"
 
 namespace remesher {
-
 namespace {
 
 constexpr Index kSmallest = 64, kLargest = 4096;  // of the sizes that are chosen for the caller
 constexpr double kUse = 0.6;                      // the share of a square that charts cover, about
-constexpr double kNearly =
-    0.5;  // of the original's texels per area: the next size has four times as many
+// Of the original's texels per area: the next size has four times as many.
+constexpr double kNearly = 0.5;
 constexpr double kBareTexels = 4;  // to a triangle of an original without maps
 // To steps between colours of vertices: no more than a small square for their sake.
 constexpr double kMostForSteps = kUse * 512 * 512;
@@ -109,7 +108,8 @@ class Repainting {
     if (atlas.triangles.empty()) return;
     const double texels = originalTexels(number);
     atlas.size = input_.options.textureSize.value_or(sizeFor(texels, storedTexels(number)));
-    const std::vector<char> rims = layOut(atlas);
+    std::vector<char> rims = layOut(atlas);
+    for (; rims.empty(); rims = layOut(atlas)) atlas.size *= 2;
     atlas.finer = std::sqrt(texels / std::max(1.0, paintedTexels(atlas)));
     if (!looksOf(number).front().isUnlit) orient(atlas);
     std::vector<CanvasTriangle> canvas;
@@ -193,7 +193,8 @@ class Repainting {
     return borders;
   }
 
-  // Texture coordinates for all corners of an atlas, and where its charts end.
+  // Texture coordinates for all corners of an atlas, and where its charts end; none where a size
+  // that was not asked for is too small.
   std::vector<char> layOut(const Atlas& atlas) {
     std::vector<Vec3> positions;
     std::vector<Index> indices, offsets;
@@ -211,11 +212,12 @@ class Repainting {
       }
     const Index padding = std::max(kLeastPadding, atlas.size / kPaddingShare);
     const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
+    if (!(unwrapped.scale > 0) && !input_.options.textureSize && atlas.size < kLargest) return {};
     if (!(unwrapped.scale > 0))
       throw Error(ErrorCode::InvalidOption,
                   "Textures of " + std::to_string(atlas.size) + " texels are too small for " +
                       std::to_string(unwrapped.chartCount) + " charts.",
-                  "Give a larger textureSize, or leave it to the model.");
+                  "Give a larger textureSize, or keep the textures.");
     for (std::size_t i = 0; i < atlas.triangles.size(); ++i)
       for (Index k = 0; k < 3; ++k)
         surfaces_[atlas.triangles[i].part].setTexcoord(3 * atlas.triangles[i].triangle + k,

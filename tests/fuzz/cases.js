@@ -3,6 +3,7 @@
 // options. The same number is always the same case.
 import { Dice } from './dice.js';
 import { files, meshOf } from './made_files.js';
+import { firstWithScenes, scenes } from './made_scenes.js';
 import { shapes } from './made_shapes.js';
 import { spoilFile, spoilShape } from './mutations.js';
 
@@ -50,9 +51,10 @@ export function makeCase(seed) {
   if (dice.chance(0.2)) {
     return { seed, mesh: meshOf(shape), options, description: said.join(', ') };
   }
-  const kind = dice.pick(Object.keys(files));
+  const kinds = seed < firstWithScenes ? files : { ...files, ...scenes };
+  const kind = dice.pick(Object.keys(kinds));
   said.push(`as ${kind}`);
-  let file = files[kind](shape);
+  let file = kinds[kind](shape);
   if (dice.chance(0.5)) {
     for (let times = dice.whole(1, 3); times > 0; times -= 1) file = spoilFile(file, dice, said);
   }

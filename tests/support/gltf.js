@@ -39,6 +39,7 @@ export class GltfMaker {
     }, array);
   }
 
+  /** Numbers side by side, as indices and times are. */
   addIndices(array) {
     return this.describe({
       bufferView: this.addView(array),
@@ -126,7 +127,7 @@ export async function validate(file) {
 export function openGltf({ bytes, files = [] }) {
   const { text, chunk } = openContainer(bytes);
   const tree = JSON.parse(text);
-  const { uri } = tree.buffers[0];
+  const { uri } = tree.buffers?.[0] ?? {};
   if (uri?.startsWith('data:')) {
     return { tree, data: new Uint8Array(Buffer.from(uri.slice(uri.indexOf(',') + 1), 'base64')) };
   }

@@ -130,6 +130,41 @@ function lawsOfColors({ bytes, files = [] }) {
   return broken;
 }
 
+/**
+ * Whether what the file says by number, beside what the validator knows of, is there.
+ * @param {any} tree
+ */
+export function lawsOfReferences(tree) {
+  const broken = [];
+  const names = new Set();
+  const visit = (/** @type {any} */ value) => {
+    if (typeof value !== 'object' || value === null) return;
+    for (const name of Object.keys(Object(value.extensions))) names.add(name);
+    Object.values(value).forEach(visit);
+  };
+  visit(tree);
+  const gone = (tree.extensionsUsed ?? []).filter((/** @type {string} */ name) =>
+    !names.has(name) && /^(ACME|CESIUM|EXT_mesh_(feat|mani|poly)|FB|KHR_anim|MSFT_lod)/.test(name));
+  if (gone.length > 0) broken.push(`${gone} are declared, and nowhere`);
+  const materials = tree.materials?.length ?? 0;
+  for (const { channels } of tree.animations ?? []) {
+    for (const { target } of channels) {
+      const { pointer } = target.extensions?.KHR_animation_pointer ?? {};
+      const number = /^\/materials\/(\d+)/.exec(pointer ?? '')?.[1];
+      if (Number(number) >= materials) broken.push(`${pointer} points to nothing`);
+    }
+  }
+  const meshes = /** @type {any[]} */ (tree.meshes ?? []);
+  const primitives = meshes.flatMap((mesh) => mesh.primitives ?? []);
+  for (const { attributes, extensions } of primitives) {
+    for (const { attribute } of extensions?.EXT_mesh_features?.featureIds ?? []) {
+      const name = `_FEATURE_ID_${attribute}`;
+      if (attribute !== undefined && !(name in attributes)) broken.push(`${name} is not there`);
+    }
+  }
+  return broken;
+}
+
 /** What a file without glTF holds, in words; bytes may happen to look like some. */
 async function wordsOf({ name, bytes }) {
   const isBinary = bytes.includes(0);
@@ -161,7 +196,15 @@ export async function lawsOfFiles(before, after) {
   }
   const now = await complaints(after);
   const worse = [...now].filter(([code]) => !known.has(code)).map(([, words]) => words);
-  return known.size === 0 ? [...worse, ...lawsOfColors(after)] : worse;
+  if (known.size > 0) return worse;
+  return [...worse, ...lawsOfColors(after), ...lawsOfReferences(openGltf(after).tree)];
+}
+
+/** Those of needles hang on the last digit that is written. @param {any} found @param {any} said */
+function lawsOfAngles(found, said) {
+  const tolerance = said.worst < 1 ? 0.1 : 0.01;
+  return Math.abs(found.mean - said.mean) < tolerance ? []
+    : [`the file's mean angle is ${found.mean}°, not ${said.mean}°`];
 }
 
 /** The file says what the report does. @param {any} found its inspection @param {any} report */
@@ -169,5 +212,6 @@ export function lawsOfReading(found, report) {
   return ['vertices', 'triangles', 'components', 'boundaryEdges', 'nonManifoldEdges',
     'eulerCharacteristic']
     .filter((name) => found.input[name] !== report.output[name])
-    .map((name) => `the file has ${found.input[name]} ${name}, the report ${report.output[name]}`);
+    .map((name) => `the file has ${found.input[name]} ${name}, the report ${report.output[name]}`)
+    .concat(lawsOfAngles(found.input.minAngle, report.output.minAngle));
 }

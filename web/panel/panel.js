@@ -84,10 +84,13 @@ const belongsInForm = ({ name, flag, form }) =>
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 
-/** How large and of which format new textures are means nothing without them.
+/** How large and of which format new textures are, how long the holes to be closed are, how wide
+ * the openings, means nothing without them.
  * @param {string} name @param {Values} values */
-const isIdle = (name, { textures }) =>
-  name !== 'textures' && ofTextures.includes(name) && textures !== 'bake';
+const isIdle = (name, { textures, repair }) =>
+  (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
+  || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
+  || (name === 'gap' && repair !== 'wrap' && repair !== 'auto');
 
 export class Panel {
   #form;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page in German.
+import options from './options/de.js';
+
 export default {
+  ...options,
   'tagline': 'Gleichmäßige Dreiecke, genau so viele wie gewünscht.',
   'open': 'Öffnen…',
   'folder': 'Ordner…',
@@ -209,6 +212,7 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird angesehen',
+  'phase.repair': 'Ausbessern',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -228,6 +232,7 @@ export default {
   'phase.smooth': 'Glätten',
   'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
+  'phase.quads': 'Vierecke bilden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
   'phase.write': 'Schreiben',
@@ -254,55 +259,6 @@ export default {
   'error.notKept.hint': 'Öffnen Sie es noch einmal; unter „Tasten und Einstellungen“ können Sie '
     + 'diesen Browser Dateien behalten lassen.',
 
-  'option.vertices': 'Punkte',
-  'option.ratio': 'Anteil',
-  'option.edgeLength': 'Kantenlänge',
-  'option.scheme': 'Verfahren',
-  'option.quality': 'Güte',
-  'option.projection': 'Projektion',
-  'option.fidelity': 'Treue',
-  'option.vertexAngle': 'Punktwinkel',
-  'option.triangleAngle': 'Dreieckswinkel',
-  'option.splitObtuse': 'Stumpfe teilen',
-  'option.adaptivity': 'Anpassung',
-  'option.gradation': 'Abstufung',
-  'option.featureAngle': 'Kantenwinkel',
-  'option.boundary': 'Rand',
-  'option.maxError': 'Größter Fehler',
-  'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
-  'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
-  'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
-  'help.scheme': 'rounds: Algorithmus 2 des Berichts, Schritt für Schritt; best: unser eigener',
-  'help.quality': 'draft: in einem Bruchteil der Zeit, fast so gut, Abstände nur grob gemessen',
-  'help.projection': 'patches: auf das Original, über einander überlappende Flecken oder, bei best '
-    + 'ab 8000 Punkten, auf dem Weg zur nächsten Stelle; current: auf das jetzige Netz',
-  'help.fidelity': 'ein Schritt wird verweigert, wenn nicht jedes Paar von Normalen innerhalb der '
-    + 'Winkel unten liegt (strict), wenn nicht wenigstens eines (loose), oder nur, wo ein Dreieck '
-    + 'umklappte (fold)',
-  'help.vertexAngle': 'θ1: zwischen den Punktnormalen eines Dreiecks',
-  'help.triangleAngle': 'θ2: zwischen der Normale eines Dreiecks und denen seiner Punkte',
-  'help.splitObtuse': 'am Ziel wird jede Kante gegenüber einem stumpfen Winkel einmal geteilt',
-  'help.adaptivity': '0: gleichmäßige Dreiecke; 1: Größen folgen der Krümmung, für den kleinsten '
-    + 'Fehler; dazwischen: gemischt',
-  'help.gradation': 'größtes Verhältnis der Größen an den Enden einer Kante',
-  'help.featureAngle': 'Winkel zwischen Flächen, ab dem eine Kante zu einer Kurve gehören kann, '
-    + 'die erhalten bleibt',
-  'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
-  'help.maxError': 'verweigert, was vom Original mehr abwiche',
-  'unit.degrees': 'Grad',
-  'unit.model units': 'Modelleinheiten',
-  'unit.% of the diagonal': '% der Diagonale',
-  'option.textures': 'Texturen',
-  'option.textureSize': 'Texturgröße',
-  'option.textureFormat': 'Texturformat',
-  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; bake (in glTF): neue '
-    + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
-  'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
-    + 'Originals, bis 4096',
-  'help.textureFormat': 'der neuen Texturen; ohne Angabe jpeg, aber png für Normalen und '
-    + 'Durchsichtiges',
-  'unit.texels': 'Texel',
-
   'warning.ANGLES_WORSE': 'Manche Dreiecke sind schlechter als die des Originals. Mehr Punkte '
     + 'helfen, wo Teile dünner sind, als Kanten lang.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Ein Attribut springt an fast jeder Kante; es wird von der '
@@ -310,16 +266,22 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher '
+    + 'tat.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
+  'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
+  'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
+    + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '
     + 'weg.',
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
     + 'mehr aneinander.',
+  'warning.LEVELS_REPLACED': 'Die gröberen Stufen, die die Datei hatte, weichen den verlangten.',
   'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '
     + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
@@ -338,12 +300,18 @@ export default {
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
+  'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
+    + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
+  'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt, die nur in Punkten mit der Fläche '
+    + 'zusammenhängen, lose in Löchern liegen oder doppelt sind.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',
+  'warning.TRIANGLES_NOT_JOINED': 'Kein Dreieck teilt eine Kante mit einem anderen: jedes ist eine '
+    + 'Fläche für sich. „Verbinden“ fügt zusammen, was nah beieinander liegt.',
   'warning.VERTICES_COINCIDE': 'Punkte des Ergebnisses liegen aufeinander: Teile sind näher '
     + 'beisammen, als die Zahlen der Datei unterscheiden können.',
 

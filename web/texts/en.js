@@ -209,6 +209,7 @@ export default {
 
   'progress.left': '{seconds} s left',
   'phase.inspect': 'Looking at the input',
+  'phase.repair': 'Mending',
   'phase.read': 'Reading',
   'phase.build': 'Connecting the triangles',
   'phase.curves': 'Finding creases',
@@ -228,6 +229,7 @@ export default {
   'phase.smooth': 'Smoothing',
   'phase.mend': 'Mending',
   'phase.coarsen': 'Coarsening',
+  'phase.quads': 'Making quads',
   'phase.measure': 'Measuring',
   'phase.paint': 'Painting textures',
   'phase.write': 'Writing',

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page in French.
+import options from './options/fr.js';
+
 export default {
+  ...options,
   'tagline': 'Des triangles réguliers, exactement autant que vous voulez.',
   'open': 'Ouvrir…',
   'folder': 'Dossier…',
@@ -210,6 +213,7 @@ export default {
 
   'progress.left': 'encore {seconds} s',
   'phase.inspect': 'Examen de l’original',
+  'phase.repair': 'Réparation',
   'phase.read': 'Lecture',
   'phase.build': 'Liaison des triangles',
   'phase.curves': 'Recherche des plis',
@@ -229,6 +233,7 @@ export default {
   'phase.smooth': 'Lissage',
   'phase.mend': 'Réparation',
   'phase.coarsen': 'Simplification',
+  'phase.quads': 'Quadrilatères',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
   'phase.write': 'Écriture',
@@ -255,56 +260,6 @@ export default {
   'error.notKept.hint': 'Ouvrez-le de nouveau ; sous « Touches et réglages », vous pouvez laisser '
     + 'ce navigateur garder les fichiers.',
 
-  'option.vertices': 'Sommets',
-  'option.ratio': 'Part',
-  'option.edgeLength': 'Longueur d’arête',
-  'option.scheme': 'Méthode',
-  'option.quality': 'Qualité',
-  'option.projection': 'Projection',
-  'option.fidelity': 'Fidélité',
-  'option.vertexAngle': 'Angle des sommets',
-  'option.triangleAngle': 'Angle des triangles',
-  'option.splitObtuse': 'Couper les obtus',
-  'option.adaptivity': 'Adaptation',
-  'option.gradation': 'Gradation',
-  'option.featureAngle': 'Angle des arêtes vives',
-  'option.boundary': 'Bord',
-  'option.maxError': 'Erreur maximale',
-  'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
-  'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
-  'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
-  'help.scheme': 'rounds : l’algorithme 2 du rapport, pas à pas ; best : le nôtre',
-  'help.quality': 'draft : en une fraction du temps, presque aussi bon, distances peu mesurées',
-  'help.projection': 'patches : sur l’original, par des disques qui se recouvrent ou, avec best '
-    + 'dès 8000 points, en allant au plus proche ; current : sur le maillage actuel',
-  'help.fidelity': 'un pas est refusé si une paire de normales dépasse les angles ci-dessous '
-    + '(strict), si toutes les dépassent (loose), ou seulement là où un triangle se retournerait '
-    + '(fold)',
-  'help.vertexAngle': 'θ1 : entre les normales aux sommets d’un triangle',
-  'help.triangleAngle': 'θ2 : entre la normale d’un triangle et celles de ses sommets',
-  'help.splitObtuse': 'au but, chaque arête face à un angle obtus est coupée une fois',
-  'help.adaptivity': '0 : triangles réguliers ; 1 : les tailles suivent la courbure, pour la '
-    + 'moindre erreur ; entre les deux : un mélange',
-  'help.gradation': 'plus grand rapport des tailles aux deux bouts d’une arête',
-  'help.featureAngle': 'angle entre faces à partir duquel une arête peut appartenir à une courbe '
-    + 'qui est conservée',
-  'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
-  'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
-  'unit.degrees': 'degrés',
-  'unit.model units': 'unités du modèle',
-  'unit.% of the diagonal': '% de la diagonale',
-  'option.textures': 'Textures',
-  'option.textureSize': 'Taille des textures',
-  'option.textureFormat': 'Format des textures',
-  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; bake (en '
-    + 'glTF) : de nouvelles textures, peintes d’après les anciennes, si bien que les coutures ne '
-    + 'coûtent aucun point',
-  'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
-    + 'l’original, jusqu’à 4096',
-  'help.textureFormat': 'des nouvelles textures ; sans indication jpeg, mais png pour les normales '
-    + 'et la transparence',
-  'unit.texels': 'texels',
-
   'warning.ANGLES_WORSE': 'Des triangles sont moins bons que ceux de l’original. Plus de points '
     + 'aident là où des parties sont plus minces que les arêtes ne sont longues.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Un attribut saute à presque chaque arête ; il est repris du '
@@ -312,17 +267,23 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
+  'warning.CROSSINGS_LEFT': 'Des triangles en traversent encore d’autres, là où la surface le '
+    + 'faisait déjà.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
+  'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '
     + 'pas ; elles disparaissent.',
   'warning.JOINTS_RELEASED': 'Des arêtes où la surface a été séparée ne se rejoignent peut-être '
     + 'plus.',
+  'warning.LEVELS_REPLACED': 'Les niveaux de détail qu’avait le fichier font place à ceux '
+    + 'demandés.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
@@ -341,11 +302,17 @@ export default {
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
+  'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '
+    + 'des points, flottent dans des trous ou sont en double.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
+  'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
+    + 'quadrilatères sont des paires de triangles divisées.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
+  'warning.TRIANGLES_NOT_JOINED': 'Aucun triangle ne partage une arête avec un autre : chacun est '
+    + 'une surface à lui seul. « Souder » réunit ce qui est proche.',
   'warning.VERTICES_COINCIDE': 'Des points du résultat se confondent : des parties sont plus '
     + 'proches que les nombres du fichier ne peuvent le dire.',
 
@@ -365,8 +332,7 @@ export default {
   'fault.NON_FINITE': 'Une coordonnée n’est pas un nombre fini.',
   'fault.NO_TRIANGLES': 'Le modèle n’a pas de triangles.',
   'fault.TARGET_TOO_SMALL': 'Si peu de points ne suffisent pas à cette surface.',
-  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et aux coutures qui '
-    + 'restent.',
+  'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et coutures gardées.',
   'fault.INPUT_UNREADABLE': 'Le fichier ne s’ouvre pas.',
   'fault.OUTPUT_UNWRITABLE': 'Le résultat ne s’écrit pas.',
 };

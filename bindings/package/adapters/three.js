@@ -6,7 +6,7 @@ import { remeshScene } from 'remesher/arrays';
 import { RemeshError } from '../base/errors.js';
 import { refuseLods } from '../base/options.js';
 import { readPart, writePart } from './three_geometry.js';
-import { sceneParts, surfacesIn } from './three_scene.js';
+import { batchesIn, sceneParts, surfacesIn } from './three_scene.js';
 import { joined } from './vertex_pools.js';
 
 /** @import { BufferGeometry, Mesh, Object3D } from 'three' */
@@ -65,7 +65,8 @@ function replace(surfaces, replacements) {
  * there, and the old ones are disposed of. Meshes that share a geometry still do; skins, instances,
  * morph targets and materials stay. Vertices are shared out by what charts need, then by area
  * in the world. Meshes of one parent at one place, as GLTFLoader makes of several materials, are
- * one surface. Lines, points, sprites and batched meshes are left alone.
+ * one surface. The levels of a LOD keep their proportions: numbers are the first level's. Lines,
+ * points and sprites are left alone, and so are batched meshes, which a warning names.
  *
  * @example
  * const { scene } = await new GLTFLoader().loadAsync('helmet.glb');
@@ -87,9 +88,14 @@ export async function remeshObject(object, options) {
     throw new RemeshError('NO_TRIANGLES', 'There are no meshes of triangles in the object.');
   }
   const parts = sceneParts(surfaces)
-    .map(({ geometries, places }) => ({ part: readPart(geometries), places }));
+    .map(({ geometries, ...seen }) => ({ part: readPart(geometries), seen }));
   const { meshes, report } = await remeshScene(
-    parts.map(({ part, places }) => ({ mesh: joined(part.pools), places })), options);
+    parts.map(({ part, seen }) => ({ mesh: joined(part.pools), ...seen })), options);
   replace(surfaces, new Map(parts.flatMap(({ part }, i) => [...writePart(part, meshes[i])])));
+  const batches = batchesIn(object);
+  if (batches > 0) {
+    report.warnings.push({ code: 'NOT_TRIANGLES', count: batches, message: 'Batched meshes are '
+      + 'not remeshed: give their geometries to remeshGeometry before they are batched.' });
+  }
   return { report };
 }

@@ -12,6 +12,7 @@ import { Matrix4 } from 'three';
  * @typedef {object} ScenePart
  * @property {BufferGeometry[]} geometries
  * @property {ArrayLike<number>[]} places
+ * @property {number[]} finer the parts that it is a coarser level of detail of
  */
 
 /** @param {BufferGeometry} geometry */
@@ -31,6 +32,47 @@ export function surfacesIn(object) {
     if (isSurface(child)) surfaces.push(child);
   });
   return surfaces;
+}
+
+/** Meshes of many geometries in one, which are left alone. @param {Object3D} object */
+export function batchesIn(object) {
+  let count = 0;
+  object.traverse((/** @type {any} */ child) => { count += Number(Boolean(child.isBatchedMesh)); });
+  return count;
+}
+
+/**
+ * The LOD that shows the mesh, and as which level; none where it is no level, or one of several
+ * LODs at once.
+ * @param {Mesh} mesh @returns {{ lod: any, level: number } | undefined}
+ */
+function levelOf(mesh) {
+  const found = [];
+  for (let child = /** @type {any} */ (mesh); child.parent; child = child.parent) {
+    const { parent } = child;
+    const level = parent.isLOD
+      ? parent.levels.findIndex((/** @type {any} */ { object }) => object === child) : -1;
+    if (level >= 0) found.push({ lod: parent, level });
+  }
+  return found.length === 1 ? found[0] : undefined;
+}
+
+/**
+ * For each part the parts that it is a coarser level of: those of the first level, where all its
+ * meshes are of one LOD and no first level has its geometry.
+ * @param {Mesh[]} surfaces @param {{ geometries: BufferGeometry[] }[]} parts
+ */
+function finerParts(surfaces, parts) {
+  const levels = surfaces.map((mesh) => ({ geometry: mesh.geometry, ...levelOf(mesh) }));
+  return parts.map(({ geometries }) => {
+    const own = levels.filter(({ geometry }) => geometries.includes(geometry));
+    const [{ lod }] = own;
+    if (!lod || !own.every((one) => one.lod === lod && (one.level ?? 0) > 0)) return [];
+    const finest = new Set(levels.filter((one) => one.lod === lod && one.level === 0)
+      .map(({ geometry }) => geometry));
+    return parts.flatMap((part, i) =>
+      (part.geometries.some((geometry) => finest.has(geometry)) ? [i] : []));
+  });
 }
 
 /** @param {Matrix4} matrix made of affine ones: what rounding left in its last row goes */
@@ -60,11 +102,10 @@ function placesOf(mesh) {
   });
 }
 
-/** Meshes of the same are seen as one surface. @param {any} mesh */
+/** Meshes of the same are seen as one surface, but not the levels of a LOD. @param {any} mesh */
 function siblingKey(mesh) {
-  if (mesh.isInstancedMesh || !mesh.parent || 'isInstancedBufferGeometry' in mesh.geometry) {
-    return mesh.uuid;
-  }
+  const isByItself = mesh.isInstancedMesh || 'isInstancedBufferGeometry' in mesh.geometry;
+  if (isByItself || !mesh.parent || mesh.parent.isLOD) return mesh.uuid;
   return [mesh.parent.uuid, mesh.skeleton?.uuid, ...(mesh.bindMatrix?.elements ?? []),
     ...mesh.matrix.elements].join();
 }
@@ -109,8 +150,10 @@ export function sceneParts(surfaces) {
   const clusters = grouped(surfaces, siblingKey).map((meshes) => ({
     geometries: [...new Set(meshes.map(({ geometry }) => geometry))], mesh: meshes[0],
   }));
-  return grouped(withoutConflicts(clusters), ({ geometries }) => keyOfSet(geometries))
+  const parts = grouped(withoutConflicts(clusters), ({ geometries }) => keyOfSet(geometries))
     .map((same) => ({
       geometries: same[0].geometries, places: same.flatMap(({ mesh }) => placesOf(mesh)),
     }));
+  const finer = finerParts(surfaces, parts);
+  return parts.map((part, i) => ({ ...part, finer: finer[i] }));
 }

@@ -4,10 +4,10 @@
 import { RemeshError } from '../base/errors.js';
 import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
 import { Client } from './client.js';
-import { fileBuffers, fileRequest, isBytes } from './inputs.js';
-import { checkOptions } from '../base/options.js';
+import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
+import { checkOptions, checkRepair } from '../base/options.js';
 
-/** @import { Inspection, Mesh, NamedBytes, Warning } from '../base/messages.js' */
+/** @import { Inspection, Mesh, NamedBytes, RepairReport, Warning } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
 /** @import { Platform, RunOptions } from './client.js' */
@@ -26,6 +26,14 @@ import { checkOptions } from '../base/options.js';
  *   decoded and encoded by what the bundler has put beside the worker.
  */
 
+/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
+
+/**
+ * @typedef {object} RepairResult
+ * @property {Mesh} mesh Arrays of the types that were given.
+ * @property {RepairReport} report What went in, what was mended, what came out.
+ */
+
 /**
  * @typedef {object} ConvertFileResult
  * @property {string} name The file's name.
@@ -38,6 +46,11 @@ import { checkOptions } from '../base/options.js';
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RemeshResult, 'report'>}
  *   RemeshFileResult
+ */
+
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RepairResult, 'report'>}
+ *   RepairFileResult
  */
 
 /** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
@@ -86,6 +99,32 @@ export class Api extends ArraysApi {
     const file = await fileRequest(bytes, options);
     const { files, report } = await this.#client.run(
       { kind: 'remeshFile', file, options: checked }, fileBuffers(file), options);
+    return { ...files[0], files, report };
+  }
+
+  /**
+   * @param {Mesh} mesh
+   * @param {RepairOptions & RunOptions} [options]
+   * @returns {Promise<RepairResult>}
+   */
+  async repair(mesh, options = {}) {
+    const checked = checkRepair(options, runNames);
+    const parts = [{ mesh: copyMesh(mesh) }];
+    const { meshes, report } = await this.#client.run({ kind: 'repair', parts, options: checked },
+      buffersOf(parts[0].mesh), options);
+    return { mesh: meshes[0], report };
+  }
+
+  /**
+   * @param {Bytes} bytes
+   * @param {RepairOptions & FileOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<RepairFileResult>}
+   */
+  async repairFile(bytes, options = {}) {
+    const checked = checkRepair(options, [...runNames, ...fileNames, 'output']);
+    const file = await fileRequest(bytes, options);
+    const { files, report } = await this.#client.run(
+      { kind: 'repairFile', file, options: checked }, fileBuffers(file), options);
     return { ...files[0], files, report };
   }
 

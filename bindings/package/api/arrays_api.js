@@ -8,7 +8,8 @@ import { buffersOf, copyMesh, copyScene } from './inputs.js';
 import { checkOptions, requireObject } from '../base/options.js';
 import { compileBinary } from './wasm_source.js';
 
-/** @import { EngineName, Inspection, Mesh, PlacedMesh, RemeshReport } from '../base/messages.js' */
+/** @import { EngineName, Inspection, Mesh, PlacedMesh } from '../base/messages.js' */
+/** @import { RemeshReport } from '../base/messages.js' */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { Client, Platform, RunOptions } from './client.js' */
 /** @import { Compile } from './modules.js' */

@@ -99,6 +99,20 @@ function copyPlace(place, label) {
   return matrix;
 }
 
+/** A level of detail is of meshes that are none. @param {any} part @param {any[]} parts
+ * @param {string} label */
+function copyFiner({ finer }, parts, label) {
+  if (finer === undefined) return {};
+  const numbers = Array.from(/** @type {ArrayLike<number>} */ (Object(finer)));
+  const isFinest = (/** @type {number} */ number) => Number.isInteger(number) && number in parts
+    && !(parts[number]?.finer?.length > 0);
+  if (!numbers.every(isFinest)) {
+    refuseMesh(`${label} must be a list of numbers of meshes in the scene that have no finer ones `
+      + 'themselves.');
+  }
+  return { finer: Uint32Array.from(numbers) };
+}
+
 /** @param {unknown} parts @returns {PlacedMesh[]} the same in arrays of our own */
 export function copyScene(parts) {
   if (!Array.isArray(parts) || parts.length === 0) {
@@ -112,6 +126,7 @@ export function copyScene(parts) {
       mesh: copyMesh(part?.mesh),
       places: (part.places ?? []).map((/** @type {unknown} */ place, /** @type {number} */ k) =>
         copyPlace(place, `parts[${i}].places[${k}]`)),
+      ...copyFiner(Object(part), parts, `parts[${i}].finer`),
     };
   });
 }

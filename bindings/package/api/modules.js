@@ -3,13 +3,23 @@
 // arrays, and the whole one. Each is compiled when it is needed first. The whole one, once it is
 // there, serves arrays too: nobody holds both.
 
+import { RemeshError } from '../base/errors.js';
+
 /** @import { EngineName, Job, Loaded } from '../base/messages.js' */
 
 /** @typedef {() => Promise<WebAssembly.Module>} Compile */
 
 /** @param {Job} job @returns {EngineName} the least that can run it */
-export const neededBy = ({ kind }) =>
-  (kind === 'remesh' || kind === 'inspect' ? 'arrays' : 'whole');
+export function neededBy(job) {
+  if (job.kind === 'inspect') return 'arrays';
+  if (job.kind !== 'remesh') return 'whole';
+  const { repair = 'off', quads = false } = job.options;
+  return repair === 'off' && !quads ? 'arrays' : 'whole';
+}
+
+const wholeIsMissing = () => new RemeshError('UNSUPPORTED',
+  'Repair and quads are not in the engine for arrays.',
+  "Import 'remesher', beside an adapter or instead of 'remesher/arrays'.");
 
 export class Modules {
   /** @type {Partial<Record<EngineName, Compile>>} */
@@ -50,7 +60,8 @@ export class Modules {
   #compiled(engine, compile = this.#sources[engine]) {
     const known = this.#loading[engine];
     if (known) return known;
-    const loading = /** @type {Compile} */ (compile)();
+    if (!compile) throw wholeIsMissing();
+    const loading = compile();
     this.#loading[engine] = loading;
     loading.then(
       () => engine === 'whole' && delete this.#loading.arrays,

@@ -26,6 +26,8 @@
  *   morph target's have its number in front: `TARGET_0/POSITION`.
  * @property {Indices} [groups] One number for each triangle: a material, for instance. Borders
  *   between groups are kept as curves.
+ * @property {Indices} [quads] Of a result of quads: four vertices for each, counterclockwise, in
+ *   the order of the triangles, two to a quad.
  */
 
 /**
@@ -34,6 +36,8 @@
  * @property {Mesh} mesh In its own space.
  * @property {ArrayLike<number>[]} [places] From its own space to the world, once for each place
  *   where the scene shows it: matrices of 16 numbers, column after column.
+ * @property {ArrayLike<number>} [finer] The meshes of the scene, by number, that it stands for from
+ *   afar: a coarser level of detail keeps its proportion to them, and the report leaves it out.
  */
 
 /**
@@ -53,6 +57,8 @@
  * What an engine is asked to do.
  * @typedef {{ kind: 'remesh', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
+ *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
+ *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh }
  *   | { kind: 'inspectFile', file: FileRequest }} Job
@@ -127,6 +133,19 @@
  * @property {MinAngle} minAngle The smallest angle of each triangle.
  * @property {number} maxAngle The largest angle of all, degrees.
  * @property {number} valence6 Percent of the interior vertices with six neighbours.
+ * @property {QuadReport} [quads] Of a mesh of quads alone.
+ */
+
+/**
+ * How good quads are.
+ * @typedef {object} QuadReport
+ * @property {number} count How many there are.
+ * @property {number} irregular Vertices inside whose valence is not 4.
+ * @property {{ mean: number, p95: number, worst: number }} angleDeviation |angle − 90°| of all
+ *   corners, degrees; 95 % of them are within p95.
+ * @property {{ min: number, mean: number }} scaledJacobian Of each quad’s worst corner: the sine of
+ *   its angle, 1 in a square, negative in a fold.
+ * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
  */
 
 /**
@@ -174,13 +193,34 @@
  * @property {number} rms Root mean square.
  */
 
+/** @typedef {'even' | 'shape'} Preferred */
+
 /**
  * @typedef {object} RunReport
  * @property {MeshReport} output The mesh as it is now.
  * @property {Distances} fidelity How far the two are apart.
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
+ * @property {Preferred | Preferred[]} prefer What the result is made of: even triangles, or
+ *   vertices where the shape needs them most; for each part where parts differ.
  */
 
-/** @typedef {Inspection & RunReport & { lods?: RemeshReport[] }} RemeshReport */
+/**
+ * What mending did.
+ * @typedef {object} RepairSummary
+ * @property {string} mode How it was mended.
+ * @property {number} holes Open loops closed.
+ * @property {number} islands Loose open scraps taken off.
+ * @property {number} shells Bodies inside of others, taken off.
+ * @property {number} turned Triangles turned over.
+ * @property {number} lost Percent of the area that the result lacks.
+ * @property {number[]} selfIntersections Triangles that meet others, before and after.
+ */
+
+/** @typedef {Inspection & { output: MeshReport, repair: RepairSummary }} RepairReport */
+
+/**
+ * @typedef {Inspection & RunReport & { repair?: RepairSummary, lods?: RemeshReport[] }}
+ *   RemeshReport
+ */
 
 export {};

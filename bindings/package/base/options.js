@@ -44,6 +44,10 @@ export const optionTable = [
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
     default: 'best',
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
+  { name: 'prefer', flag: '--prefer P', type: 'choice', choices: ['auto', 'even', 'shape'],
+    default: 'auto',
+    help: 'even: even triangles; shape: vertices of the original where its shape and looks need ' +
+      'them most; auto: even where that keeps both, else shape' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
@@ -72,6 +76,14 @@ export const optionTable = [
   { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
     unit: '% of the diagonal', off: true, default: 'off',
     help: 'refuse what would leave the original by more' },
+  { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
+    help: 'join places that are nearer to each other; only those that are equal but for rounding '
+      + 'if not given' },
+  { name: 'quads', flag: '--quads', type: 'boolean', default: false,
+    help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
+      + 'within 1 %' },
+  { name: 'exact', flag: '--exact', type: 'boolean', default: false,
+    help: 'of quads: exactly the number of vertices' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
     default: 'keep',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +
@@ -82,6 +94,15 @@ export const optionTable = [
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
     help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
+  { name: 'repair', flag: '--repair R', type: 'choice',
+    choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
+    help: 'mend the surface first. holes: close open loops, leave the rest as it is; solid: the '
+      + 'outside of what encloses something; wrap: what is reached from outside through openings '
+      + 'wider than the gap; auto: the first of these that fits' },
+  { name: 'holesUpTo', flag: '--holes-up-to P', type: 'number', above: 0,
+    unit: '% of the diagonal', help: 'longer loops stay open; all are closed if not given' },
+  { name: 'gap', flag: '--gap P', type: 'number', above: 0, max: 20,
+    unit: '% of the diagonal', help: 'wrap closes openings up to this wide; 2 if not given' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
@@ -237,6 +258,32 @@ function canonical(option, value) {
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
+/** @param {Record<string, unknown>} given */
+function checkTogetherWithRepair({ repair = 'off', holesUpTo }) {
+  if (holesUpTo !== undefined && repair !== 'holes' && repair !== 'auto') {
+    throw new RemeshError('INVALID_OPTION', 'No holes are closed, long or short.',
+      'Ask for it: --repair holes, repair.');
+  }
+}
+
+/**
+ * What decides where vertices lie leaves nothing to the shape.
+ * @param {Record<string, unknown>} given
+ * @param {(option: Option) => string} label
+ */
+function checkTogetherWithShape(given, label) {
+  if (given.prefer !== 'shape') return;
+  const excluded = Object.entries({ scheme: 'rounds', boundary: 'keep', quads: true,
+    splitObtuse: true }).find(([name, value]) => given[name] === value)?.[0]
+    ?? ['maxError', 'density', 'featureEdges'].find((name) =>
+      given[name] !== undefined && given[name] !== 'off');
+  const option = excluded && byName.get(excluded);
+  if (!option) return;
+  throw new RemeshError('INVALID_OPTION',
+    `${label(option)} decides where vertices lie, and so does the shape that is preferred.`,
+    'Ask for one of them.');
+}
+
 /** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
 function checkTogether(given, label) {
   const targets = optionTable.filter(({ name }) =>
@@ -245,9 +292,33 @@ function checkTogether(given, label) {
     throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
       'Give their shares of the vertices: --lods, lods.');
   }
+  checkTogetherWithRepair(given);
+  checkTogetherWithShape(given, label);
   if (targets.length < 2) return;
   throw new RemeshError('INVALID_OPTION',
     `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
+}
+
+/** The options of repair alone. */
+export const repairNames =
+  /** @type {const} */ (['repair', 'holesUpTo', 'gap']);
+
+/**
+ * The options of a repair, checked as checkOptions does; no others belong there.
+ * @param {object} given
+ * @param {readonly string[]} others names that belong to the call, not to the table
+ * @returns {Record<string, unknown>}
+ */
+export function checkRepair(given, others) {
+  requireObject(given);
+  const checked = checkOptions({ repair: 'auto', ...given }, { others });
+  const foreign = Object.keys(checked).find((name) =>
+    !repairNames.some((own) => own === name));
+  if (foreign) {
+    throw new RemeshError('INVALID_OPTION', `Repair alone does not remesh: ${foreign} does not `
+      + 'belong there.', `There are ${repairNames.join(', ')}.`);
+  }
+  return checked;
 }
 
 /** @param {unknown} given what a function was given as its options */

@@ -33,7 +33,7 @@ async function runOne(line) {
   const isPiped = output === '-';
   const plain = withoutGz(basename(input));
   const outputName = isPiped ? `${basename(plain, extname(plain))}.${format}` : basename(output);
-  const { onProgress, clear } = progressBar(quiet || command !== 'remesh');
+  const { onProgress, clear } = progressBar(quiet || !['remesh', 'repair'].includes(command));
   const result = await runFile(
     { command, input, output: isPiped ? '' : output, outputName, root, force, options },
     api, { worker: false, onProgress }).finally(clear);

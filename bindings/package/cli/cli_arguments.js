@@ -8,14 +8,14 @@ import { formats, inWords } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { isFolder } from './plan.js';
 import {
-  checkOptions, checkValue, defaultInWords, nearest, optionTable,
+  checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
 
 /** @typedef {import('../base/options.js').Option} Option */
 
 /**
  * @typedef {object} CommandLine
- * @property {'remesh' | 'convert' | 'inspect' | 'help' | 'version'} command
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect' | 'help' | 'version'} command
  * @property {string[]} inputs one, unless the output is a folder
  * @property {string} output
  * @property {string} format for output to '-' and to a folder
@@ -129,7 +129,7 @@ function setOwn(line, flag, value) {
   if (flag === '--version') line.command = 'version';
 }
 
-const commands = /** @type {const} */ (['convert', 'inspect']);
+const commands = /** @type {const} */ (['convert', 'repair', 'inspect']);
 
 /** @param {CommandLine} line @param {readonly string[]} names */
 function setNames(line, names) {
@@ -180,10 +180,15 @@ function checkOutput(line) {
     throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(foreign)} does not `
       + 'belong there.');
   }
+  const alien = optionTable.find(({ name }) =>
+    line.options[name] !== undefined && !repairNames.some((own) => own === name));
+  if (alien && line.command === 'repair') {
+    throw wrongUse(`remesher repair does not remesh: ${flagOf(alien)} does not belong there.`);
+  }
   if (line.command === 'inspect' && line.output + line.format !== '') {
     throw wrongUse('remesher inspect writes no file.', 'Leave out -o and --format.');
   }
-  if (line.command !== 'remesh' && line.command !== 'convert') return;
+  if (!['remesh', 'convert', 'repair'].includes(line.command)) return;
   if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
   if (line.output === '-' && line.format === '') {
     throw wrongUse('Output to - needs a format.', `Add --format ${inWords(formats)}.`);
@@ -218,6 +223,7 @@ export function parseCommandLine(words) {
     else setOwn(line, flag, value);
   }
   setNames(line, names);
+  if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
   checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
@@ -253,6 +259,7 @@ export function helpText() {
   const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
   return [
     'remesher <input> -o <output> [options]     remesh a file',
+    'remesher repair <input> -o <output>        only mend it, as --repair says',
     'remesher convert <input> -o <output>       only change the format',
     'remesher <inputs> -o <folder>/ [options]   many files, folders, patterns like scans/*.obj',
     'remesher inspect <input> [--json]          report on a file, change nothing',

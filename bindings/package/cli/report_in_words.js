@@ -3,6 +3,17 @@
 
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
 
+/** @param {import('../base/messages.js').QuadReport} quads */
+function quadsInWords({ count, irregular, angleDeviation, scaledJacobian, edgeVariation }) {
+  return [
+    `  ${count} quads, irregular vertices ${irregular}; off 90°: mean `
+      + `${angleDeviation.mean.toFixed(1)}°, 95 % within ${angleDeviation.p95.toFixed(1)}°, worst `
+      + `${angleDeviation.worst.toFixed(1)}°`,
+    `  scaled Jacobian: worst ${scaledJacobian.min.toFixed(2)}, mean `
+      + `${scaledJacobian.mean.toFixed(2)}; edge lengths vary by ${edgeVariation.toFixed(2)}`,
+  ];
+}
+
 /** @param {string} title @param {MeshReport} mesh */
 function meshInWords(title, mesh) {
   const { minAngle, maxAngle } = mesh;
@@ -16,6 +27,7 @@ function meshInWords(title, mesh) {
     `  minimum angle: mean ${minAngle.mean.toFixed(1)}°, worst ${minAngle.worst.toFixed(1)}°; `
       + `maximum ${maxAngle.toFixed(1)}°; valence 6: ${mesh.valence6.toFixed(1)} %`,
     `  triangles by minimum angle, %, 0–10 … 50–60°: ${shares}`,
+    ...(mesh.quads ? quadsInWords(mesh.quads) : []),
   ].join('\n');
 }
 
@@ -25,12 +37,24 @@ function distanceInWords({ hausdorff, rms }) {
     + `point found, ${rms.toFixed(4)} % RMS, of the diagonal`;
 }
 
+/** @param {import('../base/messages.js').RepairSummary} repair */
+function repairInWords({ mode, holes, islands, shells, turned, lost, selfIntersections }) {
+  const [before, after] = selfIntersections;
+  return `repair (${mode}): ${holes} holes closed, ${islands} islands and ${shells} inner shells `
+    + `removed, ${turned} triangles turned over, ${lost.toFixed(2)} % of the area lost\n`
+    + `  triangles that pass through others: ${before} before, ${after} after`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
   if (report.input) parts.push(meshInWords('input', report.input));
+  if (report.repair) parts.push(repairInWords(report.repair));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
+  if ([report.prefer].flat().includes('shape')) {
+    parts.push('vertices are where the shape needs them most, not evenly spread');
+  }
   for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
     parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
   }

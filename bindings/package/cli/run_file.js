@@ -14,12 +14,15 @@ import { requireOutput, writeOutput } from '../files/output.js';
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 /** @typedef {import('../base/messages.js').Warning} Warning */
-/** @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'remeshFile'>} Api */
+/**
+ * @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'repairFile'
+ *   | 'remeshFile'>} Api
+ */
 /** @typedef {import('../api/client.js').RunOptions} RunOptions */
 
 /**
  * @typedef {object} FileTask
- * @property {'remesh' | 'convert' | 'inspect'} command
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect'} command
  * @property {string} input
  * @property {string} output empty: the caller takes the files
  * @property {string} outputName
@@ -84,7 +87,9 @@ async function work(task, api, bytes, about) {
     const { files, warnings } = await api.convertFile(bytes, { ...about, output });
     return { files, report: { warnings } };
   }
-  const { files, report } = await api.remeshFile(bytes, { ...task.options, ...about, output });
+  const options = { ...task.options, ...about, output };
+  const { files, report } = task.command === 'repair'
+    ? await api.repairFile(bytes, options) : await api.remeshFile(bytes, options);
   return { files, report: { ...report } };
 }
 

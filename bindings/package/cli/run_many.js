@@ -110,7 +110,7 @@ class Batch {
     }
     this.#makeFolder(output);
     const result = await runFile({
-      command: command === 'convert' ? 'convert' : 'remesh', input, output,
+      command: command === 'convert' || command === 'repair' ? command : 'remesh', input, output,
       outputName: basename(output), root, force, options,
     }, api, { onProgress: this.progress.listener(number) });
     return this.#succeed(step, result.report);

@@ -3,6 +3,7 @@
 // successor KHR_meshopt_compression) and KHR_draco_mesh_compression. The decoders are loaded when
 // the first file needs them. What is decompressed is a GLB whatever it was: all its buffers in one.
 
+import { settleAccessors } from './decoded_accessors.js';
 import { decodeDracoPrimitives, dracoExtension } from './draco.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -123,6 +124,13 @@ async function loadBufferViews(tree, buffers) {
   return decoded;
 }
 
+/** Which buffer views are compressed. @param {any} tree @returns {Set<number>} */
+function compressedViews({ bufferViews = [] }) {
+  const isCompressed = (/** @type {any} */ { extensions }) =>
+    meshoptExtensions.some((name) => extensions?.[name]);
+  return new Set([...bufferViews.keys()].filter((i) => isCompressed(bufferViews[i])));
+}
+
 /** @param {any} object @param {string} name */
 function removeExtension(object, name) {
   delete object.extensions[name];
@@ -180,7 +188,9 @@ function reason(error) {
 async function decompressTree(tree, chunk, file) {
   try {
     const buffers = loadBuffers(tree, chunk, file);
+    const decoded = compressedViews(tree);
     const contents = await loadBufferViews(tree, buffers);
+    settleAccessors(tree, contents, decoded);
     await decodeDracoPrimitives(tree, contents);
     forgetCompressions(tree);
     return packGlb(tree, joinBuffers(tree, contents));
@@ -190,6 +200,19 @@ async function decompressTree(tree, chunk, file) {
       `${legible(file.name)}: its compressed data cannot be decoded: ${reason(error)}.`,
       'Was it copied completely?', { cause: error });
   }
+}
+
+/**
+ * A number beyond all that there are is none once it has been read, and would be written as null.
+ * @param {string} text @param {FileRequest} file
+ */
+function parseTree(text, { name }) {
+  return JSON.parse(text, (key, value) => {
+    if (typeof value !== 'number' || Number.isFinite(value)) return value;
+    throw new RemeshError('PARSE_ERROR', `${legible(name)}: the glTF document is invalid: `
+      + `${legible(key)} has a number beyond all that can be read.`,
+    'A glTF validator tells where.');
+  });
 }
 
 /**
@@ -203,8 +226,9 @@ export async function decompress(file) {
   if (!compressions.some((name) => text.includes(`"${name}"`))) return file;
   let tree;
   try {
-    tree = JSON.parse(text);
-  } catch {
+    tree = parseTree(text, file);
+  } catch (error) {
+    if (error instanceof RemeshError) throw error;
     return file;
   }
   return { ...file, bytes: await decompressTree(tree, chunk, file) };

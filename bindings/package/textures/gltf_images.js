@@ -53,6 +53,18 @@ function resource(uri, { resources }) {
   return resources.find(({ name }) => name === uri || name === decoded(uri))?.bytes;
 }
 
+/**
+ * The image of a texture, as the core chooses it: WebP, else what every program reads; else
+ * whatever an extension has, which may be refused by its name.
+ * @param {any} texture
+ */
+function sourceOf(texture) {
+  const own = Object(texture?.extensions);
+  const others = Object.values(own).map((extension) => extension?.source);
+  return own.EXT_texture_webp?.source ?? texture?.source
+    ?? others.find((number) => number !== undefined);
+}
+
 /** The numbers of the images that the known maps of materials show. @param {any} tree */
 function paintedFrom(tree) {
   const materials = Array.isArray(tree.materials) ? tree.materials.map(Object) : [];
@@ -60,11 +72,8 @@ function paintedFrom(tree) {
     material.pbrMetallicRoughness?.baseColorTexture,
     material.pbrMetallicRoughness?.metallicRoughnessTexture,
     material.normalTexture, material.occlusionTexture, material.emissiveTexture]);
-  const images = infos.map((/** @type {any} */ info) => {
-    const texture = tree.textures?.[info?.index];
-    const { EXT_texture_webp: webp, KHR_texture_basisu: basis } = texture?.extensions ?? {};
-    return (webp ?? basis)?.source ?? texture?.source;
-  });
+  const images = infos.map((/** @type {any} */ info) =>
+    sourceOf(tree.textures?.[info?.index]));
   return [...new Set(images)].filter((number) =>
     Number.isInteger(number) && tree.images?.[number] !== undefined);
 }

@@ -61,7 +61,8 @@ const likeIndices = (values, model) =>
 
 /** @param {any} mesh as it comes back @param {Mesh} model as it went in @returns {Mesh} */
 function meshLike(mesh, model) {
-  const { positions, indices } = mesh;
+  const { positions, indices, quads } = mesh;
+  const isSmall = positions.length / 3 <= 2 ** 16;
   /** @type {Record<string, MeshAttribute>} */
   const attributes = {};
   for (const { semantic, array, itemSize } of mesh.attributes) {
@@ -70,9 +71,10 @@ function meshLike(mesh, model) {
   }
   return {
     positions: model.positions instanceof Float32Array ? Float32Array.from(positions) : positions,
-    indices: positions.length / 3 <= 2 ** 16 ? likeIndices(indices, model.indices) : indices,
+    indices: isSmall ? likeIndices(indices, model.indices) : indices,
     attributes,
     ...(mesh.groups ? { groups: likeIndices(mesh.groups, model.groups) } : {}),
+    ...(quads ? { quads: isSmall ? likeIndices(quads, model.indices) : quads } : {}),
   };
 }
 
@@ -85,10 +87,15 @@ function call(instance, job, ask) {
   switch (job.kind) {
     case 'remesh':
       return instance.remesh(
-        job.parts.map(({ mesh, places = [] }) => ({ mesh: withList(mesh), places })),
+        job.parts.map(({ mesh, places = [], finer }) =>
+          ({ mesh: withList(mesh), places, finer })),
         job.options, ask);
     case 'remeshFile':
       return instance.remeshFile(job.file, job.options, ask);
+    case 'repair':
+      return instance.repair(withList(job.parts[0].mesh), job.options, ask);
+    case 'repairFile':
+      return instance.repairFile(job.file, job.options, ask);
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
@@ -152,10 +159,11 @@ export class Engine {
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
     }
-    if (job.kind !== 'remesh') return outcome;
+    if (job.kind !== 'remesh' && job.kind !== 'repair') return outcome;
     const alike = (/** @type {any[]} */ meshes) =>
       job.parts.map(({ mesh }, i) => meshLike(meshes[i], mesh));
-    return { ...outcome, meshes: alike(outcome.meshes), lods: outcome.lods.map(alike) };
+    const lods = outcome.lods ? { lods: outcome.lods.map(alike) } : {};
+    return { ...outcome, meshes: alike(outcome.meshes), ...lods };
   }
 
   async #start() {

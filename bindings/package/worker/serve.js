@@ -11,7 +11,8 @@ import { failureFrom } from '../base/errors.js';
 function buffersOf(result) {
   const arrays = [];
   for (const mesh of [...result.meshes ?? [], ...(result.lods ?? []).flat()]) {
-    arrays.push(mesh.positions, mesh.indices, ...(mesh.groups ? [mesh.groups] : []));
+    arrays.push(mesh.positions, mesh.indices, ...(mesh.groups ? [mesh.groups] : []),
+      ...(mesh.quads ? [mesh.quads] : []));
     for (const { array } of Object.values(mesh.attributes)) arrays.push(array);
   }
   for (const { bytes } of result.files ?? []) arrays.push(bytes);

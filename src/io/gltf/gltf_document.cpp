@@ -9,6 +9,7 @@
 
 #include "base/legible.h"
 #include "io/gltf/gltf_references.h"
+#include "io/gltf/tree/gltf_extensions.h"
 #include "io/model/resources.h"
 
 namespace remesher::io {
@@ -144,6 +145,13 @@ tinygltf::Model typedView(const GltfDocument& document) {
   return model;
 }
 
+bool isNamedGlb(std::string_view name) {
+  constexpr std::string_view kEnd = ".glb";
+  return name.size() >= kEnd.size() &&
+         std::equal(kEnd.begin(), kEnd.end(), name.end() - std::ptrdiff_t(kEnd.size()),
+                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+}
+
 Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& buffer,
                  const std::optional<std::span<const std::uint8_t>>& chunk) {
   const std::string where = "buffer " + std::to_string(number);
@@ -220,7 +228,15 @@ void loadBuffers(GltfDocument& document,
 
 }  // namespace
 
+// What looks damaged may be what an extension that is not known here makes of it.
 void GltfDocument::fail(ErrorCode code, const std::string& what, std::string hint) const {
+  const std::string unknown = requiredUnknown(tree);
+  const bool looksDamaged = code == ErrorCode::ParseError || code == ErrorCode::IndexOutOfRange;
+  if (looksDamaged && !unknown.empty())
+    throw Error(ErrorCode::Unsupported,
+                legible(original.name) + ": it requires " + legible(unknown) +
+                    ", which is not known here: " + what,
+                "Export it without " + legible(unknown) + ".");
   throw Error(code, legible(original.name) + ": " + what, std::move(hint));
 }
 
@@ -230,7 +246,7 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   document->resources = resources;
   const std::span<const std::uint8_t> bytes = document->original.bytes;
   document->isBinary = bytes.size() >= 4 && littleEndian(bytes, 0) == kGlbMagic;
-  if (!document->isBinary && file.name.ends_with(".glb"))
+  if (!document->isBinary && isNamedGlb(file.name))
     document->fail(ErrorCode::ParseError, "the file does not begin as a binary glTF file does.",
                    "Is it of another format, or a .gltf?");
   const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{bytes, std::nullopt};

@@ -11,13 +11,12 @@
 #include "base/error.h"
 #include "base/file.h"
 // First, before tinygltf brings the same.
-#include "io/gltf/tinygltf.h"
-#include "io/model/json.h"
+#include "io/gltf/library/tinygltf.h"
+#include "io/gltf/tree/json.h"
 #include "io/model/model.h"
 
 namespace remesher::io {
 
-using Json = nlohmann::ordered_json;
 using Bytes = std::vector<std::uint8_t>;
 
 struct GltfDocument : Source {
@@ -29,7 +28,6 @@ struct GltfDocument : Source {
   std::vector<Bytes> buffers;
   std::vector<File> bufferFiles;  // those of them that lay beside the file
   tinygltf::Model typed;          // accessors, bufferViews, meshes, nodes, scenes, skins
-  std::vector<int> partMeshes;    // per part of the model: its mesh
 
   // "name: what".
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;

@@ -32,6 +32,16 @@ Json boundsOf(const std::vector<double>& bounds, int componentType) {
   return list;
 }
 
+// That triangles in a row with one first corner are a polygon: true of new triangles only where
+// they are quads.
+constexpr const char* kPolygons = "FB_ngon_encoding";
+
+void forgetPolygons(Json& primitive) {
+  if (!primitive.contains("extensions")) return;
+  primitive["extensions"].erase(kPolygons);
+  if (primitive["extensions"].empty()) primitive.erase("extensions");
+}
+
 // The attributes that have a new accessor, in their order.
 Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
              const std::string& prefix) {
@@ -41,6 +51,23 @@ Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
     if (replacement != accessors.end()) result[semantic] = replacement->second;
   }
   return result;
+}
+
+Json materialOf(const Json& tree, const Json& primitive) {
+  const Json number = primitive.value("material", Json());
+  const bool isThere = isWholeNumber(number) && tree.contains("materials") &&
+                       number.get<std::uint64_t>() < tree["materials"].size();
+  return isThere ? tree["materials"][number.get<std::size_t>()] : Json();
+}
+
+// Whether a texture below the value is looked up by these coordinates, which may be lost.
+bool looksUp(const Json& value, const std::string& semantic) {
+  if (!value.is_structured()) return false;
+  if (value.is_object() && value.contains("index") &&
+      semantic == "TEXCOORD_" + value.value("texCoord", Json(0U)).dump())
+    return true;
+  return std::any_of(value.begin(), value.end(),
+                     [&](const Json& member) { return looksUp(member, semantic); });
 }
 
 }  // namespace
@@ -69,13 +96,14 @@ std::size_t GltfEditor::addAccessor(Json accessor) {
 }
 
 // What the old accessor said of itself, with the new layout.
-Json GltfEditor::describe(int oldAccessor, const Encoding& encoding, std::size_t count) const {
+Json GltfEditor::describe(int oldAccessor, const Encoding& encoding, std::size_t count) {
   Json accessor = oldAccessor < 0 ? Json::object() : tree_["accessors"][oldAccessor];
   for (const char* member : {"bufferView", "byteOffset", "sparse", "min", "max", "normalized"})
     accessor.erase(member);
   accessor["componentType"] = encoding.componentType;
   if (encoding.normalized) accessor["normalized"] = true;
   accessor["count"] = count;
+  settleHolder(accessor, lost_);
   if (!accessor.contains("type")) accessor["type"] = typeName(encoding.components);
   return accessor;
 }
@@ -128,11 +156,21 @@ std::size_t GltfEditor::addStill(const Json& positions) {
                       {"max", zero}});
 }
 
+std::size_t GltfEditor::addZeros(const Json& positions) {
+  return addAccessor({{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
+                      {"type", "VEC2"},
+                      {"count", positions["count"]}});
+}
+
 void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors,
-                                  std::size_t indices) {
+                                  std::size_t indices, Texcoords texcoords) {
   Json attributes = renamed(primitive["attributes"], accessors, "");
   for (const auto& [semantic, accessor] : accessors)
     if (semantic.find('/') == std::string::npos) attributes[semantic] = accessor;
+  for (const auto& [semantic, old] : primitive["attributes"].items())
+    if (texcoords == Texcoords::Kept && !attributes.contains(semantic) &&
+        looksUp(materialOf(tree_, primitive), semantic))
+      attributes[semantic] = addZeros(tree_["accessors"][accessors.at("POSITION")]);
   primitive["attributes"] = std::move(attributes);
   if (primitive.contains("targets")) {
     std::size_t number = 0;
@@ -147,7 +185,7 @@ void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& ac
 }
 
 void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
-                                 const std::vector<VertexPool>& pools) {
+                                 const std::vector<VertexPool>& pools, Texcoords texcoords) {
   // Taken out: what is added to the document may move all that is in it.
   Json primitives = std::move(tree_["meshes"][meshNumber]["primitives"]);
   std::set<int> emptied;
@@ -158,16 +196,25 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
       Json& primitive = primitives[number];
       abandon(primitive);
       const auto triangles = encoded.triangles.find(number);
-      if (triangles == encoded.triangles.end())
+      if (triangles == encoded.triangles.end()) {
         emptied.insert(number);
-      else
-        rewritePrimitive(primitive, accessors,
-                         addIndices(primitive, triangles->second, encoded.vertexCount));
+        continue;
+      }
+      rewritePrimitive(primitive, accessors,
+                       addIndices(primitive, triangles->second, encoded.vertexCount), texcoords);
+      if (mesh.isQuads) forgetPolygons(primitive);
+      settlePrimitive(tree_, primitive, texcoords, lost_);
+      if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }
   }
   for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
     primitives.erase(*number);
   tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
+  settleHolder(tree_["meshes"][meshNumber], lost_);
+  Json& used = tree_["extensionsUsed"];
+  if (mesh.isQuads && std::find(used.begin(), used.end(), kPolygons) == used.end())
+    used.push_back(kPolygons);
+  if (used.empty()) tree_.erase("extensionsUsed");
   dropForeignWeights(meshNumber);
 }
 

@@ -10,6 +10,7 @@
 #include "io/gltf/gltf_document.h"
 #include "io/gltf/gltf_geometry.h"
 #include "io/gltf/gltf_pool.h"
+#include "io/gltf/tree/gltf_extensions.h"
 
 namespace remesher::io {
 
@@ -21,7 +22,7 @@ class GltfEditor {
 
   // The primitives of the pools get the triangles of their groups; those left without any go away.
   void replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
-                       const std::vector<VertexPool>& pools);
+                       const std::vector<VertexPool>& pools, Texcoords texcoords = Texcoords::Kept);
 
   // A file as a buffer view; returns its number.
   std::size_t addFile(const Bytes& bytes);
@@ -30,24 +31,29 @@ class GltfEditor {
   const Bytes& newData() const { return data_; }
   // The accessors that replaced primitives named.
   const std::set<int>& abandoned() const { return abandoned_; }
+  // What of extensions could not follow.
+  LostExtensions& lost() { return lost_; }
 
  private:
   std::size_t addBufferView(const EncodedAccessor& encoded, int target);
   std::size_t addAccessor(Json accessor);
-  Json describe(int oldAccessor, const Encoding& encoding, std::size_t count) const;
+  Json describe(int oldAccessor, const Encoding& encoding, std::size_t count);
   AccessorsBySemantic addAttributes(const EncodedPool& encoded, const VertexPool& pool);
   std::size_t addIndices(const Json& primitive, const std::vector<Index>& indices,
                          std::size_t vertexCount);
   void abandon(const Json& primitive);
   std::size_t addStill(const Json& positions);
+  std::size_t addZeros(const Json& positions);
   void dropForeignWeights(std::size_t meshNumber);
-  void rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors, std::size_t indices);
+  void rewritePrimitive(Json& primitive, const AccessorsBySemantic& accessors, std::size_t indices,
+                        Texcoords texcoords);
 
   Json tree_;
   const GltfDocument* document_;
   std::size_t newBuffer_;  // the number of the buffer that data_ will be
   Bytes data_;
   std::set<int> abandoned_;
+  LostExtensions lost_;
 };
 
 }  // namespace remesher::io

@@ -9,6 +9,7 @@
 
 #include "base/legible.h"
 #include "io/gltf/gltf_accessor.h"
+#include "io/gltf/tree/gltf_extensions.h"
 
 namespace remesher::io {
 namespace {
@@ -85,6 +86,7 @@ class GeometryReader {
         number_(static_cast<std::size_t>(mesh)),
         mesh_(document.typed.meshes[number_]),
         jointCount_(jointCount(document.typed, mesh)),
+        restarts_(restartsPrimitives(document.tree)),
         where_("mesh " + std::to_string(mesh) + ", primitive "),
         warnings_(warnings) {}
   TriangleMesh read();
@@ -95,14 +97,20 @@ class GeometryReader {
   void warnOfLost(const VertexPool& pool);
   void layOutAttributes(const std::vector<VertexPool>& pools);
   void readAttributes(const VertexPool& pool, std::size_t firstVertex, std::size_t vertexCount);
-  std::vector<Index> vertexSequence(int primitiveNumber, std::size_t vertexCount) const;
+  void addTriangles(int mode, const std::vector<Index>& sequence, Index firstVertex);
+  std::vector<std::vector<Index>> runsOf(const tinygltf::Primitive& primitive,
+                                         std::vector<Index> indices) const;
+  std::vector<std::vector<Index>> vertexSequences(int primitiveNumber,
+                                                  std::size_t vertexCount) const;
   void dropForeignJoints();
+  bool areQuads() const;
   void warn(const char* code, const std::string& message);
 
   const GltfDocument& document_;
   const std::size_t number_;
   const tinygltf::Mesh& mesh_;
   std::size_t jointCount_;
+  const bool restarts_;
   std::string where_;
   std::vector<Warning>& warnings_;
   TriangleMesh result_;
@@ -138,30 +146,57 @@ void GeometryReader::readPositions(const VertexPool& pool) {
   }
 }
 
-std::vector<Index> GeometryReader::vertexSequence(int primitiveNumber,
-                                                  std::size_t vertexCount) const {
+// One for triangles; for strips and fans as many as the file has in one.
+std::vector<std::vector<Index>> GeometryReader::vertexSequences(int primitiveNumber,
+                                                                std::size_t vertexCount) const {
   const tinygltf::Primitive& primitive = mesh_.primitives[primitiveNumber];
   if (primitive.indices < 0) {
     std::vector<Index> sequence(vertexCount);
     for (std::size_t i = 0; i < vertexCount; ++i) sequence[i] = static_cast<Index>(i);
-    return sequence;
+    return {std::move(sequence)};
   }
-  std::vector<Index> sequence = readIndices(document_, primitive.indices);
-  const auto outside = std::find_if(sequence.begin(), sequence.end(),
-                                    [&](Index vertex) { return vertex >= vertexCount; });
-  if (outside != sequence.end())
-    document_.fail(ErrorCode::IndexOutOfRange,
-                   where_ + std::to_string(primitiveNumber) + ": index " +
-                       std::to_string(outside - sequence.begin()) + " names vertex " +
-                       std::to_string(*outside) + ", but there are " + std::to_string(vertexCount) +
-                       ".",
-                   "The file is damaged: export it again.");
-  return sequence;
+  std::vector<std::vector<Index>> runs =
+      runsOf(primitive, readIndices(document_, primitive.indices));
+  std::size_t at = 0;
+  for (const std::vector<Index>& run : runs) {
+    const auto outside =
+        std::find_if(run.begin(), run.end(), [&](Index vertex) { return vertex >= vertexCount; });
+    if (outside != run.end())
+      document_.fail(ErrorCode::IndexOutOfRange,
+                     where_ + std::to_string(primitiveNumber) + ": index " +
+                         std::to_string(at + std::size_t(outside - run.begin())) +
+                         " names vertex " + std::to_string(*outside) + ", but there are " +
+                         std::to_string(vertexCount) + ".",
+                     "The file is damaged: export it again.");
+    at += run.size() + 1;
+  }
+  return runs;
+}
+
+// The sequences that a strip or fan consists of: where the file says so, the largest number of its
+// indices' type ends one.
+std::vector<std::vector<Index>> GeometryReader::runsOf(const tinygltf::Primitive& primitive,
+                                                       std::vector<Index> indices) const {
+  std::vector<std::vector<Index>> runs(1);
+  if (primitive.mode == TINYGLTF_MODE_TRIANGLES || !restarts_) return {std::move(indices)};
+  const int type = accessorEncoding(document_, primitive.indices).componentType;
+  const auto restart = static_cast<Index>(largestInteger(type));
+  for (const Index index : indices)
+    if (index == restart)
+      runs.emplace_back();
+    else
+      runs.back().push_back(index);
+  return runs;
 }
 
 void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
                                    std::size_t vertexCount) {
-  const std::vector<Index> sequence = vertexSequence(primitiveNumber, vertexCount);
+  for (const std::vector<Index>& run : vertexSequences(primitiveNumber, vertexCount))
+    addTriangles(mesh_.primitives[primitiveNumber].mode, run, firstVertex);
+  result_.groups.resize(result_.triangleCount(), static_cast<Index>(primitiveNumber));
+}
+
+void GeometryReader::addTriangles(int mode, const std::vector<Index>& sequence, Index firstVertex) {
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t i : {a, b, c}) result_.indices.push_back(sequence[i] + firstVertex);
   };
@@ -169,7 +204,6 @@ void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
   const auto isStitch = [&](std::size_t a, std::size_t b, std::size_t c) {
     return sequence[a] == sequence[b] || sequence[b] == sequence[c] || sequence[c] == sequence[a];
   };
-  const int mode = mesh_.primitives[primitiveNumber].mode;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
     for (std::size_t i = 0; i + 2 < sequence.size(); i += 3) add(i, i + 1, i + 2);
   } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
@@ -178,7 +212,6 @@ void GeometryReader::readTriangles(int primitiveNumber, Index firstVertex,
   } else {
     for (std::size_t i = 0; i + 2 < sequence.size(); ++i) add(i + 1, i + 2, 0);
   }
-  result_.groups.resize(result_.triangleCount(), static_cast<Index>(primitiveNumber));
 }
 
 void GeometryReader::warnOfLost(const VertexPool& pool) {
@@ -248,6 +281,16 @@ void GeometryReader::dropForeignJoints() {
   }
 }
 
+// In FB_ngon_encoding triangles in a row are one polygon as long as they have the same first
+// corner: of quads each two have.
+bool GeometryReader::areQuads() const {
+  for (const tinygltf::Primitive& primitive : mesh_.primitives)
+    if (isTriangles(primitive) && !primitive.extensions.contains("FB_ngon_encoding")) return false;
+  for (std::size_t i = 6; i < result_.indices.size(); i += 6)
+    if (result_.indices[i] == result_.indices[i - 3]) return false;
+  return arePairs(result_);
+}
+
 TriangleMesh GeometryReader::read() {
   const std::vector<VertexPool> pools = vertexPools(document_, number_);
   std::vector<std::size_t> firstVertices = {0};
@@ -263,6 +306,7 @@ TriangleMesh GeometryReader::read() {
   for (const auto& [primitive, pool] : primitives)
     readTriangles(primitive, static_cast<Index>(firstVertices[pool]),
                   firstVertices[pool + 1] - firstVertices[pool]);
+  result_.isQuads = areQuads();
   layOutAttributes(pools);
   for (std::size_t i = 0; i < pools.size(); ++i)
     readAttributes(pools[i], firstVertices[i], firstVertices[i + 1] - firstVertices[i]);

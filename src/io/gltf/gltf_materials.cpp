@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/gltf/gltf_references.h"
+#include "io/gltf/tree/gltf_pointers.h"
 
 namespace remesher::io {
 namespace {
@@ -142,11 +143,19 @@ Json textureInfo(Json& tree, const Model& model, const Map& map) {
   return {{"index", textures.size() - 1}};
 }
 
+// Materials for a distance, which have the old textures.
+void dropLevels(Json& material) {
+  if (!material.contains("extensions") || !material["extensions"].is_object()) return;
+  material["extensions"].erase("MSFT_lod");
+  if (material["extensions"].empty()) material.erase("extensions");
+}
+
 Json paintedMaterial(Json& tree, const Model& model, const Material& painting) {
   Json material = painting.number < 0 ? Json::object() : tree["materials"][painting.number];
   const std::string name = material.value("name", painting.name);
   material = restOf(std::move(material));
   removeMaps(material);
+  dropLevels(material);
   if (!name.empty()) material["name"] = name;
   if (painting.number < 0 && !painting.isOpaque) material["alphaMode"] = "BLEND";
   Json pbr = Json::object();
@@ -180,6 +189,13 @@ void forEachMaterialNumber(Json& tree, const Visitor& visit) {
       else
         for (Json& mapping : variants["mappings"]) visit(mapping["material"]);
     }
+  forEachMaterialPointer(tree, visit);
+  if (!tree.contains("materials")) return;
+  for (Json& material : tree["materials"]) {
+    const Json::json_pointer levels("/extensions/MSFT_lod/ids");
+    if (!material.contains(levels)) continue;
+    for (Json& number : material[levels]) visit(number);
+  }
 }
 
 void forEachTextureNumberIn(Json& value, const Visitor& visit) {

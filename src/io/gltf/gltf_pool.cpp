@@ -18,6 +18,17 @@ struct Lost {
   std::vector<bool> places;
 };
 
+// In FB_ngon_encoding triangles in a row with the same first corner are one polygon: a quad at the
+// end of the list that begins where the one before it does begins across from there instead.
+void keepApart(std::vector<Index>& list) {
+  if (list.size() < 12) return;
+  Index* const quad = &list[list.size() - 6];
+  if (quad[0] != *(quad - 3)) return;
+  const Index a = quad[0], b = quad[1], c = quad[2], d = quad[5];
+  const Index turned[] = {c, d, a, c, a, b};
+  std::copy(std::begin(turned), std::end(turned), quad);
+}
+
 class PoolEncoder {
  public:
   PoolEncoder(const TriangleMesh& mesh, const VertexPool& pool, const GltfDocument* document)
@@ -57,6 +68,7 @@ void PoolEncoder::collectTriangles() {
       numbers[vertex] = 0;
       list.push_back(vertex);
     }
+    if (mesh_.isQuads && t % 2 == 1) keepApart(list);
   }
   for (Index vertex = 0; vertex < numbers.size(); ++vertex) {
     if (numbers[vertex] == kNone) continue;

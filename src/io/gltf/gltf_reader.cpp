@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "io/gltf/gltf_geometry.h"
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_scene.h"
+#include "io/gltf/tree/gltf_levels.h"
 
 namespace remesher::io {
 namespace {
@@ -50,6 +52,25 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t numb
   return infos;
 }
 
+// Which parts are levels of others. Of a level that is shown by itself as well it is the size of
+// its own.
+void tellLevels(const Json& tree, std::vector<Part>& parts) {
+  std::map<int, std::size_t> partOf;
+  for (std::size_t i = 0; i < parts.size(); ++i) partOf[parts[i].source] = i;
+  const auto tell = [&](std::size_t part, const std::set<int>& finest) {
+    for (const int mesh : finest)
+      if (partOf.count(mesh) == 1) parts[part].finer.push_back(partOf[mesh]);
+  };
+  for (const auto& [level, finest] : meshLevels(tree)) {
+    const auto part = partOf.find(level);
+    if (part != partOf.end() && parts[part->second].instances.empty()) tell(part->second, finest);
+  }
+  for (const auto& [level, finest] : meshLevelsByName(tree)) {
+    const auto part = partOf.find(level);
+    if (part != partOf.end() && parts[part->second].finer.empty()) tell(part->second, finest);
+  }
+}
+
 // A node may scale beyond all numbers. Every place lies between those of the corners of the box.
 void requireFinitePlaces(const GltfDocument& document, const Part& part) {
   Eigen::AlignedBox3d box;
@@ -75,8 +96,9 @@ Model readDocument(const std::shared_ptr<GltfDocument>& document) {
     std::vector<GroupInfo> groups = groupInfos(*document, i, triangles);
     model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
     requireFinitePlaces(*document, model.parts.back());
-    document->partMeshes.push_back(static_cast<int>(i));
+    model.parts.back().source = static_cast<int>(i);
   }
+  tellLevels(document->tree, model.parts);
   if (untouched > 0)
     model.warnings.push_back({"NOT_TRIANGLES",
                               "Points, lines and primitives without positions are not remeshed.",

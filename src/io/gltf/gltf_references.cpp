@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/gltf/tree/gltf_extensions.h"
+
 namespace remesher::io {
 namespace {
 
@@ -39,20 +41,26 @@ bool hasInteger(const Json& value) {
   return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
 }
 
-// Extensions that name no data by number, and of which all that they name of looks is found.
-constexpr std::array<std::string_view, 13> kOpen = {
-    "KHR_materials_",          "KHR_texture_", "KHR_lights_punctual", "KHR_node_",
-    "KHR_mesh_quantization",   "KHR_xmp",      "EXT_materials_",      "EXT_texture_",
-    "EXT_mesh_gpu_instancing", "MSFT_",        "ADOBE_materials_",    "VRMC_materials_",
-    "VRMC_springBone"};
-// Those that name no data either, but may name looks.
-constexpr std::array<std::string_view, 4> kOfLooks = {
-    "KHR_animation_pointer", "EXT_lights_image_based", "KHR_lights_", "VRM"};
+// Where a material, a texture or an image is, in the spelling of a JSON pointer.
+bool isPointerToLook(const Json& value) {
+  if (!value.is_string()) return false;
+  const auto& text = value.get_ref<const std::string&>();
+  constexpr std::array<std::string_view, 4> kLooks = {"/materials/", "/textures/", "/images/",
+                                                      "/samplers/"};
+  return std::any_of(kLooks.begin(), kLooks.end(),
+                     [&](std::string_view look) { return text.starts_with(look); });
+}
 
-bool mayHide(std::string_view extension, Named what) {
-  const auto begins = [&](std::string_view prefix) { return extension.starts_with(prefix); };
-  if (std::any_of(kOpen.begin(), kOpen.end(), begins)) return false;
-  return what == Named::Look || std::none_of(kOfLooks.begin(), kOfLooks.end(), begins);
+bool hasPointerToLook(const Json& value) {
+  if (!value.is_structured()) return isPointerToLook(value);
+  return std::any_of(value.begin(), value.end(), hasPointerToLook);
+}
+
+bool mayHide(const std::string& name, const Json& extension, Named what) {
+  const Hidden hidden = hiddenIn(name);
+  if (hidden == Hidden::Nothing) return false;
+  if (what == Named::Look && hasPointerToLook(extension)) return true;
+  return (what == Named::Look || hidden == Hidden::Anything) && hasInteger(extension);
 }
 
 NumberVisitor requiredBelow(const GltfDocument& document, std::size_t end,
@@ -130,14 +138,9 @@ bool mayHideReferences(const Json& value, Named what) {
   if (!value.is_structured()) return false;
   if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
     for (const auto& [name, extension] : value["extensions"].items())
-      if (mayHide(name, what) && hasInteger(extension)) return true;
+      if (mayHide(name, extension, what)) return true;
   return std::any_of(value.begin(), value.end(),
                      [&](const Json& member) { return mayHideReferences(member, what); });
-}
-
-bool isWholeNumber(const Json& value) {
-  return value.is_number_unsigned() ||
-         (value.is_number_integer() && value.get<std::int64_t>() >= 0);
 }
 
 void requireReferences(GltfDocument& document) {

@@ -23,9 +23,6 @@ enum class Named { Data, Look };
 // being found.
 bool mayHideReferences(const Json& value, Named what);
 
-// From 0 on.
-bool isWholeNumber(const Json& value);
-
 // Throws PARSE_ERROR unless every such number is one of what is there.
 void requireReferences(GltfDocument& document);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/gltf_scene.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,13 @@
 
 namespace remesher::io {
 namespace {
+
+// By a quaternion, its real part last; one without a length turns nothing.
+template <class Number>
+void turn(Transform& transform, const Number* q) {
+  const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
+  if (rotation.norm() > 0) transform.rotate(rotation.normalized());
+}
 
 Transform localTransform(const tinygltf::Node& node) {
   Transform transform = Transform::Identity();
@@ -17,13 +25,54 @@ Transform localTransform(const tinygltf::Node& node) {
   }
   if (node.translation.size() == 3)
     transform.translate(Vec3(node.translation[0], node.translation[1], node.translation[2]));
-  if (node.rotation.size() == 4) {
-    const Eigen::Quaterniond rotation(node.rotation[3], node.rotation[0], node.rotation[1],
-                                      node.rotation[2]);
-    if (rotation.norm() > 0) transform.rotate(rotation.normalized());
-  }
+  if (node.rotation.size() == 4) turn(transform, node.rotation.data());
   if (node.scale.size() == 3) transform.scale(Vec3(node.scale[0], node.scale[1], node.scale[2]));
   return transform;
+}
+
+// What EXT_mesh_gpu_instancing says of a node: transforms within it, of those that are to be shown;
+// none said is one.
+class NodeInstances {
+ public:
+  explicit NodeInstances(const GltfDocument& document) : document_(document) {}
+  std::vector<Transform> of(std::size_t node) const;
+
+ private:
+  // Rows of `width` numbers; none if the extension has none such.
+  std::vector<float> read(const Json& attributes, const char* semantic, int width) const;
+
+  const GltfDocument& document_;
+};
+
+std::vector<float> NodeInstances::read(const Json& attributes, const char* semantic,
+                                       int width) const {
+  if (!attributes.contains(semantic)) return {};
+  const int accessor = attributes[semantic].get<int>();
+  if (accessorEncoding(document_, accessor).components != width) return {};
+  return readFloats(document_, accessor, accessorCount(document_, accessor));
+}
+
+std::vector<Transform> NodeInstances::of(std::size_t node) const {
+  const Json::json_pointer path("/extensions/EXT_mesh_gpu_instancing/attributes");
+  const Json& json = document_.tree["nodes"][node];
+  if (!json.contains(path) || !json[path].is_object()) return {Transform::Identity()};
+  const Json& attributes = json[path];
+  const std::vector<float> translations = read(attributes, "TRANSLATION", 3),
+                           rotations = read(attributes, "ROTATION", 4),
+                           scales = read(attributes, "SCALE", 3);
+  const std::size_t count =
+      std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
+  std::vector<Transform> instances;
+  for (std::size_t i = 0; i < count; ++i) {
+    Transform instance = Transform::Identity();
+    if (3 * i < translations.size())
+      instance.translate(Eigen::Map<const Eigen::Vector3f>(&translations[3 * i]).cast<double>());
+    if (4 * i < rotations.size()) turn(instance, &rotations[4 * i]);
+    if (3 * i < scales.size())
+      instance.scale(Eigen::Map<const Eigen::Vector3f>(&scales[3 * i]).cast<double>());
+    instances.push_back(instance);
+  }
+  return instances;
 }
 
 class SceneWalk {
@@ -99,6 +148,7 @@ std::vector<std::vector<Transform>> SceneWalk::meshInstances() {
   for (const int root : roots()) visitTree(root);
   const tinygltf::Model& model = document_.typed;
   std::vector<std::vector<Transform>> instances(model.meshes.size());
+  const NodeInstances own(document_);
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const tinygltf::Node& node = model.nodes[i];
     if (!visited_[i] || node.mesh < 0) continue;
@@ -108,7 +158,8 @@ std::vector<std::vector<Transform>> SceneWalk::meshInstances() {
                                                 ", which is not there.");
     const bool isSkinned =
         node.skin >= 0 && static_cast<std::size_t>(node.skin) < model.skins.size();
-    instances[node.mesh].push_back(isSkinned ? skinTransform(model.skins[node.skin]) : world_[i]);
+    const Transform place = isSkinned ? skinTransform(model.skins[node.skin]) : world_[i];
+    for (const Transform& instance : own.of(i)) instances[node.mesh].push_back(place * instance);
   }
   return instances;
 }

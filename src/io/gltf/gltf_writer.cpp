@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,10 @@
 #include "io/gltf/gltf_lods.h"
 #include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_packing.h"
+#include "io/gltf/gltf_plain.h"
+#include "io/gltf/tree/gltf_extensions.h"
+#include "io/gltf/tree/gltf_levels.h"
+#include "io/gltf/tree/gltf_pointers.h"
 #include "io/model/companions.h"
 #include "io/model/resources.h"
 #include "io/model/same_mesh.h"
@@ -39,7 +44,7 @@ bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
 std::vector<std::size_t> replacedParts(const GltfDocument& document, const Model& model) {
   std::vector<std::size_t> replaced;
   for (std::size_t i = 0; i < model.parts.size(); ++i)
-    if (!isUntouched(document, model.parts[i], document.partMeshes[i])) replaced.push_back(i);
+    if (!isUntouched(document, model.parts[i], model.parts[i].source)) replaced.push_back(i);
   return replaced;
 }
 
@@ -233,36 +238,55 @@ void dropSkins(Json& tree, std::size_t mesh) {
     if (node.contains("mesh") && node["mesh"] == mesh) node.erase("skin");
 }
 
+// What replaced primitives named, and what only a lost extension may have.
+Abandoned abandonedBy(GltfEditor& editor, const GltfDocument& document) {
+  Abandoned abandoned{editor.abandoned(), {}};
+  if (!document.tree.contains("accessors")) return abandoned;
+  for (const int accessor : editor.lost().accessors)
+    if (static_cast<std::size_t>(accessor) < document.tree["accessors"].size())
+      abandoned.accessors.insert(accessor);
+  return abandoned;
+}
+
 WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
-  if (replaced.empty() && container == before && !hasLods(model))
+  if (replaced.empty() && container == before && !hasLods(model) && !model.replacesLevels)
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
+  const std::set<std::size_t> oldLevels =
+      model.replacesLevels ? takeLevels(editor.tree()) : std::set<std::size_t>();
   const bool isPainted = !model.paintings.empty();
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   std::size_t lostVariants = 0;
   for (const std::size_t i : replaced) {
-    const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
+    const auto mesh = static_cast<std::size_t>(model.parts[i].source);
     std::vector<VertexPool> pools = vertexPools(document, mesh);
     if (isPainted) {
       pools = paintedPools(model.parts[i], std::move(pools));
       lostVariants +=
           usePaintings(editor.tree()["meshes"][mesh]["primitives"], model.parts[i], firstPainting);
     }
-    editor.replaceGeometry(mesh, model.parts[i].mesh, pools);
+    editor.replaceGeometry(mesh, model.parts[i].mesh, pools,
+                           isPainted ? Texcoords::Painted : Texcoords::Kept);
     if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh))
       dropSkins(editor.tree(), mesh);
   }
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const auto mesh = static_cast<std::size_t>(document.partMeshes[i]);
+    const auto mesh = static_cast<std::size_t>(model.parts[i].source);
     addLods(editor, {mesh, document.tree["meshes"][mesh], vertexPools(document, mesh)},
             model.parts[i].lods);
   }
-  Abandoned abandoned{editor.abandoned(), {}};
-  if (isPainted) abandoned.bufferViews = dropUnusedImages(editor.tree());
+  editor.lost().accessors.merge(dropNodes(editor.tree(), oldLevels));
+  settlePointers(document.tree, editor.tree(), editor.lost());
+  Abandoned abandoned = abandonedBy(editor, document);
+  if (isPainted) {
+    dropUnusedVariants(editor.tree());
+    abandoned.bufferViews = dropUnusedImages(editor.tree());
+  }
+  settleDeclarations(document.tree, editor.tree());
   if (container == Container::Binary && before == Container::Text) embedImages(editor, document);
   std::vector<Bytes> buffers = document.buffers;
   buffers.push_back(editor.newData());
@@ -272,6 +296,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   Companions images = takeImages(packed.tree, document.resources, names);
   WrittenFiles written = serialized(std::move(packed), outputName, container, dataFile);
   written.images = model.images;
+  written.warnings = warningsOf(editor.lost());
   if (lostVariants > 0)
     written.warnings.push_back({"MAP_NOT_PAINTED",
                                 "Variants of materials cannot be painted anew and are lost.",
@@ -280,94 +305,10 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   return written;
 }
 
-// One primitive per group; those that lack the same attributes share a pool, its accessors yet to
-// come.
-std::vector<VertexPool> poolsOfGroups(const Part& part) {
-  std::vector<VertexPool> pools;
-  for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
-    AccessorsBySemantic accessors = {{"POSITION", -1}};
-    for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
-    if (group < part.groups.size())
-      for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
-    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
-      return pool.accessors == accessors;
-    });
-    if (same == pools.end())
-      pools.push_back({std::move(accessors), {static_cast<int>(group)}});
-    else
-      same->primitives.push_back(static_cast<int>(group));
-  }
-  return pools;
-}
-
-// The number of the material of this name, which is added if it is new.
-std::size_t materialNumber(Json& tree, const std::string& name) {
-  Json& materials = tree["materials"];
-  const auto same = std::find_if(materials.begin(), materials.end(),
-                                 [&](const Json& material) { return material["name"] == name; });
-  const auto number = static_cast<std::size_t>(same - materials.begin());
-  if (same == materials.end()) materials.push_back({{"name", name}});
-  return number;
-}
-
-// The part's mesh, its primitives without accessors.
-Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
-  Json primitives = Json::array();
-  primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));
-  for (const VertexPool& pool : pools) {
-    for (const int group : pool.primitives) {
-      for (const auto& [semantic, accessor] : pool.accessors)
-        primitives[group]["attributes"][semantic] = accessor;
-      const bool isKnown = static_cast<std::size_t>(group) < part.groups.size();
-      if (isKnown && part.groups[group].painted >= 0)
-        primitives[group]["material"] = part.groups[group].painted;
-      else if (isKnown && !part.groups[group].material.empty())
-        primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
-    }
-  }
-  return {{"name", part.name}, {"primitives", primitives}};
-}
-
-Json plainDocument(const Model& model) {
-  Json tree = {{"asset", {{"version", "2.0"}, {"generator", "remesher"}}}, {"scene", 0}};
-  Json roots = Json::array();
-  Json nodes = Json::array();
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    for (const Transform& instance : model.parts[i].instances) {
-      Json node = {{"name", model.parts[i].name}, {"mesh", i}};
-      const Eigen::Matrix4d& matrix = instance.matrix();
-      if (matrix != Eigen::Matrix4d::Identity())
-        node["matrix"] = std::vector<double>(matrix.data(), matrix.data() + 16);
-      roots.push_back(nodes.size());
-      nodes.push_back(std::move(node));
-    }
-  }
-  tree["scenes"] = Json::array({{{"nodes", roots}}});
-  tree["nodes"] = std::move(nodes);
-  return tree;
-}
-
 WrittenFiles writePlain(const Model& model, const std::string& outputName, Container container) {
-  if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
-  GltfEditor editor(plainDocument(model), nullptr);
-  if (!model.paintings.empty()) addPaintings(editor.tree(), model);
-  std::vector<FinestLevel> finest;
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const Part& part = model.parts[i];
-    const std::vector<VertexPool> pools = poolsOfGroups(part);
-    finest.push_back({i, plainMesh(editor.tree(), part, pools), pools});
-    editor.tree()["meshes"].push_back(finest.back().mesh);
-    editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
-  }
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    std::vector<TriangleMesh> lods;
-    for (const TriangleMesh& lod : model.parts[i].lods)
-      lods.push_back(converted(lod, model.conventions, Conventions::Gltf));
-    addLods(editor, finest[i], lods);
-  }
   CompanionNames names(outputName);
-  WrittenFiles written = serialized(packGltf(std::move(editor.tree()), {editor.newData()}, {}),
-                                    outputName, container, dataName(outputName, names));
+  WrittenFiles written =
+      serialized(plainGltf(model), outputName, container, dataName(outputName, names));
   written.images = model.images;
   return written;
 }

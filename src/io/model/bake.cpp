@@ -19,6 +19,27 @@ void transformDirections(Attribute& attribute, const Eigen::Matrix3d& matrix) {
   }
 }
 
+const Attribute* find(const TriangleMesh& mesh, const Attribute& like) {
+  const auto found =
+      std::find_if(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
+        return attribute.semantic == like.semantic && attribute.itemSize == like.itemSize;
+      });
+  return found == mesh.attributes.end() ? nullptr : &*found;
+}
+
+// Whether anything is to be seen of what is shown so: not of what is shown as a line or a point.
+bool showsAreas(const Transform& instance) {
+  const Eigen::Matrix3d m = instance.linear();
+  return !m.col(0).cross(m.col(1)).isZero(0) || !m.col(1).cross(m.col(2)).isZero(0) ||
+         !m.col(2).cross(m.col(0)).isZero(0);
+}
+
+bool isWhereItIs(const Transform& instance) {
+  return instance.isApprox(Transform::Identity(), 0.0);
+}
+
+}  // namespace
+
 void transformMesh(TriangleMesh& mesh, const Transform& transform) {
   for (Vec3& position : mesh.positions) position = transform * position;
   // Only directions matter, which have no size: that of the matrix could be beyond its
@@ -30,31 +51,39 @@ void transformMesh(TriangleMesh& mesh, const Transform& transform) {
       transformDirections(attribute, linear.inverse().transpose());
     if (attribute.semantic == "TANGENT") transformDirections(attribute, linear);
   }
-  if (linear.determinant() < 0)
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-      std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  if (linear.determinant() >= 0) return;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+  // Of a quad turned over the second triangle comes first.
+  for (std::size_t i = 0; mesh.isQuads && i + 5 < mesh.indices.size(); i += 6)
+    std::swap_ranges(&mesh.indices[i], &mesh.indices[i] + 3, &mesh.indices[i] + 3);
 }
 
-const Attribute* find(const TriangleMesh& mesh, const Attribute& like) {
-  const auto found =
-      std::find_if(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& attribute) {
-        return attribute.semantic == like.semantic && attribute.itemSize == like.itemSize;
-      });
-  return found == mesh.attributes.end() ? nullptr : &*found;
+std::vector<Part> bodiesOf(std::vector<Part> parts) {
+  std::vector<Part> bodies;
+  for (Part& part : parts) {
+    for (const Transform& instance : part.instances) {
+      if (!part.finer.empty() || !showsAreas(instance)) continue;
+      bodies.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
+      if (isWhereItIs(instance)) continue;
+      transformMesh(bodies.back().mesh, instance);
+      bodies.back().mesh.isSingle = false;
+    }
+    part = {};
+  }
+  return bodies;
 }
-
-}  // namespace
 
 std::vector<Part> bakeInstances(const Model& model) {
   std::vector<Part> baked;
   for (const Part& part : model.parts) {
+    if (!part.finer.empty()) continue;
     for (const Transform& instance : part.instances) {
       baked.push_back({part.name,
                        converted(part.mesh, model.conventions, Conventions::Classic),
                        {Transform::Identity()},
                        part.groups});
-      if (!instance.isApprox(Transform::Identity(), 0.0))
-        transformMesh(baked.back().mesh, instance);
+      if (!isWhereItIs(instance)) transformMesh(baked.back().mesh, instance);
     }
   }
   if (baked.empty()) throw Error(ErrorCode::NoTriangles, "The file shows no triangles to write.");
@@ -71,6 +100,8 @@ TriangleMesh mergeParts(const std::vector<Part>& parts) {
     merged.groups.resize(merged.groups.size() + mesh.triangleCount(), number);
   }
   if (parts.empty()) return merged;
+  merged.isQuads =
+      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isQuads; });
   for (const Attribute& attribute : parts.front().mesh.attributes) {
     Attribute joined{attribute.semantic, attribute.itemSize, {}};
     const bool everywhere = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {

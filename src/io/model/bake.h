@@ -9,9 +9,17 @@
 
 namespace remesher::io {
 
-// One part per instance, its only instance the identity; named as the part it came from. Normals
-// stay perpendicular, and a mirroring transform turns the triangles around, so that outside stays
-// outside. Throws NO_TRIANGLES when there is nothing to bake.
+// Normals stay perpendicular, and a mirroring transform turns the triangles around, so that outside
+// stays outside.
+void transformMesh(TriangleMesh& mesh, const Transform& transform);
+
+// One part per instance at which anything is to be seen, but for coarser levels of detail, its only
+// instance the identity; named as the part it came from. Its coordinates are those of the world, in
+// double precision.
+std::vector<Part> bodiesOf(std::vector<Part> parts);
+
+// The same for writing. One part per instance, but for coarser levels of detail, its only instance
+// the identity; named as the part it came from. Throws NO_TRIANGLES when there is nothing to bake.
 std::vector<Part> bakeInstances(const Model& model);
 
 // All parts as one mesh; the group of a triangle is the number of its part. Attributes that not

@@ -40,6 +40,9 @@ struct Part {
   std::vector<Transform> instances;  // local to world, one per place where the file shows it
   std::vector<GroupInfo> groups = {};
   std::vector<TriangleMesh> lods = {};  // coarser levels of detail, each like `mesh`; for glTF
+  int source = -1;                      // the number of its mesh in its file, where that has some
+  // The parts, by number, that this one stands for from afar; none: it is no level of detail.
+  std::vector<std::size_t> finer = {};
 };
 
 // Everything a format's writer needs to put back what the parts do not hold. Each format derives
@@ -64,6 +67,7 @@ struct Model {
   Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // none where the parts hold everything
+  bool replacesLevels = false;           // the levels of detail that the source has are to go
   std::vector<Material> paintings;       // their maps are called by the number of the image below
   std::vector<PaintedImage> images;
 };

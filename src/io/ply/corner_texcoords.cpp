@@ -20,6 +20,7 @@ Texcoord texcoordAt(const std::vector<float>& values, std::size_t i) {
 TriangleMesh gathered(const TriangleMesh& mesh, const std::vector<Index>& chosen) {
   TriangleMesh result;
   result.groups = mesh.groups;
+  result.isQuads = mesh.isQuads;
   result.positions.reserve(chosen.size());
   for (const Index vertex : chosen) result.positions.push_back(mesh.positions[vertex]);
   for (const Attribute& attribute : mesh.attributes) {

@@ -102,11 +102,14 @@ std::vector<Index> groupsByTexture(const PlyFaces& faces, const Triangulation& t
 TriangleMesh meshOf(PlyContent& content, PlySource& source) {
   TriangleMesh mesh = std::move(content.vertices.mesh);
   const bool isOfOneKind = content.faces.size() == 1;
+  bool haveAllFour = isOfOneKind;
   for (const PlyFaces& faces : content.faces) {
     const Triangulation triangulation = triangulated(faces, mesh.positions);
     mesh.indices.reserve(mesh.indices.size() + triangulation.corners.size());
     for (const std::size_t corner : triangulation.corners)
       mesh.indices.push_back(faces.corners[corner]);
+    for (const Index size : faces.sizes) haveAllFour &= size == 4;
+    mesh.isQuads = haveAllFour && arePairs(mesh);
     if (isOfOneKind && !faces.textureNumbers.empty())
       mesh.groups = groupsByTexture(faces, triangulation, source.textureNumbers);
     if (!isOfOneKind || faces.cornerTexcoords.empty()) continue;

@@ -6,6 +6,7 @@
 
 #include "io/model/bake.h"
 #include "io/model/dropped.h"
+#include "io/model/faces.h"
 #include "io/model/same_mesh.h"
 #include "io/ply/corner_texcoords.h"
 #include "io/ply/ply.h"
@@ -81,7 +82,7 @@ Layout layoutFor(const TriangleMesh& mesh) {
 PlyHeader headerOf(const Layout& layout, const TriangleMesh& mesh) {
   PlyElement vertex{"vertex", static_cast<Index>(mesh.positions.size()), {}};
   for (const PlyField& field : layout.fields) vertex.properties.push_back(field.property);
-  PlyElement face{"face", static_cast<Index>(mesh.triangleCount()), {layout.corners}};
+  PlyElement face{"face", static_cast<Index>(Faces(mesh).count()), {layout.corners}};
   if (layout.hasCornerTexcoords)
     face.properties.push_back({"texcoord", PlyType::Float32, PlyType::UInt8});
   if (!layout.textureNumbers.empty()) face.properties.push_back({"texnumber", PlyType::Int32});
@@ -107,17 +108,18 @@ void putVertices(PlySink& sink, const Layout& layout, const TriangleMesh& mesh) 
 
 void putFaces(PlySink& sink, const Layout& layout, const WeldedMesh& welded) {
   const TriangleMesh& mesh = welded.mesh;
-  for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
-    sink.put(*layout.corners.countType, 3);
-    for (std::size_t i = 0; i < 3; ++i)
-      sink.put(layout.corners.type, mesh.indices[3 * triangle + i]);
+  const Faces faces(mesh);
+  for (std::size_t face = 0; face < faces.count(); ++face) {
+    sink.put(*layout.corners.countType, double(faces.corners()));
+    for (std::size_t i = 0; i < faces.corners(); ++i)
+      sink.put(layout.corners.type, mesh.indices[faces.place(face, i)]);
     if (layout.hasCornerTexcoords) {
-      sink.put(PlyType::UInt8, 6);
-      for (std::size_t i = 0; i < 6; ++i)
-        sink.put(PlyType::Float32, welded.perCorner[6 * triangle + i]);
+      sink.put(PlyType::UInt8, double(2 * faces.corners()));
+      for (std::size_t i = 0; i < 2 * faces.corners(); ++i)
+        sink.put(PlyType::Float32, welded.perCorner[2 * faces.place(face, i / 2) + i % 2]);
     }
     if (!layout.textureNumbers.empty())
-      sink.put(PlyType::Int32, layout.textureNumbers[mesh.groups[triangle]]);
+      sink.put(PlyType::Int32, layout.textureNumbers[mesh.groups[faces.triangle(face)]]);
     sink.endRow();
   }
 }

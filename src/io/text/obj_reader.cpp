@@ -37,6 +37,7 @@ struct ObjContent {
   std::vector<Corner> corners;   // 3 per triangle
   std::vector<Index> groups;     // 1 per triangle
   std::size_t skippedElements = 0;
+  bool haveAllFour = true;  // corners, the faces so far
 };
 
 class ObjReader {
@@ -152,6 +153,7 @@ void ObjReader::readFace() {
     if (lacks(field))
       for (Corner& corner : polygon_) corner.*field = kNone;
 
+  content_.haveAllFour &= polygon_.size() == 4;
   const Index group = groupOf(polygon_[0]);
   if (polygon_.size() == 3) {
     content_.corners.insert(content_.corners.end(), polygon_.begin(), polygon_.end());
@@ -263,6 +265,7 @@ TriangleMesh meshOf(ObjContent content, const std::vector<ObjGroup>& groups) {
   const Wedges wedges = distinctCorners(content);
   TriangleMesh mesh;
   mesh.indices = wedges.ofCorner;
+  mesh.isQuads = content.haveAllFour && arePairs(mesh);
   mesh.groups = std::move(content.groups);
   mesh.positions.reserve(wedges.corners.size());
   for (const Corner& corner : wedges.corners)

@@ -9,6 +9,7 @@
 
 #include "io/model/bake.h"
 #include "io/model/companions.h"
+#include "io/model/faces.h"
 #include "io/text/obj.h"
 #include "io/text/text_writer.h"
 
@@ -153,21 +154,22 @@ void ObjWriter::writeState(const ObjGroup& group) {
 
 void ObjWriter::writeFaces(const ObjPart& part) {
   const TriangleMesh& mesh = *part.mesh;
-  std::vector<Index> order(mesh.triangleCount());
+  const Faces faces(mesh);
+  std::vector<Index> order(faces.count());
   for (Index i = 0; i < order.size(); ++i) order[i] = i;
-  const auto groupOf = [&](Index triangle) {
-    return mesh.groups.empty() ? Index{0} : mesh.groups[triangle];
+  const auto groupOf = [&](Index face) {
+    return mesh.groups.empty() ? Index{0} : mesh.groups[faces.triangle(face)];
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return groupOf(a) < groupOf(b); });
-  for (const Index triangle : order) {
-    ObjGroup group = part.groups[groupOf(triangle)];
+  for (const Index face : order) {
+    ObjGroup group = part.groups[groupOf(face)];
     group.hasTexcoords = group.hasTexcoords && !texcoords_.empty();
     group.hasNormals = group.hasNormals && !normals_.empty();
     if (!state_ || *state_ != group) writeState(group);
     out_.text("f");
-    for (int corner = 0; corner < 3; ++corner) {
-      const Index vertex = mesh.indices[3 * std::size_t{triangle} + corner];
+    for (std::size_t corner = 0; corner < faces.corners(); ++corner) {
+      const Index vertex = mesh.indices[faces.place(face, corner)];
       out_.text(" ").integer(positions_[vertex]);
       if (group.hasTexcoords || group.hasNormals) out_.text("/");
       if (group.hasTexcoords) out_.integer(texcoords_[vertex]);

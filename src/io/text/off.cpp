@@ -2,6 +2,8 @@
 #include "io/text/off.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "io/model/bake.h"
 #include "io/model/conventions.h"
 #include "io/model/dropped.h"
+#include "io/model/faces.h"
 #include "io/model/polygon.h"
 #include "io/text/text_scanner.h"
 #include "io/text/text_writer.h"
@@ -17,24 +20,32 @@
 namespace remesher::io {
 namespace {
 
-// What the first word promises of each vertex: [ST][C][N]OFF.
+// What the first word promises of each vertex: [ST][C][N][4][n]OFF, in whatever order.
 struct OffHeader {
   bool hasTexcoords = false;
   bool hasColors = false;
   bool hasNormals = false;
+  bool isHomogeneous = false;  // a fourth coordinate divides the others
+  bool saysDimension = false;  // how many coordinates there are is told
+  bool isNormalFirst = true;   // by the letters: MeshLab's `NC` puts colours first
 };
 
 std::optional<OffHeader> parseKeyword(std::string_view word) {
+  if (!word.ends_with("OFF")) return std::nullopt;
+  word.remove_suffix(3);
   OffHeader header;
-  const auto take = [&](std::string_view prefix) {
-    const bool found = word.substr(0, prefix.size()) == prefix;
-    if (found) word.remove_prefix(prefix.size());
-    return found;
+  const auto take = [&](std::string_view letters, bool& field) {
+    if (!word.starts_with(letters) || field) return false;
+    word.remove_prefix(letters.size());
+    return field = true;
   };
-  header.hasTexcoords = take("ST");
-  header.hasColors = take("C");
-  header.hasNormals = take("N");
-  if (word != "OFF") return std::nullopt;
+  while (!word.empty()) {
+    const bool isColor = take("C", header.hasColors);
+    if (isColor && header.hasNormals) header.isNormalFirst = false;
+    if (!isColor && !take("ST", header.hasTexcoords) && !take("N", header.hasNormals) &&
+        !take("4", header.isHomogeneous) && !take("n", header.saysDimension))
+      return std::nullopt;
+  }
   return header;
 }
 
@@ -49,13 +60,23 @@ class OffReader {
   double nextNumber(std::string_view what);
   std::size_t nextCount(std::string_view what);
   std::size_t readHeader();
+  OffHeader readKeyword();
+  void readDimension();
   void readVertex();
+  Vec3 readPosition();
+  void readColor();
+  std::size_t wordsInLine() const;
+  bool hasPlainColors(std::size_t vertexCount) const;
+  bool areDirections(const std::vector<float>& rows) const;
+  void settleOrder();
   void readFace();
 
   TextScanner scanner_;
   OffHeader header_;
+  int dimension_ = 3;
   std::size_t faceCount_ = 0;
   std::size_t coloredFaces_ = 0;
+  bool haveAllFour_ = true;  // corners, the faces so far
   std::vector<float> normals_;
   std::vector<float> colors_;  // 4 each
   std::vector<float> texcoords_;
@@ -83,26 +104,97 @@ std::size_t OffReader::nextCount(std::string_view what) {
   return static_cast<std::size_t>(value);
 }
 
-// Returns the number of vertices; the number of edges, which nobody keeps right, is passed over.
-std::size_t OffReader::readHeader() {
+// The keyword may be missing: then the first number is the first count.
+OffHeader OffReader::readKeyword() {
   if (!scanner_.nextLine() || !scanner_.skipEmptyLines())
     scanner_.fail(ErrorCode::ParseError, "there is nothing but comments.");
+  const TextScanner before = scanner_;
   const std::string_view keyword = scanner_.word();
+  if (TextScanner::leadingInteger(keyword).rest.empty()) {
+    scanner_ = before;
+    return {};
+  }
   const std::optional<OffHeader> header = parseKeyword(keyword);
   if (!header)
-    scanner_.fail(ErrorCode::ParseError, "the file does not begin with OFF, COFF, NOFF or STOFF.",
-                  "Other kinds of OFF (binary, 4 or n dimensions) are not read.");
-  header_ = *header;
+    scanner_.fail(ErrorCode::ParseError,
+                  "the file does not begin with OFF, nor with that behind ST, C, N, 4 or n.",
+                  "Is it of another format?");
+  TextScanner ahead = scanner_;
+  if (ahead.word() == "BINARY")
+    scanner_.fail(ErrorCode::Unsupported, "the file is binary OFF.", "Save it as text.");
+  return *header;
+}
+
+void OffReader::readDimension() {
+  if (!header_.saysDimension) return;
+  const std::size_t dimension = nextCount("the number of dimensions");
+  if (dimension > 3 || dimension == 0)
+    scanner_.fail(ErrorCode::Unsupported,
+                  "its vertices have " + std::to_string(dimension) + " dimensions.",
+                  "Only surfaces in three dimensions, or two, can be remeshed.");
+  dimension_ = static_cast<int>(dimension);
+}
+
+// Returns the number of vertices; the number of edges, which nobody keeps right, is passed over.
+std::size_t OffReader::readHeader() {
+  header_ = readKeyword();
+  readDimension();
   const std::size_t vertexCount = nextCount("the number of vertices");
   faceCount_ = nextCount("the number of faces");
   if (!scanner_.atLineEnd()) scanner_.word();
+  if (!header_.hasColors) header_.hasColors = hasPlainColors(vertexCount);
   return vertexCount;
 }
 
+std::size_t OffReader::wordsInLine() const {
+  TextScanner ahead = scanner_;
+  std::size_t words = 0;
+  while (!ahead.word().empty()) ++words;
+  return words;
+}
+
+// Some programs write colours without a word of it. Then each vertex has a line, and three or four
+// numbers more than it needs; without, several vertices may share a line.
+bool OffReader::hasPlainColors(std::size_t vertexCount) const {
+  TextScanner ahead = scanner_;
+  if (vertexCount == 0 || !ahead.skipEmptyLines()) return false;
+  std::size_t words = 0, lines = 1;
+  while (!ahead.word().empty()) ++words;
+  const std::size_t needed = std::size_t(dimension_) + header_.isHomogeneous +
+                             3 * header_.hasNormals + 2 * header_.hasTexcoords;
+  if (words != needed + 3 && words != needed + 4) return false;
+  for (; lines < vertexCount + faceCount_ && ahead.skipEmptyLines(); ++lines)
+    while (!ahead.word().empty()) {
+    }
+  return lines == vertexCount + faceCount_;
+}
+
+Vec3 OffReader::readPosition() {
+  Vec3 position = Vec3::Zero();
+  for (int axis = 0; axis < dimension_; ++axis)
+    position[axis] = nextNumber("the coordinate of a vertex");
+  if (!header_.isHomogeneous) return position;
+  const double weight = nextNumber("the coordinate of a vertex");
+  if (!(position / weight).allFinite())
+    scanner_.fail(ErrorCode::NonFinite, "a vertex is infinitely far away.",
+                  "Its last coordinate, by which the others are divided, must not be 0.");
+  return position / weight;
+}
+
+// As many numbers as are left in the line, but for texture coordinates: red, green, blue, and
+// alpha.
+void OffReader::readColor() {
+  const std::size_t left = wordsInLine(), others = header_.hasTexcoords ? 2 : 0;
+  const int count = left == 3 + others ? 3 : 4;
+  for (int i = 0; i < count; ++i) {
+    requireMore("the colour of a vertex");
+    colors_.push_back(scanner_.singleNumber("the colour of a vertex"));
+  }
+  if (count == 3) colors_.push_back(kUncolored);
+}
+
 void OffReader::readVertex() {
-  Vec3 position;
-  for (double& coordinate : position) coordinate = nextNumber("the coordinate of a vertex");
-  mesh_.positions.push_back(position);
+  mesh_.positions.push_back(readPosition());
   const auto readInto = [&](std::vector<float>& list, int count, std::string_view what) {
     for (int i = 0; i < count; ++i) {
       requireMore(what);
@@ -110,8 +202,33 @@ void OffReader::readVertex() {
     }
   };
   if (header_.hasNormals) readInto(normals_, 3, "the coordinate of a normal");
-  if (header_.hasColors) readInto(colors_, 4, "the colour of a vertex");
+  if (header_.hasColors) readColor();
   if (header_.hasTexcoords) readInto(texcoords_, 2, "a texture coordinate");
+}
+
+bool OffReader::areDirections(const std::vector<float>& rows) const {
+  constexpr double kDigits = 0.01;  // of normals written with two digits
+  for (std::size_t i = 0; i + 2 < rows.size(); i += 3) {
+    const double length = Vec3(rows[i], rows[i + 1], rows[i + 2]).norm();
+    if (std::abs(length - 1) > kDigits && length > 0) return false;
+  }
+  return true;
+}
+
+// `NC`: seven numbers of which the first three are normals, or the first four a colour.
+void OffReader::settleOrder() {
+  if (header_.isNormalFirst || !header_.hasColors || areDirections(normals_)) return;
+  for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+    const std::array<float, 3> first = {normals_[3 * v], normals_[3 * v + 1], normals_[3 * v + 2]};
+    const std::array<float, 4> last = {colors_[4 * v], colors_[4 * v + 1], colors_[4 * v + 2],
+                                       colors_[4 * v + 3]};
+    const bool hasAlpha = last[3] != kUncolored;
+    for (std::size_t k = 0; k < 3; ++k) {
+      colors_[4 * v + k] = first[k];
+      normals_[3 * v + k] = last[k + (hasAlpha ? 1 : 0)];
+    }
+    if (hasAlpha) colors_[4 * v + 3] = last[0];
+  }
 }
 
 void OffReader::readFace() {
@@ -126,6 +243,7 @@ void OffReader::readFace() {
                     "Repair the file: every face may name only vertices that are there.");
     polygon_.push_back(static_cast<Index>(vertex));
   }
+  haveAllFour_ &= corners == 4;
   if (!scanner_.atLineEnd()) ++coloredFaces_;
   while (!scanner_.atLineEnd()) scanner_.word();
   if (corners == 3) {
@@ -141,7 +259,9 @@ void OffReader::readFace() {
 TriangleMesh OffReader::read() {
   const std::size_t vertexCount = readHeader();
   for (std::size_t i = 0; i < vertexCount; ++i) readVertex();
+  settleOrder();
   for (std::size_t i = 0; i < faceCount_; ++i) readFace();
+  mesh_.isQuads = haveAllFour_ && arePairs(mesh_);
   if (header_.hasNormals) mesh_.attributes.push_back({"NORMAL", 3, std::move(normals_)});
   if (header_.hasTexcoords) mesh_.attributes.push_back({"TEXCOORD_0", 2, std::move(texcoords_)});
   if (header_.hasColors)
@@ -184,11 +304,13 @@ std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh) {
   const std::vector<const Attribute*> attributes = writableAttributes(mesh);
   TextWriter out;
   out.text(keywordFor(attributes)).text("\n");
-  out.integer(mesh.positions.size()).text(" ").integer(mesh.triangleCount()).text(" 0\n");
+  const Faces faces(mesh);
+  out.integer(mesh.positions.size()).text(" ").integer(faces.count()).text(" 0\n");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) writeVertex(out, mesh, i, attributes);
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    out.text("3");
-    for (int corner = 0; corner < 3; ++corner) out.text(" ").integer(mesh.indices[i + corner]);
+  for (std::size_t face = 0; face < faces.count(); ++face) {
+    out.integer(faces.corners());
+    for (std::size_t corner = 0; corner < faces.corners(); ++corner)
+      out.text(" ").integer(mesh.indices[faces.place(face, corner)]);
     out.text("\n");
   }
   return out.bytes();

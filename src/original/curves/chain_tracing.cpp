@@ -183,15 +183,25 @@ class ChainTracer {
     }
   }
 
-  // Three corners in all, about evenly spaced.
+  // Three corners in all, about evenly spaced. Of a hole so wide a hexagon is worth its edges:
+  // three would hold no more than a triangle, and what lies close around it lets no more come in.
+  std::size_t cornersOf(const Chain& loop) const {
+    constexpr double kShortest = 0.5;             // target edge lengths
+    constexpr std::size_t kMost = 6, kEdges = 4;  // of the original, to a corner
+    if (loop.boundary || !(rules_.size > 0)) return 3;
+    const double fit = loop.length() / (kShortest * rules_.size);
+    const std::size_t most = std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
+    return fit < double(most) ? std::max<std::size_t>(3, std::size_t(fit)) : most;
+  }
+
   void divideLoop(const Chain& path) {
-    const std::size_t last = path.vertices.size() - 1;
+    const std::size_t last = path.vertices.size() - 1, corners = cornersOf(path);
     corner_[path.vertices[0]] = 1;
     std::size_t previous = 0;
-    for (const std::size_t part : {1, 2}) {
-      const double arc = path.length() * double(part) / 3;
+    for (std::size_t part = 1; part < corners; ++part) {
+      const double arc = path.length() * double(part) / double(corners);
       std::size_t i = std::lower_bound(path.arcs.begin(), path.arcs.end(), arc) - path.arcs.begin();
-      i = std::clamp(i, previous + 1, last - (3 - part));
+      i = std::clamp(i, previous + 1, last - (corners - part));
       corner_[path.vertices[i]] = 1;
       previous = i;
     }

@@ -53,7 +53,7 @@ class Simplification {
     for (const Halfedge h : curves.fixed) mark(h, Role::Fixed);
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isBoundary(Halfedge(i))) mark(Halfedge(i), Role::Fixed);
-    mergeNarrowRegions();
+    mergeNarrowRegions(curves.flats);
     for (int i = 0; i < kMostReleases && releaseShortChains(); ++i) {
     }
     std::vector<Halfedge> kept;
@@ -65,6 +65,7 @@ class Simplification {
  private:
   struct Region {
     double area = 0;
+    double flat = 0;                    // area that lies in planes
     double rim = 0;                     // length of its border
     std::map<Index, Border> neighbors;  // the free border shared with each
     double width() const { return rim > 0 ? 2 * area / rim : 0; }
@@ -102,12 +103,13 @@ class Simplification {
     return count;
   }
 
-  std::vector<Region> measureRegions() {
+  std::vector<Region> measureRegions(const FlatRegions& flats) {
     std::vector<Region> regions(labelRegions());
     for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
       const auto [a, b, c] = mesh_.vertices(Face(f));
-      regions[region_[Face(f)]].area +=
-          0.5 * areaVector(positions_[a], positions_[b], positions_[c]).norm();
+      const double area = 0.5 * areaVector(positions_[a], positions_[b], positions_[c]).norm();
+      regions[region_[Face(f)]].area += area;
+      if (flats.at(Face(f)) != kNone) regions[region_[Face(f)]].flat += area;
     }
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
       const Halfedge h(i);
@@ -145,8 +147,8 @@ class Simplification {
   }
 
   // The narrowest first, each into a neighbour.
-  void mergeNarrowRegions() {
-    std::vector<Region> regions = measureRegions();
+  void mergeNarrowRegions(const FlatRegions& flats) {
+    std::vector<Region> regions = measureRegions(flats);
     std::vector<double> areas;
     std::vector<Index> into;
     std::set<std::pair<double, Index>> narrow;
@@ -193,14 +195,16 @@ class Simplification {
     }
   }
 
-  // The neighbour with the longest border to it; of several alike the narrowest, so that strips
-  // side by side join each other before what is wide swallows one after the other.
+  // The neighbour with the longest border to it; of several alike the one that is least flat, for
+  // it bends already, and else the narrowest, so that strips side by side join each other before
+  // what is wide swallows one after the other.
   static Index partnerOf(const std::vector<Region>& regions, Index r) {
     const double along = kAlike * longestBorder(regions[r]);
     Index best = kNone;
     for (const auto& [other, border] : regions[r].neighbors)
       if (border.length >= along &&
-          (best == kNone || regions[other].width() < regions[best].width()))
+          (best == kNone || std::pair(regions[other].flat, regions[other].width()) <
+                                std::pair(regions[best].flat, regions[best].width())))
         best = other;
     return best;
   }
@@ -208,6 +212,7 @@ class Simplification {
   static void merge(std::vector<Region>& regions, Index small, Index large) {
     Region &from = regions[small], &to = regions[large];
     to.area += from.area;
+    to.flat += from.flat;
     to.rim += from.rim - 2 * from.neighbors[large].length;
     to.neighbors.erase(small);
     for (const auto& [other, shared] : from.neighbors) {

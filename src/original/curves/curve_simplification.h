@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "mesh/halfedge_mesh.h"
+#include "original/curves/flat_regions.h"
 
 namespace remesher {
 
 struct CurveEdges {
   std::vector<Halfedge> free;   // may be let go; one halfedge of each, or both
   std::vector<Halfedge> fixed;  // stay: given by the caller, borders of materials
+  FlatRegions flats = {};       // what takes over others last, the larger the later
 };
 
 struct SimplifiedCurves {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curves that a remeshed surface must follow: sharp edges, open boundaries, seams. They form a
 // graph on the original: chains of edges that run from corner to corner. A closed curve is divided
-// at three of its vertices, which become corners; so every chain is an open path between two
+// at three to six of its vertices, which become corners; so every chain is an open path between two
 // different corners, a place on it is one number, and no loop ever shrinks below a triangle.
 #pragma once
 

@@ -15,6 +15,8 @@ namespace {
 
 // Above this share of all edges there are no charts to preserve.
 constexpr double kNoCharts = 0.5;
+// Bends of less are none, whatever the normals say.
+const double kBlunt = std::cos(radians(5));
 // Values closer than this are one value: the step of a 16-bit normalised integer.
 constexpr float kQuantum = 1.0F / 65535;
 
@@ -73,6 +75,19 @@ bool mirrors(const BuiltMesh& built, const Attribute& texture, Halfedge h) {
          0;
 }
 
+// Of edges at which the shading jumps, those at one end of which most do not: lines that were
+// meant, and not facets.
+std::vector<Halfedge> linesAmong(const HalfedgeMesh& mesh, const std::vector<Halfedge>& edges) {
+  VertexData<Index> jumping(mesh.vertexCapacity(), 0);
+  for (const Halfedge h : edges)
+    for (const Vertex v : {mesh.origin(h), mesh.tip(h)}) ++jumping[v];
+  const auto areFew = [&](Vertex v) { return int(2 * jumping[v]) <= mesh.valence(v); };
+  std::vector<Halfedge> lines;
+  for (const Halfedge h : edges)
+    if (areFew(mesh.origin(h)) || areFew(mesh.tip(h))) lines.push_back(h);
+  return lines;
+}
+
 struct Edges {
   std::vector<Halfedge> inner;
   double cosHardNormal;
@@ -96,6 +111,10 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
   }
   for (const Halfedge h : found)
     if (!shading || bends(built, h, edges.cosHardNormal)) seams.edges.push_back(h);
+  if (shading)
+    for (const Halfedge h : linesAmong(built.mesh, found))
+      if (bends(built, h, kBlunt) && !bends(built, h, edges.cosHardNormal))
+        seams.edges.push_back(h);
   if (!shading) seams.jumps.insert(seams.jumps.end(), found.begin(), found.end());
   if (!isTexture(attribute)) return;
   for (const Halfedge h : edges.inner)

@@ -10,10 +10,61 @@
 
 namespace remesher {
 
+namespace {
+
+// Coordinates are rounded to 2^-24 of themselves in binary files, to six digits in text.
+constexpr double kPrecision = 1e-6;
+
+Halfedge longestSide(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Face f) {
+  Halfedge longest;
+  double length = -1;
+  for (int k = 0; k < 3; ++k) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, k);
+    const double own = distance(positions[mesh.origin(h)], positions[mesh.tip(h)]);
+    if (own <= length) continue;
+    length = own;
+    longest = h;
+  }
+  return longest;
+}
+
+}  // namespace
+
+double coordinateStep(const VertexData<Vec3>& positions) {
+  double largest = 0;
+  for (const Vec3& p : positions.values()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return kPrecision * largest;
+}
+
+FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  const double step = coordinateStep(positions);
+  FaceData<Face> beyond(mesh.faceCapacity());
+  std::vector<Face> flat;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const Face f(i);
+    const auto [a, b, c] = mesh.vertices(f);
+    const Halfedge side = longestSide(mesh, positions, f);
+    const double length = distance(positions[mesh.origin(side)], positions[mesh.tip(side)]);
+    const double twice = areaVector(positions[a], positions[b], positions[c]).norm();
+    beyond[f] = f;
+    if (twice > step * length || !mesh.twin(side)) continue;
+    beyond[f] = HalfedgeMesh::face(mesh.twin(side));
+    flat.push_back(f);
+  }
+  // Two that lie against each other lead nowhere; of a fan of them few lie on each other.
+  constexpr int kMostSteps = 64;
+  FaceData<Face> bearers = beyond;
+  for (const Face f : flat)
+    for (int i = 0; i < kMostSteps && beyond[bearers[f]] != bearers[f]; ++i)
+      bearers[f] = beyond[bearers[f]];
+  return bearers;
+}
+
 FaceData<Vec3> faceNormals(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  const FaceData<Face> bearers = bearingFaces(mesh, positions);
   FaceData<Vec3> normals(mesh.faceCapacity());
   for (Index f = 0; f < mesh.faceCapacity(); ++f) {
-    const auto [a, b, c] = mesh.vertices(Face(f));
+    const auto [a, b, c] = mesh.vertices(bearers[Face(f)]);
     normals[Face(f)] = unitNormal(positions[a], positions[b], positions[c]);
   }
   return normals;

@@ -7,6 +7,14 @@
 
 namespace remesher {
 
+// What files leave of places: an edge or a height below this is one of rounding.
+double coordinateStep(const VertexData<Vec3>& positions);
+
+// Per face the one whose normal it bears: itself, or, where it has no area, what lies beyond its
+// longest edge, or beyond that.
+FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
+// A face without area has the normal of the one that bears it.
 FaceData<Vec3> faceNormals(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 // Between the normals of the edge's two faces; 0 on a boundary.

@@ -77,10 +77,14 @@ void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
 
 }  // namespace
 
-VertexData<double> curvatures(const OriginalSurface& surface) {
+VertexData<double> sharpestBends(const OriginalSurface& surface) {
   VertexData<double> result = sharpestTurns(surface);
   addCurves(surface, result);
-  return smoothed(surface.mesh(), std::move(result));
+  return result;
+}
+
+VertexData<double> curvatures(const OriginalSurface& surface) {
+  return smoothed(surface.mesh(), sharpestBends(surface));
 }
 
 double meanBend(const OriginalSurface& surface) {

@@ -6,8 +6,8 @@
 
 namespace remesher {
 
-OriginalSurface::OriginalSurface(BuiltMesh built, FeatureCurves curves)
-    : built_(std::move(built)), curves_(std::move(curves)) {
+OriginalSurface::OriginalSurface(BuiltMesh built, FeatureCurves curves, FlatRegions flats)
+    : built_(std::move(built)), curves_(std::move(curves)), flats_(std::move(flats)) {
   Box box;
   for (const Vec3& p : positions().values()) box.extend(p);
   diagonal_ = (box.high - box.low).norm();
@@ -53,6 +53,10 @@ void OriginalSurface::computeNormals() {
 
 Vec3 OriginalSurface::position(const SurfacePoint& p) const {
   const auto [a, b, c] = mesh().vertices(p.face);
+  // Weights may add up to a little more or less than one: what all corners share is not to change.
+  if (isFlat(p.face))
+    return positions()[a] + p.barycentric[1] * (positions()[b] - positions()[a]) +
+           p.barycentric[2] * (positions()[c] - positions()[a]);
   return p.barycentric[0] * positions()[a] + p.barycentric[1] * positions()[b] +
          p.barycentric[2] * positions()[c];
 }

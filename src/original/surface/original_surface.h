@@ -8,17 +8,23 @@
 #include "geometry/surface_point.h"
 #include "mesh/mesh_builder.h"
 #include "original/curves/feature_curves.h"
+#include "original/curves/flat_regions.h"
 
 namespace remesher {
 
 class OriginalSurface {
  public:
-  OriginalSurface(BuiltMesh built, FeatureCurves curves);
+  // flats: what is to stay flat, or nothing.
+  OriginalSurface(BuiltMesh built, FeatureCurves curves, FlatRegions flats = {});
 
   const HalfedgeMesh& mesh() const { return built_.mesh; }
   const VertexData<Vec3>& positions() const { return built_.positions; }
   const BuiltMesh& built() const { return built_; }
   const FeatureCurves& curves() const { return curves_; }
+  bool hasFlats() const { return !flats_.empty(); }
+  bool isFlat(Face f) const { return flats_.at(f) != kNone; }
+  // Whether p lies in a plane, which vertices there may not leave.
+  bool isFlatAt(const SurfacePoint& p) const { return isFlat(p.face); }
   // Both halfedges of every curve edge: what projection must not cross.
   const HalfedgeData<char>& barriers() const { return barriers_; }
   double diagonal() const { return diagonal_; }  // of the bounding box
@@ -37,6 +43,7 @@ class OriginalSurface {
 
   BuiltMesh built_;
   FeatureCurves curves_;
+  FlatRegions flats_;
   HalfedgeData<char> barriers_;
   HalfedgeData<Index> normalOf_;  // per corner: its side's normal
   std::vector<Vec3> normals_;

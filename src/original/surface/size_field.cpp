@@ -10,6 +10,7 @@
 #include <queue>
 
 #include "geometry/triangle.h"
+#include "original/surface/accurate_sizes.h"
 #include "original/surface/boundary_sizes.h"
 #include "original/surface/curvature.h"
 
@@ -24,6 +25,8 @@ constexpr int kNormalizations = 3;
 constexpr double kNormalEnough = 1e-3;  // so far from being normal sizes are as good
 // Longer edges, in units of the mean of the sizes at their ends, do not outlast a run.
 constexpr double kLongestEdge = 5.0 / 3;
+// Flat faces are divided into parts with edges of so many mean ones.
+constexpr double kFinestPart = 1.5;
 // Beside kept edges, in units of the smaller size: the sooner sizes are back to what they should
 // be, the more of the count is left for the rest.
 constexpr double kLongestBesideKept = 4.0 / 3;
@@ -259,11 +262,18 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
     sizes_.assign(sizes_.size(), mean_);
     return;
   }
+  const double slope = steepestSlope(rules.gradation);
+  if (surface.hasFlats() && rules.adaptivity > 0 && kept.size() == 0 && !wished_ && !spiked_) {
+    refined_ = std::make_shared<RefinedFaces>(surface, kFinestPart * mean_);
+    sizes_ = accurateSizes(surface, *refined_, {mean_, rules.adaptivity, slope, rules.error});
+    meanEdge_ = meanOverEdges(refined_->areas(), sizes_);
+    vertices_ = std::max(rules.vertices, verticesOf(refined_->areas(), sizes_));
+    return;
+  }
   const VertexData<double> areas = areasToShare(surface, rules.spikes);
   if (rules.adaptivity > 0) applyCurvature(surface, rules.adaptivity, areas, sizes_);
   for (Index i = 0; i < rules.density.size(); ++i)
     sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
-  const double slope = steepestSlope(rules.gradation);
   const double keptSlope = (rules.gradation - 1) / kLongestBesideKept;
   VertexData<double> largest, chords;
   if (rules.adaptivity > 0) chords = chordLimits(surface, mean_);
@@ -287,11 +297,13 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
 void SizeField::moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs) {
   VertexData<double> sizes(heirs.size());
   for (Index i = 0; i < heirs.size(); ++i) sizes[Vertex(i)] = sizes_[heirs[Vertex(i)]];
+  refined_.reset();
   mesh_ = &finer.mesh();
   sizes_ = std::move(sizes);
 }
 
 double SizeField::at(const SurfacePoint& p) const {
+  if (refined_) return refined_->interpolate(p, sizes_);
   const auto [a, b, c] = mesh_->vertices(p.face);
   return p.barycentric[0] * sizes_[a] + p.barycentric[1] * sizes_[b] + p.barycentric[2] * sizes_[c];
 }

@@ -5,10 +5,12 @@
 // h ∝ k^-1/3 the mean square; full adaptivity lies between.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "original/curves/spikes.h"
 #include "original/surface/original_surface.h"
+#include "original/surface/refined_faces.h"
 
 namespace remesher {
 
@@ -47,6 +49,7 @@ class SizeField {
 
  private:
   const HalfedgeMesh* mesh_;
+  std::shared_ptr<const RefinedFaces> refined_;  // what the sizes are for, if not just vertices
   VertexData<double> sizes_;
   double mean_ = 0;
   double meanEdge_ = 0;

@@ -100,7 +100,9 @@ void fit(Run& run, const Progress& progress) {
   Offsets offsets(run.mesh);
   VertexData<char> moves(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    moves[Vertex(i)] = mesh.isAlive(Vertex(i)) && run.mesh.kind(Vertex(i)) == VertexKind::Interior;
+    moves[Vertex(i)] = mesh.isAlive(Vertex(i)) &&
+                       run.mesh.kind(Vertex(i)) == VertexKind::Interior &&
+                       !run.mesh.surface().isFlatAt(run.mesh.at(Vertex(i)));
   const int passes = run.effort.fitPasses;
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);

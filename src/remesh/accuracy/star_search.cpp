@@ -90,7 +90,7 @@ bool StarSearch::offer(const Placement& place) {
 
 Placement StarSearch::at(const Vec3& position) const {
   Placement place = mesh_.onSurface(closestPointFrom(mesh_.surface(), best_.at, position));
-  place.position = position;
+  if (!mesh_.surface().isFlatAt(place.at)) place.position = position;
   return place;
 }
 
@@ -109,7 +109,10 @@ void StarSearch::move(double enough, std::span<const Vec3> directions) {
     const Vec3 from = best_.position;
     for (const Vec3& direction : directions) {
       const Vec3 to = from + step * direction;
-      better = (keepsAngles(to) && offer(at(to))) || better;
+      if (!keepsAngles(to)) continue;
+      const Placement place = at(to);
+      const bool isThere = place.position == to || keepsAngles(place.position);
+      better = (isThere && offer(place)) || better;
     }
     return better;
   });
@@ -137,9 +140,10 @@ void StarSearch::slide(double enough) {
 void StarSearch::lookAround(double enough) {
   if (best_.kind == VertexKind::Curve) return slide(enough);
   const std::vector<Vec3> directions = directionsAt(mesh_, v_);
-  // Moves along the normal cost no angles.
-  move(enough, std::span(directions).first(kAlongNormal));
-  move(enough, directions);
+  // Moves along the normal cost no angles; in a plane they lead nowhere.
+  const bool isFlat = mesh_.surface().isFlatAt(best_.at);
+  if (!isFlat) move(enough, std::span(directions).first(kAlongNormal));
+  move(enough, std::span(directions).subspan(isFlat ? kAlongNormal : 0));
 }
 
 // Triangles seldom come to pass through others, and to see whether they do takes longer than all

@@ -13,8 +13,8 @@ namespace remesher {
 // move for the sake of distances must leave (sound), for polishing lifts it to where it is left
 // alone (fine); that such a move leaves if it can (good, even). The rung `sound` cannot move
 // without changing the bytes of `rounds`.
-inline constexpr double kSliver = radians(10), kPoor = radians(20), kFair = radians(28),
-                        kSound = radians(33.2), kFine = radians(34.5), kGood = radians(42),
+inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radians(30),
+                        kSound = radians(33.2), kFine = radians(35), kGood = radians(42),
                         kEven = radians(50);
 
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});

@@ -30,6 +30,13 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       place(chains[c].vertices[i], onCurve({c, chains[c].arcs[i]}));
 }
 
+WorkingMesh::WorkingMesh(const OriginalSurface& surface, const Parts& parts)
+    : surface_(&surface), mesh_(parts.places.size(), parts.triangles, parts.twins) {
+  grow();
+  for (Index v = 0; v < parts.places.size(); ++v) place(Vertex(v), parts.places[v]);
+  for (Index h = 0; h < parts.curves.size(); ++h) curve_[Halfedge(h)] = parts.curves[h];
+}
+
 Vec3 WorkingMesh::areaVectorAround(Vertex v) const {
   const Vec3& at = position(v);
   Vec3 sum = Vec3::Zero();
@@ -66,8 +73,10 @@ SurfacePoint WorkingMesh::cornerPoint(Halfedge h) const {
   if (kind_[v] == VertexKind::Interior) return at_[v];
   Halfedge edge = h;
   while (!isCurve(edge)) {
+    // A tip is on no curve; neither are boundaries that quads do not follow.
+    if (mesh_.isBoundary(edge)) return at_[v];
     edge = mesh_.next(mesh_.twin(edge));
-    if (edge == h) return at_[v];  // a tip, which is on no curve
+    if (edge == h) return at_[v];
   }
   const Index chain = curve_[edge];
   const CurvePoint here = onChain(v, chain), there = onChain(mesh_.tip(edge), chain);

@@ -33,6 +33,14 @@ class WorkingMesh {
   // A copy of the original: every vertex at its own place. `surface` must outlive the mesh.
   explicit WorkingMesh(const OriginalSurface& surface);
 
+  // Other triangles on the original: compact, three corners each; per halfedge the one across and
+  // the chain that the edge follows, or kNone; per vertex its place.
+  struct Parts {
+    std::vector<Index> triangles, twins, curves;
+    std::vector<Placement> places;
+  };
+  WorkingMesh(const OriginalSurface& surface, const Parts& parts);
+
   const OriginalSurface& surface() const { return *surface_; }
   const HalfedgeMesh& mesh() const { return mesh_; }
   const VertexData<Vec3>& positions() const { return position_; }

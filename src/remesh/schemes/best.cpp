@@ -164,7 +164,7 @@ void finishDraft(Run& run, const Progress& progress) {
 // Nearer to the original, and no triangle left that could be better.
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
-  if (areFewBelow(run, kFine)) take("widen angles", [&] { widenAngles(run); });
+  if (areFewBelow(run, kSound)) take("widen angles", [&] { widenAngles(run); });
   take("polish", [&] { polish(run, {kFine}); });
   progress.phase("land", 0, 0);
   land(run);
@@ -172,7 +172,7 @@ void finish(Run& run, const Progress& progress) {
   progress.phase("lower Hausdorff", 1, 1);
   take("lower Hausdorff", [&] { lowerHausdorff(run); });
   progress.phase("polish", 1, 1);
-  if (run.mesh.mesh().vertexCount() >= kLarge || !areFewBelow(run, kFine)) return;
+  if (run.mesh.mesh().vertexCount() >= kLarge || !areFewBelow(run, kSound)) return;
   take("last polish", [&] { polish(run, {kFine, kHardlyShift}); });
 }
 

@@ -19,6 +19,7 @@ namespace remesher {
 struct CurveChoice {
   FeatureCurves curves;
   TransferRules transfer;  // for the attributes whose seams are not kept, or not as curves
+  FlatRegions flats;
   std::vector<Warning> warnings;
 };
 
@@ -33,10 +34,14 @@ struct CurveCandidates {
 CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
                                 const RemeshOptions& options, double size);
 
+// Whether flat regions end at curves, or are as any others.
+enum class Flats { Bordered, Unknown };
+
 struct CurveScale {
   double size;                          // the target edge length, model units
   const Spikes& spikes;                 // whose corners stay
   const std::vector<Halfedge>& joints;  // what stays so that cut parts remain together
+  Flats flats = Flats::Bordered;
 };
 
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,

@@ -10,13 +10,12 @@
 #include "base/place.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
+#include "remesh/schemes/attribute_lengths.h"
 #include "simplify/simplify.h"
 
 namespace remesher {
 
 namespace {
-
-constexpr std::size_t kMostThinned = 32;
 
 Index groupOf(const TriangleMesh& input, Index triangle) {
   return input.groups.empty() ? 0 : input.groups[triangle];
@@ -30,8 +29,9 @@ bool sameAttributes(const TriangleMesh& input, Index a, Index b) {
          });
 }
 
-// The edges across which an attribute jumps, or the group changes.
-HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input) {
+// The edges across which an attribute jumps, or the group changes. Where normals do, a result that
+// keeps attributes has normals of its own.
+HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, bool keepsLook) {
   const HalfedgeMesh& m = built.mesh;
   HalfedgeData<char> seams(m.halfedgeCapacity(), 0);
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
@@ -39,8 +39,9 @@ HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input) {
     if (!t) continue;
     const auto group = [&](Halfedge e) { return groupOf(input, built.triangles[m.face(e)]); };
     const auto wedge = [&](Halfedge e) { return built.wedges[e]; };
-    seams[h] = group(h) != group(t) || !sameAttributes(input, wedge(h), wedge(m.next(t))) ||
-               !sameAttributes(input, wedge(m.next(h)), wedge(t));
+    const auto areSame = keepsLook ? haveSameLook : sameAttributes;
+    seams[h] = group(h) != group(t) || !areSame(input, wedge(h), wedge(m.next(t))) ||
+               !areSame(input, wedge(m.next(h)), wedge(t));
   }
   return seams;
 }
@@ -48,8 +49,10 @@ HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input) {
 // The triangles of a simplified surface, each corner with that of the original that it stands for.
 class Extraction {
  public:
-  Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input)
-      : surface_(surface), original_(original), input_(input) {
+  // kept: whose attributes the corners keep, or null.
+  Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input,
+             const KeptAttributes* kept)
+      : surface_(surface), original_(original), input_(input), kept_(kept) {
     for (const Attribute& attribute : input.attributes)
       result_.mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -62,23 +65,28 @@ class Extraction {
       const auto& p = surface_.positions;
       const Vec3 normal = unitNormal(p[a], p[b], p[c]);
       const Index group = groupOf(input_, original_.triangles[Face(f)]);
-      for (const Vertex v : {a, b, c}) addCorner(v, originalCorner(v, group, normal));
+      for (int k = 0; k < 3; ++k) {
+        const Halfedge corner = HalfedgeMesh::halfedge(Face(f), k);
+        addCorner(m.origin(corner), originalCorner(corner, group, normal));
+      }
       if (!input_.groups.empty()) result_.mesh.groups.push_back(group);
     }
     return std::move(result_);
   }
 
  private:
-  // Of the original's corners at v that whose triangle faces most alike, of the same group if there
-  // is one.
-  Halfedge originalCorner(Vertex v, Index group, const Vec3& normal) const {
+  // Of the original's corners at the same vertex that whose triangle faces most alike, of the same
+  // look and group if there is one.
+  Halfedge originalCorner(Halfedge corner, Index group, const Vec3& normal) const {
     const auto& p = original_.positions;
     Halfedge best;
     double most = 0;
-    original_.mesh.forEachOutgoing(v, [&](Halfedge h) {
+    original_.mesh.forEachOutgoing(surface_.mesh.origin(corner), [&](Halfedge h) {
       const auto [a, b, c] = original_.mesh.vertices(HalfedgeMesh::face(h));
       const bool isOwn = groupOf(input_, original_.triangles[HalfedgeMesh::face(h)]) == group;
-      const double agreement = (isOwn ? 4 : 0) + unitNormal(p[a], p[b], p[c]).dot(normal);
+      const bool isSame = kept_ && haveSameLook(input_, original_.wedges[h], kept_->wedges[corner]);
+      const double agreement =
+          (isSame ? 8 : 0) + (isOwn ? 4 : 0) + unitNormal(p[a], p[b], p[c]).dot(normal);
       if (best && agreement <= most) return;
       best = h;
       most = agreement;
@@ -108,6 +116,7 @@ class Extraction {
   const SimpleSurface& surface_;
   const BuiltMesh& original_;
   const TriangleMesh& input_;
+  const KeptAttributes* kept_;
   Followed result_;
   std::map<std::pair<Index, Index>, Index> copies_;
 };
@@ -122,16 +131,19 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   return countPlaces(places);
 }
 
-// Four points to a triangle, for its corners are where vertices may have stayed.
+// Four points to a triangle, for its corners are where vertices may have stayed; of many triangles
+// some tell enough.
 double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                   const BuiltMesh& original) {
   constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6, kMiddle = 1.0 / 3;
   const std::array<Vec3, 4> weights = {Vec3(kMiddle, kMiddle, kMiddle), Vec3(kFar, kNear, kNear),
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
+  constexpr std::size_t kEnough = 20'000;
+  const Index step = Index(1 + original.mesh.faceCapacity() / kEnough);
   const MeshTree tree(mesh, positions);
   double sum = 0, total = 0;
   Face last;
-  for (Index f = 0; f < original.mesh.faceCapacity(); ++f) {
+  for (Index f = 0; f < original.mesh.faceCapacity(); f += step) {
     const auto [a, b, c] = original.mesh.vertices(Face(f));
     const auto& p = original.positions;
     const double share = area(p[a], p[b], p[c]) / double(weights.size());
@@ -145,20 +157,27 @@ double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
   return total > 0 ? std::sqrt(sum / total) : 0;
 }
 
+bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
+  constexpr std::size_t kMostThinned = 32;
+  return original.mesh.vertexCount() <= kMostThinned * positions;
+}
+
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
-                               std::size_t positions) {
-  if (original.mesh.vertexCount() > kMostThinned * positions) return {};
-  SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input)};
-  std::size_t now = distinctPositions(surface.mesh, surface.positions);
-  if (now <= positions) return {};
+                               std::size_t positions, Textures textures) {
+  std::size_t now = distinctPositions(original.mesh, original.positions);
+  const bool keepsLook = textures == Textures::Keep;
+  if (now < positions || (now == positions && !keepsLook)) return {};
+  SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, keepsLook)};
+  KeptAttributes attributes = attributesAsLengths(original, input);
+  KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
   // A collapse takes one place at most: where others share it, none.
   while (now > positions) {
     const std::size_t before = surface.mesh.vertexCount();
-    simplify(surface, before - (now - positions));
+    simplify(surface, before - (now - positions), kept);
     if (surface.mesh.vertexCount() == before) return {};
     now = distinctPositions(surface.mesh, surface.positions);
   }
-  Followed result = Extraction(surface, original, input).run();
+  Followed result = Extraction(surface, original, input, kept).run();
   result.distance = distanceTo(surface.mesh, surface.positions, original);
   return result;
 }

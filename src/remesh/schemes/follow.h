@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/input_place.h"
+#include "base/options.h"
 #include "base/triangle_mesh.h"
 #include "mesh/mesh_builder.h"
 #include "remesh/operators/working_mesh.h"
@@ -24,10 +25,14 @@ struct Followed {
   double distance;                 // of the original from it, rms
 };
 
-// With exactly so many distinct positions; none where the original has no more, so many more that
-// its triangles are not what it shows, or where nothing else goes.
+// Whether the original's own triangles show at so few vertices, if not that many are wished for.
+bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
+
+// With exactly so many distinct positions; none where the original has fewer (of what is painted
+// anew: no more), or where nothing else goes. textures: whether attributes are to be kept, for
+// which vertices stay where they are, or painted anew.
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
-                               std::size_t positions);
+                               std::size_t positions, Textures textures);
 
 // The root of the mean square, over the original's area, of its distance to a mesh.
 double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,

@@ -92,6 +92,21 @@ struct CurveNeeds {
   CurveScale scale;
 };
 
+// The corners of flat regions must leave vertices for the rest; a surface that could be had without
+// them is never refused.
+CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
+                            const RemeshOptions& options, const CurveNeeds& needs) {
+  // One of so many vertices; the number that a length gives is known later, and may be a third.
+  const std::size_t mostCorners = options.edgeLength ? 6 : 2;
+  CurveChoice choice = chooseCurves(built, input, options, needs.scale);
+  if (choice.flats.empty() ||
+      mostCorners * countCorners(choice.curves, built.mesh) <= needs.vertices)
+    return choice;
+  CurveScale scale = needs.scale;
+  scale.flats = Flats::Unknown;
+  return chooseCurves(built, input, options, scale);
+}
+
 // What stays at joints must leave vertices for the rest. It cannot be subdivided either, so there
 // would be no coarse level: a model with textures needs that for its triangles more than it needs
 // its leaves to meet, and each is followed like a seam.
@@ -101,12 +116,13 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
   const auto& [vertices, scale] = needs;
   const bool isTextured = !input.attributes.empty();
   if (scale.joints.empty() || !isTextured) {
-    CurveChoice choice = chooseCurves(built, input, options, scale);
+    CurveChoice choice = chooseWithFlats(built, input, options, needs);
     const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
     if (scale.joints.empty() || share <= vertices) return choice;
   }
   const std::vector<Halfedge> none;
-  CurveChoice choice = chooseCurves(built, input, options, {scale.size, scale.spikes, none});
+  CurveChoice choice =
+      chooseWithFlats(built, input, options, {vertices, {scale.size, scale.spikes, none}});
   choice.warnings.push_back(
       {"JOINTS_RELEASED",
        std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
@@ -138,8 +154,8 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
   warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
   if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
   return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
-          std::move(density), std::move(spikes),        vertices,
-          std::move(warnings)};
+          std::move(density), std::move(choice.flats),  std::move(spikes),
+          vertices,           std::move(warnings)};
 }
 
 Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& progress)
@@ -147,7 +163,7 @@ Prepared::Prepared(Plan plan, const RemeshOptions& options, const Progress& prog
       warnings_(std::move(plan.warnings)),
       density_(std::move(plan.density)),
       spikes_(std::move(plan.spikes)),
-      surface_(std::move(plan.built), std::move(plan.curves)),
+      surface_(std::move(plan.built), std::move(plan.curves), std::move(plan.flats)),
       standIn_(spikes_.empty() ? standInFor(surface_, plan.vertices, options) : std::nullopt),
       vertices_(finalTarget(
           ground(), options,

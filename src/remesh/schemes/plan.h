@@ -22,6 +22,7 @@ struct Plan {
   FeatureCurves curves;
   TransferRules transfer;      // of the attributes to the result
   std::vector<float> density;  // the caller's, per vertex of the original, or empty
+  FlatRegions flats;
   Spikes spikes;
   std::size_t vertices;
   std::vector<Warning> warnings;

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "original/surface/original_tree.h"
 #include "remesh/accuracy/bound_error.h"
 #include "remesh/accuracy/poor_regions.h"
+#include "remesh/quads/mesh/triangulated.h"
+#include "remesh/quads/quads.h"
 #include "remesh/schemes/best.h"
+#include "remesh/schemes/bodies.h"
 #include "remesh/schemes/follow.h"
 #include "remesh/schemes/plan.h"
 #include "remesh/schemes/rival.h"
@@ -44,6 +49,7 @@ struct Manner {
   Grain grain;
   Rival* rival;  // what may be taken in its stead, if anything
   OriginalTree& tree;
+  const Bodies& bodies;
 };
 
 Grain grainOf(const TriangleMesh& input) {
@@ -85,10 +91,6 @@ bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Prog
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
 }
 
-std::size_t countDistinct(const WorkingMesh& mesh) {
-  return distinctPositions(mesh.mesh(), mesh.positions());
-}
-
 struct Places {
   bool areReached;
   std::size_t coincident;  // see moveApart
@@ -96,24 +98,36 @@ struct Places {
 
 // Where the builder cut the input apart, several vertices may share a place; what was promised is a
 // number of places.
-Places matchPositions(Run& run, std::size_t vertices) {
+Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   constexpr int kTries = 4;
   std::size_t coincident = moveApart(run);
   for (int i = 0; i < kTries; ++i) {
-    const std::size_t now = countDistinct(run.mesh);
+    const std::size_t now = bodies.countPlaces(run.mesh);
     if (now == vertices) return {true, coincident};
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
     if (!matchCount(run, aim) && !fillUp(run, aim)) return {false, coincident};
     coincident = moveApart(run);
   }
-  return {countDistinct(run.mesh) == vertices, coincident};
+  return {bodies.countPlaces(run.mesh) == vertices, coincident};
 }
 
-// Of many vertices each walks: over short edges the straight way leads to where patches do.
+std::size_t largestStar(const HalfedgeMesh& mesh) {
+  std::vector<std::size_t> spokes(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.isAlive(Halfedge(i))) ++spokes[mesh.origin(Halfedge(i)).index];
+  return *std::max_element(spokes.begin(), spokes.end());
+}
+
+// Of many vertices each walks: over short edges the straight way leads to where patches do. So it
+// does in a star so large that patches, which hold whole stars, would each hold all of it: of
+// 20,000 triangles together 400 million.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
+  constexpr std::size_t kManySpokes = 1000;
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
-  if (walks) return Projector(original.ground());
+  const bool isStar = options.projection == Projection::Patches &&
+                      largestStar(original.ground().mesh()) >= kManySpokes;
+  if (walks || isStar) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 
@@ -128,47 +142,144 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   run.tree = &manner.tree;
   run.stagger = manner.stagger;
   const std::size_t vertices = original.vertices();
+  const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.effort = effortOf(options.quality, Level::Finest, vertices);
   const bool reached = original.bound()
                            ? runWithin(run, {*original.bound(), vertices}, manner, progress)
                            : runScheme(run, vertices, manner, progress);
-  const bool mayMatch = !options.splitObtuse && (reached || countDistinct(mesh) < vertices);
-  const Places places = mayMatch ? matchPositions(run, vertices) : Places{reached, moveApart(run)};
+  const bool mayMatch =
+      !options.splitObtuse && (reached || manner.bodies.countPlaces(mesh) < places);
+  const Places matched =
+      mayMatch ? matchPositions(run, places, manner.bodies) : Places{reached, moveApart(run)};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh),
-          places.areReached ? Stopped::Target
-          : byBound         ? Stopped::MaxError
-                            : Stopped::Fidelity,
-          places.coincident};
+          matched.areReached ? Stopped::Target
+          : byBound          ? Stopped::MaxError
+                             : Stopped::Fidelity,
+          matched.coincident};
 }
 
-// Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
-// even triangles are too large for.
+// Whether those vertices of the original that its shape needs may be taken instead of even
+// triangles: not where sizes, bounds or edges are the caller's own.
 bool mayFollow(const RemeshOptions& options) {
-  return options.textures == Textures::Bake && options.scheme == Scheme::Best &&
-         options.density.empty() && !options.maxError && !options.splitObtuse;
+  return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
+         options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
+         !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample;
+}
+
+// The shares of a run's time: of triangles for the map, and of each mesh for pairs.
+constexpr double kMapShare = 0.4, kPairShare = 0.1;
+
+// Even triangles for quads to be made of: soon, and nothing that only triangles are for.
+RemeshOptions optionsForQuads(RemeshOptions options) {
+  options.quality = Quality::Draft;
+  options.scheme = Scheme::Best;
+  options.adaptivity = 0;
+  options.splitObtuse = false;
+  options.edgeLength.reset();
+  options.maxError.reset();
+  options.tooFew = TooFew::Raise;
+  return options;
+}
+
+Warning pairedWarning(const MadeQuads& quads) {
+  return {"QUADS_PAIRED",
+          "No map to squares was found for " + std::to_string(quads.paired) + " of " +
+              std::to_string(quads.parts) +
+              " connected parts: their quads are pairs of triangles, divided, with more irregular "
+              "vertices.",
+          quads.paired};
+}
+
+RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOptions& wanted,
+                            const Progress& progress) {
+  const RemeshOptions options = optionsForQuads(wanted);
+  std::vector<std::unique_ptr<Prepared>> originals;  // all of them of the same surface
+  // The first mesh is what the map is made on; of those that may follow, pairs are.
+  const auto triangles = [&](std::size_t vertices) {
+    const double begin = originals.empty() ? 0 : kMapShare + kPairShare * double(originals.size());
+    const double end = originals.empty() ? kMapShare : begin + kPairShare;
+    const Progress stretch = progress.part(begin, std::min(end, 1.0));
+    Plan copy = plan;
+    copy.vertices = vertices;
+    originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
+    OriginalTree tree(originals.back()->surface(), &input);
+    const Bodies bodies(input, options.bodies);
+    const Manner manner{options, 0, grainOf(input), nullptr, tree, bodies};
+    Remeshed remeshed = remeshOriginal(*originals.back(), manner, stretch);
+    remeshed.mesh.compact();
+    stretch.phase("quads", 1, 1);
+    return std::move(remeshed.mesh);
+  };
+  const MadeQuads quads = makeQuads({plan.vertices, wanted.exact}, triangles);
+  progress.phase("extract", 1, 1);
+  const Prepared& original = *originals.front();
+  const WorkingMesh mesh = triangulated(quads.mesh, original.surface());
+  std::vector<InputPlace> places;
+  if (options.textures == Textures::Bake) places = cornerPlaces(mesh, input);
+  std::vector<Warning> warnings = original.warnings();
+  if (quads.paired > 0) warnings.push_back(pairedWarning(quads));
+  TriangleMesh result = extractMesh(mesh, input, original.transfer());
+  result.isQuads = true;
+  const std::size_t vertices = distinctPositions(mesh.mesh(), mesh.positions());
+  const bool isReached = !wanted.exact || vertices == plan.vertices;
+  return {std::move(result), std::move(places), isReached ? Stopped::Target : Stopped::Fidelity,
+          vertices, std::move(warnings)};
 }
 
 RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {
-  return {std::move(followed.mesh), std::move(followed.places), Stopped::Target, vertices,
-          std::move(warnings)};
+  return {std::move(followed.mesh),
+          std::move(followed.places),
+          Stopped::Target,
+          vertices,
+          std::move(warnings),
+          0,
+          {},
+          Prefer::Shape};
 }
 
-}  // namespace
+// More vertices keep more curves, which have more corners: a number that is named must do when it
+// is asked for.
+std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
+                            std::size_t vertices) {
+  constexpr int kTries = 100;
+  options.ratio.reset();
+  options.edgeLength.reset();
+  for (int i = 0; i < kTries; ++i) {
+    options.vertices = Index(vertices);
+    try {
+      const Prepared prepared(planRun(input, Welding(input), options, {}), options, {});
+      return vertices;
+    } catch (const TooFewVertices& error) {
+      constexpr std::size_t kAtLeast = 16;  // a sixteenth more each time: a factor of 400 in all
+      vertices = std::max(error.needed, vertices + vertices / kAtLeast + 1);
+    }
+  }
+  return vertices;
+}
 
-RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
-  checkOptions(options, input.positions.size());
   Plan plan = planRun(input, std::move(welding), options, progress);
+  if (options.quads) return remeshToQuads(std::move(plan), input, options, progress);
   const bool isRivalled = mayFollow(options);
-  if (isRivalled && countCorners(plan.curves, plan.built.mesh) > plan.vertices)
-    if (std::optional<Followed> followed = follow(plan.built, input, plan.vertices))
+  const bool isWished = options.prefer == Prefer::Shape;
+  const auto isForced = [&] {
+    return options.textures == Textures::Bake &&
+           countCorners(plan.curves, plan.built.mesh) > plan.vertices &&
+           isWorthFollowing(plan.built, plan.vertices);
+  };
+  if (isRivalled && (isWished || isForced()))
+    if (std::optional<Followed> followed =
+            follow(plan.built, input, plan.vertices, options.textures))
       return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
   const Prepared original(std::move(plan), options, progress);
-  Rival rival(original, input);
+  Rival rival(original, input, options.textures);
   OriginalTree tree(original.surface(), &input);
-  const Manner manner{options, input.attributes.empty() ? 0 : kStagger, grainOf(input),
-                      isRivalled ? &rival : nullptr, tree};
+  const Bodies bodies(input, options.bodies);
+  const Manner manner{options,        input.attributes.empty() ? 0 : kStagger,
+                      grainOf(input), isRivalled ? &rival : nullptr,
+                      tree,           bodies};
   const Remeshed remeshed = remeshOriginal(original, manner, progress);
   if (isRivalled)
     if (std::optional<Followed> followed =
@@ -178,7 +289,7 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
-      options.splitObtuse ? original.vertices() : countDistinct(remeshed.mesh);
+      options.splitObtuse ? original.vertices() : bodies.countPlaces(remeshed.mesh);
   return {extractMesh(remeshed.mesh, input, original.transfer()),
           std::move(places),
           remeshed.stopped,
@@ -186,6 +297,20 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
           original.warnings(),
           remeshed.coincident,
           tree.ofInput()};
+}
+
+}  // namespace
+
+RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
+  checkOptions(options, input.positions.size());
+  try {
+    return remeshPlanned(input, std::move(welding), options, progress);
+  } catch (const TooFewVertices& error) {
+    if (error.code != ErrorCode::TargetBelowCurves) throw;
+    const std::size_t enough = enoughForCurves(input, options, error.needed);
+    throw TooFewVertices(error.code, {error.target, enough, enough});
+  }
 }
 
 }  // namespace remesher

@@ -24,6 +24,7 @@ struct RemeshOutcome {
   // Over the input's positions, of all its triangles that are no lines, each once: where the run
   // needed one, and all of them are in the surface.
   std::optional<ListedTree> tree = {};
+  Prefer prefer = Prefer::Even;  // or Shape
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

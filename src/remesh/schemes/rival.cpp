@@ -1,38 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/schemes/rival.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace remesher {
 
 namespace {
 
-// Of the diagonal: half a pixel in a picture a thousand pixels wide.
-constexpr double kSeen = 5e-4;
-constexpr double kMuchNearer = 2;     // times, or
-constexpr double kNearerSeen = 1e-3;  // of the diagonal: a pixel there
-constexpr double kHopeless = 4;       // times: finishing makes nothing twice as near
+// Of the diagonal: half a pixel in a picture a thousand pixels wide, a pixel, and where nothing is
+// drawn two.
+constexpr double kSeen = 5e-4, kNearerSeen = 1e-3, kSeenPlain = 2e-3;
+// Times as near, where textures or colours show what is off; and where only shape does.
+constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
+constexpr double kFinishing = 2;  // times: it makes nothing twice as near
+
+// Even triangles are worth more than half a pixel where nothing is drawn on them.
+bool isPlain(const TriangleMesh& input, Textures textures) {
+  const auto isDrawn = [](const Attribute& attribute) {
+    return attribute.semantic.starts_with("TEXCOORD") || attribute.semantic.starts_with("COLOR");
+  };
+  const auto& groups = input.groups;
+  return textures == Textures::Keep &&
+         std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to()) == groups.end() &&
+         std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
+}
 
 }  // namespace
 
-Rival::Rival(const Prepared& original, const TriangleMesh& input)
-    : original_(original), input_(input), seen_(kSeen * original.surface().diagonal()) {}
+Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textures)
+    : original_(original),
+      input_(input),
+      textures_(textures),
+      isPlain_(isPlain(input, textures)),
+      seen_((isPlain_ ? kSeenPlain : kSeen) * original.surface().diagonal()) {}
 
 double Rival::distanceOf(const WorkingMesh& even) const {
   return distanceTo(even.mesh(), even.positions(), original_.surface().built());
 }
 
+double Rival::muchNearer() const { return isPlain_ ? kMuchNearerPlain : kMuchNearer; }
+
 void Rival::look() {
-  if (!hasLooked_) followed_ = follow(original_.surface().built(), input_, original_.vertices());
+  const BuiltMesh& built = original_.surface().built();
+  if (!hasLooked_ && isWorthFollowing(built, original_.vertices()))
+    followed_ = follow(built, input_, original_.vertices(), textures_);
   hasLooked_ = true;
 }
 
 bool Rival::hasWon(const WorkingMesh& even) {
   const double distance = distanceOf(even);
   isSettled_ = distance <= seen_;
-  if (isSettled_) return false;
+  if (distance <= kFinishing * seen_) return false;
   look();
-  return isSettled_ = followed_ && distance > kHopeless * followed_->distance;
+  return isSettled_ = followed_ && distance > kFinishing * muchNearer() * followed_->distance;
 }
 
 std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
@@ -41,8 +63,10 @@ std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   if (isReached && distance <= seen_) return {};
   look();
   if (!isReached || !followed_) return std::move(followed_);
-  const bool isMuchNearer = distance > kMuchNearer * followed_->distance ||
-                            distance - followed_->distance > kNearerSeen / kSeen * seen_;
+  const double nearest = followed_->distance;
+  const double nearerSeen = kNearerSeen * original_.surface().diagonal();
+  const bool isMuchNearer =
+      distance > muchNearer() * nearest || (!isPlain_ && distance - nearest > nearerSeen);
   return isMuchNearer ? std::move(followed_) : std::nullopt;
 }
 

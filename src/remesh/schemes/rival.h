@@ -14,7 +14,7 @@ namespace remesher {
 // much nearer, or where even triangles cannot be so few. Made when it is first asked for.
 class Rival {
  public:
-  Rival(const Prepared& original, const TriangleMesh& input);
+  Rival(const Prepared& original, const TriangleMesh& input, Textures textures);
 
   // Whether even triangles that are not finished yet have lost.
   bool hasWon(const WorkingMesh& even);
@@ -24,11 +24,14 @@ class Rival {
 
  private:
   double distanceOf(const WorkingMesh& even) const;
+  double muchNearer() const;  // times, for even triangles to lose
   void look();
 
   const Prepared& original_;
   const TriangleMesh& input_;
-  double seen_;  // what is no farther is not seen
+  Textures textures_;
+  bool isPlain_;  // nothing is drawn on it
+  double seen_;   // what is no farther is not seen
   bool isSettled_ = false, hasLooked_ = false;
   std::optional<Followed> followed_;
 };

@@ -11,6 +11,7 @@
 #include "base/legible.h"
 #include "geometry/triangle.h"
 #include "mesh/joints.h"
+#include "mesh/topology.h"
 
 namespace remesher {
 
@@ -33,21 +34,34 @@ double mostVertices(const BuiltMesh& built) {
   return std::clamp(left / kBytesPerVertex, 0.0, double(kNone) / 6);
 }
 
-std::size_t fewestVertices(const HalfedgeMesh& mesh) {
+struct Fewest {
+  std::size_t needed = 0, enough = 0;
+};
+
+// How few vertices a surface with handles can do with depends on how it lies: a torus is rolled up
+// of a sheet of four by four, twelve more than a ball needs, and so is each handle.
+Fewest fewestVertices(const HalfedgeMesh& mesh) {
   DisjointSets components(mesh.vertexCapacity());
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const auto [a, b, c] = mesh.vertices(Face(i));
     components.unite(a.index, b.index);
     components.unite(b.index, c.index);
   }
-  std::size_t fewest = 0;
+  Fewest fewest;
   VertexData<char> isOpen(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
       isOpen[Vertex(components.find(i))] = 1;
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isAlive(Vertex(i)) && components.find(i) == i) fewest += isOpen[Vertex(i)] ? 3 : 4;
-  return std::max(fewest, kFewestVertices);
+  // Of a ball or a disc each there are none.
+  long missing = -eulerCharacteristic(mesh);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    if (!mesh.isAlive(Vertex(i)) || components.find(i) != i) continue;
+    fewest.needed += isOpen[Vertex(i)] ? 3 : 4;
+    missing += isOpen[Vertex(i)] ? 1 : 2;
+  }
+  fewest.needed = std::max(fewest.needed, kFewestVertices);
+  fewest.enough = fewest.needed + 6 * std::size_t(std::max(missing, 0L));
+  return fewest;
 }
 
 void require(bool holds, const std::string& message, const std::string& hint) {
@@ -68,7 +82,23 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give at least one value above 0; only their ratios count.");
 }
 
+std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
+  const bool isByCurves = code == ErrorCode::TargetBelowCurves;
+  return "The target of " + std::to_string(target) + " vertices is " +
+         (isByCurves ? "below the " : "too small: this surface needs at least ") +
+         std::to_string(needed) +
+         (isByCurves ? " that the corners of feature curves and kept boundaries need." : ".");
+}
+
 }  // namespace
+
+TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
+    : Error(errorCode, tooFew(errorCode, needs.target, needs.needed),
+            "Ask for " + std::to_string(needs.enough) + " vertices or more" +
+                (errorCode == ErrorCode::TargetBelowCurves
+                     ? ", or for fewer features (featureAngle, boundary)."
+                     : ".")),
+      VertexNeeds(needs) {}
 
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(options.gradation > 1,
@@ -78,6 +108,8 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices) {
   require(adaptivity >= 0 && adaptivity <= 1,
           "adaptivity is " + inDigits(adaptivity, kDigits) + ", not between 0 and 1.",
           "0 gives even triangles, 1 follows curvature fully.");
+  require(!options.weld || *options.weld > 0, "weld is not above 0.",
+          "It is in percent of the diagonal; leave it out to join nothing more.");
   require(!options.maxError || *options.maxError > 0, "maxError is not above 0.",
           "It is a percentage of the bounding box diagonal.");
   require(!options.edgeLength || *options.edgeLength > 0, "edgeLength is not above 0.",
@@ -112,14 +144,11 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
                     " vertices, for which there is no memory.",
                 "Ask for " + std::to_string(std::size_t(most)) +
                     " vertices or fewer, or give the model in parts.");
-  const std::size_t fewest = fewestVertices(built.mesh);
-  if (target < double(fewest) && options.tooFew == TooFew::Raise) return fewest;
-  if (target < double(fewest))
-    throw Error(ErrorCode::TargetTooSmall,
-                "The target of " + std::to_string(std::size_t(target)) +
-                    " vertices is too small: this surface needs at least " +
-                    std::to_string(fewest) + ".",
-                "Ask for " + std::to_string(fewest) + " vertices or more.");
+  const Fewest fewest = fewestVertices(built.mesh);
+  if (target < double(fewest.needed) && options.tooFew == TooFew::Raise) return fewest.needed;
+  if (target < double(fewest.needed))
+    throw TooFewVertices(ErrorCode::TargetTooSmall,
+                         {std::size_t(target), fewest.needed, fewest.enough});
   return std::size_t(target);
 }
 
@@ -130,12 +159,8 @@ std::size_t countCorners(const FeatureCurves& curves, const HalfedgeMesh& mesh) 
 }
 
 void checkCurves(std::size_t corners, std::size_t vertices) {
-  if (corners <= vertices) return;
-  throw Error(ErrorCode::TargetBelowCurves,
-              "The target of " + std::to_string(vertices) + " vertices is below the " +
-                  std::to_string(corners) +
-                  " that the corners of feature curves and kept boundaries need.",
-              "Ask for more vertices, or for fewer features (featureAngle, boundary).");
+  if (corners > vertices)
+    throw TooFewVertices(ErrorCode::TargetBelowCurves, {vertices, corners, corners});
 }
 
 SizeRules sizeRules(const RemeshOptions& options, double vertices, std::span<const float> density) {

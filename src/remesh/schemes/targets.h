@@ -2,12 +2,23 @@
 // How many vertices a run is to reach, and whether what the caller wishes can be had at all.
 #pragma once
 
+#include "base/error.h"
 #include "base/options.h"
 #include "mesh/mesh_builder.h"
 #include "original/curves/feature_curves.h"
 #include "original/surface/size_field.h"
 
 namespace remesher {
+
+// TARGET_TOO_SMALL, TARGET_BELOW_CURVES: fewer vertices than a surface needs.
+struct VertexNeeds {
+  std::size_t target;  // asked for
+  std::size_t needed;  // what is fewer is refused
+  std::size_t enough;  // what can be reached, as far as anybody knows
+};
+struct TooFewVertices : Error, VertexNeeds {
+  TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs);
+};
 
 // Throws INVALID_OPTION for values out of range and for lists that do not fit the input.
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices);

@@ -97,7 +97,8 @@ bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wan
   if (wanted.angle.isAboveAround(run.star, onMesh)) return false;
   const Halfedge h = run.mesh.mesh().find(map.center(), a);
   if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
-  if (wanted.ground == Ground::Mesh) run.change.place.position = onMesh;
+  if (wanted.ground == Ground::Mesh && !run.mesh.surface().isFlatAt(run.change.place.at))
+    run.change.place.position = onMesh;
   return true;
 }
 
@@ -152,6 +153,7 @@ bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
 // Up and down along the mean normal of the star.
 void offerLifts(Run& run, Vertex v, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
+  if (run.mesh.surface().isFlatAt(run.mesh.at(v))) return;
   const Vec3& at = run.mesh.position(v);
   const Vec3 normal = run.mesh.areaVectorAround(v);
   const double spoke = run.mesh.meanSpoke(v);

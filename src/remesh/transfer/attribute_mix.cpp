@@ -50,7 +50,10 @@ AttributeMix::Kind AttributeMix::kindOf(const Attribute& attribute,
     if (semantic == input_.attributes[set.joints].semantic ||
         semantic == input_.attributes[set.weights].semantic)
       return Kind::Skin;
-  if (jumps || startsWith(semantic, "JOINTS_")) return Kind::Nearest;
+  // What lies between two identifiers is another one.
+  const bool isIdentifier =
+      startsWith(semantic, "_FEATURE_ID_") || startsWith(semantic, "_BATCHID");
+  if (jumps || isIdentifier || startsWith(semantic, "JOINTS_")) return Kind::Nearest;
   return semantic == "TANGENT" && attribute.itemSize == 4 ? Kind::Tangent : Kind::Linear;
 }
 

@@ -65,7 +65,7 @@ class Extraction {
   void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
     const HalfedgeMesh& m = mesh_.mesh();
     Halfedge first = m.outgoing(v);
-    if (mesh_.kind(v) != VertexKind::Interior) {
+    if (mesh_.kind(v) != VertexKind::Interior && !m.isBoundary(v)) {
       // A tip has no curve edge: there any first one will do.
       while (!mesh_.isCurve(first)) {
         first = m.next(m.twin(first));

@@ -10,7 +10,8 @@ using namespace remesher;
 namespace {
 
 TriangleMesh shown(const Transform& place) {
-  return gathered({io::Part{"grid", shapes::grid(4, 4), {place}}});
+  const std::vector<io::Part> parts = {io::Part{"grid", shapes::grid(4, 4), {place}}};
+  return gathered(parts, placesOf(parts));
 }
 
 }  // namespace
@@ -52,8 +53,10 @@ TEST_CASE("part report: a part alone is as far off with lines or a place of its 
   const FidelityReport expected = measureFidelity(original, result);
   for (const TriangleMesh& mesh : {original, withLine})
     for (const Transform& place : {Transform(Transform::Identity()), moved}) {
-      const FidelityReport own = fidelityOf({{"original", mesh, {place}}},
-                                            {{"result", result, {place}}}, Maximum::Sampled, {});
+      const std::vector<io::Part> before = {{"original", mesh, {place}}},
+                                  after = {{"result", result, {place}}};
+      const std::vector<PartPlace> places = placesOf(before);
+      const FidelityReport own = fidelityOf({before, after, places}, Maximum::Sampled, {});
       CHECK(own.hausdorff == doctest::Approx(expected.hausdorff).epsilon(1e-3));
       CHECK(own.rms == doctest::Approx(expected.rms).epsilon(2e-2));
     }

@@ -23,7 +23,8 @@ io::Part partOf(const TriangleMesh& mesh, double scale) {
 // Remeshes all in order, and returns how many vertices each part has in the end.
 std::vector<std::size_t> remeshed(const std::vector<io::Part>& parts,
                                   const RemeshOptions& options) {
-  PartTargets targets(parts, options);
+  const std::vector<PartPlace> places = placesOf(parts);
+  PartTargets targets(parts, places, options);
   std::vector<std::size_t> vertices(parts.size());
   for (const std::size_t i : targets.order()) {
     const RemeshOutcome outcome = remeshSurface(parts[i].mesh, targets.of(i), {});
@@ -61,12 +62,27 @@ TEST_CASE("part_targets: what is shown in several sizes has the mean of its area
   CHECK(std::abs(double(vertices[1]) - 900 * 5.0 / 6) <= 1);
 }
 
+TEST_CASE("part_targets: what is not shown has its share by its own area, at the others' size") {
+  const TriangleMesh torus = shapes::torus(24, 16);
+  io::Part hidden = partOf(torus, 0), unused{"", torus, {}};
+  RemeshOptions options;
+  options.vertices = 900;
+  const std::vector<std::size_t> vertices = remeshed({partOf(torus, 100), hidden, unused}, options);
+  CHECK(sum(vertices) == 900);
+  for (const std::size_t count : vertices) CHECK(std::abs(double(count) - 300) <= 1);
+  // Of several places one without a size shows nothing.
+  hidden.instances.push_back(partOf(torus, 1).instances.front());
+  for (const std::size_t count : remeshed({partOf(torus, 1), hidden}, options))
+    CHECK(std::abs(double(count) - 450) <= 1);
+}
+
 TEST_CASE("part_targets: what a part takes beyond its share the others do without") {
   const TriangleMesh torus = shapes::torus(24, 16);
   RemeshOptions options;
   options.vertices = 900;
   const std::vector<io::Part> parts = {partOf(torus, 1), partOf(torus, 1)};
-  PartTargets targets(parts, options);
+  const std::vector<PartPlace> places = placesOf(parts);
+  PartTargets targets(parts, places, options);
   targets.given(targets.order().front(), 500);
   CHECK(*targets.of(targets.order().back()).vertices == 400);
 }
@@ -95,10 +111,11 @@ TEST_CASE("part_targets: what charts need comes first, and by area all have at l
     need = std::max(need, std::ceil(chart.vertices));
   REQUIRE(need > 0);
   options.vertices = Index(2 * need);
-  CHECK(*PartTargets(parts, options).of(0).vertices == Index(need));
+  const std::vector<PartPlace> places = placesOf(parts);
+  CHECK(*PartTargets(parts, places, options).of(0).vertices == Index(need));
   CHECK(sum(remeshed(parts, options)) == *options.vertices);
   options.vertices = Index(1.2 * need);
-  CHECK(*PartTargets(parts, options).of(0).vertices < Index(need) / 4);
+  CHECK(*PartTargets(parts, places, options).of(0).vertices < Index(need) / 4);
 }
 
 TEST_CASE("part_targets: a number that is asked for and too small for the whole is refused") {

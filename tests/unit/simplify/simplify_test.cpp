@@ -173,3 +173,23 @@ TEST_CASE("simplify: a border that winds is kept as well as the waves within") {
   }
   CHECK(onBorder < 1.2 * everywhere);
 }
+
+TEST_CASE("simplify: on what is flat vertices stay where an attribute bends") {
+  const TriangleMesh input = shapes::grid(24, 24);
+  const auto bend = [](const Vec3& p) { return std::abs(p.x() - 9) + std::abs(p.y() - 17); };
+  BuiltMesh built = buildMesh(input);
+  KeptAttributes kept{built.wedges, 1, {}};
+  for (const Vec3& p : input.positions) kept.values.push_back(bend(p));
+  SimpleSurface surface{std::move(built.mesh), std::move(built.positions),
+                        HalfedgeData<char>(kept.wedges.size(), 0)};
+  simplify(surface, 60, &kept);
+  CHECK(surface.mesh.vertexCount() == 60);
+  double crossings = 0;
+  forEachCorner(surface, [&](Halfedge h, const Vec3& from) {
+    const Index wedge = kept.wedges[h];
+    CHECK(input.positions[wedge] == from);
+    const Vec3 to = surface.positions[surface.mesh.tip(h)];
+    crossings += (from.x() - 9) * (to.x() - 9) < 0 || (from.y() - 17) * (to.y() - 17) < 0 ? 1 : 0;
+  });
+  CHECK(crossings == 0);
+}

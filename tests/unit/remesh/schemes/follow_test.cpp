@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "mesh/mesh_builder.h"
@@ -27,6 +29,7 @@ TriangleMesh remeshed(const TriangleMesh& input, Index vertices, Textures textur
   RemeshOptions options;
   options.vertices = vertices;
   options.textures = textures;
+  if (textures == Textures::Keep) options.prefer = Prefer::Even;
   return remeshSurface(input, options, {}).mesh;
 }
 
@@ -41,14 +44,37 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   const TriangleMesh input = pleats();
   const BuiltMesh built = buildMesh(input);
   for (const std::size_t count : {1000, 500, 150}) {
-    const std::optional<Followed> followed = follow(built, input, count);
+    const std::optional<Followed> followed = follow(built, input, count, Textures::Bake);
     REQUIRE(followed);
     CHECK(inspectMesh(followed->mesh).vertices == count);
     CHECK(followed->places.size() == followed->mesh.indices.size());
   }
-  CHECK(!follow(built, input, 4));
-  // Nothing is left out of what has no more.
-  CHECK(!follow(built, input, built.mesh.vertexCount()));
+  CHECK(!isWorthFollowing(built, 4));
+  // Nothing is left out of what has just so many, and nothing is made of fewer.
+  const std::optional<Followed> whole =
+      follow(built, input, built.mesh.vertexCount(), Textures::Keep);
+  REQUIRE(whole);
+  CHECK(whole->distance < 1e-12);
+  CHECK(!follow(built, input, built.mesh.vertexCount(), Textures::Bake));
+  CHECK(!follow(built, input, built.mesh.vertexCount() + 1, Textures::Bake));
+}
+
+TEST_CASE("follow: where attributes are kept, vertices are the original's, and so are theirs") {
+  TriangleMesh input = shapes::icosphere(12);
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (const Vec3& p : input.positions)
+    uv.values.insert(uv.values.end(), {float(p.x()), float(p.y())});
+  input.attributes.push_back(uv);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 200, Textures::Keep);
+  REQUIRE(followed);
+  const TriangleMesh& result = followed->mesh;
+  CHECK(inspectMesh(result).vertices == 200);
+  for (std::size_t v = 0; v < result.positions.size(); ++v) {
+    const Vec3& p = result.positions[v];
+    CHECK(std::find(input.positions.begin(), input.positions.end(), p) != input.positions.end());
+    CHECK(result.attributes[0].values[2 * v] == float(p.x()));
+    CHECK(result.attributes[0].values[2 * v + 1] == float(p.y()));
+  }
 }
 
 TEST_CASE("follow: every triangle keeps its group, and corners know a place of that near them") {
@@ -59,7 +85,7 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   input.attributes.push_back(places);
   for (Index t = 0; t < input.triangleCount(); ++t)
     input.groups.push_back(input.positions[input.indices[3 * t]].x() < 11.5 ? 0 : 1);
-  const std::optional<Followed> followed = follow(buildMesh(input), input, 60);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 60, Textures::Bake);
   REQUIRE(followed);
   CHECK(inspectMesh(followed->mesh).vertices == 60);
   CHECK(followed->mesh.groups.size() == followed->mesh.triangleCount());
@@ -100,4 +126,21 @@ TEST_CASE("follow: what even triangles show has even triangles") {
       mean += inspectMesh(remeshed(original, vertices, Textures::Bake)).minAngle.mean / 3;
     CHECK(mean > 52);
   }
+}
+
+TEST_CASE("follow: taken for pleats that even triangles lose, not for what is round") {
+  const auto preferred = [](const TriangleMesh& input, double share, Prefer prefer) {
+    RemeshOptions options;
+    options.ratio = share;
+    options.prefer = prefer;
+    options.detectFeatures = false;
+    return remeshSurface(input, options, {}).prefer;
+  };
+  TriangleMesh high = pleats();
+  for (Vec3& p : high.positions) p.z() *= 4;
+  CHECK(preferred(high, 0.12, Prefer::Auto) == Prefer::Shape);
+  CHECK(preferred(high, 0.12, Prefer::Even) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
+  CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);
 }

@@ -11,6 +11,7 @@
 #include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 #include "mesh/welding.h"
+#include "remesh/schemes/targets.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -279,4 +280,23 @@ TEST_CASE("curves: between two side by side vertices lie in gaps") {
   }
   // 60° but at the two ends; one row straight above the other would give 41°.
   CHECK(sum / double(mesh.triangleCount()) > radians(54));
+}
+
+TEST_CASE("curves: the number that is named where vertices are too few is enough") {
+  // Columns of several heights: the more vertices, the more of their edges are kept.
+  const TriangleMesh columns =
+      shapes::cells(8, [](int x, int y, int z) { return z < 1 + (x * 5 + y * 3) % 7; });
+  RemeshOptions options;
+  options.vertices = 60;
+  std::size_t needed = 0;
+  try {
+    remeshSurface(columns, options, {});
+  } catch (const TooFewVertices& error) {
+    CHECK(error.code == ErrorCode::TargetBelowCurves);
+    CHECK(error.hint.find(std::to_string(error.needed)) != std::string::npos);
+    needed = error.needed;
+  }
+  REQUIRE(needed > 60);
+  options.vertices = Index(needed);
+  CHECK_NOTHROW(remeshSurface(columns, options, {}));
 }

@@ -156,6 +156,7 @@ TEST_CASE("chart_keeper: a step too low for triangles takes its neighbour's shad
   const TriangleMesh input = step();
   RemeshOptions options;
   options.vertices = 100;  // edges 2.6 long, and a step of 0.2: less than a tenth
+  options.prefer = Prefer::Even;
   const TriangleMesh mesh = remeshSurface(input, options, {}).mesh;
   const Attribute* normals = findAttribute(mesh, "NORMAL");
   REQUIRE(normals);

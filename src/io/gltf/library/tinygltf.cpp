@@ -37,4 +37,4 @@ class stringstream {
 
 #define TINYGLTF_IMPLEMENTATION
 #define json ordered_json
-#include "io/gltf/tinygltf.h"
+#include "io/gltf/library/tinygltf.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the whole WebAssembly module has besides: files. What is reached from here only, as readers
-// and writers, is not linked into the other.
+// What the whole WebAssembly module has besides: repair and files. What is reached from here only,
+// as readers and writers, is not linked into the other.
 #include <emscripten/bind.h>
 
 #include "from_js.h"
@@ -22,6 +22,29 @@ val remeshBytes(const val& request, const val& options, const val& onProgress) {
     val result = val::object();
     result.set("files", objectFrom(run.files));
     if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+val repairArrays(const val& mesh, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RepairResult run = repair(meshFrom(mesh), optionsFrom(options), progressFrom(onProgress));
+    val result = val::object();
+    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
+    result.set("report", objectFrom(run.report));
+    return result;
+  });
+}
+
+// request: { name, bytes, resources, output }
+val repairBytes(const val& request, const val& options, const val& onProgress) {
+  return guarded([&] {
+    const RemeshFileResult run =
+        repairFile(bundleFrom(request), request["output"].as<std::string>(), optionsFrom(options),
+                   progressFrom(onProgress));
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
     result.set("report", objectFrom(run.report));
     return result;
   });
@@ -53,8 +76,10 @@ val errorCodes() {
 
 val defaultOptions() { return objectFrom(RemeshOptions()); }
 
-EMSCRIPTEN_BINDINGS(remesher_files) {
+EMSCRIPTEN_BINDINGS(remesher_whole) {
+  emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
+  emscripten::function("repairFile", &repairBytes);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspectFile", &inspectBytes);
   emscripten::function("errorCodes", &errorCodes);

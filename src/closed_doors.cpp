@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What stands in the engine for arrays where repair and quads are in the whole one. Whoever calls a
+// module by way of the package gets the engine that the job needs.
+#include "base/error.h"
+#include "jobs/part_repair.h"
+#include "remesh/quads/quads.h"
+
+namespace remesher {
+namespace {
+
+[[noreturn]] void refuse(const char* what) {
+  throw Error(ErrorCode::Unsupported,
+              std::string(what) + " is not in the engine for arrays, remesher_arrays.wasm.",
+              "Load remesher.wasm.");
+}
+
+}  // namespace
+
+PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progress&) {
+  refuse("Repair");
+}
+
+MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
+
+}  // namespace remesher

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/triangle_meeting.h"
+
+#include <utility>
+
+#include "geometry/predicates.h"
+
+namespace remesher {
+
+namespace {
+
+using FlatTriangle = std::array<Vec2, 3>;
+
+// The plane's axes that remain when the one nearest to the normal is dropped.
+std::array<Eigen::Index, 2> widestAxes(const Triangle& t) {
+  Eigen::Index dropped = 0;
+  areaVector(t[0], t[1], t[2]).cwiseAbs().maxCoeff(&dropped);
+  return {(dropped + 1) % 3, (dropped + 2) % 3};
+}
+
+bool isInside(const Vec2& p, const FlatTriangle& t) {
+  const int a = orient2d(t[1], t[2], p), b = orient2d(t[2], t[0], p), c = orient2d(t[0], t[1], p);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool isBetween(const Vec2& p, const Vec2& a, const Vec2& b) {
+  return orient2d(a, b, p) == 0 && (p.array() >= a.cwiseMin(b).array()).all() &&
+         (p.array() <= a.cwiseMax(b).array()).all();
+}
+
+bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const int cSide = orient2d(a, b, c), dSide = orient2d(a, b, d);
+  const int aSide = orient2d(c, d, a), bSide = orient2d(c, d, b);
+  if (cSide * dSide < 0 && aSide * bSide < 0) return true;
+  return isBetween(c, a, b) || isBetween(d, a, b) || isBetween(a, c, d) || isBetween(b, c, d);
+}
+
+// A segment in the plane of a triangle.
+bool meetsInPlane(const Vec3& p, const Vec3& q, const Triangle& t) {
+  const std::array<Eigen::Index, 2> axes = widestAxes(t);
+  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
+  const FlatTriangle f = {flat(t[0]), flat(t[1]), flat(t[2])};
+  const Vec2 a = flat(p), b = flat(q);
+  return isInside(a, f) || isInside(b, f) || segmentsMeet(a, b, f[0], f[1]) ||
+         segmentsMeet(a, b, f[1], f[2]) || segmentsMeet(a, b, f[2], f[0]);
+}
+
+// Whether the closed segment and the closed triangle have a point in common. The line pq passes
+// through the triangle when it passes all three edges on the same side.
+bool meets(const Vec3& p, const Vec3& q, const Triangle& t) {
+  const int pSide = orient3d(t[0], t[1], t[2], p), qSide = orient3d(t[0], t[1], t[2], q);
+  if (pSide * qSide > 0) return false;
+  if (pSide == 0 && qSide == 0) return meetsInPlane(p, q, t);
+  const int a = orient3d(p, q, t[1], t[2]), b = orient3d(p, q, t[2], t[0]),
+            c = orient3d(p, q, t[0], t[1]);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool liesOnOneSide(const Triangle& t, const Triangle& ofPlane) {
+  const auto side = [&](const Vec3& p) { return orient3d(ofPlane[0], ofPlane[1], ofPlane[2], p); };
+  const int first = side(t[0]);
+  return first != 0 && first == side(t[1]) && first == side(t[2]);
+}
+
+bool disjointTrianglesMeet(const Triangle& s, const Triangle& t) {
+  if (liesOnOneSide(s, t) || liesOnOneSide(t, s)) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (meets(s[k], s[(k + 1) % 3], t) || meets(t[k], t[(k + 1) % 3], s)) return true;
+  return false;
+}
+
+// s[0] = t[0]. What they share beyond that corner reaches the far edge of one of them.
+bool cornersMeet(const Triangle& s, const Triangle& t) {
+  return meets(s[1], s[2], t) || meets(t[1], t[2], s);
+}
+
+// s[0] = t[0], s[1] = t[1]. They overlap only when folded flat onto each other.
+bool flapsMeet(const Triangle& s, const Triangle& t) {
+  if (orient3d(s[0], s[1], s[2], t[2]) != 0) return false;
+  const std::array<Eigen::Index, 2> axes = widestAxes(s);
+  const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
+  return orient2d(flat(s[0]), flat(s[1]), flat(s[2])) ==
+         orient2d(flat(s[0]), flat(s[1]), flat(t[2]));
+}
+
+// Turns both triangles so that the vertices they share come first; says how many those are.
+std::size_t alignShared(NamedTriangle& s, NamedTriangle& t) {
+  std::size_t shared = 0;
+  for (std::size_t i = shared; i < 3; ++i)
+    for (std::size_t k = shared; k < 3; ++k)
+      if (s.vertices[i] == t.vertices[k]) {
+        std::swap(s.vertices[i], s.vertices[shared]);
+        std::swap(s.at[i], s.at[shared]);
+        std::swap(t.vertices[k], t.vertices[shared]);
+        std::swap(t.at[k], t.at[shared]);
+        ++shared;
+        break;
+      }
+  return shared;
+}
+
+}  // namespace
+
+bool hasArea(const Triangle& t) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto flat = [&](const Vec3& p) { return Vec2(p[axis], p[(axis + 1) % 3]); };
+    if (orient2d(flat(t[0]), flat(t[1]), flat(t[2])) != 0) return true;
+  }
+  return false;
+}
+
+bool trianglesMeet(NamedTriangle s, NamedTriangle t) {
+  switch (alignShared(s, t)) {
+    case 0:
+      return disjointTrianglesMeet(s.at, t.at);
+    case 1:
+      return cornersMeet(s.at, t.at);
+    case 2:
+      return flapsMeet(s.at, t.at);
+    default:
+      return true;
+  }
+}
+
+}  // namespace remesher

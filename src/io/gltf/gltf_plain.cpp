@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "io/gltf/gltf_plain.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "io/gltf/gltf_editor.h"
+#include "io/gltf/gltf_geometry.h"
+#include "io/gltf/gltf_lods.h"
+#include "io/gltf/gltf_materials.h"
+#include "io/model/conventions.h"
+
+namespace remesher::io {
+namespace {
+
+// One primitive per group; those that lack the same attributes share a pool, its accessors yet to
+// come.
+std::vector<VertexPool> poolsOfGroups(const Part& part) {
+  std::vector<VertexPool> pools;
+  for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
+    AccessorsBySemantic accessors = {{"POSITION", -1}};
+    for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
+    if (group < part.groups.size())
+      for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
+    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
+      return pool.accessors == accessors;
+    });
+    if (same == pools.end())
+      pools.push_back({std::move(accessors), {static_cast<int>(group)}});
+    else
+      same->primitives.push_back(static_cast<int>(group));
+  }
+  return pools;
+}
+
+// The number of the material of this name, which is added if it is new.
+std::size_t materialNumber(Json& tree, const std::string& name) {
+  Json& materials = tree["materials"];
+  const auto same = std::find_if(materials.begin(), materials.end(),
+                                 [&](const Json& material) { return material["name"] == name; });
+  const auto number = static_cast<std::size_t>(same - materials.begin());
+  if (same == materials.end()) materials.push_back({{"name", name}});
+  return number;
+}
+
+// The part's mesh, its primitives without accessors.
+Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
+  Json primitives = Json::array();
+  primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));
+  for (const VertexPool& pool : pools) {
+    for (const int group : pool.primitives) {
+      for (const auto& [semantic, accessor] : pool.accessors)
+        primitives[group]["attributes"][semantic] = accessor;
+      const bool isKnown = static_cast<std::size_t>(group) < part.groups.size();
+      if (isKnown && part.groups[group].painted >= 0)
+        primitives[group]["material"] = part.groups[group].painted;
+      else if (isKnown && !part.groups[group].material.empty())
+        primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
+    }
+  }
+  return {{"name", part.name}, {"primitives", primitives}};
+}
+
+Json plainDocument(const Model& model) {
+  Json tree = {{"asset", {{"version", "2.0"}, {"generator", "remesher"}}}, {"scene", 0}};
+  Json roots = Json::array();
+  Json nodes = Json::array();
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    for (const Transform& instance : model.parts[i].instances) {
+      Json node = {{"name", model.parts[i].name}, {"mesh", i}};
+      const Eigen::Matrix4d& matrix = instance.matrix();
+      if (matrix != Eigen::Matrix4d::Identity())
+        node["matrix"] = std::vector<double>(matrix.data(), matrix.data() + 16);
+      roots.push_back(nodes.size());
+      nodes.push_back(std::move(node));
+    }
+  }
+  tree["scenes"] = Json::array({{{"nodes", roots}}});
+  tree["nodes"] = std::move(nodes);
+  return tree;
+}
+
+}  // namespace
+
+PackedGltf plainGltf(const Model& model) {
+  if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
+  GltfEditor editor(plainDocument(model), nullptr);
+  if (!model.paintings.empty()) addPaintings(editor.tree(), model);
+  std::vector<FinestLevel> finest;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const Part& part = model.parts[i];
+    const std::vector<VertexPool> pools = poolsOfGroups(part);
+    finest.push_back({i, plainMesh(editor.tree(), part, pools), pools});
+    editor.tree()["meshes"].push_back(finest.back().mesh);
+    editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
+  }
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    std::vector<TriangleMesh> lods;
+    for (const TriangleMesh& lod : model.parts[i].lods)
+      lods.push_back(converted(lod, model.conventions, Conventions::Gltf));
+    addLods(editor, finest[i], lods);
+  }
+  return packGltf(std::move(editor.tree()), {editor.newData()}, {});
+}
+
+}  // namespace remesher::io

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/mending.h"
+
+#include <utility>
+
+#include "jobs/part_report.h"
+#include "jobs/part_run.h"
+#include "jobs/precision.h"
+#include "jobs/run_guards.h"
+
+namespace remesher {
+
+double mendShare(const RemeshOptions& options) { return options.repair == Repair::Off ? 0 : 0.1; }
+
+Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
+                 const Progress& progress) {
+  if (options.repair == Repair::Off) return;
+  input_ = inspectScaled(parts);
+  repair_ = withinMemory(
+      [&] { return repairParts(std::move(parts), options, progress.phase("repair", 0, 1)); });
+  parts = std::move(repair_->parts);
+}
+
+void Mending::note(Report& report) const {
+  if (!repair_) return;
+  report.input = input_;
+  report.repair = repair_->report;
+  report.warnings = joined(repair_->warnings, report.warnings);
+}
+
+Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+                  const Progress& progress) {
+  const std::vector<io::Part> originals = parts;
+  const Mending mending(parts, options, progress);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
+  progress.phase("measure", 1, 1);
+  Report report;
+  report.output = inspectScaled(parts);
+  mending.note(report);
+  return report;
+}
+
+}  // namespace remesher

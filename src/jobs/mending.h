@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What is asked for mended, before anything else is done with it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "io/model/model.h"
+#include "jobs/part_repair.h"
+
+namespace remesher {
+
+// Of a run's time, about.
+double mendShare(const RemeshOptions& options);
+
+// Mends the parts in place, if that is asked for, and keeps the report on it.
+class Mending {
+ public:
+  Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress);
+
+  // The input is what was given, not what was made of it.
+  void note(Report& report) const;
+
+ private:
+  MeshReport input_;
+  std::optional<PartsRepair> repair_;
+};
+
+// Mends the parts in place, and says all but how long it took.
+Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+                  const Progress& progress);
+
+}  // namespace remesher

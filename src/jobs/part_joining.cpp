@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_joining.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/legible.h"
+#include "mesh/joining.h"
+
+namespace remesher {
+std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent) {
+  for (io::Part& part : parts) {
+    requireValid(part.mesh);
+    joinNoise(part.mesh);
+    if (percent) joinNear(part.mesh, *percent / 100 * diagonalOf(part.mesh));
+  }
+  return parts;
+}
+
+std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<io::Part>& parts) {
+  const std::size_t corners = 3 * (report.triangles - report.degenerateTriangles);
+  const auto loose = [](const io::Part& part) { return isLoose(part.mesh); };
+  if (report.triangles < 2 || report.boundaryEdges < corners ||
+      !std::all_of(parts.begin(), parts.end(), loose))
+    return {};
+  std::optional<double> percent;
+  for (const io::Part& part : parts)
+    if (const auto needed = percentThatJoins(part.mesh))
+      percent = std::max(percent.value_or(0), *needed);
+  std::string message = "No triangle shares an edge with another: each is a surface of its own.";
+  if (percent)
+    message += " Their corners are near to each other: --weld " + inDigits(*percent, 6) +
+               " (weld) joins them.";
+  return {{"TRIANGLES_NOT_JOINED", message, report.triangles}};
+}
+
+}  // namespace remesher

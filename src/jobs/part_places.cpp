@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_places.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geometry/triangle.h"
+#include "io/model/bake.h"
+
+namespace remesher {
+namespace {
+
+// Directions stretched by less differ in angles by less than a hundredth of a degree.
+constexpr double kEven = 1 + 1e-4;
+// What is shown with one direction shorter than this beside another has no shape to work on.
+constexpr double kFlat = 1e-3;
+// Places that show as much but for rounding: the first counts.
+constexpr double kMore = 1 + 1e-9;
+
+// How large triangles are, together and by where they face: area, and the sum of n nᵀ / area over
+// area vectors n.
+struct Faces {
+  double area = 0;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+};
+
+Faces facesOf(const TriangleMesh& mesh) {
+  Faces faces;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vec3 n = areaVector(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                              mesh.positions[mesh.indices[i + 2]]);
+    const double twice = n.norm();
+    if (!(twice > 0) || !std::isfinite(twice)) continue;
+    faces.area += twice / 2;
+    faces.moments += n * n.transpose() / (2 * twice);
+  }
+  return faces;
+}
+
+// Of the triangles when they are shown so, about: exact where all face one way, and where all
+// directions are stretched alike. A place may be one of thousands.
+double shownArea(const Faces& faces, const Transform& place) {
+  const Eigen::Matrix3d m = place.linear();
+  Eigen::Matrix3d cofactors;
+  cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+  const double squared = (cofactors * faces.moments * cofactors.transpose()).trace();
+  return std::sqrt(std::max(0.0, squared * faces.area));
+}
+
+// The place that shows most, and the mean of all that show anything.
+PartPlace placeOf(const io::Part& part, const Faces& faces) {
+  PartPlace best;
+  double most = 0;
+  std::size_t count = 0;
+  for (const Transform& place : part.instances) {
+    const double area = shownArea(faces, place);
+    if (!(area > 0)) continue;
+    best.area += area;
+    ++count;
+    if (area <= most * kMore) continue;
+    most = area;
+    best.toWorld = place;
+  }
+  if (count > 0) best.area /= double(count);
+  return best;
+}
+
+// Of the eigenvectors of LᵀL, by which directions are stretched; along the axes if that is all.
+std::pair<Eigen::Matrix3d, Vec3> stretchesOf(const Eigen::Matrix3d& linear) {
+  const Eigen::Matrix3d squares = linear.transpose() * linear;
+  constexpr double kRounding = 1e-12;
+  const Vec3 diagonal = squares.diagonal();
+  const Eigen::Matrix3d others = squares - Eigen::Matrix3d(diagonal.asDiagonal());
+  const double least = diagonal.minCoeff();
+  if (others.cwiseAbs().maxCoeff() <= kRounding * least)
+    return {Eigen::Matrix3d::Identity(), diagonal.cwiseMax(0).cwiseSqrt()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+  return {solver.eigenvectors(), solver.eigenvalues().cwiseMax(0).cwiseSqrt()};
+}
+
+using Coordinates = std::array<double, 3>;
+Coordinates coordinatesOf(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }
+
+}  // namespace
+
+std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts) {
+  std::vector<PartPlace> places;
+  std::vector<double> own;
+  double shown = 0, bare = 0;
+  for (const io::Part& part : parts) {
+    const Faces faces = facesOf(part.mesh);
+    places.push_back(placeOf(part, faces));
+    own.push_back(faces.area);
+    if (places.back().area > 0) {
+      shown += places.back().area;
+      bare += faces.area;
+    }
+  }
+  const double ratio = bare > 0 && shown > 0 ? shown / bare : 1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (places[i].area > 0) continue;
+    places[i].toWorld = Transform(Eigen::Scaling(std::sqrt(ratio)));
+    places[i].area = own[i] * ratio;
+  }
+  return places;
+}
+
+std::optional<Eigen::Matrix3d> stretchAt(const Transform& toWorld) {
+  const double size = toWorld.linear().cwiseAbs().maxCoeff();
+  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+  auto [axes, stretches] = stretchesOf(toWorld.linear() / size);
+  const double least = stretches.minCoeff(), most = stretches.maxCoeff();
+  if (!(least >= kFlat * most) || most <= kEven * least) return std::nullopt;
+  stretches /= std::cbrt(stretches.prod());
+  return Eigen::Matrix3d(axes * stretches.asDiagonal() * axes.transpose());
+}
+
+TriangleMesh stretched(TriangleMesh mesh, const Eigen::Matrix3d& stretch) {
+  Transform transform = Transform::Identity();
+  transform.linear() = stretch;
+  io::transformMesh(mesh, transform);
+  return mesh;
+}
+
+TriangleMesh relaxed(TriangleMesh result, const Eigen::Matrix3d& stretch,
+                     const TriangleMesh& original) {
+  const TriangleMesh before = stretched({original.positions, {}, {}, {}}, stretch);
+  std::map<Coordinates, Index> known;
+  for (Index v = 0; v < before.positions.size(); ++v)
+    known.emplace(coordinatesOf(before.positions[v]), v);
+  std::vector<Index> sources;
+  for (const Vec3& p : result.positions) {
+    const auto found = known.find(coordinatesOf(p));
+    sources.push_back(found == known.end() ? kNone : found->second);
+  }
+  Transform transform = Transform::Identity();
+  transform.linear() = stretch.inverse();
+  io::transformMesh(result, transform);
+  for (std::size_t v = 0; v < sources.size(); ++v)
+    if (sources[v] != kNone) result.positions[v] = original.positions[sources[v]];
+  return result;
+}
+
+std::vector<io::Part> asShown(std::vector<io::Part> parts) {
+  const std::vector<PartPlace> places = placesOf(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (const auto stretch = stretchAt(places[i].toWorld))
+      parts[i].mesh = stretched(std::move(parts[i].mesh), *stretch);
+  return parts;
+}
+
+}  // namespace remesher

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_repair.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "jobs/part_report.h"
+#include "jobs/part_scale.h"
+#include "repair/repair.h"
+
+namespace remesher {
+
+namespace {
+
+void requireNoNumbers(const RemeshOptions& options) {
+  if (options.density.empty() && options.featureEdges.empty()) return;
+  throw Error(ErrorCode::InvalidOption,
+              "density and featureEdges number the input's vertices, and repair makes others.",
+              "Repair the mesh first, then remesh what comes of it.");
+}
+
+void add(RepairReport& sum, const RepairReport& part) {
+  sum.holes += part.holes;
+  sum.islands += part.islands;
+  sum.shells += part.shells;
+  sum.turned += part.turned;
+  for (std::size_t i = 0; i < 2; ++i) sum.selfIntersections[i] += part.selfIntersections[i];
+}
+
+}  // namespace
+
+PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
+                        const Progress& progress) {
+  requireNoNumbers(options);
+  const PartScale scale(parts);
+  PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
+  double total = 0, done = 0;
+  std::size_t most = 0;
+  for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
+  for (io::Part& part : result.parts) {
+    progress.at(total > 0 ? done / total : 0);
+    const std::size_t triangles = part.mesh.triangleCount();
+    RepairedMesh repaired = repairSurface(part.mesh, options);
+    part.mesh = std::move(repaired.mesh);
+    add(result.report, repaired.report);
+    result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;
+    if (triangles >= most) result.report.mode = repaired.report.mode;
+    most = std::max(most, triangles);
+    result.warnings = joined(std::move(result.warnings), repaired.warnings);
+    done += double(triangles);
+  }
+  if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
+  return result;
+}
+
+}  // namespace remesher

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The parts of a file mended, each on its own, and what is to be said of it.
+#pragma once
+
+#include <vector>
+
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "io/model/model.h"
+
+namespace remesher {
+
+struct PartsRepair {
+  std::vector<io::Part> parts;
+  RepairReport report;
+  std::vector<Warning> warnings;
+};
+
+// Throws Error as repairSurface does; INVALID_OPTION where the options name vertices of the input.
+PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
+                        const Progress& progress);
+
+}  // namespace remesher

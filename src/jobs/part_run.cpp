@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_run.h"
+
+#include <utility>
+
+#include "jobs/part_report.h"
+#include "jobs/part_scale.h"
+
+namespace remesher {
+
+namespace {
+
+RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
+  const auto stretch = stretchAt(part.place.toWorld);
+  if (!stretch) return remeshSurface(part.mesh, std::move(part.welding), options, progress);
+  RemeshOutcome outcome =
+      remeshSurface(stretched(part.mesh, *stretch), std::move(part.welding), options, progress);
+  outcome.mesh = relaxed(std::move(outcome.mesh), *stretch, part.mesh);
+  outcome.tree.reset();
+  return outcome;
+}
+
+}  // namespace
+
+RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
+  try {
+    const RemeshOptions options =
+        target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+    return remeshPart(std::move(part), options, progress);
+  } catch (const TooFewVertices& error) {
+    target.targets.refuse(target.surface, error);
+  }
+}
+
+io::Part withoutMesh(const io::Part& part) {
+  return {part.name, {}, part.instances, part.groups, part.lods, part.source, part.finer};
+}
+
+MeshReport inspectScaled(const std::vector<io::Part>& parts) {
+  const PartScale scale(parts);
+  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts), placesOf(parts));
+  const std::vector<io::Part> scaled = scale.applied(parts);
+  return inspectParts(scaled, weldingsOf(scaled), placesOf(scaled));
+}
+
+}  // namespace remesher

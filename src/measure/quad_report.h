@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How good quads are: the figures of the report, over any number of meshes.
+#pragma once
+
+#include <vector>
+
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "mesh/welding.h"
+
+namespace remesher {
+
+class QuadStatistics {
+ public:
+  // A mesh of quads.
+  void add(const TriangleMesh& mesh, const Welding& welding);
+  QuadReport report() const;
+
+ private:
+  std::size_t count_ = 0, irregular_ = 0;
+  std::vector<double> deviations_;  // of each corner, degrees
+  std::vector<double> worstSines_;  // of each quad
+  std::vector<double> lengths_;     // of each side
+};
+
+}  // namespace remesher

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "original/curves/flat_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle.h"
+#include "original/curves/shape_angles.h"
+
+namespace remesher {
+
+namespace {
+
+// The cosine of the angle between normals from which on an edge is sharp: 40°.
+constexpr double kSharp = 0.766;
+// Of what is half as wide a region is one of many; where most of its border is to such, a facet.
+constexpr double kLike = 2, kMostLikes = 0.5;
+// Where less of a body is flat it is round, with a place where it hardly bends.
+constexpr double kLeastShare = 0.25;
+
+struct Plane {
+  Vec3 normal = Vec3::Zero();  // unit
+  Vec3 point = Vec3::Zero();
+};
+
+class RegionGrowth {
+ public:
+  RegionGrowth(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
+      : mesh_(mesh),
+        positions_(positions),
+        bearers_(bearingFaces(mesh, positions)),
+        tolerance_(coordinateStep(positions)),
+        seen_(mesh.faceCapacity(), 0),
+        of_(mesh.faceCapacity(), kNone) {}
+
+  FlatRegions run(double width) {
+    FlatRegions result;
+    for (const Face seed : seeds()) {
+      if (of_[seed] != kNone || seen_[seed] != 0) continue;
+      grow(seed, planeOf(seed));
+      grow(seed, meanPlane());
+      const double own = widthOfGrown();
+      if (faces_.size() < 2 || own < width) continue;
+      for (const Face f : faces_) of_[f] = Index(result.widths.size());
+      result.widths.push_back(own);
+    }
+    dropFacets(result.widths);
+    if (result.widths.empty() || flatShare() < kLeastShare) return {};
+    result.of.assign(mesh_.faceCapacity(), kNone);
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
+    return result;
+  }
+
+ private:
+  bool hasArea(Face f) const { return bearers_[f] == f; }
+
+  Plane planeOf(Face f) const {
+    const auto [a, b, c] = mesh_.vertices(f);
+    return {unitNormal(positions_[a], positions_[b], positions_[c]), positions_[a]};
+  }
+
+  Vec3 areaOf(Face f) const {
+    const auto [a, b, c] = mesh_.vertices(f);
+    return 0.5 * areaVector(positions_[a], positions_[b], positions_[c]);
+  }
+
+  // Faces that lie in one plane with a neighbor, the largest first: their planes are known best.
+  std::vector<Face> seeds() const {
+    std::vector<std::pair<double, Face>> found;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      const Face f(i);
+      if (!hasArea(f) || areaOf(f).isZero(0)) continue;
+      const Plane plane = planeOf(f);
+      for (int k = 0; k < 3; ++k) {
+        const Halfedge across = mesh_.twin(HalfedgeMesh::halfedge(f, k));
+        if (!across || !contains(plane, HalfedgeMesh::face(across))) continue;
+        found.emplace_back(-areaOf(f).squaredNorm(), f);
+        break;
+      }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<Face> result;
+    for (const auto& [size, f] : found) result.push_back(f);
+    return result;
+  }
+
+  bool contains(const Plane& plane, Face f) const {
+    for (const Vertex v : mesh_.vertices(f))
+      if (std::abs(plane.normal.dot(positions_[v] - plane.point)) > tolerance_) return false;
+    return !hasArea(f) || planeOf(f).normal.dot(plane.normal) > 0;
+  }
+
+  // All faces of the plane that hang together with the seed; those without area only lead on.
+  void grow(Face seed, const Plane& plane) {
+    ++round_;
+    faces_.clear();
+    std::vector<Face> stack = {seed};
+    seen_[seed] = round_;
+    while (!stack.empty()) {
+      const Face f = stack.back();
+      stack.pop_back();
+      if (hasArea(f)) faces_.push_back(f);
+      for (int k = 0; k < 3; ++k) {
+        const Halfedge across = mesh_.twin(HalfedgeMesh::halfedge(f, k));
+        if (!across) continue;
+        const Face next = HalfedgeMesh::face(across);
+        if (seen_[next] == round_ || of_[next] != kNone || !contains(plane, next)) continue;
+        seen_[next] = round_;
+        stack.push_back(next);
+      }
+    }
+  }
+
+  Plane meanPlane() const {
+    Vec3 normal = Vec3::Zero(), point = Vec3::Zero();
+    double total = 0;
+    for (const Face f : faces_) {
+      const Vec3 area = areaOf(f);
+      const auto [a, b, c] = mesh_.vertices(f);
+      normal += area;
+      point += area.norm() / 3 * (positions_[a] + positions_[b] + positions_[c]);
+      total += area.norm();
+    }
+    return {normal.normalized(), point / total};
+  }
+
+  // How wide what lies at a face is: its region, or the face itself.
+  double widthAt(Face f, const std::vector<double>& widths) const {
+    if (of_[f] != kNone) return widths[of_[f]];
+    double rim = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, k);
+      rim += distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
+    }
+    return rim > 0 ? 2 * areaOf(f).norm() / rim : 0;
+  }
+
+  // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
+  std::vector<double> sharesOfLikes(const std::vector<double>& widths) const {
+    std::vector<double> like(widths.size(), 0), all(widths.size(), 0);
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+      const Halfedge h(i), t = mesh_.isAlive(h) ? mesh_.twin(h) : Halfedge();
+      if (!t) continue;
+      const Face own = bearers_[mesh_.face(h)], other = bearers_[mesh_.face(t)];
+      const Index region = of_[own];
+      if (region == kNone || region == of_[other]) continue;
+      const double length = distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
+      all[region] += length;
+      const bool isSharp = planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
+      if (!isSharp && kLike * widthAt(other, widths) > widths[region]) like[region] += length;
+    }
+    for (std::size_t r = 0; r < like.size(); ++r) like[r] = all[r] > 0 ? like[r] / all[r] : 0;
+    return like;
+  }
+
+  // A facet among its like is not flat, but what something round is made of.
+  void dropFacets(std::vector<double>& widths) {
+    const std::vector<double> shares = sharesOfLikes(widths);
+    std::vector<Index> kept(widths.size(), kNone);
+    std::vector<double> left;
+    for (std::size_t r = 0; r < widths.size(); ++r) {
+      if (shares[r] > kMostLikes) continue;
+      kept[r] = Index(left.size());
+      left.push_back(widths[r]);
+    }
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] != kNone) of_[Face(i)] = kept[of_[Face(i)]];
+    widths = std::move(left);
+  }
+
+  // Of the area.
+  double flatShare() const {
+    double flat = 0, all = 0;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      const double area = areaOf(Face(i)).norm();
+      all += area;
+      if (of_[Face(i)] != kNone) flat += area;
+    }
+    return all > 0 ? flat / all : 0;
+  }
+
+  double widthOfGrown() const {
+    double area = 0, rim = 0;
+    for (const Face f : faces_) {
+      area += areaOf(f).norm();
+      for (int k = 0; k < 3; ++k) {
+        const Halfedge h = HalfedgeMesh::halfedge(f, k), across = mesh_.twin(h);
+        if (across && seen_[bearers_[HalfedgeMesh::face(across)]] == round_) continue;
+        rim += distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
+      }
+    }
+    return rim > 0 ? 2 * area / rim : 0;
+  }
+
+  const HalfedgeMesh& mesh_;
+  const VertexData<Vec3>& positions_;
+  const FaceData<Face> bearers_;
+  const double tolerance_;
+  Index round_ = 0;
+  FaceData<Index> seen_;  // in which round last, from 1
+  FaceData<Index> of_;
+  std::vector<Face> faces_;  // of the region at hand
+};
+
+}  // namespace
+
+FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                            double width) {
+  return RegionGrowth(mesh, positions).run(width);
+}
+
+std::vector<Halfedge> bordersOf(const FlatRegions& regions, const HalfedgeMesh& mesh) {
+  std::vector<Halfedge> borders;
+  for (Index i = 0; i < mesh.halfedgeCapacity() && !regions.empty(); ++i) {
+    const Halfedge h(i), t = mesh.twin(h);
+    if (!mesh.isEdge(h) || !t) continue;
+    if (regions.of[mesh.face(h)] != regions.of[mesh.face(t)]) borders.push_back(h);
+  }
+  return borders;
+}
+
+}  // namespace remesher

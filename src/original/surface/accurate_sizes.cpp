@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "original/surface/accurate_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/disjoint_sets.h"
+#include "geometry/triangle.h"
+#include "original/surface/curvature.h"
+
+namespace remesher {
+
+namespace {
+
+// At full adaptivity sizes range over these factors of the even one.
+constexpr double kSmallest = 0.0625, kLargest = 2.25;
+// The distance that is the same everywhere is sought between this share of the even length and all
+// of it, by so many halvings of the ratio.
+constexpr double kLeastError = 1e-4;
+constexpr int kHalvings = 10;
+
+// Edges along a strip, in units of its width: longer ones make needles across it.
+constexpr double kLongestAcross = 2.5;
+// Edges around a circle, in units of its radius: eight, for some come out a third longer.
+constexpr double kLongestAround = 0.75;
+
+// Per face how wide the region between curves is in which it lies: twice the area over the length
+// of its border.
+FaceData<double> widthsBetweenCurves(const OriginalSurface& surface) {
+  const HalfedgeMesh& mesh = surface.mesh();
+  const VertexData<Vec3>& p = surface.positions();
+  DisjointSets regions(mesh.faceCapacity());
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
+    if (mesh.twin(Halfedge(i)) && !surface.curves().isCurve(Halfedge(i)))
+      regions.unite(mesh.face(Halfedge(i)).index, mesh.face(mesh.twin(Halfedge(i))).index);
+  FaceData<double> areas(mesh.faceCapacity(), 0), rims(mesh.faceCapacity(), 0);
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    areas[Face(regions.find(i))] += area(p[a], p[b], p[c]);
+  }
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (surface.curves().isCurve(h))
+      rims[Face(regions.find(mesh.face(h).index))] += distance(p[mesh.origin(h)], p[mesh.tip(h)]);
+  }
+  FaceData<double> widths(mesh.faceCapacity());
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const Face region(regions.find(i));
+    const double rim = rims[region];
+    widths[Face(i)] = rim > 0 ? 2 * areas[region] / rim : std::numeric_limits<double>::infinity();
+  }
+  return widths;
+}
+
+class Accuracy {
+ public:
+  Accuracy(const OriginalSurface& surface, const RefinedFaces& faces, const AccuracyRules& rules)
+      : faces_(faces),
+        rules_(rules),
+        bends_(faces.positions().size(), 0),
+        widths_(faces.leastAround(widthsBetweenCurves(surface))) {
+    const VertexData<double> own = sharpestBends(surface);
+    for (Index i = 0; i < own.size(); ++i) bends_[Vertex(i)] = own[Vertex(i)];
+    // Along a strip that bends across it is as bent as at its ends; within a plane not at all.
+    Vertex middle(Index(own.size()));
+    for (const RefinedFaces::Middle& at : faces.middles()) {
+      if (!at.isInFlat) bends_[middle] = 0.5 * (bends_[at.ends[0]] + bends_[at.ends[1]]);
+      ++middle.index;
+    }
+  }
+
+  // The distance at which as many vertices are needed as there are, or what is asked for.
+  VertexData<double> run() const {
+    const double wanted = countOf(VertexData<double>(bends_.size(), rules_.mean));
+    double low = kLeastError * rules_.mean, high = rules_.mean;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = std::sqrt(low * high);
+      (countOf(sizesFor(middle)) > wanted ? low : high) = middle;
+    }
+    if (rules_.error > 0 && rules_.error < high) return sizesFor(rules_.error);
+    VertexData<double> sizes = sizesFor(high);
+    const double scale = std::sqrt(countOf(sizes) / wanted);
+    for (double& size : sizes.values()) size *= scale;
+    return sizes;
+  }
+
+ private:
+  // A chord of length h leaves a circle of radius r by e = r - √(r² - h²/4). A circle that is small
+  // against e is to remain one all the same.
+  static double chordFor(double radius, double error) {
+    const double most = kLongestAround * radius;
+    return error < radius ? std::min(most, 2 * std::sqrt(error * (2 * radius - error))) : most;
+  }
+
+  VertexData<double> sizesFor(double error) const {
+    const double strength = rules_.adaptivity * (1.25 - rules_.adaptivity / 2);
+    const double smallest = rules_.mean * std::pow(kSmallest, strength);
+    const double largest = rules_.mean * std::pow(kLargest, strength);
+    VertexData<double> sizes(bends_.size());
+    for (Index i = 0; i < sizes.size(); ++i) {
+      const double bend = bends_[Vertex(i)];
+      const double chord = bend > 0 ? chordFor(1 / bend, error) : largest;
+      const double most = std::min(chord, kLongestAcross * widths_[Vertex(i)]);
+      sizes[Vertex(i)] = std::clamp(most, smallest, largest);
+    }
+    limitSlopes(sizes);
+    return sizes;
+  }
+
+  void limitSlopes(VertexData<double>& sizes) const {
+    const VertexData<Vec3>& p = faces_.positions();
+    for (bool isLimited = true; isLimited;) {
+      isLimited = false;
+      for (const auto& [a, b] : faces_.edges()) {
+        const Vertex small = sizes[a] < sizes[b] ? a : b, large = small == a ? b : a;
+        if (sizes[large] - sizes[small] <= 0) continue;
+        const double limit = sizes[small] + rules_.slope * (p[a] - p[b]).norm();
+        if (sizes[large] <= limit * (1 + 1e-9)) continue;
+        sizes[large] = limit;
+        isLimited = true;
+      }
+    }
+  }
+
+  // In proportion to the vertices of a mesh of these sizes.
+  double countOf(const VertexData<double>& sizes) const {
+    double count = 0;
+    for (Index i = 0; i < sizes.size(); ++i)
+      count += faces_.areas()[Vertex(i)] / (sizes[Vertex(i)] * sizes[Vertex(i)]);
+    return count;
+  }
+
+  const RefinedFaces& faces_;
+  const AccuracyRules& rules_;
+  VertexData<double> bends_;
+  VertexData<double> widths_;  // of the narrowest strip
+};
+
+}  // namespace
+
+VertexData<double> accurateSizes(const OriginalSurface& surface, const RefinedFaces& faces,
+                                 const AccuracyRules& rules) {
+  return Accuracy(surface, faces, rules).run();
+}
+
+}  // namespace remesher

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/field/cross_field.h"
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <numbers>
+
+#include "remesh/quads/field/curvature_directions.h"
+#include "remesh/quads/field/sectors.h"
+
+namespace remesher {
+
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+// What is measured at the side of smoothness, per triangle: how much a clear direction of
+// curvature counts, and how much a triangle clings to its last direction while it is smoothed.
+constexpr double kAlign = 0.25, kCling = 0.05;
+constexpr int kSmoothings = 20;
+
+struct Wish {
+  Complex cross = 0;  // of size 1
+  double weight = 0;
+  bool isFixed = false;
+};
+
+// Whether two edges on curves meet at less than 45° in a triangle.
+bool isAcute(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
+  for (int corner = 0; corner < 3; ++corner) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, corner), back = HalfedgeMesh::prev(h);
+    if (!mesh.isCurve(h) || !mesh.isCurve(back)) continue;
+    const Vec2 out = frames.edge(h), other = -frames.edge(back);
+    if (cross(out, other) < out.dot(other)) return true;
+  }
+  return false;
+}
+
+// Of a triangle with edges on curves: the mean of their crosses. Where two of them meet at less
+// than 45° it is turned by as much, so that one is along each direction: on the same one the
+// triangle would have no area in the map.
+Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
+  Complex sum = 0, first = 0;
+  int count = 0;
+  for (int corner = 0; corner < 3; ++corner) {
+    const Halfedge h = HalfedgeMesh::halfedge(f, corner);
+    if (!mesh.isCurve(h)) continue;
+    const Complex cross = std::polar(1.0, 4 * frames.angle(h));
+    if (count++ == 0) first = cross;
+    sum += cross;
+  }
+  constexpr double kOpposed = 1e-6;  // edges at 45°, or rounding away from it
+  if (std::abs(sum) <= kOpposed) return first;
+  return (count == 2 && isAcute(mesh, frames, f) ? -sum : sum) / std::abs(sum);
+}
+
+FaceData<Wish> makeWishes(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
+  const FaceData<Complex> directions = curvatureDirections(mesh, frames);
+  FaceData<Wish> wishes(directions.size());
+  for (Index i = 0; i < wishes.size(); ++i) {
+    const Face f(i);
+    const Complex curve = alongCurves(mesh, frames, f);
+    const double size = std::abs(directions[f]);
+    if (curve != 0.0)
+      wishes[f] = {curve, 1, true};
+    else if (size > 0)
+      wishes[f] = {directions[f] * directions[f] / (size * size),
+                   kAlign * std::min(1.0, size * length), false};
+  }
+  return wishes;
+}
+
+// One unknown to each triangle that is not fixed, T its type: the sum over the edges of
+// weight · |value(twin's face) − rotated value(face)|², and of wishes.
+template <class T>
+class DualSystem {
+ public:
+  DualSystem(const WorkingMesh& mesh, const FaceFrames& frames, const FaceData<Wish>& wishes)
+      : mesh_(mesh), frames_(frames), wishes_(wishes), unknown_(wishes.size(), kNone) {
+    for (Index i = 0; i < wishes.size(); ++i)
+      if (!wishes[Face(i)].isFixed) unknown_[Face(i)] = count_++;
+  }
+
+  Index count() const { return count_; }
+  Index unknown(Face f) const { return unknown_[f]; }
+
+  // rotation(h): by what a value of face(h) is multiplied to be one of face(twin(h)).
+  template <class Rotation>
+  bool factor(double cling, Rotation rotation) {
+    std::vector<Eigen::Triplet<T>> entries;
+    std::vector<double> diagonal(count_, cling);
+    const HalfedgeMesh& m = mesh_.mesh();
+    for (Index i = 0; i < m.faceCapacity(); ++i) {
+      const Index row = unknown_[Face(i)];
+      if (row == kNone) continue;
+      diagonal[row] += wishes_[Face(i)].weight;
+      for (int corner = 0; corner < 3; ++corner) {
+        const Halfedge h = HalfedgeMesh::halfedge(Face(i), corner), twin = m.twin(h);
+        if (!twin) continue;
+        const double weight = dualWeight(mesh_, frames_, h);
+        diagonal[row] += weight;
+        const Index column = unknown_[HalfedgeMesh::face(twin)];
+        if (column != kNone && column < row)
+          entries.emplace_back(row, column, -weight * rotation(twin));
+      }
+    }
+    for (Index row = 0; row < count_; ++row) entries.emplace_back(row, row, T(diagonal[row]));
+    Eigen::SparseMatrix<T> matrix(count_, count_);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    solver_.compute(matrix);
+    return solver_.info() == Eigen::Success;
+  }
+
+  Eigen::Vector<T, Eigen::Dynamic> solve(const Eigen::Vector<T, Eigen::Dynamic>& right) const {
+    return solver_.solve(right);
+  }
+
+ private:
+  const WorkingMesh& mesh_;
+  const FaceFrames& frames_;
+  const FaceData<Wish>& wishes_;
+  FaceData<Index> unknown_;
+  Index count_ = 0;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<T>> solver_;
+};
+
+// Calls visit(unknown of f, h) for each edge of an unknown triangle f whose other side is fixed.
+template <class T, class Visit>
+void forEachTie(const WorkingMesh& mesh, const DualSystem<T>& system, Visit visit) {
+  for (Index i = 0; i < mesh.mesh().halfedgeCapacity(); ++i) {
+    const Halfedge h(i), twin = mesh.mesh().twin(h);
+    if (!twin || system.unknown(HalfedgeMesh::face(h)) == kNone) continue;
+    if (system.unknown(HalfedgeMesh::face(twin)) == kNone) visit(h);
+  }
+}
+
+FaceData<Complex> smoothCrosses(const WorkingMesh& mesh, const FaceFrames& frames,
+                                const FaceData<Wish>& wishes) {
+  FaceData<Complex> crosses(wishes.size());
+  for (Index i = 0; i < wishes.size(); ++i) crosses[Face(i)] = wishes[Face(i)].cross;
+  DualSystem<Complex> system(mesh, frames, wishes);
+  const auto rotation = [&](Halfedge h) { return std::polar(1.0, 4 * frames.between(h)); };
+  if (system.count() == 0 || !system.factor(kCling, rotation)) return crosses;
+  Eigen::VectorXcd fixed = Eigen::VectorXcd::Zero(system.count());
+  for (Index i = 0; i < wishes.size(); ++i)
+    if (const Index row = system.unknown(Face(i)); row != kNone)
+      fixed[row] = wishes[Face(i)].weight * wishes[Face(i)].cross;
+  forEachTie(mesh, system, [&](Halfedge h) {
+    const Halfedge twin = mesh.mesh().twin(h);
+    fixed[system.unknown(HalfedgeMesh::face(h))] +=
+        dualWeight(mesh, frames, h) * rotation(twin) * wishes[HalfedgeMesh::face(twin)].cross;
+  });
+  for (int k = 0; k < kSmoothings; ++k) {
+    Eigen::VectorXcd right = fixed;
+    for (Index i = 0; i < wishes.size(); ++i)
+      if (const Index row = system.unknown(Face(i)); row != kNone)
+        right[row] += kCling * crosses[Face(i)];
+    const Eigen::VectorXcd smooth = system.solve(right);
+    for (Index i = 0; i < wishes.size(); ++i) {
+      const Index row = system.unknown(Face(i));
+      if (row == kNone) continue;
+      const double size = std::abs(smooth[row]);
+      if (size > 0) crosses[Face(i)] = smooth[row] / size;
+    }
+  }
+  return crosses;
+}
+
+bool isBesideCurve(const WorkingMesh& mesh, Face f) {
+  for (int corner = 0; corner < 3; ++corner)
+    if (mesh.isCurve(HalfedgeMesh::halfedge(f, corner))) return true;
+  return false;
+}
+
+}  // namespace
+
+double CrossField::bend(const FaceFrames& frames, const HalfedgeMesh& mesh, Halfedge h) const {
+  const Face f = HalfedgeMesh::face(h), g = HalfedgeMesh::face(mesh.twin(h));
+  return angle[g] + turn[h] * kQuarter - angle[f] - frames.between(h);
+}
+
+CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
+  const FaceData<Wish> wishes = makeWishes(mesh, frames, length);
+  const FaceData<Complex> crosses = smoothCrosses(mesh, frames, wishes);
+  const HalfedgeMesh& m = mesh.mesh();
+  CrossField field{FaceData<double>(m.faceCapacity()), HalfedgeData<int>(m.halfedgeCapacity(), 0)};
+  for (Index i = 0; i < m.faceCapacity(); ++i)
+    field.angle[Face(i)] = std::arg(crosses[Face(i)]) / 4;
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i), twin = m.twin(h);
+    if (!twin || twin < h) continue;
+    field.turn[h] = int(std::lround(-field.bend(frames, m, h) / kQuarter));
+    field.turn[twin] = -field.turn[h];
+  }
+  turnSectors(field, mesh, frames);
+  return field;
+}
+
+// Angles are changes from those at hand, so that fixed ones are 0.
+void smoothAngles(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames) {
+  constexpr double kStay = 1e-3;  // which only matters where nothing else says an angle
+  const HalfedgeMesh& m = mesh.mesh();
+  FaceData<Wish> wishes(m.faceCapacity());
+  for (Index i = 0; i < wishes.size(); ++i) wishes[Face(i)].isFixed = isBesideCurve(mesh, Face(i));
+  DualSystem<double> system(mesh, frames, wishes);
+  if (system.count() == 0 || !system.factor(kStay, [](Halfedge) { return 1.0; })) return;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(system.count());
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const Index row = system.unknown(HalfedgeMesh::face(h));
+    if (row != kNone && m.twin(h))
+      right[row] += dualWeight(mesh, frames, h) * field.bend(frames, m, h);
+  }
+  const Eigen::VectorXd change = system.solve(right);
+  for (Index i = 0; i < wishes.size(); ++i)
+    if (const Index row = system.unknown(Face(i)); row != kNone)
+      field.angle[Face(i)] += change[row];
+}
+
+}  // namespace remesher

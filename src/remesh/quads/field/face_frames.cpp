@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/field/face_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace remesher {
+
+FaceFrames::FaceFrames(const WorkingMesh& mesh)
+    : mesh_(mesh),
+      x_(mesh.mesh().faceCapacity()),
+      y_(x_.size()),
+      normal_(x_.size()),
+      area_(x_.size()),
+      angle_(mesh.mesh().halfedgeCapacity()),
+      between_(angle_.size(), 0) {
+  const HalfedgeMesh& m = mesh.mesh();
+  for (Index i = 0; i < m.faceCapacity(); ++i) {
+    const Face f(i);
+    const auto [a, b, c] = mesh.corners(f);
+    const Vec3 across = areaVector(a, b, c);
+    x_[f] = (b - a).normalized();
+    normal_[f] = across.normalized();
+    y_[f] = normal_[f].cross(x_[f]);
+    area_[f] = 0.5 * across.norm();
+    for (int corner = 0; corner < 3; ++corner) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, corner);
+      const Vec2 along = edge(h);
+      angle_[h] = std::atan2(along.y(), along.x());
+    }
+  }
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i), twin = m.twin(h);
+    if (!twin || twin < h) continue;
+    // The same edge runs the other way beyond; of angles that are whole turns apart the smallest.
+    const double turn = angle_[twin] + std::numbers::pi - angle_[h];
+    between_[h] = std::remainder(turn, 2 * std::numbers::pi);
+    between_[twin] = -between_[h];
+  }
+}
+
+Vec2 FaceFrames::inFrame(Face f, const Vec3& vector) const {
+  return {vector.dot(x_[f]), vector.dot(y_[f])};
+}
+
+Vec3 FaceFrames::inSpace(Face f, const Vec2& vector) const {
+  return vector.x() * x_[f] + vector.y() * y_[f];
+}
+
+Vec2 FaceFrames::edge(Halfedge h) const {
+  const HalfedgeMesh& m = mesh_.mesh();
+  return inFrame(HalfedgeMesh::face(h), mesh_.position(m.tip(h)) - mesh_.position(m.origin(h)));
+}
+
+double dualWeight(const WorkingMesh& mesh, const FaceFrames& frames, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const double length2 = (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).squaredNorm();
+  const double areas =
+      frames.area(HalfedgeMesh::face(h)) + frames.area(HalfedgeMesh::face(m.twin(h)));
+  // What is thin does not tie its neighbours together more than a right triangle would.
+  constexpr double kMost = 8;
+  return areas > 0 ? std::min(kMost, 3 * length2 / areas) : kMost;
+}
+
+}  // namespace remesher

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/field/singularities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace remesher {
+
+namespace {
+
+// Shortest ways along edges from one vertex, as far as `reach`.
+class Ways {
+ public:
+  Ways(const WorkingMesh& mesh, Vertex from, double reach) : mesh_(mesh) {
+    using Entry = std::pair<double, Vertex>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    found_[from] = {0, Halfedge()};
+    open.push({0, from});
+    while (!open.empty()) {
+      const double far = open.top().first;
+      const Vertex v = open.top().second;
+      open.pop();
+      if (far > found_.at(v).distance) continue;
+      mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
+        const Vertex next = mesh.mesh().tip(h);
+        const double there = far + (mesh.position(next) - mesh.position(v)).norm();
+        if (there > reach || mesh.kind(next) != VertexKind::Interior) return;
+        const auto known = found_.find(next);
+        if (known != found_.end() && known->second.distance <= there) return;
+        found_[next] = {there, h};
+        open.push({there, next});
+      });
+    }
+  }
+
+  struct Arrival {
+    double distance;
+    Halfedge by;  // the last edge of the way
+  };
+  const std::map<Vertex, Arrival>& found() const { return found_; }
+
+  // From the start to v, last edge first.
+  std::vector<Halfedge> wayTo(Vertex v) const {
+    std::vector<Halfedge> way;
+    for (Halfedge h = found_.at(v).by; h; h = found_.at(mesh_.mesh().origin(h)).by)
+      way.push_back(h);
+    return way;
+  }
+
+ private:
+  const WorkingMesh& mesh_;
+  std::map<Vertex, Arrival> found_;
+};
+
+using Pair = std::tuple<double, Vertex, Vertex>;  // how far, the positive one, the negative one
+
+std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, double reach) {
+  std::vector<Pair> pairs;
+  for (Index i = 0; i < indices.size(); ++i) {
+    if (indices[Vertex(i)] <= 0 || mesh.kind(Vertex(i)) != VertexKind::Interior) continue;
+    const Ways ways(mesh, Vertex(i), reach);
+    for (const auto& [v, arrival] : ways.found())
+      if (indices[v] < 0) pairs.emplace_back(arrival.distance, Vertex(i), v);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// A quarter turn more over each edge of the way: one less at its start, one more at its end.
+void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Halfedge>& way) {
+  for (const Halfedge h : way) {
+    ++field.turn[h];
+    --field.turn[mesh.twin(h)];
+  }
+}
+
+// Of a vertex around which crosses turn twice all but one quarter goes to the farthest regular
+// vertices within reach: a vertex of two quads is none, and one of six is two of five.
+bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices,
+                 double reach) {
+  bool isChanged = false;
+  for (Index i = 0; i < indices.size(); ++i)
+    for (const Vertex v(i); std::abs(indices[v]) > 1;) {
+      const Ways ways(mesh, v, reach);
+      const auto isNearer = [&](const auto& a, const auto& b) {
+        return (indices[a.first] == 0 ? a.second.distance : -1) <
+               (indices[b.first] == 0 ? b.second.distance : -1);
+      };
+      const auto farthest = std::max_element(ways.found().begin(), ways.found().end(), isNearer);
+      if (indices[farthest->first] != 0) break;
+      std::vector<Halfedge> way = ways.wayTo(farthest->first);
+      const int sign = indices[v] > 0 ? 1 : -1;
+      if (sign < 0)
+        for (Halfedge& h : way) h = mesh.mesh().twin(h);
+      turnAlong(field, mesh.mesh(), way);
+      indices[v] -= sign;
+      indices[farthest->first] += sign;
+      isChanged = true;
+    }
+  return isChanged;
+}
+
+}  // namespace
+
+VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
+                               const FaceFrames& frames) {
+  const HalfedgeMesh& m = mesh.mesh();
+  VertexData<int> indices(m.vertexCapacity(), 0);
+  for (Index i = 0; i < m.vertexCapacity(); ++i) {
+    const Vertex v(i);
+    if (!m.isAlive(v) || m.isBoundary(v)) continue;
+    double turn = 2 * std::numbers::pi;  // less the angles around v: the surface's own
+    m.forEachOutgoing(v, [&](Halfedge h) {
+      const Halfedge back = m.prev(h);
+      const double angle = frames.angle(back) + std::numbers::pi - frames.angle(h);
+      turn -= angle - 2 * std::numbers::pi * std::floor(angle / (2 * std::numbers::pi));
+      turn += field.bend(frames, m, back);
+    });
+    indices[v] = int(std::lround(turn / (std::numbers::pi / 2)));
+  }
+  return indices;
+}
+
+void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
+                 double reach) {
+  VertexData<int> indices = quarterIndices(field, mesh, frames);
+  bool isChanged = partDoubles(field, mesh, indices, reach);
+  for (const auto& [distance, positive, negative] : nearPairs(mesh, indices, reach)) {
+    if (indices[positive] <= 0 || indices[negative] >= 0) continue;
+    turnAlong(field, mesh.mesh(), Ways(mesh, positive, reach).wayTo(negative));
+    --indices[positive];
+    ++indices[negative];
+    isChanged = true;
+  }
+  if (isChanged) smoothAngles(field, mesh, frames);
+}
+
+}  // namespace remesher

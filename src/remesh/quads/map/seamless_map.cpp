@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/map/seamless_map.h"
+
+#include <cmath>
+
+#include "mesh/topology.h"
+#include "remesh/quads/field/singularities.h"
+#include "remesh/quads/map/spacing.h"
+#include "remesh/quads/map/untangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Dense work grows with the third power: for so many it takes about a second a map.
+constexpr Index kMostWholes = 1500;
+
+MapPoint turned(const MapPoint& p, int turn) {
+  switch (turn) {
+    case 0:
+      return p;
+    case 1:
+      return {-p.v, p.u};
+    case 2:
+      return {-p.u, -p.v};
+    default:
+      return {p.v, -p.u};
+  }
+}
+
+}  // namespace
+
+MapPoint Transition::operator()(const MapPoint& p) const { return turned(p, turn) + shift; }
+
+Transition SeamlessMap::across(const HalfedgeMesh& mesh, Halfedge h) const {
+  const MapPoint there = corners[HalfedgeMesh::next(mesh.twin(h))];
+  return {turn[h], there - turned(corners[h], turn[h])};
+}
+
+MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field)
+    : mesh_(mesh),
+      frames_(mesh),
+      singular_(quarterIndices(field, mesh, frames_)),
+      cut_(cutOpen(mesh, field, singular_)),
+      system_({mesh, frames_, cut_, singular_}) {
+  if (!system_.isSolvable() || system_.count() - system_.realCount() > kMostWholes) return;
+  const SeamlessSystem::Quadratic quadratic = system_.quadratic();
+  rounding_ = std::make_unique<Rounding>(quadratic.matrix, quadratic.right, system_.realCount());
+  if (rounding_->isSolvable())
+    rounding_->require(leastSpacings({mesh, frames_, cut_, singular_}, system_));
+  else
+    rounding_.reset();
+}
+
+SeamlessMap MapMaker::map(double length) const {
+  Eigen::VectorXd values = rounding_->rounded(1 / length);
+  untangle(values, {mesh_, frames_, system_, length});
+  return inWholes(values);
+}
+
+// Real variables become odd numbers of kUnit's parts: no corner is then in the middle between two
+// whole numbers, where the walk over the map begins.
+SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
+  std::vector<Whole> wholes;
+  for (Index i = 0; i < Index(values.size()); ++i)
+    wholes.push_back(i < system_.realCount()
+                         ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
+                         : Whole(std::llround(values[i])) * kUnit);
+  const HalfedgeMesh& m = mesh_.mesh();
+  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn};
+  const auto valueOf = [&](const IntegerSum& sum) {
+    Whole value = 0;
+    for (const auto& [variable, coefficient] : sum) value += coefficient * wholes[variable];
+    return value;
+  };
+  for (Index h = 0; h < m.halfedgeCapacity(); ++h) {
+    const auto& [u, v] = system_.corner(Halfedge(h));
+    map.corners[Halfedge(h)] = {valueOf(u), valueOf(v)};
+  }
+  return map;
+}
+
+// V = χ + F + B/2, B the number of edges on boundaries: from Euler's formula and 4F = 2E − B.
+double MapMaker::countVertices(const SeamlessMap& map) const {
+  const HalfedgeMesh& m = mesh_.mesh();
+  double twiceArea = 0, boundary = 0;
+  for (Index f = 0; f < m.faceCapacity(); ++f) twiceArea += double(map.area(Face(f)));
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    if (!m.isBoundary(Halfedge(i))) continue;
+    const MapPoint edge = map.corners[HalfedgeMesh::next(Halfedge(i))] - map.corners[Halfedge(i)];
+    boundary += std::abs(double(edge.u)) + std::abs(double(edge.v));
+  }
+  const double unit = double(kUnit);
+  return double(eulerCharacteristic(m)) + twiceArea / (2 * unit * unit) + boundary / (2 * unit);
+}
+
+}  // namespace remesher

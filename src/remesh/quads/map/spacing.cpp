@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/map/spacing.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace remesher {
+
+namespace {
+
+// How far the map goes along an edge of a curve: along the direction of the cross that follows it.
+IntegerSum lengthOf(const MapInput& input, const SeamlessSystem& system, Halfedge h) {
+  const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
+  const long quarters = std::lround(angle / (std::numbers::pi / 2));
+  const std::size_t axis = quarters % 2 == 0 ? 0 : 1;
+  const IntegerSum gone =
+      plus(system.corner(HalfedgeMesh::next(h))[axis], system.corner(h)[axis], -1);
+  return ((quarters % 4) + 4) % 4 < 2 ? gone : plus({}, gone, -1);
+}
+
+// The edge of the same chain that goes on where h ends.
+Halfedge nextOnChain(const WorkingMesh& mesh, Halfedge h) {
+  Halfedge next;
+  mesh.mesh().forEachOutgoing(mesh.mesh().tip(h), [&](Halfedge out) {
+    if (mesh.curve(out) == mesh.curve(h) && out != mesh.mesh().twin(h)) next = out;
+  });
+  return next;
+}
+
+bool isWholeSum(const IntegerSum& sum, const SeamlessSystem& system) {
+  return !sum.empty() && sum.front().first >= system.realCount();
+}
+
+void addChainLengths(std::set<IntegerSum>& lengths, const MapInput& input,
+                     const SeamlessSystem& system) {
+  const HalfedgeMesh& m = input.mesh.mesh();
+  std::set<Index> seen;
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    Halfedge h(i);
+    if (!input.mesh.isCurve(h) || input.mesh.kind(m.origin(h)) != VertexKind::Corner) continue;
+    if (!seen.insert(input.mesh.curve(h)).second) continue;
+    IntegerSum length = lengthOf(input, system, h);
+    while (h && input.mesh.kind(m.tip(h)) != VertexKind::Corner) {
+      h = nextOnChain(input.mesh, h);
+      if (h) length = plus(length, lengthOf(input, system, h), 1);
+    }
+    if (h && isWholeSum(length, system)) lengths.insert(std::move(length));
+  }
+}
+
+// Along the direction of the cross that the edge is nearest to.
+void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
+  constexpr double kAlong = 0.5;  // of the edge's length
+  for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
+    const double along[] = {std::cos(angle), std::sin(angle)};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (std::abs(along[axis]) < kAlong) continue;
+      const IntegerSum gone =
+          plus(system.corner(HalfedgeMesh::next(h))[axis], system.corner(h)[axis], -1);
+      if (isWholeSum(gone, system)) lengths.insert(plus({}, gone, along[axis] > 0 ? 1 : -1));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<IntegerSum> leastSpacings(const MapInput& input, const SeamlessSystem& system) {
+  std::set<IntegerSum> lengths;
+  addChainLengths(lengths, input, system);
+  addEdges(lengths, input, system);
+  return {lengths.begin(), lengths.end()};
+}
+
+}  // namespace remesher

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Whether quads are a surface, and which: the laws that every result keeps.
+#pragma once
+
+#include <string>
+
+#include "mesh/halfedge_mesh.h"
+#include "remesh/quads/mesh/quad_mesh.h"
+
+namespace remesher {
+
+// What tells one surface from another.
+struct SurfaceKind {
+  long eulerCharacteristic = 0;
+  std::size_t components = 0;
+  std::size_t boundaryLoops = 0;
+  bool operator==(const SurfaceKind&) const = default;
+};
+
+SurfaceKind kindOf(const HalfedgeMesh& mesh);
+SurfaceKind kindOf(const QuadMesh& mesh);  // which must be a manifold
+
+// The first broken law in words, empty if all hold: four different corners each, every vertex in
+// use, a manifold, and no doublet, which is a vertex inside with two quads only.
+std::string check(const QuadMesh& mesh);
+
+}  // namespace remesher

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/quads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "remesh/quads/extract/extraction.h"
+#include "remesh/quads/extract/holes.h"
+#include "remesh/quads/extract/mending.h"
+#include "remesh/quads/field/sectors.h"
+#include "remesh/quads/field/singularities.h"
+#include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/pair/pairing.h"
+#include "remesh/quads/shape/collapse.h"
+#include "remesh/quads/shape/smoothing.h"
+
+namespace remesher {
+
+namespace {
+
+// Of triangles for the map: as many vertices as the quads, but no fewer than fields and maps need
+// to be smooth.
+constexpr std::size_t kLeastForMap = 5000;
+// Opposite singular vertices nearer than this cancel each other; in sides of quads.
+constexpr double kCancelWithin = 1.5;
+constexpr int kTries = 12;
+constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
+// Towards the count by what the last map had; then aside. A map farther off is no result.
+constexpr int kSteps = 4;
+constexpr double kFarthest = 0.1;
+constexpr int kSmoothings = 12;
+// Of maps whose quads fold somewhere, so many are looked at.
+constexpr int kShaped = 4;
+
+double areaOf(const WorkingMesh& mesh) {
+  double sum = 0;
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
+    const auto [a, b, c] = mesh.corners(Face(f));
+    sum += area(a, b, c);
+  }
+  return sum;
+}
+
+void shape(QuadMesh& quads, const WorkingMesh& ground) {
+  MovingQuads moving(quads, ground);
+  smoothToSquares(moving, kSmoothings);
+  mendCorners(moving);
+}
+
+std::size_t countFolds(QuadMesh& quads, const WorkingMesh& ground) {
+  const MovingQuads moving(quads, ground);
+  std::size_t count = 0;
+  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) <= 0;
+  return count;
+}
+
+CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
+  CrossField field = makeCrossField(mesh, frames, length);
+  cancelPairs(field, mesh, frames, kCancelWithin * length);
+  return field;
+}
+
+// The quads of a map, if they are a surface like that of the mesh.
+struct Extracted {
+  QuadMesh quads;
+  bool areCurvesFollowed;
+  std::size_t folds = 0;
+};
+std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
+  QuadMesh quads = extractQuads(part, map);
+  dropUnsound(quads);
+  if (quads.quads.empty()) return {};
+  fillHoles(quads, part);
+  const bool areCurvesFollowed = followCurves(quads, part);
+  removeDoublets(quads);
+  if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
+  return Extracted{std::move(quads), areCurvesFollowed};
+}
+
+// Too many can be made fewer, but not the other way round.
+double countError(double count, double wanted) {
+  const double off = count / wanted - 1;
+  return off < -kCountTolerance ? kFarthest : std::abs(off);
+}
+
+// Whether one result is to be had rather than another: curves first, then folds, then the count.
+bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double wanted) {
+  if (!b) return true;
+  if (a.areCurvesFollowed != b->areCurvesFollowed) return a.areCurvesFollowed;
+  if (a.folds != b->folds) return a.folds < b->folds;
+  return countError(double(a.quads.vertices.size()), wanted) <
+         countError(double(b->quads.vertices.size()), wanted);
+}
+
+// Rounding makes of each scale another map, and numbers come in steps: scales to both sides of the
+// right one are tried, ever farther ones, until a map is good.
+std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
+                                     double vertices) {
+  std::optional<Extracted> best;
+  int shaped = 0;
+  for (int i = 0; i < kTries && shaped < kShaped; ++i) {
+    const bool isFirst = i < kSteps;
+    const double aside = i % 2 == 0 ? 1 + kNudge * (i - kSteps) : 1 - kNudge * (i - kSteps);
+    const SeamlessMap map = maker.map(isFirst ? length : length * aside);
+    const double count = maker.countVertices(map);
+    std::optional<Extracted> made;
+    if (countError(count, vertices) < (isFirst || best ? kCountTolerance : kFarthest))
+      made = extracted(part, map);
+    if (made && countError(double(made->quads.vertices.size()), vertices) < kFarthest) {
+      shape(made->quads, part);
+      made->folds = countFolds(made->quads, part);
+      ++shaped;
+      if (isBetter(*made, best, vertices)) best = std::move(made);
+      if (best->folds == 0 && best->areCurvesFollowed &&
+          countError(double(best->quads.vertices.size()), vertices) <= kCountTolerance)
+        break;
+    }
+    if (isFirst) length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
+  }
+  return best;
+}
+
+// Quads can be taken out one by one, but not put in: for an exact number a few more are made.
+constexpr double kMore = 1.011;
+
+// To the number that is wanted, or as near as is allowed.
+void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
+  const double most = double(goal.vertices) * (1 + kCountTolerance);
+  const std::size_t count = goal.isExact ? goal.vertices : std::size_t(most);
+  made.collapsed = collapseTo(made.mesh, ground, std::max<std::size_t>(count, 8));
+  if (made.collapsed > 0) shape(made.mesh, ground);
+}
+
+// What a part may have: its share of the vertices by area.
+struct PartShare {
+  Index number;  // of the connected part of the original that it lies on
+  double vertices;
+};
+
+std::vector<PartShare> sharesOf(const std::vector<WorkingMesh>& parts, double vertices) {
+  const FaceData<Index> numbers = partNumbers(parts.front().surface().mesh());
+  double whole = 0;
+  for (const WorkingMesh& part : parts) whole += areaOf(part);
+  std::vector<PartShare> shares;
+  for (const WorkingMesh& part : parts)
+    shares.push_back({numbers[part.at(Vertex(0)).face], vertices * areaOf(part) / whole});
+  return shares;
+}
+
+// By pairs, for the parts of these numbers. The number of vertices follows from that of triangles
+// left alone, so that a second mesh has the right one.
+QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
+                   const TriangleMaker& triangles) {
+  double share = 0;
+  for (const PartShare& one : wanted) share += one.vertices;
+  std::size_t coarse = std::max<std::size_t>(vertices / 4, 4);
+  QuadMesh quads;
+  for (int i = 0; i < 3; ++i) {
+    const WorkingMesh mesh = triangles(coarse);
+    const FaceData<Index> numbers = partNumbers(mesh.surface().mesh());
+    quads = {};
+    for (const WorkingMesh& part : connectedParts(mesh)) {
+      const Index number = numbers[part.at(Vertex(0)).face];
+      const auto isIt = [&](const PartShare& one) { return one.number == number; };
+      const auto found = std::find_if(wanted.begin(), wanted.end(), isIt);
+      if (found == wanted.end()) continue;
+      append(quads, pairToQuads(part, std::sqrt(areaOf(part) / found->vertices)));
+    }
+    if (std::abs(double(quads.vertices.size()) / share - 1) <= kCountTolerance / 2) break;
+    const double factor = share / double(quads.vertices.size());
+    const auto next = std::size_t(std::max(4.0, std::round(double(coarse) * factor)));
+    if (next == coarse) break;
+    coarse = next;
+  }
+  return quads;
+}
+
+}  // namespace
+
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices) {
+  const FaceFrames frames(part);
+  const double length = std::sqrt(areaOf(part) / vertices);
+  const CrossField field = fieldOn(part, frames, length);
+  const MapMaker maker(part, field);
+  if (!maker.isPossible()) return {};
+  std::optional<Extracted> found = searchScale(part, maker, length, vertices);
+  if (!found) return {};
+  return std::move(found->quads);
+}
+
+QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
+  const FaceFrames frames(mesh);
+  const CrossField field = fieldOn(mesh, frames, length);
+  QuadMesh quads = splitPairs(mesh, pairTriangles(mesh, frames, field));
+  shape(quads, mesh);
+  return quads;
+}
+
+MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
+  const double more = goal.isExact ? kMore : 1;
+  const auto vertices = std::size_t(std::ceil(more * double(goal.vertices)));
+  WorkingMesh base = triangles(std::max(vertices, kLeastForMap));
+  openSectors(base);
+  const std::vector<WorkingMesh> parts = connectedParts(base);
+  const std::vector<PartShare> shares = sharesOf(parts, double(vertices));
+  MadeQuads made{{}, parts.size(), 0};
+  std::vector<PartShare> failed;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const QuadMesh quads = mapToQuads(parts[i], shares[i].vertices);
+    quads.quads.empty() ? failed.push_back(shares[i]) : append(made.mesh, quads);
+  }
+  made.paired = failed.size();
+  if (!failed.empty()) append(made.mesh, pairParts(failed, vertices, triangles));
+  matchCount(made, goal, base);
+  return made;
+}
+
+}  // namespace remesher

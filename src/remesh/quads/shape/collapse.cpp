@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/collapse.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/mesh/quad_sides.h"
+
+namespace remesher {
+
+namespace {
+
+// The corner of a quad that is to become one with the corner across from it.
+struct Candidate {
+  int irregular;  // how much farther from 4 valences are afterwards, summed up
+  double length;  // of the diagonal
+  Index side;     // that leaves the corner
+  auto order() const { return std::tie(irregular, length, side); }
+  bool operator<(const Candidate& other) const { return order() < other.order(); }
+};
+
+class QuadCollapses {
+ public:
+  explicit QuadCollapses(const QuadMesh& mesh)
+      : mesh_(mesh), sides_(mesh.vertices.size(), mesh.quads) {}
+
+  std::vector<Candidate> candidates() const {
+    std::vector<Candidate> found;
+    for (Index q = 0; q < mesh_.quads.size(); ++q)
+      for (Index corner = 0; corner < 2; ++corner)
+        if (const auto candidate = judge(sideOf(q, corner))) found.push_back(*candidate);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // All vertices of the quads around the four corners: while these change, nothing else there may.
+  std::vector<Index> reachOf(Index side) const {
+    std::vector<Index> reach;
+    for (const Index v : mesh_.quads[side / 4])
+      sides_.forEachOutgoing(v, [&](Index out) {
+        for (const Index w : mesh_.quads[out / 4]) reach.push_back(w);
+      });
+    return reach;
+  }
+
+ private:
+  std::set<Index> neighbors(Index v) const {
+    std::set<Index> found;
+    sides_.forEachOutgoing(v, [&](Index side) {
+      found.insert(sides_.tip(side));
+      found.insert(sides_.origin(prevSide(side)));
+    });
+    return found;
+  }
+
+  std::set<Index> aroundQuads(Index v) const {
+    std::set<Index> found;
+    sides_.forEachOutgoing(v, [&](Index side) {
+      for (const Index w : mesh_.quads[side / 4]) found.insert(w);
+    });
+    return found;
+  }
+
+  bool isCurve(Index side) const { return mesh_.curves[side / 4][side % 4] != kNone; }
+
+  // Whether b may lose a neighbour: it keeps three inside, and a quad on a boundary.
+  bool mayLose(Index b) const {
+    return sides_.valence(b) > 3 || (sides_.isBoundary(b) && sides_.valence(b) > 2);
+  }
+
+  std::optional<Candidate> judge(Index side) const {
+    const Index a = sides_.origin(side), b = sides_.tip(side);
+    const Index c = sides_.tip(nextSide(side)), d = sides_.origin(prevSide(side));
+    // At most one of both stays where it is; neither carries a curve onto another.
+    if (mesh_.vertices[a].kind != VertexKind::Interior &&
+        mesh_.vertices[c].kind != VertexKind::Interior)
+      return {};
+    if (!mayLose(b) || !mayLose(d)) return {};
+    for (Index k = 0, s = side; k < 4; ++k, s = nextSide(s))
+      if (sides_.across(s) == kNone) return {};
+    const std::set<Index> ofA = neighbors(a), ofC = neighbors(c);
+    for (const Index v : ofA)
+      if (v != b && v != d && ofC.contains(v)) return {};
+    std::size_t shared = 0;
+    const std::set<Index> aroundC = aroundQuads(c);
+    for (const Index v : aroundQuads(a)) shared += aroundC.contains(v);
+    if (shared != 4) return {};
+    const int va = sides_.valence(a), vb = sides_.valence(b), vc = sides_.valence(c),
+              vd = sides_.valence(d);
+    const int before = std::abs(va - 4) + std::abs(vb - 4) + std::abs(vc - 4) + std::abs(vd - 4);
+    const int after = std::abs(va + vc - 6) + std::abs(vb - 5) + std::abs(vd - 5);
+    return Candidate{after - before, (mesh_.position(a) - mesh_.position(c)).norm(), side};
+  }
+
+  const QuadMesh& mesh_;
+  const QuadSides sides_;
+};
+
+Placement merged(const Placement& a, const Placement& c, const WorkingMesh& ground) {
+  if (a.kind != VertexKind::Interior) return a;
+  if (c.kind != VertexKind::Interior) return c;
+  return ground.onSurface(closestPointFrom(ground.surface(), a.at, (a.position + c.position) / 2));
+}
+
+// Of the four sides of a quad that goes, those across from each other's ends become one edge.
+void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
+  const Index a = sides.across(one), b = sides.across(two);
+  Index &curveA = mesh.curves[a / 4][a % 4], &curveB = mesh.curves[b / 4][b % 4];
+  if (curveA == kNone) curveA = curveB;
+  curveB = curveA;
+}
+
+// Without the quads that are marked and the vertices that no quad names.
+void dropMarked(QuadMesh& mesh, const std::vector<char>& isGone) {
+  std::size_t kept = 0;
+  for (std::size_t q = 0; q < isGone.size(); ++q) {
+    if (isGone[q]) continue;
+    mesh.quads[kept] = mesh.quads[q];
+    mesh.curves[kept++] = mesh.curves[q];
+  }
+  mesh.quads.resize(kept);
+  mesh.curves.resize(kept);
+  dropUnusedVertices(mesh);
+}
+
+// As many as may be done side by side.
+std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t most) {
+  const QuadMesh before = mesh;
+  const QuadCollapses collapses(before);
+  const QuadSides sides(before.vertices.size(), before.quads);
+  std::vector<char> isTouched(before.vertices.size(), 0), isGone(before.quads.size(), 0);
+  std::vector<Index> heir(before.vertices.size());
+  for (Index v = 0; v < heir.size(); ++v) heir[v] = v;
+  std::size_t count = 0;
+  for (const Candidate& candidate : collapses.candidates()) {
+    if (count == most) break;
+    const std::vector<Index> reach = collapses.reachOf(candidate.side);
+    if (std::any_of(reach.begin(), reach.end(), [&](Index v) { return isTouched[v] != 0; }))
+      continue;
+    for (const Index v : reach) isTouched[v] = 1;
+    const Index side = candidate.side, a = sides.origin(side), c = sides.tip(nextSide(side));
+    mesh.vertices[a] = merged(before.vertices[a], before.vertices[c], ground);
+    heir[c] = a;
+    isGone[side / 4] = 1;
+    joinCurves(mesh, sides, side, nextSide(side));
+    joinCurves(mesh, sides, nextSide(nextSide(side)), prevSide(side));
+    ++count;
+  }
+  for (Four<Index>& quad : mesh.quads)
+    for (Index& v : quad) v = heir[v];
+  dropMarked(mesh, isGone);
+  return count;
+}
+
+}  // namespace
+
+std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count) {
+  std::size_t all = 0;
+  while (mesh.vertices.size() > count) {
+    const std::size_t gone = collapseOnce(mesh, ground, mesh.vertices.size() - count);
+    if (gone == 0) break;
+    all += gone;
+  }
+  return all;
+}
+
+}  // namespace remesher

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Fewer quads, one by one: two opposite corners of a quad become one vertex, and the quad is gone.
+// The surface's kind, its boundaries and its curves stay; so any number of vertices can be reached
+// from a few more.
+//
+//      d               d
+//     / \              |        a and c become m; b and d have one neighbour fewer each
+//    a   c     ->      m
+//     \ /              |
+//      b               b
+#pragma once
+
+#include "remesh/quads/mesh/quad_mesh.h"
+
+namespace remesher {
+
+// Takes vertices away until there are `count`, where the fewest irregular ones come of it. Fewer go
+// where no more can. ground: any mesh on the same original. Returns how many went.
+std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count);
+
+}  // namespace remesher

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/quad_star.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "original/surface/surface_walk.h"
+
+namespace remesher {
+
+namespace {
+
+// A vertex on a curve stays that share of the way away from its neighbours on it.
+constexpr double kMargin = 0.25;
+
+}  // namespace
+
+Quad MovingQuads::corners(Index quad) const {
+  const auto& [a, b, c, d] = mesh_.quads[quad];
+  return {mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d)};
+}
+
+// Folds are seen along the original's normals: of a vertex on a curve there are several, so that
+// those of the vertices inside count, and where there are none the quad's own.
+double MovingQuads::quality(Index quad) const {
+  const Quad places = corners(quad);
+  Vec3 normal = Vec3::Zero();
+  for (const Index v : mesh_.quads[quad])
+    if (mesh_.vertices[v].kind == VertexKind::Interior) normal += mesh_.vertices[v].normal;
+  const double length = normal.norm();
+  normal = length > 0 ? Vec3(normal / length) : Vec3(areaVector(places).normalized());
+  const std::array<double, 4> sines = cornerSines(places, normal);
+  return *std::min_element(sines.begin(), sines.end());
+}
+
+double MovingQuads::qualityAround(Index v) const {
+  double worst = 1;
+  sides_.forEachOutgoing(v, [&](Index side) { worst = std::min(worst, quality(side / 4)); });
+  return worst;
+}
+
+// Along the line between the two neighbours on the curve, from one's arc to the other's.
+std::optional<Placement> MovingQuads::alongCurve(Index v, const Vec3& p) const {
+  const Placement& here = mesh_.vertices[v];
+  std::vector<Index> neighbors;
+  sides_.forEachOutgoing(v, [&](Index side) {
+    const Index before = prevSide(side);
+    if (mesh_.curves[side / 4][side % 4] == here.on.chain) neighbors.push_back(sides_.tip(side));
+    if (sides_.across(before) == kNone && mesh_.curves[before / 4][before % 4] == here.on.chain)
+      neighbors.push_back(sides_.origin(before));
+  });
+  if (neighbors.size() != 2) return {};
+  std::array<double, 2> arcs{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Placement& end = mesh_.vertices[neighbors[i]];
+    arcs[i] = end.kind == VertexKind::Curve
+                  ? end.on.arc
+                  : ground_.surface()
+                        .curves()
+                        .atCorner(here.on.chain, ground_.originalCorner(end.at))
+                        .arc;
+  }
+  const std::size_t low = arcs[1] < arcs[0] ? 1 : 0;
+  const Vec3 along = (mesh_.position(neighbors[1 - low]) - mesh_.position(neighbors[low]));
+  const double length2 = along.squaredNorm();
+  if (!(length2 > 0)) return {};
+  const double span = arcs[1 - low] - arcs[low];
+  const double share = (p - here.position).dot(along) / length2;
+  const double arc =
+      std::clamp(here.on.arc + share * span, arcs[low] + kMargin * (here.on.arc - arcs[low]),
+                 arcs[1 - low] - kMargin * (arcs[1 - low] - here.on.arc));
+  return ground_.onCurve({here.on.chain, arc});
+}
+
+std::optional<Placement> MovingQuads::placeNear(Index v, const Vec3& p) const {
+  const Placement& here = mesh_.vertices[v];
+  if (here.kind == VertexKind::Corner) return {};
+  if (here.kind == VertexKind::Curve) return alongCurve(v, p);
+  return ground_.onSurface(closestPointFrom(ground_.surface(), here.at, p));
+}
+
+bool MovingQuads::moveUnlessWorse(Index v, const Placement& place, double enough) {
+  const double least = std::min(qualityAround(v), enough);
+  const Placement before = std::exchange(mesh_.vertices[v], place);
+  if (qualityAround(v) >= least) return true;
+  mesh_.vertices[v] = before;
+  return false;
+}
+
+}  // namespace remesher

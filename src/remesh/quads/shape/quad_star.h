@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Quads on the original while their vertices move: how good the corners around a vertex are, and
+// where it may go. Vertices inside move on the surface, those on curves along them, corners not at
+// all.
+#pragma once
+
+#include <optional>
+
+#include "geometry/quad.h"
+#include "remesh/quads/mesh/quad_mesh.h"
+#include "remesh/quads/mesh/quad_sides.h"
+
+namespace remesher {
+
+class MovingQuads {
+ public:
+  // ground: any mesh on the same original. The quads must be a manifold, and outlive this.
+  MovingQuads(QuadMesh& mesh, const WorkingMesh& ground)
+      : mesh_(mesh), ground_(ground), sides_(mesh.vertices.size(), mesh.quads) {}
+
+  const QuadMesh& mesh() const { return mesh_; }
+  const QuadSides& sides() const { return sides_; }
+  Quad corners(Index quad) const;
+
+  // The smallest sine of the quad's corners, negative where it folds over.
+  double quality(Index quad) const;
+  // The smallest of all quads around v.
+  double qualityAround(Index v) const;
+
+  // The place that v may move to nearest to p, if it may move.
+  std::optional<Placement> placeNear(Index v, const Vec3& p) const;
+
+  // Moves v, unless a corner around it gets worse than both before and `enough`.
+  bool moveUnlessWorse(Index v, const Placement& place, double enough);
+
+ private:
+  std::optional<Placement> alongCurve(Index v, const Vec3& p) const;
+
+  QuadMesh& mesh_;
+  const WorkingMesh& ground_;
+  const QuadSides sides_;
+};
+
+}  // namespace remesher

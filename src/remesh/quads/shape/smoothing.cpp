@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/smoothing.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace remesher {
+
+namespace {
+
+constexpr double kEnough = 0.5;  // the sine of 30°
+constexpr double kStep = 0.8;    // of the way: all quads are fitted before any vertex moves
+constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
+constexpr double kGain = 0.01;  // of the worst sine: less is not worth another try
+
+// Where each vertex would be on average over its quads' squares.
+std::vector<Vec3> targetsOf(const MovingQuads& quads) {
+  const QuadMesh& mesh = quads.mesh();
+  std::vector<Vec3> sums(mesh.vertices.size(), Vec3::Zero());
+  std::vector<double> counts(mesh.vertices.size(), 0);
+  for (Index q = 0; q < mesh.quads.size(); ++q) {
+    const Quad square = fittedSquare(quads.corners(q));
+    for (std::size_t i = 0; i < 4; ++i) {
+      sums[mesh.quads[q][i]] += square[i];
+      ++counts[mesh.quads[q][i]];
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) sums[v] /= counts[v];
+  return sums;
+}
+
+double reachOf(const MovingQuads& quads, Index v) {
+  double sum = 0;
+  int count = 0;
+  quads.sides().forEachOutgoing(v, [&](Index side) {
+    sum += (quads.mesh().position(quads.sides().tip(side)) - quads.mesh().position(v)).norm();
+    ++count;
+  });
+  return sum / count;
+}
+
+Vec3 middleOfNeighbors(const MovingQuads& quads, Index v) {
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  quads.sides().forEachOutgoing(v, [&](Index side) {
+    sum += quads.mesh().position(quads.sides().tip(side));
+    ++count;
+  });
+  return sum / count;
+}
+
+// Tries the middle of the neighbours, then places around the vertex, nearer ones once no farther
+// one is better.
+void searchBetter(MovingQuads& quads, Index v) {
+  if (const auto middle = quads.placeNear(v, middleOfNeighbors(quads, v)))
+    quads.moveUnlessWorse(v, *middle, 1);
+  const Vec3 normal = quads.mesh().vertices[v].normal;
+  if (!(normal.squaredNorm() > 0)) return;
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  double reach = reachOf(quads, v) / 2;
+  for (int halving = 0; halving < kHalvings;) {
+    bool isBetter = false;
+    for (int i = 0; i < kDirections && !isBetter; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const Vec3 p = quads.mesh().position(v) + reach * (std::cos(angle) * x + std::sin(angle) * y);
+      const double before = quads.qualityAround(v);
+      const auto place = quads.placeNear(v, p);
+      if (!place) return;
+      isBetter = quads.moveUnlessWorse(v, *place, 1) && quads.qualityAround(v) > before + kGain;
+    }
+    if (isBetter) continue;
+    reach /= 2;
+    ++halving;
+  }
+}
+
+}  // namespace
+
+void smoothToSquares(MovingQuads& quads, int passes) {
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<Vec3> targets = targetsOf(quads);
+    for (Index v = 0; v < targets.size(); ++v) {
+      const Vec3 p = quads.mesh().position(v);
+      if (const auto place = quads.placeNear(v, p + kStep * (targets[v] - p)))
+        quads.moveUnlessWorse(v, *place, kEnough);
+    }
+  }
+}
+
+void mendCorners(MovingQuads& quads) {
+  for (int search = 0; search < kSearches; ++search) {
+    bool isMended = true;
+    for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {
+      if (quads.qualityAround(v) >= kEnough) continue;
+      isMended = false;
+      searchBetter(quads, v);
+    }
+    if (isMended) return;
+  }
+}
+
+}  // namespace remesher

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What closing holes leaves of a mesh: a manifold on which no two vertices share a place. Where the
+// surface touches itself in a point or along an edge, only the widest fan stays; small open scraps
+// (islands) go.
+#pragma once
+
+#include <vector>
+
+#include "base/triangle_mesh.h"
+#include "mesh/mesh_builder.h"
+
+namespace remesher {
+
+struct KeptSurface {
+  BuiltMesh built;
+  std::size_t islands = 0;           // open components that went
+  std::size_t trianglesRemoved = 0;  // of these and at pinches
+  std::size_t turned = 0;            // triangles that face the other way than given
+};
+
+// Throws Error as buildMesh does; NO_TRIANGLES if no triangle stays.
+KeptSurface keptSurface(const TriangleMesh& input);
+
+}  // namespace remesher

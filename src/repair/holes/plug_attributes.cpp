@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "repair/holes/plug_attributes.h"
+
+#include <map>
+
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+Index groupAt(const TriangleMesh& mesh, const BuiltMesh& built, Halfedge h) {
+  return mesh.groups.empty() ? 0 : mesh.groups[built.triangles[HalfedgeMesh::face(h)]];
+}
+
+Index groupOfLoop(const TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop) {
+  std::map<Index, double> lengths;
+  for (const Halfedge h : loop.across)
+    lengths[groupAt(mesh, built, h)] +=
+        distance(built.positions[built.mesh.origin(h)], built.positions[built.mesh.tip(h)]);
+  auto longest = lengths.begin();
+  for (auto it = lengths.begin(); it != lengths.end(); ++it)
+    if (it->second > longest->second) longest = it;
+  return longest->first;
+}
+
+// The input vertex that triangles of the group have at a vertex of the surface, or kNone.
+Index wedgeOfGroup(const TriangleMesh& mesh, const BuiltMesh& built, Vertex v, Index group) {
+  Index wedge = kNone;
+  built.mesh.forEachOutgoing(v, [&](Halfedge h) {
+    if (wedge == kNone && groupAt(mesh, built, h) == group) wedge = built.wedges[h];
+  });
+  return wedge;
+}
+
+Index copyVertex(TriangleMesh& mesh, Index source, const Vec3& place) {
+  mesh.positions.push_back(place);
+  for (Attribute& attribute : mesh.attributes)
+    for (int k = 0; k < attribute.itemSize; ++k)
+      attribute.values.push_back(attribute.values[std::size_t{source} * attribute.itemSize + k]);
+  return Index(mesh.positions.size() - 1);
+}
+
+// For each vertex of the loop one that carries what the group does. Where none is there, the last
+// one before it along the loop says what.
+std::vector<Index> rimVertices(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop,
+                               Index group) {
+  const std::size_t n = loop.vertices.size();
+  std::vector<Index> result(n, kNone);
+  Index last = kNone;
+  for (std::size_t i = 0; i < n; ++i) {
+    result[i] = wedgeOfGroup(mesh, built, loop.vertices[i], group);
+    if (result[i] != kNone) last = result[i];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (result[i] != kNone)
+      last = result[i];
+    else
+      result[i] = copyVertex(mesh, last, built.positions[loop.vertices[i]]);
+  }
+  return result;
+}
+
+// Mixed are all but joints and their weights, which the first parent gives.
+void mix(Attribute& attribute, const std::array<Index, 3>& parents) {
+  const auto value = [&](Index v, int k) {
+    return attribute.values[std::size_t{v} * attribute.itemSize + k];
+  };
+  const bool isSkin =
+      attribute.semantic.rfind("JOINTS_", 0) == 0 || attribute.semantic.rfind("WEIGHTS_", 0) == 0;
+  const bool isTangent = attribute.semantic == "TANGENT" && attribute.itemSize == 4;
+  for (int k = 0; k < attribute.itemSize; ++k) {
+    const float first = value(parents[0], k);
+    const float mean = (first + value(parents[1], k) + value(parents[2], k)) / 3;
+    attribute.values.push_back(isSkin || (isTangent && k == 3) ? first : mean);
+  }
+}
+
+bool isNormal(const Attribute& attribute) {
+  return attribute.semantic == "NORMAL" && attribute.itemSize == 3;
+}
+
+// Of the plug's new vertices, over all triangles of the plug around each.
+std::vector<Vec3> normalsOf(const Plug& plug) {
+  std::vector<Vec3> normals(plug.points.size(), Vec3::Zero());
+  for (const Corners3& t : plug.triangles) {
+    const Vec3 vector = areaVector(plug.points[t[0]], plug.points[t[1]], plug.points[t[2]]);
+    for (const Index v : t) normals[v] += vector;
+  }
+  for (Vec3& normal : normals) normal = normal.stableNormalized();
+  return normals;
+}
+
+void setNormal(Attribute& attribute, Index vertex, const Vec3& normal) {
+  if (normal.isZero(0)) return;
+  for (int k = 0; k < 3; ++k) attribute.values[std::size_t{3} * vertex + k] = float(normal[k]);
+}
+
+}  // namespace
+
+void appendPlug(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop, const Plug& plug) {
+  const Index group = groupOfLoop(mesh, built, loop);
+  std::vector<Index> vertices = rimVertices(mesh, built, loop, group);
+  const std::size_t rim = vertices.size();
+  const std::vector<Vec3> normals = normalsOf(plug);
+  for (std::size_t i = rim; i < plug.points.size(); ++i) {
+    const Corners3& p = plug.parents[i - rim];
+    const std::array<Index, 3> parents = {vertices[p[0]], vertices[p[1]], vertices[p[2]]};
+    vertices.push_back(Index(mesh.positions.size()));
+    mesh.positions.push_back(plug.points[i]);
+    for (Attribute& attribute : mesh.attributes) {
+      mix(attribute, parents);
+      if (isNormal(attribute)) setNormal(attribute, vertices.back(), normals[i]);
+    }
+  }
+  for (const Corners3& t : plug.triangles) {
+    for (const Index v : t) mesh.indices.push_back(vertices[v]);
+    if (!mesh.groups.empty()) mesh.groups.push_back(group);
+  }
+}
+
+}  // namespace remesher

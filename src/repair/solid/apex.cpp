@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "repair/solid/apex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesher {
+
+namespace {
+
+// Least squares of the distances from the planes, and of that from the place before, which weighs
+// little: after two rounds 1/600 of the way to a right-angled edge is left, and along what planes
+// of scans only seem to say (within 5° of each other) no more than a seventh is gone.
+Vec3 nearestToPlanes(const std::vector<Plane>& planes, const Vec3& middle) {
+  constexpr double kHold = 0.05;  // of the number of planes
+  constexpr int kRounds = 2;
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity() * (kHold * double(planes.size()));
+  for (const Plane& plane : planes) matrix += plane.normal * plane.normal.transpose();
+  const Eigen::Matrix3d inverse = matrix.inverse();
+  Vec3 at = middle;
+  for (int round = 0; round < kRounds; ++round) {
+    Vec3 pull = Vec3::Zero();
+    for (const Plane& plane : planes) pull += plane.normal.dot(plane.at - at) * plane.normal;
+    at += inverse * pull;
+  }
+  return at;
+}
+
+bool haveEdge(const std::vector<Plane>& planes) {
+  const double bend = std::cos(radians(25));
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (planes[i].normal.dot(planes[k].normal) < bend) return true;
+  return false;
+}
+
+}  // namespace
+
+Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell) {
+  constexpr double kMargin = 0.02;  // of the cell's width
+  Apex apex{middle};
+  if (!planes.empty()) apex.at = nearestToPlanes(planes, middle);
+  if (!apex.at.allFinite()) apex.at = middle;
+  apex.isSharp = haveEdge(planes);
+  const Vec3 margin = kMargin * (cell.high - cell.low);
+  apex.at = apex.at.cwiseMax(cell.low + margin).cwiseMin(cell.high - margin);
+  double nearest = 0;
+  for (const Plane& plane : planes) {
+    const double distance = std::abs(plane.normal.dot(apex.at - plane.at));
+    if (apex.source == kNone || distance < nearest) apex.source = plane.source, nearest = distance;
+  }
+  return apex;
+}
+
+}  // namespace remesher

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "repair/solid/contour_attributes.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "geometry/triangle.h"
+
+namespace remesher {
+
+namespace {
+
+// Triangles of one chart have vertices of the input in common, and so one group: between them all
+// attributes go on.
+std::vector<Index> chartsOf(const TriangleMesh& input, const BuiltMesh& built) {
+  DisjointSets sets(input.positions.size());
+  for (std::size_t i = 0; i < input.indices.size(); i += 3) {
+    sets.unite(input.indices[i], input.indices[i + 1]);
+    sets.unite(input.indices[i + 1], input.indices[i + 2]);
+  }
+  std::vector<Index> charts;
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
+    charts.push_back(sets.find(built.wedges[HalfedgeMesh::halfedge(Face(f))]));
+  return charts;
+}
+
+// Gaps have no source: what is around them spreads over them.
+std::vector<Index> spreadSources(const Contour& contour) {
+  std::vector<Index> sources = contour.triangleSources;
+  std::vector<Index> ofPoints = contour.pointSources;
+  for (bool isAny = true; isAny;) {
+    isAny = false;
+    for (std::size_t t = 0; t < sources.size(); ++t) {
+      const Index* v = &contour.corners[3 * t];
+      for (std::size_t k = 0; k < 3 && sources[t] == kNone; ++k) sources[t] = ofPoints[v[k]];
+      if (sources[t] == kNone) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (ofPoints[v[k]] == kNone) ofPoints[v[k]] = sources[t], isAny = true;
+    }
+  }
+  return sources;
+}
+
+class Carrier {
+ public:
+  Carrier(const Contour& contour, const TriangleMesh& input, const BuiltMesh& built)
+      : contour_(contour),
+        input_(input),
+        built_(built),
+        charts_(chartsOf(input, built)),
+        sources_(spreadSources(contour)) {
+    mesh_.isSingle = input.isSingle, mesh_.scale = input.scale;
+    for (const Attribute& attribute : input.attributes)
+      mesh_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
+  }
+
+  TriangleMesh run() {
+    for (std::size_t t = 0; t < sources_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k)
+        mesh_.indices.push_back(vertexFor(contour_.corners[3 * t + k], sources_[t]));
+      if (!input_.groups.empty())
+        mesh_.groups.push_back(
+            sources_[t] == kNone ? 0 : input_.groups[built_.triangles[Face(sources_[t])]]);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  // One for each chart that meets there.
+  Index vertexFor(Index point, Index source) {
+    const Index chart = source == kNone ? kNone : charts_[source];
+    const auto [it, isNew] = known_.try_emplace({point, chart}, Index(mesh_.positions.size()));
+    if (!isNew) return it->second;
+    const Index own = contour_.pointSources[point];
+    mesh_.positions.push_back(contour_.points[point]);
+    append(contour_.points[point], own != kNone && charts_[own] == chart ? own : source);
+    return it->second;
+  }
+
+  void append(const Vec3& p, Index face) {
+    if (input_.attributes.empty()) return;
+    std::array<Index, 3> wedges{};
+    Vec3 weights(1, 0, 0);
+    if (face != kNone) {
+      const auto [a, b, c] = built_.mesh.vertices(Face(face));
+      weights =
+          closestBarycentric(p, built_.positions[a], built_.positions[b], built_.positions[c]);
+      for (int k = 0; k < 3; ++k)
+        wedges[std::size_t(k)] = built_.wedges[HalfedgeMesh::halfedge(Face(face), k)];
+    }
+    Eigen::Index nearest = 0;
+    weights.maxCoeff(&nearest);
+    for (std::size_t a = 0; a < input_.attributes.size(); ++a) {
+      const Attribute& from = input_.attributes[a];
+      const bool isSkin =
+          from.semantic.rfind("JOINTS_", 0) == 0 || from.semantic.rfind("WEIGHTS_", 0) == 0;
+      const bool isTangent = from.semantic == "TANGENT" && from.itemSize == 4;
+      for (int k = 0; k < from.itemSize; ++k) {
+        const auto value = [&](Eigen::Index c) {
+          return double(from.values[std::size_t{wedges[std::size_t(c)]} * from.itemSize + k]);
+        };
+        const bool isPicked = isSkin || (isTangent && k == 3);
+        mesh_.attributes[a].values.push_back(float(
+            isPicked ? value(nearest)
+                     : weights[0] * value(0) + weights[1] * value(1) + weights[2] * value(2)));
+      }
+    }
+  }
+
+  const Contour& contour_;
+  const TriangleMesh& input_;
+  const BuiltMesh& built_;
+  std::vector<Index> charts_;   // per face
+  std::vector<Index> sources_;  // per triangle of the contour
+  std::map<std::pair<Index, Index>, Index> known_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+TriangleMesh withAttributes(const Contour& contour, const TriangleMesh& input,
+                            const BuiltMesh& built) {
+  return Carrier(contour, input, built).run();
+}
+
+}  // namespace remesher

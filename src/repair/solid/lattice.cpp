@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "repair/solid/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle_tree.h"
+
+namespace remesher {
+
+Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) : spacing_(spacing) {
+  const double cells = 2 + spare / spacing;
+  Box box;
+  for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Off the box by a fraction of no simple kind: planes of boxes seldom lie in those of the
+    // lattice.
+    constexpr double kOff = 0.3819660113;
+    const auto a = Eigen::Index(axis);
+    const double low = box.low[a] - (cells + kOff) * spacing;
+    const double length = box.high[a] + cells * spacing - low;
+    counts_[axis] = std::size_t(std::ceil(length / spacing)) + 1;
+    for (std::size_t i = 0; i < counts_[axis]; ++i) {
+      const double x = low + double(i) * spacing;
+      coordinates_[axis].push_back(mesh.isSingle ? double(float(x / mesh.scale)) * mesh.scale : x);
+    }
+  }
+  strides_ = {counts_[1] * counts_[2], counts_[2], 1};
+}
+
+std::size_t Lattice::firstFrom(std::size_t axis, double coordinate) const {
+  const std::vector<double>& c = coordinates_[axis];
+  return std::size_t(std::lower_bound(c.begin(), c.end(), coordinate) - c.begin());
+}
+
+}  // namespace remesher

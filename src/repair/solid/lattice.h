@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A lattice of points around a mesh, with two cells to spare on all sides. A point is named by one
+// number; an edge by its axis and the point at its lower end; a cell by its lowest corner.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+class Lattice {
+ public:
+  // spacing: the length of a cell; spare: how far it reaches beyond the mesh, at least. All
+  // coordinates of points are as the mesh's: in single precision if these are, so that what lies in
+  // a plane of the lattice still does when it is written.
+  Lattice(const TriangleMesh& mesh, double spacing, double spare = 0);
+
+  std::size_t size() const { return counts_[0] * counts_[1] * counts_[2]; }
+  std::size_t count(std::size_t axis) const { return counts_[axis]; }
+  // From a point to the next one along the axis.
+  std::size_t stride(std::size_t axis) const { return strides_[axis]; }
+  double spacing() const { return spacing_; }
+  double at(std::size_t axis, std::size_t i) const { return coordinates_[axis][i]; }
+
+  std::size_t number(const std::array<std::size_t, 3>& i) const {
+    return i[0] * strides_[0] + i[1] * strides_[1] + i[2] * strides_[2];
+  }
+  std::array<std::size_t, 3> place(std::size_t point) const {
+    return {point / strides_[0], point / strides_[1] % counts_[1], point % counts_[2]};
+  }
+  Vec3 position(std::size_t point) const {
+    const auto [x, y, z] = place(point);
+    return {at(0, x), at(1, y), at(2, z)};
+  }
+
+  // The first along the axis that lies at the coordinate or beyond; their number if none does.
+  std::size_t firstFrom(std::size_t axis, double coordinate) const;
+
+ private:
+  double spacing_;
+  std::array<std::size_t, 3> counts_{}, strides_{};
+  std::array<std::vector<double>, 3> coordinates_;
+};
+
+}  // namespace remesher

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "repair/solid/outside_flood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace remesher {
+
+namespace {
+
+Vec3 placeOf(const Lattice& lattice, const EdgeCrossing& c) {
+  Vec3 at = lattice.position(c.edge / 3);
+  at[Eigen::Index(c.edge % 3)] = c.at;
+  return at;
+}
+
+// Per point the distance from the nearest crossing, as two sweeps along neighbours find it: of the
+// crossings at neighbours one is nearest nearly always, and off by less than a cell if not.
+class Distances {
+ public:
+  Distances(const Lattice& lattice, std::span<const EdgeCrossing> crossings)
+      : lattice_(lattice), nearest_(lattice.size(), kNone) {
+    for (const EdgeCrossing& c : crossings) places_.push_back(placeOf(lattice, c));
+    for (Index i = 0; i < crossings.size(); ++i) {
+      const std::size_t p = crossings[i].edge / 3;
+      offer(p, i);
+      offer(p + lattice.stride(crossings[i].edge % 3), i);
+    }
+    constexpr int kSweeps = 2;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (std::size_t p = 0; p < nearest_.size(); ++p) ask(p, Towards::Lower);
+      for (std::size_t p = nearest_.size(); p-- > 0;) ask(p, Towards::Upper);
+    }
+  }
+
+  double at(std::size_t p) const {
+    if (nearest_[p] == kNone) return std::numeric_limits<double>::infinity();
+    return (lattice_.position(p) - places_[nearest_[p]]).norm();
+  }
+
+ private:
+  enum class Towards { Lower, Upper };
+
+  void offer(std::size_t p, Index crossing) {
+    if (crossing == kNone || crossing == nearest_[p]) return;
+    const Vec3 own = lattice_.position(p);
+    if (nearest_[p] == kNone ||
+        (own - places_[crossing]).squaredNorm() < (own - places_[nearest_[p]]).squaredNorm())
+      nearest_[p] = crossing;
+  }
+
+  void ask(std::size_t p, Towards towards) {
+    const auto place = lattice_.place(p);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t stride = lattice_.stride(axis);
+      if (towards == Towards::Lower && place[axis] > 0) offer(p, nearest_[p - stride]);
+      if (towards == Towards::Upper && place[axis] + 1 < lattice_.count(axis))
+        offer(p, nearest_[p + stride]);
+    }
+  }
+
+  const Lattice& lattice_;
+  std::vector<Vec3> places_;
+  std::vector<Index> nearest_;  // per point
+};
+
+// visit(neighbour, whether a surface parts it from the point)
+template <class Visit>
+void forEachNeighbor(const Lattice& lattice, const std::vector<char>& crossed, std::size_t p,
+                     Visit visit) {
+  const auto place = lattice.place(p);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t stride = lattice.stride(axis);
+    if (place[axis] > 0) visit(p - stride, (crossed[p - stride] >> axis & 1) != 0);
+    if (place[axis] + 1 < lattice.count(axis)) visit(p + stride, (crossed[p] >> axis & 1) != 0);
+  }
+}
+
+std::vector<char> flooded(const Lattice& lattice, const Distances& distances, double clearance) {
+  std::vector<char> isReached(lattice.size(), 0);
+  std::vector<std::size_t> front = {0};
+  const std::vector<char> none(lattice.size(), 0);
+  isReached[0] = 1;
+  while (!front.empty()) {
+    const std::size_t p = front.back();
+    front.pop_back();
+    forEachNeighbor(lattice, none, p, [&](std::size_t q, bool) {
+      if (isReached[q] || distances.at(q) < clearance) return;
+      isReached[q] = 1;
+      front.push_back(q);
+    });
+  }
+  return isReached;
+}
+
+// Back to the surface: as far as the flood kept away from it, but through nothing. Half a cell more
+// reaches the points next to the surface; through a crack it leads no farther in than that.
+void growBack(const Lattice& lattice, const std::vector<char>& crossed, double reach,
+              std::vector<char>& isOutside) {
+  using Entry = std::pair<float, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<float> ways(isOutside.size(), std::numeric_limits<float>::infinity());
+  std::vector<std::size_t> origins(isOutside.size());
+  for (std::size_t p = 0; p < isOutside.size(); ++p)
+    if (isOutside[p]) ways[p] = 0, origins[p] = p, queue.emplace(0.0F, p);
+  while (!queue.empty()) {
+    const float way = queue.top().first;
+    const std::size_t p = queue.top().second;
+    queue.pop();
+    if (way > ways[p]) continue;
+    isOutside[p] = 1;
+    forEachNeighbor(lattice, crossed, p, [&](std::size_t q, bool isParted) {
+      if (isParted) return;
+      // Straight from where the flood was left, for along the lattice ways are longer.
+      const auto next = float((lattice.position(q) - lattice.position(origins[p])).norm());
+      if (next > float(reach) || !(next < ways[q])) return;
+      ways[q] = next, origins[q] = origins[p];
+      queue.emplace(next, q);
+    });
+  }
+}
+
+void thickenSheets(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                   InsideField& field) {
+  const std::vector<char> before = field.isInside;
+  for (const EdgeCrossing& c : crossings) {
+    const std::size_t p = c.edge / 3, q = p + lattice.stride(c.edge % 3);
+    if (!before[p] && !before[q]) field.isInside[c.up > 0 ? p : q] = 1;
+  }
+}
+
+}  // namespace
+
+void keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                   InsideField& field) {
+  const std::vector<char> before = field.isInside;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    const EdgeCrossing &in = crossings[i], &out = crossings[i + 1];
+    if (in.edge != out.edge || in.up > 0 || out.up < 0) continue;
+    const std::size_t p = in.edge / 3, axis = in.edge % 3, q = p + lattice.stride(axis);
+    if (before[p] || before[q]) continue;
+    const double low = lattice.at(axis, lattice.place(p)[axis]);
+    const bool isLow = (in.at + out.at) / 2 - low < lattice.spacing() / 2;
+    field.isInside[isLow ? p : q] = 1;
+  }
+}
+
+InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                         double gap) {
+  std::vector<char> crossed(lattice.size(), 0);  // bit by axis
+  for (const EdgeCrossing& c : crossings)
+    crossed[c.edge / 3] = char(crossed[c.edge / 3] | (1 << (c.edge % 3)));
+  const double clearance = gap / 2;
+  std::vector<char> isOutside = flooded(lattice, Distances(lattice, crossings), clearance);
+  growBack(lattice, crossed, clearance + 1.5 * lattice.spacing(), isOutside);
+  InsideField field;
+  for (const char outside : isOutside) field.isInside.push_back(!outside);
+  fillCavities(lattice, field.isInside);
+  thickenSheets(lattice, crossings, field);
+  for (const char inside : field.isInside) field.shares.push_back(inside ? 1.0F : 0.0F);
+  return field;
+}
+
+}  // namespace remesher

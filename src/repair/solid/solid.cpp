@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "repair/solid/solid.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/mesh_builder.h"
+#include "repair/solid/contour.h"
+#include "repair/solid/contour_attributes.h"
+#include "repair/solid/inside.h"
+#include "repair/solid/oriented_patches.h"
+#include "repair/solid/outside_flood.h"
+
+namespace remesher {
+
+namespace {
+
+// Per face of the built mesh three of its vertices, turned as its patch is.
+std::vector<Index> turnedCorners(const BuiltMesh& built, const OrientedPatches& patches) {
+  std::vector<Index> corners = built.mesh.triangles();
+  for (std::size_t f = 0; f < patches.patches.size(); ++f)
+    if (patches.turn[patches.patches[f]]) std::swap(corners[3 * f + 1], corners[3 * f + 2]);
+  return corners;
+}
+
+std::size_t countTurned(const TriangleMesh& input, const BuiltMesh& built,
+                        const OrientedPatches& patches) {
+  std::size_t turned = 0;
+  for (Index f = 0; f < patches.patches.size(); ++f) {
+    const Index* given = &input.indices[3 * std::size_t{built.triangles[Face(f)]}];
+    const bool isSwapped = built.wedges[HalfedgeMesh::halfedge(Face(f), 1)] != given[1];
+    turned += isSwapped != (patches.turn[patches.patches[f]] != 0);
+  }
+  return turned;
+}
+
+std::vector<char> closedPatches(const BuiltMesh& built, const OrientedPatches& patches) {
+  std::vector<char> isClosed(patches.count, 1);
+  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h)
+    if (built.mesh.isBoundary(Halfedge(h))) isClosed[patches.patches[h / 3]] = 0;
+  return isClosed;
+}
+
+// A piece that is seen faces outwards, as a rule; one that is not seen is the wall of a cavity, and
+// faces into it.
+void countShells(const BuiltMesh& built, const OrientedPatches& patches, Solid& result) {
+  const std::vector<char> isClosed = closedPatches(built, patches);
+  for (std::size_t p = 0; p < patches.count; ++p) {
+    if (!isClosed[p]) continue;
+    result.shells += !patches.isSeen[p];
+    result.wrong += (patches.isSeen[p] != 0) == (patches.turn[p] != 0);
+  }
+}
+
+// Seen along the axes: the first and the last crossing of each line. Found again: near an edge that
+// the border between inside and outside passes.
+double lostShare(const Lattice& lattice, const InsideField& field,
+                 std::span<const EdgeCrossing> crossings) {
+  std::size_t seen = 0, lost = 0;
+  const auto isFound = [&](const EdgeCrossing& c) {
+    const std::size_t stride = lattice.stride(c.edge % 3), p = c.edge / 3;
+    const bool first = field.isInside[p];
+    return field.isInside[p + stride] != first || field.isInside[p - stride] != first ||
+           field.isInside[p + 2 * stride] != first;
+  };
+  forEachCrossedLine(lattice, crossings, [&](const CrossedLine& line) {
+    for (const EdgeCrossing* c : {&line.crossings.front(), &line.crossings.back()})
+      ++seen, lost += !isFound(*c);
+  });
+  return seen > 0 ? 100 * double(lost) / double(seen) : 0;
+}
+
+}  // namespace
+
+Solid solidOf(const TriangleMesh& input, const SolidRule& rule) {
+  const BuiltMesh built = buildMesh(input);
+  const Lattice lattice(input, rule.spacing, rule.gap / 2);
+  std::vector<EdgeCrossing> crossings =
+      crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles());
+  const OrientedPatches patches = orientedPatches(built, lattice, crossings);
+  turnCrossings(crossings, patches);
+  InsideField field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
+                                                 : insideField(lattice, crossings);
+  keepThinWalls(lattice, crossings, field);
+  Solid result;
+  result.turned = countTurned(input, built, patches);
+  countShells(built, patches, result);
+  result.unsure = field.unsure;
+  const std::vector<Index> corners = turnedCorners(built, patches);
+  const Contour contour = contourOf(
+      lattice, field, {built.positions.values(), corners, input.isSingle, input.scale}, crossings);
+  result.lost = lostShare(lattice, field, crossings);
+  result.mesh = withAttributes(contour, input, built);
+  return result;
+}
+
+}  // namespace remesher

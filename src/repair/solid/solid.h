@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The outside of what a surface encloses, as one clean closed surface.
+#pragma once
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct Solid {
+  TriangleMesh mesh;       // without triangles if nothing is enclosed
+  std::size_t turned = 0;  // triangles that faced the other way
+  std::size_t shells = 0;  // closed pieces that nobody sees, gone
+  std::size_t wrong = 0;   // of the closed pieces those that face the wrong way for where they lie
+  double lost = 0;         // percent of what is seen from along the axes and not on the result
+  double unsure = 0;       // of the points beside the surface, the share whose side is in dispute
+};
+
+// How inside is told from outside: enclosed by triangles that face outwards; or not to be reached
+// from outside through openings wider than a gap.
+enum class InsideBy { Enclosure, Reach };
+
+struct SolidRule {
+  double spacing;  // between the points at which it is told; what is thinner becomes as thick
+  InsideBy by = InsideBy::Enclosure;
+  double gap = 0;  // a length, for Reach
+};
+
+// Throws Error as buildMesh does.
+Solid solidOf(const TriangleMesh& input, const SolidRule& rule);
+
+}  // namespace remesher

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Repair, alone and before remeshing: holes closed and the rest as it was; bodies united; sheets
+// wrapped.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { inspect, remesh, repair, repairFile } from 'remesher';
+
+import { parseCommandLine } from '../dist/cli/cli_arguments.js';
+import { rejectsWith } from './support/errors.js';
+import { eulerCharacteristic, offText, sheet, torus } from './support/shapes.js';
+
+/** Without the triangles from one number to another. */
+function withHole({ positions, indices }, from, to) {
+  const kept = Array.from(indices).filter((_, i) => i < 3 * from || i >= 3 * to);
+  return { positions, indices: Uint32Array.from(kept) };
+}
+
+/** Both, the second one moved along x. */
+function joined(a, b, by) {
+  const moved = b.positions.map((value, i) => value + (i % 3 === 0 ? by : 0));
+  return {
+    positions: Float32Array.from([...a.positions, ...moved]),
+    indices: Uint32Array.from([...a.indices,
+      ...Array.from(b.indices, (v) => v + a.positions.length / 3)]),
+  };
+}
+
+const whole = torus();
+const open = withHole(whole, 10, 16);
+
+test('a hole is closed, and what was there is there bit for bit', async () => {
+  const { mesh, report } = await repair(open);
+  assert.equal(report.repair.mode, 'holes');
+  assert.ok(report.repair.holes >= 1);
+  assert.deepEqual(report.repair.selfIntersections, [0, 0]);
+  assert.ok(report.input.boundaryEdges > 0);
+  assert.equal(report.output.boundaryEdges, 0);
+  assert.equal(eulerCharacteristic(mesh), eulerCharacteristic(whole));
+  assert.deepEqual(mesh.positions.slice(0, open.positions.length), open.positions);
+  assert.deepEqual(mesh.indices.slice(0, open.indices.length), open.indices);
+});
+
+test('holes longer than asked for stay open, with a warning', async () => {
+  const { report } = await repair(open, { holesUpTo: 0.001 });
+  assert.equal(report.repair.holes, 0);
+  assert.equal(report.output.boundaryEdges, report.input.boundaryEdges);
+  assert.ok(report.warnings.some(({ code }) => code === 'HOLES_LEFT_OPEN'));
+});
+
+test('a file is mended in its own format or another', async () => {
+  const bytes = new TextEncoder().encode(offText(open));
+  const { name, bytes: result } = await repairFile(bytes, { name: 'open.off', output: 'stl' });
+  assert.equal(name, 'open.stl');
+  const { input } = await inspect(result, { name });
+  assert.equal(input.boundaryEdges, 0);
+});
+
+test('what is remeshed is mended first, if asked for', async () => {
+  const { report } = await remesh(open, { vertices: 400, repair: 'holes' });
+  assert.equal(report.repair.mode, 'holes');
+  assert.ok(report.input.boundaryEdges > 0);
+  assert.equal(report.output.boundaryEdges, 0);
+  assert.equal(report.output.vertices, 400);
+  assert.equal((await remesh(open, { vertices: 400 })).report.repair, undefined);
+});
+
+test('overlapping bodies become one that passes through itself nowhere', async () => {
+  const both = joined(whole, whole, 0.9);
+  const { mesh, report } = await repair(both);
+  assert.equal(report.repair.mode, 'solid');
+  assert.ok(report.repair.selfIntersections[0] > 0);
+  assert.equal(report.repair.selfIntersections[1], 0);
+  assert.deepEqual([report.output.components, report.output.boundaryEdges,
+    report.output.nonManifoldEdges], [1, 0, 0]);
+  assert.ok(mesh.positions instanceof Float32Array);
+  assert.deepEqual((await repair(both)).mesh, mesh);
+});
+
+test('an open sheet is wrapped, and can be remeshed then', async () => {
+  const { report } = await remesh(sheet(), { vertices: 600, repair: 'wrap', gap: 3 });
+  assert.equal(report.repair.mode, 'wrap');
+  assert.equal(report.output.vertices, 600);
+  assert.equal(report.output.boundaryEdges, 0);
+});
+
+test('options that say nothing to a repair are refused', async () => {
+  await rejectsWith(repair(open, { vertices: 100 }), 'INVALID_OPTION', /vertices does not belong/);
+  await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION', /No holes are closed/);
+  await rejectsWith(
+    remesh(open, { repair: 'holes', density: new Float32Array(open.positions.length / 3).fill(1) }),
+    'INVALID_OPTION', /density/);
+  assert.throws(() => parseCommandLine(['repair', 'a.stl', '-o', 'b.stl', '--ratio', '0.5']),
+    /does not remesh: --ratio/);
+  assert.equal(parseCommandLine(['repair', 'a.stl', '-o', 'b.stl']).command, 'repair');
+});

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/quad.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+const Vec3 kUp(0, 0, 1);
+
+Quad rhombus(double angle) {
+  const Vec3 a(1, 0, 0), b(std::cos(angle), std::sin(angle), 0);
+  return {Vec3::Zero(), a, a + b, b};
+}
+
+double squares(const Quad& a, const Quad& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += (a[i] - b[i]).squaredNorm();
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("quad: the sines and the area of a rhombus follow from its angle") {
+  for (const double angle : {radians(20), radians(60), radians(90), radians(135)}) {
+    const Quad quad = rhombus(angle);
+    CHECK(areaVector(quad).z() == doctest::Approx(std::sin(angle)));
+    for (const double sine : cornerSines(quad, kUp))
+      CHECK(sine == doctest::Approx(std::sin(angle)));
+    for (const double sine : cornerSines(quad, -kUp)) CHECK(sine < 0);
+  }
+}
+
+TEST_CASE("quad: a reflex corner has a negative sine, and no other has") {
+  const auto sines =
+      cornerSines({Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0.4, 0.4, 0), Vec3(0, 2, 0)}, kUp);
+  CHECK(sines[0] > 0);
+  CHECK(sines[1] > 0);
+  CHECK(sines[2] < 0);
+  CHECK(sines[3] > 0);
+}
+
+TEST_CASE("quad: the fitted square is one, and none is nearer") {
+  soups::Random random(7);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 x = 0.2 * random.point(), y = 0.2 * random.point();
+    const Quad quad = {Vec3(0, 0, 0.1) + x, Vec3(1, 0, 0) + y, Vec3(1, 1, 0.2) - x,
+                       Vec3(0, 1, 0) - y};
+    const Quad square = fittedSquare(quad);
+    for (const double sine : cornerSines(square, areaVector(square).normalized()))
+      CHECK(sine == doctest::Approx(1));
+    const double nearest = squares(quad, square);
+    const Vec3 centre = (square[0] + square[2]) / 2, normal = areaVector(square).normalized();
+    for (const double turn : {-0.01, 0.01}) {
+      Quad other = square, larger = square;
+      for (std::size_t k = 0; k < 4; ++k) {
+        other[k] += turn * normal.cross(square[k] - centre);
+        larger[k] += turn * (square[k] - centre);
+      }
+      CHECK(squares(quad, other) >= nearest);
+      CHECK(squares(quad, larger) >= nearest);
+    }
+  }
+  const Quad exact = rhombus(radians(90));
+  CHECK(squares(exact, fittedSquare(exact)) < 1e-24);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_joining.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "jobs/part_run.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+TEST_CASE("part joining: a model of loose triangles is told what joins them, and that does") {
+  io::Part part;
+  const TriangleMesh ball = shapes::icosphere(2);
+  for (const Index v : ball.indices) {
+    part.mesh.indices.push_back(Index(part.mesh.positions.size()));
+    const double shift = 1e-8 * double(part.mesh.positions.size());
+    part.mesh.positions.push_back(ball.positions[v] + Vec3(shift, -shift, shift));
+  }
+  const std::vector<io::Part> parts = {part};
+  const std::vector<Warning> warnings = looseTriangles(inspectScaled(parts), parts);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "TRIANGLES_NOT_JOINED");
+  const std::size_t at = warnings[0].message.find("--weld ");
+  REQUIRE(at != std::string::npos);
+  const double percent = std::stod(warnings[0].message.substr(at + 7));
+  const std::vector<io::Part> whole = joinedPlaces(parts, percent);
+  CHECK(inspectScaled(whole).boundaryEdges == 0);
+  CHECK(looseTriangles(inspectScaled(whole), whole).empty());
+}
+
+TEST_CASE("part joining: triangles that are apart are told of without advice; a lone one is not") {
+  io::Part part;
+  for (Index i = 0; i < 6; ++i) {
+    part.mesh.positions.push_back(Vec3(i < 3 ? 0 : 100, i % 3 == 1, i % 3 == 2));
+    part.mesh.indices.push_back(i);
+  }
+  const std::vector<Warning> warnings = looseTriangles(inspectScaled({part}), {part});
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].message.find("weld") == std::string::npos);
+  part.mesh.indices.resize(3);
+  CHECK(looseTriangles(inspectScaled({part}), {part}).empty());
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_places.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/triangle.h"
+#include "measure/mesh_report.h"
+#include "remesher.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+Transform scaling(double x, double y, double z) { return Transform(Eigen::Scaling(Vec3(x, y, z))); }
+
+Transform turned(double degrees) {
+  Transform transform = Transform::Identity();
+  transform.rotate(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3(1, 2, 3).normalized()));
+  return transform;
+}
+
+double areaOf(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    sum += area(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                mesh.positions[mesh.indices[i + 2]]);
+  return sum;
+}
+
+TriangleMesh placed(TriangleMesh mesh, const Transform& place) {
+  for (Vec3& p : mesh.positions) p = place * p;
+  return mesh;
+}
+
+TriangleMesh singled(TriangleMesh mesh) {
+  for (Vec3& p : mesh.positions) p = inSingle(p, 1);
+  mesh.isSingle = true;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("part places: a flat part's area is that of what is shown, however it is scaled") {
+  const TriangleMesh grid = shapes::grid(5, 3);
+  for (const Transform& place : {scaling(20, 1, 1), Transform(turned(40) * scaling(3, 0.2, 7))}) {
+    const std::vector<io::Part> parts = {io::Part{"", grid, {place}}};
+    CHECK(placesOf(parts)[0].area == doctest::Approx(areaOf(placed(grid, place))));
+  }
+}
+
+TEST_CASE("part places: the place that shows most counts, the first of those alike") {
+  const TriangleMesh ball = shapes::icosphere(2);
+  const std::vector<Transform> places = {scaling(1, 1, 1), scaling(0, 0, 0), scaling(1, 5, 1),
+                                         Transform(turned(90) * scaling(1, 5, 1))};
+  const PartPlace best = placesOf({io::Part{"", ball, places}})[0];
+  CHECK(best.toWorld.matrix() == places[2].matrix());
+}
+
+TEST_CASE("part places: only what stretches directions unevenly changes a part") {
+  CHECK(!stretchAt(scaling(3, 3, 3)));
+  CHECK(!stretchAt(Transform(turned(33) * scaling(-2, -2, -2))));
+  CHECK(!stretchAt(scaling(1, 0, 1)));
+  CHECK(!stretchAt(scaling(0, 0, 0)));
+  const Transform place(turned(25) * scaling(20, 1, -1) * turned(50));
+  const auto stretch = stretchAt(place);
+  REQUIRE(stretch);
+  CHECK(stretch->determinant() == doctest::Approx(1));
+  // What is left of the transform is a turn and a size.
+  const Eigen::Matrix3d rest = place.linear() * stretch->inverse();
+  const Eigen::Matrix3d squares = rest.transpose() * rest;
+  CHECK((squares / squares(0, 0)).isIdentity(1e-9));
+}
+
+TEST_CASE("part places: stretching and back leaves vertices where they were, to the last digit") {
+  const TriangleMesh mesh = singled(placed(shapes::torus(12, 8), turned(12)));
+  for (const Transform& place : {scaling(20, 1, 0.3), Transform(turned(25) * scaling(9, 1, 2))}) {
+    const Eigen::Matrix3d stretch = *stretchAt(Transform(place * turned(70)));
+    CHECK(relaxed(stretched(mesh, stretch), stretch, mesh).positions == mesh.positions);
+  }
+}
+
+TEST_CASE("part places: triangles are even where the part is shown, and the report is of that") {
+  const TriangleMesh ball = singled(shapes::icosphere(3));
+  for (const Transform& place : {scaling(20, 1, 1), Transform(turned(40) * scaling(0.2, 1, 3))}) {
+    RemeshOptions options;
+    options.vertices = 400;
+    const RemeshSceneResult result = remeshScene({{ball, {place}}}, options, {});
+    const TriangleMesh shown = placed(result.meshes[0], place);
+    const MeshReport seen = inspectMesh(shown);
+    CHECK(seen.minAngle.mean == doctest::Approx(result.report.output->minAngle.mean).epsilon(1e-6));
+    CHECK(seen.minAngle.worst ==
+          doctest::Approx(result.report.output->minAngle.worst).epsilon(1e-4));
+    CHECK(seen.minAngle.mean > 50);
+    CHECK(seen.vertices == 400);
+  }
+}

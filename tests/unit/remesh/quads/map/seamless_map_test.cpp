@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/map/seamless_map.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "remesh/quads/field/singularities.h"
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+namespace {
+
+struct Mapped {
+  Mapped(const TriangleMesh& input, double length)
+      : surface(shapes::surfaceOf(input)),
+        mesh(surface),
+        frames(mesh),
+        field(makeCrossField(mesh, frames, length)),
+        maker(mesh, field),
+        map(maker.map(length)) {}
+
+  OriginalSurface surface;
+  WorkingMesh mesh;
+  FaceFrames frames;
+  CrossField field;
+  MapMaker maker;
+  SeamlessMap map;
+};
+
+bool isWhole(Whole x) { return x % kUnit == 0; }
+
+}  // namespace
+
+TEST_CASE("seamless_map: both ends of every edge agree on the way across, which is whole") {
+  for (const auto& [shape, length] :
+       {std::pair{shapes::icosphere(8), 0.3}, std::pair{shapes::torus(36, 16), 0.3},
+        std::pair{shapes::cube(6), 1.0}, std::pair{shapes::boxWithHole(), 0.5}}) {
+    const Mapped m(shape, length);
+    const HalfedgeMesh& mesh = m.mesh.mesh();
+    for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+      const Halfedge h(i), twin = mesh.twin(h);
+      if (!twin) continue;
+      const Transition across = m.map.across(mesh, h);
+      CHECK(across(m.map.corners[h]) == m.map.corners[mesh.next(twin)]);
+      CHECK(across(m.map.corners[mesh.next(h)]) == m.map.corners[twin]);
+      CHECK(isWhole(across.shift.u));
+      CHECK(isWhole(across.shift.v));
+    }
+  }
+}
+
+TEST_CASE(
+    "seamless_map: curves lie on whole lines, corners and singular vertices on their crossings") {
+  for (const TriangleMesh& shape :
+       {shapes::cube(6), shapes::cylinder(32, 12), shapes::grid(9, 7)}) {
+    const Mapped m(shape, 0.7);
+    const VertexData<int> singular = quarterIndices(m.field, m.mesh, m.frames);
+    for (Index i = 0; i < m.mesh.mesh().halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      const MapPoint a = m.map.corners[h], b = m.map.corners[HalfedgeMesh::next(h)];
+      if (m.mesh.isCurve(h)) CHECK(((a.u == b.u && isWhole(a.u)) || (a.v == b.v && isWhole(a.v))));
+      const Vertex v = m.mesh.mesh().origin(h);
+      if (m.mesh.kind(v) == VertexKind::Corner || singular[v] != 0)
+        CHECK((isWhole(a.u) && isWhole(a.v)));
+    }
+  }
+}
+
+TEST_CASE("seamless_map: a rectangle of whole sides keeps its lengths") {
+  const Mapped m(shapes::grid(12, 8), 1);
+  CHECK(m.maker.countVertices(m.map) == doctest::Approx(13 * 9));
+  for (Index f = 0; f < m.mesh.mesh().faceCapacity(); ++f)
+    CHECK(double(m.map.area(Face(f))) / (double(kUnit) * double(kUnit)) ==
+          doctest::Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("seamless_map: no triangle folds over on smooth shapes") {
+  for (const auto& [shape, length] :
+       {std::pair{shapes::icosphere(12), 0.2}, std::pair{shapes::torus(48, 20), 0.25}}) {
+    const Mapped m(shape, length);
+    for (Index f = 0; f < m.mesh.mesh().faceCapacity(); ++f) CHECK(m.map.area(Face(f)) > 0);
+  }
+}

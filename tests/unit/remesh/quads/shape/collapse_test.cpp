@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/collapse.h"
+
+#include <doctest/doctest.h>
+
+#include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/pair/pairing.h"
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+TEST_CASE(
+    "collapse: one vertex and one quad at a time, down to the number, and nothing else is lost") {
+  for (const TriangleMesh& shape :
+       {shapes::icosphere(4), shapes::torus(16, 10), shapes::grid(8, 7), shapes::cylinder(16, 5)}) {
+    const OriginalSurface surface = shapes::surfaceOf(shape);
+    const WorkingMesh ground(surface);
+    const FaceFrames frames(ground);
+    const CrossField field = makeCrossField(ground, frames, 0.5);
+    QuadMesh mesh = splitPairs(ground, pairTriangles(ground, frames, field));
+    const SurfaceKind kind = kindOf(mesh);
+    const std::size_t vertices = mesh.vertices.size(), quads = mesh.quads.size();
+    for (const std::size_t fewer : {1, 7, 20}) {
+      const std::size_t before = mesh.vertices.size();
+      const std::size_t gone = collapseTo(mesh, ground, vertices - fewer);
+      CHECK(gone == before - mesh.vertices.size());
+      CHECK(mesh.vertices.size() == vertices - fewer);
+      CHECK(mesh.quads.size() == quads - fewer);
+      CHECK(check(mesh) == "");
+      CHECK(kindOf(mesh) == kind);
+    }
+  }
+}
+
+TEST_CASE("collapse: where nothing may go, nothing goes") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(1, 1));
+  const WorkingMesh ground(surface);
+  const FaceFrames frames(ground);
+  QuadMesh mesh =
+      splitPairs(ground, pairTriangles(ground, frames, makeCrossField(ground, frames, 1)));
+  const std::size_t vertices = mesh.vertices.size();
+  CHECK(collapseTo(mesh, ground, 4) == 0);
+  CHECK(mesh.vertices.size() == vertices);
+}

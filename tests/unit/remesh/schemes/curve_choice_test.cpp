@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What whole runs promise about flat sides: they stay flat, to the last digit.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "measure/hausdorff.h"
+#include "remesh/schemes/remesh.h"
+#include "support/parts.h"
+
+using namespace remesher;
+
+namespace {
+
+TriangleMesh remeshed(const TriangleMesh& input, Index vertices, Quality quality) {
+  RemeshOptions options;
+  options.vertices = vertices;
+  options.quality = quality;
+  const RemeshOutcome outcome = remeshSurface(input, options, {});
+  CHECK(outcome.vertices == vertices);
+  return outcome.mesh;
+}
+
+double lowest(const TriangleMesh& mesh) {
+  double least = 0;
+  for (const Vec3& p : mesh.positions) least = std::min(least, p.z());
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("flat sides: a bottom that runs into fillets has no dent at any number of vertices") {
+  const TriangleMesh bar = shapes::filletedBar(6);
+  const double bottom = shapes::kBarLength * (shapes::kBarWidth - 2 * shapes::kFilletRadius);
+  for (const Quality quality : {Quality::Draft, Quality::Best})
+    for (const Index vertices : {200, 600, 2000}) {
+      CAPTURE(vertices);
+      const TriangleMesh result = remeshed(bar, vertices, quality);
+      CHECK(shapes::areaAt(result, 0) == doctest::Approx(bottom));
+      CHECK(lowest(result) == 0);
+    }
+}
+
+TEST_CASE("flat sides: those of a drilled plate stay in their planes, and the hole is round") {
+  const TriangleMesh plate = shapes::drilledPlate(6, 0.5);
+  for (const Index vertices : {600, 2500}) {
+    CAPTURE(vertices);
+    const TriangleMesh result = remeshed(plate, vertices, Quality::Best);
+    for (const Vec3& p : result.positions)
+      CHECK((p.z() == 0 || p.z() == 0.5 || std::abs(std::abs(p.x()) - 2) < 1e-12 ||
+             std::abs(std::abs(p.y()) - 2) < 1e-12 || p.head<2>().norm() < 0.55));
+    CHECK(measureFidelity(plate, result).hausdorff < 0.5);
+  }
+}
+
+TEST_CASE("flat sides: a triangle without area on an edge of a box does no harm") {
+  TriangleMesh box = shapes::cube(1);
+  const Index a = box.indices[0], b = box.indices[1], c = box.indices[2];
+  const Index middle = shapes::addVertex(box, 0.5 * (box.positions[a] + box.positions[b]));
+  box.indices[1] = middle;
+  shapes::addTriangle(box, middle, b, c);
+  shapes::addTriangle(box, a, b, middle);
+  for (const Index vertices : {30, 500})
+    CHECK(measureFidelity(box, remeshed(box, vertices, Quality::Best)).hausdorff < 1e-6);
+}

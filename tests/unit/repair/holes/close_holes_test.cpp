@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "repair/holes/close_holes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+// Without the triangles whose middle fulfils a condition.
+template <class Condition>
+TriangleMesh without(const TriangleMesh& mesh, Condition isGone) {
+  TriangleMesh result = mesh;
+  result.indices.clear(), result.groups.clear();
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) middle += mesh.positions[mesh.indices[i + k]] / 3;
+    if (isGone(middle)) continue;
+    for (std::size_t k = 0; k < 3; ++k) result.indices.push_back(mesh.indices[i + k]);
+    if (!mesh.groups.empty()) result.groups.push_back(mesh.groups[i / 3]);
+  }
+  return result;
+}
+
+TriangleMesh capless(int n, double height) {
+  return without(shapes::icosphere(n), [height](const Vec3& p) { return p.z() > height; });
+}
+
+bool isClosedManifold(const TriangleMesh& mesh) {
+  const MeshReport report = inspectMesh(mesh);
+  return report.boundaryEdges == 0 && report.nonManifoldEdges == 0;
+}
+
+// What was there is there, bit for bit and in its order, before all that is new.
+void checkUntouched(const TriangleMesh& before, const TriangleMesh& after) {
+  REQUIRE(after.positions.size() >= before.positions.size());
+  REQUIRE(after.indices.size() >= before.indices.size());
+  CHECK(std::equal(before.positions.begin(), before.positions.end(), after.positions.begin()));
+  CHECK(std::equal(before.indices.begin(), before.indices.end(), after.indices.begin()));
+}
+
+// Of the new vertices, the largest distance from the unit sphere.
+double farthestFromSphere(const TriangleMesh& before, const TriangleMesh& after) {
+  double farthest = 0;
+  for (std::size_t v = before.positions.size(); v < after.positions.size(); ++v)
+    farthest = std::max(farthest, std::abs(after.positions[v].norm() - 1));
+  return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("close_holes: a sphere without a cap is a sphere again, the rest bit for bit") {
+  const double height = 0.8;
+  const TriangleMesh open = capless(12, height);
+  const ClosedHoles closed = closeHoles(open);
+  CHECK(closed.holes == 1);
+  CHECK(closed.trianglesRemoved == 0);
+  checkUntouched(open, closed.mesh);
+  CHECK(isClosedManifold(closed.mesh));
+  CHECK(inspectMesh(closed.mesh).eulerCharacteristic == 2);
+  CHECK(selfIntersections(closed.mesh).empty());
+  // A flat plug would be off by 1 - height at its middle.
+  CHECK(farthestFromSphere(open, closed.mesh) < (1 - height) / 5);
+}
+
+TEST_CASE("close_holes: each loop gets a disk, so that each adds one to the Euler characteristic") {
+  const TriangleMesh torus = shapes::torus(24, 12);
+  const TriangleMesh open =
+      without(torus, [](const Vec3& p) { return std::abs(p.x()) > std::abs(p.y()) * 4; });
+  const MeshReport before = inspectMesh(open);
+  const ClosedHoles closed = closeHoles(open);
+  const MeshReport after = inspectMesh(closed.mesh);
+  CHECK(closed.holes == 4);  // two tubes with two ends each
+  CHECK(after.eulerCharacteristic == before.eulerCharacteristic + 4);
+  CHECK(after.eulerCharacteristic == 4);
+  CHECK(isClosedManifold(closed.mesh));
+}
+
+TEST_CASE("close_holes: a loop of a thousand edges takes a bounded number of vertices") {
+  const int n = 1000;
+  TriangleMesh band;
+  shapes::addSheet(band, n, 1, [&](int k, int row) {
+    return Vec3(shapes::onCircle(k, n) + Vec3(0, 0, 0.002 * row));
+  });
+  const ClosedHoles closed = closeHoles(band);
+  CHECK(closed.holes == 2);
+  CHECK(isClosedManifold(closed.mesh));
+  CHECK(inspectMesh(closed.mesh).eulerCharacteristic == 2);
+  // Of one size all over they would be n² / 4π to each loop: 80 thousand.
+  CHECK(closed.mesh.positions.size() - band.positions.size() < 2 * 10 * std::size_t{n});
+}
+
+TEST_CASE("close_holes: loops longer than asked for stay open") {
+  // The rim at height 0.8 has a length of 3.8, that at -0.95 one of 2.
+  const TriangleMesh open = without(capless(20, 0.8), [](const Vec3& p) { return p.z() < -0.95; });
+  const ClosedHoles closed = closeHoles(open, 3);
+  CHECK(closed.holes == 1);
+  CHECK(closed.open == 1);
+  CHECK(inspectMesh(closed.mesh).eulerCharacteristic == 1);
+  CHECK(closeHoles(open, 0).mesh.indices == open.indices);
+}
+
+TEST_CASE("close_holes: a scrap in a hole is an island, and goes") {
+  const TriangleMesh open = capless(12, 0.8);
+  TriangleMesh scrapped = open;
+  soups::addTriangle(scrapped, {0, 0, 1}, {0.1, 0, 1}, {0, 0.1, 1});
+  const ClosedHoles closed = closeHoles(scrapped);
+  CHECK(closed.islands == 1);
+  CHECK(closed.trianglesRemoved == 1);
+  CHECK(inspectMesh(closed.mesh).components == 1);
+  CHECK(isClosedManifold(closed.mesh));
+}
+
+TEST_CASE("close_holes: where a surface touches itself in a point or an edge it comes apart") {
+  for (const TriangleMesh& touching :
+       {shapes::cubesSharingACorner(4), shapes::cubesSharingAnEdge(4)}) {
+    const ClosedHoles closed = closeHoles(touching);
+    const MeshReport report = inspectMesh(closed.mesh);
+    CHECK(isClosedManifold(closed.mesh));
+    CHECK(report.components == 2);
+    CHECK(report.eulerCharacteristic == 4);
+    CHECK(closed.trianglesRemoved > 0);
+    CHECK(selfIntersections(closed.mesh).empty());
+  }
+}
+
+TEST_CASE("close_holes: whatever hangs together somehow becomes a closed 2-manifold") {
+  std::vector<TriangleMesh> meshes = {
+      shapes::kleinBottle(12, 8),
+      shapes::book(5, 3),
+      shapes::wheel(9),
+      shapes::annulus(16),
+      shapes::spikedSphere(6, 5),
+      shapes::moebiusStrip(20),
+      soups::joined({shapes::cube(2), soups::randomSoup(40, 0.5, 7)})};
+  for (const shapes::Shape& shape : shapes::all()) meshes.push_back(shape.mesh);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    CAPTURE(i);
+    const ClosedHoles closed = closeHoles(meshes[i]);
+    CHECK(isClosedManifold(closed.mesh));
+  }
+}
+
+TEST_CASE("close_holes: a single triangle becomes a thin solid, whose edges are shared by two") {
+  TriangleMesh triangle;
+  soups::addTriangle(triangle, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const ClosedHoles closed = closeHoles(triangle);
+  CHECK(isClosedManifold(closed.mesh));
+  CHECK(inspectMesh(closed.mesh).eulerCharacteristic == 2);
+}
+
+TEST_CASE("close_holes: a plug has the group and the values of most of its loop") {
+  TriangleMesh open = capless(8, 0.5);
+  open.groups.assign(open.triangleCount(), 3);
+  Attribute color{"COLOR_0", 3, {}}, joints{"JOINTS_0", 4, {}};
+  for (std::size_t v = 0; v < open.positions.size(); ++v) {
+    color.values.insert(color.values.end(), {0.25F, 0.5F, 1});
+    joints.values.insert(joints.values.end(), {7, 5, 0, 0});
+  }
+  open.attributes = {color, joints};
+  const TriangleMesh closed = closeHoles(open).mesh;
+  REQUIRE(closed.positions.size() > open.positions.size());
+  CHECK(closed.groups == std::vector<Index>(closed.triangleCount(), 3));
+  REQUIRE(closed.attributes[0].values.size() == 3 * closed.positions.size());
+  REQUIRE(closed.attributes[1].values.size() == 4 * closed.positions.size());
+  CHECK(closed.attributes[0].values.back() == doctest::Approx(1));
+  CHECK(closed.attributes[1].values[4 * open.positions.size()] == 7);
+}
+
+TEST_CASE("close_holes: no triangle of a plug mixes vertices of two groups") {
+  TriangleMesh open = capless(8, 0.5);
+  // Two groups with vertices of their own: the vertices of triangles at x < 0 once more.
+  const std::size_t count = open.positions.size();
+  for (std::size_t v = 0; v < count; ++v) open.positions.push_back(open.positions[v]);
+  for (std::size_t i = 0; i < open.indices.size(); i += 3) {
+    double x = 0;
+    for (std::size_t k = 0; k < 3; ++k) x += open.positions[open.indices[i + k]].x();
+    open.groups.push_back(x < -0.3 ? 1 : 0);
+    for (std::size_t k = 0; k < 3 && x < -0.3; ++k) open.indices[i + k] += Index(count);
+  }
+  Attribute mark{"_MARK", 1, {}};
+  for (std::size_t v = 0; v < 2 * count; ++v) mark.values.push_back(v < count ? 0 : 1);
+  open.attributes = {mark};
+  const TriangleMesh closed = closeHoles(open).mesh;
+  for (std::size_t i = open.indices.size(); i < closed.indices.size(); ++i)
+    CHECK(closed.attributes[0].values[closed.indices[i]] == closed.groups[i / 3]);
+}

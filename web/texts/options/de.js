@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// German: the options' names, units and help.
+
+export default {
+  'option.vertices': 'Punkte',
+  'option.ratio': 'Anteil',
+  'option.edgeLength': 'Kantenlänge',
+  'option.scheme': 'Verfahren',
+  'option.quality': 'Güte',
+  'option.prefer': 'Vorzug',
+  'option.projection': 'Projektion',
+  'option.fidelity': 'Treue',
+  'option.vertexAngle': 'Punktwinkel',
+  'option.triangleAngle': 'Dreieckswinkel',
+  'option.splitObtuse': 'Stumpfe teilen',
+  'option.adaptivity': 'Anpassung',
+  'option.gradation': 'Abstufung',
+  'option.featureAngle': 'Kantenwinkel',
+  'option.boundary': 'Rand',
+  'option.maxError': 'Größter Fehler',
+  'option.weld': 'Verbinden',
+  'option.quads': 'Vierecke',
+  'option.exact': 'Genaue Zahl',
+  'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
+  'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
+  'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
+  'help.scheme': 'rounds: Algorithmus 2 des Berichts, Schritt für Schritt; best: unser eigener',
+  'help.quality': 'draft: in einem Bruchteil der Zeit, fast so gut, Abstände nur grob gemessen',
+  'help.prefer': 'even: gleichmäßige Dreiecke; shape: die Punkte des Originals, die Form und '
+    + 'Aussehen am meisten brauchen; auto: gleichmäßige, wo sie beides erhalten, sonst shape',
+  'help.projection': 'patches: auf das Original, über einander überlappende Flecken oder, bei best '
+    + 'ab 8000 Punkten, auf dem Weg zur nächsten Stelle; current: auf das jetzige Netz',
+  'help.fidelity': 'ein Schritt wird verweigert, wenn nicht jedes Paar von Normalen innerhalb der '
+    + 'Winkel unten liegt (strict), wenn nicht wenigstens eines (loose), oder nur, wo ein Dreieck '
+    + 'umklappte (fold)',
+  'help.vertexAngle': 'θ1: zwischen den Punktnormalen eines Dreiecks',
+  'help.triangleAngle': 'θ2: zwischen der Normale eines Dreiecks und denen seiner Punkte',
+  'help.splitObtuse': 'am Ziel wird jede Kante gegenüber einem stumpfen Winkel einmal geteilt',
+  'help.adaptivity': '0: gleichmäßige Dreiecke; 1: Größen folgen der Krümmung, für den kleinsten '
+    + 'Fehler; dazwischen: gemischt',
+  'help.gradation': 'größtes Verhältnis der Größen an den Enden einer Kante',
+  'help.featureAngle': 'Winkel zwischen Flächen, ab dem eine Kante zu einer Kurve gehören kann, '
+    + 'die erhalten bleibt',
+  'help.boundary': 'Punkte entlang offener Ränder verschieben oder genau so lassen',
+  'help.maxError': 'verweigert, was vom Original mehr abwiche',
+  'help.weld': 'fügt Stellen zusammen, die näher beieinander liegen; ohne Angabe nur, was bis auf '
+    + 'Rundung gleich ist',
+  'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der '
+    + 'Punkte auf 1 % genau',
+  'help.exact': 'von Vierecken: genau so viele Punkte',
+  'unit.degrees': 'Grad',
+  'unit.model units': 'Modelleinheiten',
+  'unit.% of the diagonal': '% der Diagonale',
+  'option.repair': 'Reparatur',
+  'option.holesUpTo': 'Löcher bis',
+  'option.gap': 'Lücke',
+  'help.repair': 'die Fläche zuerst ausbessern. holes: offene Schleifen schließen, den Rest '
+    + 'lassen; solid: das Äußere dessen, was etwas umschließt; wrap: was von außen durch '
+    + 'Öffnungen, weiter als die Lücke, zu erreichen ist; auto: das erste davon, das passt',
+  'help.gap': 'so weite Öffnungen schließt wrap noch; ohne Angabe 2',
+  'help.holesUpTo': 'längere Schleifen bleiben offen; ohne Angabe werden alle geschlossen',
+  'option.textures': 'Texturen',
+  'option.textureSize': 'Texturgröße',
+  'option.textureFormat': 'Texturformat',
+  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; bake (in glTF): neue '
+    + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
+  'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
+    + 'Originals, bis 4096',
+  'help.textureFormat': 'der neuen Texturen; ohne Angabe jpeg, aber png für Normalen und '
+    + 'Durchsichtiges',
+  'unit.texels': 'Texel',
+};

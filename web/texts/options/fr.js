@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// French: the options' names, units and help.
+
+export default {
+  'option.vertices': 'Sommets',
+  'option.ratio': 'Part',
+  'option.edgeLength': 'Longueur d’arête',
+  'option.scheme': 'Méthode',
+  'option.quality': 'Qualité',
+  'option.prefer': 'Préférence',
+  'option.projection': 'Projection',
+  'option.fidelity': 'Fidélité',
+  'option.vertexAngle': 'Angle des sommets',
+  'option.triangleAngle': 'Angle des triangles',
+  'option.splitObtuse': 'Couper les obtus',
+  'option.adaptivity': 'Adaptation',
+  'option.gradation': 'Gradation',
+  'option.featureAngle': 'Angle des arêtes vives',
+  'option.boundary': 'Bord',
+  'option.maxError': 'Erreur maximale',
+  'option.weld': 'Souder',
+  'option.quads': 'Quadrilatères',
+  'option.exact': 'Nombre exact',
+  'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
+  'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
+  'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
+  'help.scheme': 'rounds : l’algorithme 2 du rapport, pas à pas ; best : le nôtre',
+  'help.quality': 'draft : en une fraction du temps, presque aussi bon, distances peu mesurées',
+  'help.prefer': 'even : des triangles réguliers ; shape : les sommets de l’original dont la '
+    + 'forme et l’aspect ont le plus besoin ; auto : réguliers là où ils gardent les deux, '
+    + 'sinon shape',
+  'help.projection': 'patches : sur l’original, par des disques qui se recouvrent ou, avec best '
+    + 'dès 8000 points, en allant au plus proche ; current : sur le maillage actuel',
+  'help.fidelity': 'un pas est refusé si une paire de normales dépasse les angles ci-dessous '
+    + '(strict), si toutes les dépassent (loose), ou seulement là où un triangle se retournerait '
+    + '(fold)',
+  'help.vertexAngle': 'θ1 : entre les normales aux sommets d’un triangle',
+  'help.triangleAngle': 'θ2 : entre la normale d’un triangle et celles de ses sommets',
+  'help.splitObtuse': 'au but, chaque arête face à un angle obtus est coupée une fois',
+  'help.adaptivity': '0 : triangles réguliers ; 1 : les tailles suivent la courbure, pour la '
+    + 'moindre erreur ; entre les deux : un mélange',
+  'help.gradation': 'plus grand rapport des tailles aux deux bouts d’une arête',
+  'help.featureAngle': 'angle entre faces à partir duquel une arête peut appartenir à une courbe '
+    + 'qui est conservée',
+  'help.boundary': 'déplacer les sommets le long des bords ouverts, ou les garder tels quels',
+  'help.maxError': 'refuse ce qui s’écarterait davantage de l’original',
+  'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
+  'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
+  'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
+  'unit.degrees': 'degrés',
+  'unit.model units': 'unités du modèle',
+  'unit.% of the diagonal': '% de la diagonale',
+  'option.repair': 'Réparation',
+  'option.holesUpTo': 'Trous jusqu’à',
+  'option.gap': 'Ouverture',
+  'help.repair': 'réparer d’abord la surface. holes : fermer les boucles ouvertes, laisser le '
+    + 'reste ; solid : l’extérieur de ce qui enferme quelque chose ; wrap : ce que l’on atteint de '
+    + 'l’extérieur par des passages plus larges que l’ouverture ; auto : le premier qui convient',
+  'help.gap': 'wrap ferme les passages jusqu’à cette largeur ; 2 sans indication',
+  'help.holesUpTo': 'les boucles plus longues restent ouvertes ; sans indication, toutes sont '
+    + 'fermées',
+  'option.textures': 'Textures',
+  'option.textureSize': 'Taille des textures',
+  'option.textureFormat': 'Format des textures',
+  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; bake (en '
+    + 'glTF) : de nouvelles textures, peintes d’après les anciennes, si bien que les coutures ne '
+    + 'coûtent aucun point',
+  'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
+    + 'l’original, jusqu’à 4096',
+  'help.textureFormat': 'des nouvelles textures ; sans indication jpeg, mais png pour les normales '
+    + 'et la transparence',
+  'unit.texels': 'texels',
+};
