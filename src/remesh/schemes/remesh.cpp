@@ -19,6 +19,7 @@
 #include "remesh/schemes/rival.h"
 #include "remesh/schemes/rounds.h"
 #include "remesh/schemes/targets.h"
+#include "remesh/schemes/uncrossed.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/apart.h"
 #include "remesh/steps/split_obtuse.h"
@@ -145,9 +146,12 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   run.stagger = manner.stagger;
   const std::size_t vertices = original.vertices();
   run.effort = effortOf(options.quality, Level::Finest, vertices);
-  const bool reached = original.bound()
-                           ? runWithin(run, {*original.bound(), vertices}, manner, progress)
-                           : runScheme(run, vertices, manner, progress);
+  bool reached = original.bound()
+                     ? runWithin(run, {*original.bound(), vertices}, manner, progress)
+                     : runScheme(run, vertices, manner, progress);
+  std::optional<CrossingGuard> guard;
+  if (options.repair != Repair::Off)
+    reached = keepUncrossed(run, guard, vertices).isReached && reached;
   const bool mayMatch = !options.splitObtuse && (reached || countDistinct(mesh) < vertices);
   const Places places = mayMatch ? matchPositions(run, vertices) : Places{reached, moveApart(run)};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
@@ -159,10 +163,11 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
 }
 
 // Where textures are painted anew seams hold no vertices, but neither do they keep a shape that
-// even triangles are too large for.
+// even triangles are too large for. No collapse there looks for crossings.
 bool mayFollow(const RemeshOptions& options) {
   return options.textures == Textures::Bake && options.scheme == Scheme::Best &&
-         options.density.empty() && !options.maxError && !options.splitObtuse;
+         options.density.empty() && !options.maxError && !options.splitObtuse &&
+         options.repair == Repair::Off;
 }
 
 // The shares of a run's time: of triangles for the map, and of each mesh for pairs.
