@@ -15,16 +15,16 @@ TriangleGrid::TriangleGrid(double cell, std::size_t expected) : cell_(cell) {
 int TriangleGrid::levelOf(const Box& box) const {
   const double size = (box.high - box.low).maxCoeff() / cell_;
   if (!(size > 1)) return 0;
-  return std::min(kLevels - 1, int(std::ceil(std::log2(size))));
+  return std::min(int(isUsed_.size()) - 1, int(std::ceil(std::log2(size))));
 }
 
 TriangleGrid::Cell TriangleGrid::cellAt(const Vec3& p, int level) const {
-  constexpr double kFarthest = 0x1p52;  // whole numbers are exact up to there
+  const double farthest = std::ldexp(1.0, 52);  // whole numbers are exact up to there
   const double width = std::ldexp(cell_, level);
   Cell cell;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    cell[axis] = std::int64_t(
-        std::clamp(std::floor(p[Eigen::Index(axis)] / width), -kFarthest, kFarthest));
+    cell[axis] =
+        std::int64_t(std::clamp(std::floor(p[Eigen::Index(axis)] / width), -farthest, farthest));
   return cell;
 }
 
@@ -41,13 +41,14 @@ void TriangleGrid::add(Index name, const Box& box) {
   if (name >= asked_.size()) asked_.resize(name + 1, 0);
   const int level = levelOf(box);
   isUsed_[std::size_t(level)] = true;
-  const Cell low = cellAt(box.low, level), high = cellAt(box.high, level);
-  for (Cell c = low; c[0] <= high[0]; ++c[0])
-    for (c[1] = low[1]; c[1] <= high[1]; ++c[1])
-      for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) {
-        std::vector<Index>& line = lines_[lineOf(c, level)];
-        if (std::find(line.begin(), line.end(), name) == line.end()) line.push_back(name);
-      }
+  forEachLine(box, level, [&](std::size_t number) {
+    std::vector<Index>& line = lines_[number];
+    if (std::find(line.begin(), line.end(), name) == line.end()) line.push_back(name);
+  });
+}
+
+void TriangleGrid::remove(Index name, const Box& box) {
+  forEachLine(box, levelOf(box), [&](std::size_t number) { std::erase(lines_[number], name); });
 }
 
 }  // namespace remesher

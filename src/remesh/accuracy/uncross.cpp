@@ -88,9 +88,9 @@ void halve(Run& run, Face f) {
 }  // namespace
 
 std::size_t uncross(Run& run) {
-  constexpr int kRounds = 16;
+  const int rounds = 2 * run.effort.polishRounds;
   std::vector<Face> crossed = run.rule.guard->crossing();
-  for (int round = 0; round < kRounds && !crossed.empty(); ++round) {
+  for (int round = 0; round < rounds && !crossed.empty(); ++round) {
     for (const Face f : crossed)
       if (run.mesh.mesh().isAlive(f) && run.rule.guard->isCrossed(f) && !mendCrossed(run, f))
         halve(run, f);

@@ -27,9 +27,8 @@ bool finishUncrossed(Run& run, std::size_t vertices) {
 
 // Edges become even, and no step is left out that would do for a mesh of one level.
 bool makeAnew(Run& run, std::size_t vertices) {
-  constexpr int kRounds = 3;
   coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < run.effort.adaptRounds; ++round) {
     delaunayFlips(run.mesh, run.rule);
     valenceFlips(run);
     relax(run, run.effort.passes);
