@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which parts of the original are flat, to the precision of its own coordinates: the sides of
-// machine parts, walls, facets. A result whose vertices stay in these planes has no dents there.
+// machine parts, and walls. A result whose vertices stay in these planes has no dents there.
 #pragma once
 
 #include <vector>
