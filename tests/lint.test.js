@@ -60,9 +60,8 @@ test('C++ passes clang-tidy', async (t) => {
 });
 
 test('C++ compiles with g++ without a warning', async () => {
-  const files = ['src', 'tests/fuzz', 'tests/unit']
-    .flatMap((folder) => filesUnder(folder, /\.cpp$/));
-  assert.equal(await complaintsOf(gcc, files), '');
+  // What is built with it: unit tests and fuzzers are clang++'s, which has warned of them by then.
+  assert.equal(await complaintsOf(gcc, filesUnder('src', /\.cpp$/)), '');
 });
 
 test('JavaScript passes eslint', async () => {
