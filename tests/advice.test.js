@@ -134,7 +134,7 @@ const mesh = (options) => ({ name: 'a.glb', vertices: 40, ...options });
  * @type {[string, () => Promise<any>, RegExp, ...((words: RegExpExecArray) => Promise<any>)[]][]}
  */
 const advice = [
-  ['TARGET_TOO_SMALL', inArrays({ vertices: 3 }), /Ask for (\d+) vertices/,
+  ['TARGET_TOO_SMALL', inArrays({ vertices: 3 }), /for this surface\. Ask for (\d+)/,
     ([, number]) => remesh(ball, { vertices: Number(number) })],
   ['TARGET_BELOW_CURVES', inFile(bytesOf(offText(sheet(8))), { name: 'a.off', vertices: 4,
     featureAngle: 1, boundary: 'keep' }), /Ask for (\d+) vertices.*fewer features \(featureAngle/,
