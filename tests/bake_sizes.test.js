@@ -76,6 +76,25 @@ test('colours of vertices get texels for their steps, up to a small map of them'
   assert.equal(await sizeOf(96, checks), 512);
 });
 
+test('hundreds of leaves without a texture get a map that is large enough for them', async () => {
+  const leaves = 900;
+  const corners = [[0, 0], [0.6, 0], [0.6, 0.6], [0, 0.6]];
+  const positions = Float32Array.from(Array.from({ length: leaves }, (_, i) =>
+    corners.map(([x, y]) => [x + (i % 30), y + Math.floor(i / 30), Math.sin(i)])).flat(2));
+  const indices = Uint16Array.from(Array.from({ length: leaves }, (_, i) =>
+    [0, 1, 2, 0, 2, 3].map((v) => 4 * i + v)).flat());
+  const maker = new GltfMaker();
+  maker.tree.materials = [{ pbrMetallicRoughness: { baseColorFactor: [0, 0.4, 0, 1] } }];
+  const { name, bytes } = maker.show([{ attributes: { POSITION: maker.add(positions, 'VEC3') },
+    indices: maker.addIndices(indices), material: 0 }]).glb();
+  const options = { name, textures: 'bake', textureFormat: 'png' };
+  const { report } = await remeshFile(bytes, options);
+  assert.equal(report.output.components, leaves);
+  const error = await remeshFile(bytes, { ...options, textureSize: 64 })
+    .then(assert.fail, (fault) => fault);
+  assert.match(error.message, /64 texels are too small for 900 charts/);
+});
+
 /** How far a JPEG is from an image of steps and noise, of 255, in the mean. */
 async function lossOf(width) {
   const codecs = new ImageCodecs({ compile: compileCodec });

@@ -77,6 +77,37 @@ test('what is hidden or unused has its share', async () => {
   assert.equal(report.output.components, 1);
 });
 
+/** The second of three rings is hidden by its node, the third by the one above. */
+const hiddenByNodes = () => sceneOf([{}, { scale: [2, 2, 2] }, {}], (tree) => {
+  const extensions = { KHR_node_visibility: { visible: false } };
+  tree.nodes[1].extensions = extensions;
+  tree.nodes.push({ children: [2], extensions });
+  Object.assign(tree, { scenes: [{ nodes: [0, 1, 3] }], extensionsUsed: Object.keys(extensions) });
+});
+
+test('what nodes hide has its share, and is left out where there are no nodes', async () => {
+  const kept = await remeshed(hiddenByNodes(), { vertices: 600 });
+  assert.deepEqual(countsOf(kept), [100, 400, 100]);
+  assert.ok(!kept.report.warnings.some(({ code }) => code === 'HIDDEN_LEFT_OUT'));
+  for (const output of ['obj', 'ply', 'stl', 'off']) {
+    for (const file of [hiddenByNodes(), scenes.hidden(shape)]) {
+      const { bytes, report } = await remeshed(file, { vertices: 200, output: `a.${output}` });
+      const { input } = await inspect(bytes, { name: `a.${output}` });
+      assert.deepEqual([input.vertices, input.components], [200, 1]);
+      assert.ok(report.warnings.some(({ code, count }) =>
+        code === 'HIDDEN_LEFT_OUT' && count === 2));
+    }
+  }
+});
+
+test('a scene in which nothing is shown becomes no file without scenes, but glTF', async () => {
+  const nowhere = sceneOf([{ extensions: { KHR_node_visibility: { visible: false } } }]);
+  const error = await remeshed(nowhere, { output: 'a.stl' }).then(assert.fail, (fault) => fault);
+  assert.equal(error.code, 'NO_TRIANGLES');
+  assert.match(error.hint, /Write a \.glb or \.gltf/);
+  assert.deepEqual(countsOf(await remeshed(nowhere, { vertices: 200, output: 'a.glb' })), [200]);
+});
+
 const levels = () => sceneOf([{ extensions: { MSFT_lod: { ids: [1] } } }, {}], (tree) => {
   tree.scenes[0].nodes = [0];
   tree.extensionsUsed = ['MSFT_lod'];

@@ -124,7 +124,7 @@ bool holdsLods(const std::string& outputName) {
 void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
   if (format == nullptr) return;
-  if (format->read != readGltf) model.parts = bodiesOf(std::move(model.parts));
+  if (format->read != readGltf) makeBodies(model);
   if (!format->isSingle) return;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);

@@ -33,7 +33,8 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
 }
 
 io::Part withoutMesh(const io::Part& part) {
-  return {part.name, {}, part.instances, part.groups, part.lods, part.source, part.finer};
+  return {part.name, {},          part.instances, part.groups,
+          part.lods, part.source, part.finer,     part.hidden};
 }
 
 MeshReport inspectScaled(const std::vector<io::Part>& parts) {

@@ -153,8 +153,7 @@ void PartTargets::refuse(std::size_t part, const TooFewVertices& error) const {
               "The target of " + std::to_string(*options_.vertices) +
                   " vertices is too small for all " + std::to_string(parts_.size()) +
                   " meshes of the file: of it " + std::to_string(error.target) + " are left for " +
-                  legible(parts_[part].name) + ", which needs at least " +
-                  std::to_string(error.needed) + ".",
+                  legible(parts_[part].name) + ", which are too few.",
               "Ask for " + number + " vertices or more, or give the meshes one by one.");
 }
 

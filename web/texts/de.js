@@ -275,6 +275,7 @@ export default {
   'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
+  'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Dreiecke wurden umgedreht, damit sie zur selben Seite '
     + 'weisen wie die meisten neben ihnen.',
   'warning.JOINT_NOT_IN_SKIN': 'Punkte hingen an Gelenken, die ihr Skelett nicht hat; diese fallen '

@@ -276,6 +276,7 @@ export default {
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
   'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
+  'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
     + 'même côté que la plupart de leurs voisins.',
   'warning.JOINT_NOT_IN_SKIN': 'Des points étaient liés à des articulations que leur squelette n’a '

@@ -17,12 +17,12 @@ namespace remesher::io {
 namespace {
 
 // Instances of all meshes; where the file shows none at all, each mesh once where it is.
-std::vector<std::vector<Transform>> placedMeshes(const GltfDocument& document) {
-  std::vector<std::vector<Transform>> instances = meshInstances(document);
+std::vector<MeshInstances> placedMeshes(const GltfDocument& document) {
+  std::vector<MeshInstances> instances = meshInstances(document);
   const bool isEmpty = std::all_of(instances.begin(), instances.end(),
-                                   [](const auto& list) { return list.empty(); });
+                                   [](const MeshInstances& own) { return own.places.empty(); });
   if (isEmpty)
-    for (auto& list : instances) list.push_back(Transform::Identity());
+    for (MeshInstances& own : instances) own.places.push_back(Transform::Identity());
   return instances;
 }
 
@@ -85,7 +85,7 @@ void requireFinitePlaces(const GltfDocument& document, const Part& part) {
 
 Model readDocument(const std::shared_ptr<GltfDocument>& document) {
   Model model;
-  const std::vector<std::vector<Transform>> instances = placedMeshes(*document);
+  const std::vector<MeshInstances> instances = placedMeshes(*document);
   std::size_t untouched = 0;
   for (std::size_t i = 0; i < document->typed.meshes.size(); ++i) {
     const tinygltf::Mesh& mesh = document->typed.meshes[i];
@@ -94,9 +94,10 @@ Model readDocument(const std::shared_ptr<GltfDocument>& document) {
     if (triangles.indices.empty()) continue;
     const std::string name = mesh.name.empty() ? "mesh " + std::to_string(i) : mesh.name;
     std::vector<GroupInfo> groups = groupInfos(*document, i, triangles);
-    model.parts.push_back({name, std::move(triangles), instances[i], std::move(groups)});
+    model.parts.push_back({name, std::move(triangles), instances[i].places, std::move(groups)});
     requireFinitePlaces(*document, model.parts.back());
     model.parts.back().source = static_cast<int>(i);
+    model.parts.back().hidden = instances[i].hidden;
   }
   tellLevels(document->tree, model.parts);
   if (untouched > 0)

@@ -75,20 +75,31 @@ std::vector<Transform> NodeInstances::of(std::size_t node) const {
   return instances;
 }
 
+// Whether a node hides itself and all below it.
+bool hides(const Json& node) {
+  const Json::json_pointer path("/extensions/KHR_node_visibility/visible");
+  return node.contains(path) && node[path] == false;
+}
+
 class SceneWalk {
  public:
   explicit SceneWalk(const GltfDocument& document)
-      : document_(document), world_(document.typed.nodes.size()), visited_(world_.size(), 0) {}
-  std::vector<std::vector<Transform>> meshInstances();
+      : document_(document),
+        world_(document.typed.nodes.size()),
+        visited_(world_.size(), 0),
+        hidden_(world_.size(), 0) {}
+  std::vector<MeshInstances> meshInstances();
 
  private:
   void visitTree(int root);
+  void collect(const NodeInstances& own, std::size_t node, std::vector<MeshInstances>& instances);
   std::vector<int> roots() const;
   Transform skinTransform(const tinygltf::Skin& skin) const;
 
   const GltfDocument& document_;
   std::vector<Transform> world_;  // per node
   std::vector<char> visited_;     // per node
+  std::vector<char> hidden_;      // per node
 };
 
 // Parents before children, without recursion: a chain of nodes may be long.
@@ -106,6 +117,7 @@ void SceneWalk::visitTree(int root) {
     visited_[node] = 1;
     const Transform local = localTransform(document_.typed.nodes[node]);
     world_[node] = parent < 0 ? local : world_[parent] * local;
+    hidden_[node] = (parent >= 0 && hidden_[parent]) || hides(document_.tree["nodes"][node]);
     for (const int child : document_.typed.nodes[node].children) open.emplace_back(child, node);
   }
 }
@@ -144,29 +156,36 @@ Transform SceneWalk::skinTransform(const tinygltf::Skin& skin) const {
   return world_[joint] * inverseBind;
 }
 
-std::vector<std::vector<Transform>> SceneWalk::meshInstances() {
-  for (const int root : roots()) visitTree(root);
+// Adds the places of the node's mesh, if it has one.
+void SceneWalk::collect(const NodeInstances& own, std::size_t node,
+                        std::vector<MeshInstances>& instances) {
   const tinygltf::Model& model = document_.typed;
-  std::vector<std::vector<Transform>> instances(model.meshes.size());
-  const NodeInstances own(document_);
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    const tinygltf::Node& node = model.nodes[i];
-    if (!visited_[i] || node.mesh < 0) continue;
-    if (static_cast<std::size_t>(node.mesh) >= instances.size())
-      document_.fail(ErrorCode::ParseError, "node " + std::to_string(i) + " shows mesh " +
-                                                std::to_string(node.mesh) +
-                                                ", which is not there.");
-    const bool isSkinned =
-        node.skin >= 0 && static_cast<std::size_t>(node.skin) < model.skins.size();
-    const Transform place = isSkinned ? skinTransform(model.skins[node.skin]) : world_[i];
-    for (const Transform& instance : own.of(i)) instances[node.mesh].push_back(place * instance);
+  const auto [mesh, skin] = std::pair(model.nodes[node].mesh, model.nodes[node].skin);
+  if (mesh < 0) return;
+  if (static_cast<std::size_t>(mesh) >= instances.size())
+    document_.fail(ErrorCode::ParseError, "node " + std::to_string(node) + " shows mesh " +
+                                              std::to_string(mesh) + ", which is not there.");
+  const bool isSkinned = skin >= 0 && static_cast<std::size_t>(skin) < model.skins.size();
+  const Transform place = isSkinned ? skinTransform(model.skins[skin]) : world_[node];
+  for (const Transform& instance : own.of(node)) {
+    instances[mesh].places.push_back(place * instance);
+    if (hidden_[node]) ++instances[mesh].hidden;
   }
+}
+
+std::vector<MeshInstances> SceneWalk::meshInstances() {
+  for (const int root : roots()) visitTree(root);
+  std::vector<MeshInstances> instances(document_.typed.meshes.size());
+  const NodeInstances own(document_);
+  for (const bool isHidden : {false, true})
+    for (std::size_t node = 0; node < world_.size(); ++node)
+      if (visited_[node] && (hidden_[node] != 0) == isHidden) collect(own, node, instances);
   return instances;
 }
 
 }  // namespace
 
-std::vector<std::vector<Transform>> meshInstances(const GltfDocument& document) {
+std::vector<MeshInstances> meshInstances(const GltfDocument& document) {
   return SceneWalk(document).meshInstances();
 }
 

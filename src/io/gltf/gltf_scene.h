@@ -9,8 +9,14 @@
 
 namespace remesher::io {
 
-// Per mesh: the local-to-world transforms of the nodes of the default scene that show it; of all
-// nodes where the file has no scene. Throws PARSE_ERROR for nodes that are not there or not a tree.
-std::vector<std::vector<Transform>> meshInstances(const GltfDocument& document);
+// The local-to-world transforms of a mesh.
+struct MeshInstances {
+  std::vector<Transform> places;
+  std::size_t hidden = 0;  // the last ones, which KHR_node_visibility hides
+};
+
+// Per mesh: of the nodes of the default scene that have it; of all nodes where the file has no
+// scene. Throws PARSE_ERROR for nodes that are not there or not a tree.
+std::vector<MeshInstances> meshInstances(const GltfDocument& document);
 
 }  // namespace remesher::io

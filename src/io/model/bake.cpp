@@ -59,19 +59,28 @@ void transformMesh(TriangleMesh& mesh, const Transform& transform) {
     std::swap_ranges(&mesh.indices[i], &mesh.indices[i] + 3, &mesh.indices[i] + 3);
 }
 
-std::vector<Part> bodiesOf(std::vector<Part> parts) {
+void makeBodies(Model& model) {
   std::vector<Part> bodies;
-  for (Part& part : parts) {
-    for (const Transform& instance : part.instances) {
-      if (!part.finer.empty() || !showsAreas(instance)) continue;
+  std::size_t unseen = 0;
+  for (Part& part : model.parts) {
+    if (!part.finer.empty()) continue;
+    const std::size_t before = bodies.size(), shown = part.instances.size() - part.hidden;
+    for (std::size_t i = 0; i < shown; ++i) {
+      const Transform& instance = part.instances[i];
+      if (!showsAreas(instance)) continue;
       bodies.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
       if (isWhereItIs(instance)) continue;
       transformMesh(bodies.back().mesh, instance);
       bodies.back().mesh.isSingle = false;
     }
+    unseen += std::max<std::size_t>(part.instances.size(), 1) - (bodies.size() - before);
     part = {};
   }
-  return bodies;
+  model.parts = std::move(bodies);
+  if (unseen > 0)
+    model.warnings.push_back(
+        {"HIDDEN_LEFT_OUT",
+         "What the scene does not show is left out: write a .glb or .gltf to keep it.", unseen});
 }
 
 std::vector<Part> bakeInstances(const Model& model) {
@@ -86,7 +95,9 @@ std::vector<Part> bakeInstances(const Model& model) {
       if (!isWhereItIs(instance)) transformMesh(baked.back().mesh, instance);
     }
   }
-  if (baked.empty()) throw Error(ErrorCode::NoTriangles, "The file shows no triangles to write.");
+  if (baked.empty())
+    throw Error(ErrorCode::NoTriangles, "The file shows no triangles to write.",
+                "Write a .glb or .gltf, which keep what is not shown.");
   return baked;
 }
 

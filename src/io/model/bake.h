@@ -13,10 +13,10 @@ namespace remesher::io {
 // stays outside.
 void transformMesh(TriangleMesh& mesh, const Transform& transform);
 
-// One part per instance at which anything is to be seen, but for coarser levels of detail, its only
-// instance the identity; named as the part it came from. Its coordinates are those of the world, in
-// double precision.
-std::vector<Part> bodiesOf(std::vector<Part> parts);
+// Makes the parts one per instance that is shown and at which anything is to be seen, but for
+// coarser levels of detail, its only instance the identity; named as the part it came from. Its
+// coordinates are those of the world, in double precision. HIDDEN_LEFT_OUT says what is not shown.
+void makeBodies(Model& model);
 
 // The same for writing. One part per instance, but for coarser levels of detail, its only instance
 // the identity; named as the part it came from. Throws NO_TRIANGLES when there is nothing to bake.

@@ -43,6 +43,7 @@ struct Part {
   int source = -1;                      // the number of its mesh in its file, where that has some
   // The parts, by number, that this one stands for from afar; none: it is no level of detail.
   std::vector<std::size_t> finer = {};
+  std::size_t hidden = 0;  // how many of the instances, the last ones, the file hides
 };
 
 // Everything a format's writer needs to put back what the parts do not hold. Each format derives

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "io/text/text_writer.h"
 
 namespace remesher::io {
 namespace {
@@ -98,7 +99,8 @@ double PlyBody::next(PlyType type, std::string_view what) {
   if (encoding_ != PlyEncoding::Ascii) return nextBinary(type, what);
   if (!scanner_.skipEmptyLines())
     fail(ErrorCode::ParseError, "the file ends where " + legible(what) + " should be.", kHint);
-  return scanner_.anyNumber(what);
+  const double value = scanner_.anyNumber(what);
+  return type == PlyType::Float32 ? singleWrittenAs(value) : value;
 }
 
 Index PlyBody::nextCount(const PlyProperty& list, std::string_view what) {

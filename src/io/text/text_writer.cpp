@@ -3,8 +3,10 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "io/model/json.h"
+#include "io/text/text_scanner.h"
 
 namespace remesher::io {
 namespace {
@@ -50,6 +52,14 @@ TextWriter& TextWriter::integer(std::size_t value) {
 TextWriter& TextWriter::numbers(const Vec3& values) {
   for (const double value : values) text(" ").number(value);
   return *this;
+}
+
+double singleWrittenAs(double value) {
+  std::array<char, 64> buffer{};
+  const auto single = static_cast<float>(value);
+  if (!std::isfinite(single)) return value;
+  const bool isWrittenSo = TextScanner::numberIn(shortest(buffer, single)) == value;
+  return isWrittenSo ? static_cast<double>(single) : value;
 }
 
 }  // namespace remesher::io

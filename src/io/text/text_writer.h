@@ -26,4 +26,7 @@ class TextWriter {
   std::string text_;
 };
 
+// The single that TextWriter writes as this number; the number itself where there is none.
+double singleWrittenAs(double value);
+
 }  // namespace remesher::io

@@ -82,12 +82,12 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give at least one value above 0; only their ratios count.");
 }
 
+// Names no number but one that is enough.
 std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
-  const bool isByCurves = code == ErrorCode::TargetBelowCurves;
-  return "The target of " + std::to_string(target) + " vertices is " +
-         (isByCurves ? "below the " : "too small: this surface needs at least ") +
-         std::to_string(needed) +
-         (isByCurves ? " that the corners of feature curves and kept boundaries need." : ".");
+  const std::string beginning = "The target of " + std::to_string(target) + " vertices is ";
+  if (code != ErrorCode::TargetBelowCurves) return beginning + "too small for this surface.";
+  return beginning + "below the " + std::to_string(needed) +
+         " that the corners of feature curves and kept boundaries need.";
 }
 
 }  // namespace

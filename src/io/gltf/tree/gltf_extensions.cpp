@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -103,16 +104,13 @@ class StaleFinder {
   StaleFinder(const Json& tree, const Json& primitive, Texcoords texcoords)
       : tree_(tree), attributes_(primitive["attributes"]), texcoords_(texcoords) {}
 
+  // value: of the key, or one of the list that the key has.
   bool isStale(const std::string& extension, const std::string& key, const Json& value) const {
-    if (key == "propertyTextures" || key == "propertyAttributes" || key == "featureTextures")
-      return std::any_of(value.begin(), value.end(), [&](const Json& reference) {
-        const Json* const named = inRoot(tree_, extension, key, reference);
-        return named != nullptr && isStale(*named);
-      });
-    if (key == "featureIds" && value.is_array() &&
-        std::any_of(value.begin(), value.end(), countsVertices))
-      return true;
-    return isStale(value);
+    if (key == "propertyTextures" || key == "propertyAttributes" || key == "featureTextures") {
+      const Json* const named = inRoot(tree_, extension, key, value);
+      return named != nullptr && isStale(*named);
+    }
+    return (key == "featureIds" && countsVertices(value)) || isStale(value);
   }
 
  private:
@@ -175,17 +173,28 @@ bool isKept(const std::string& name, const Json& extension) {
   return fate != Fate::Dropped;
 }
 
+// The value of a key, or those of its list, without what is stale; null: nothing is left.
+Json freshIn(const Json& value, const std::function<bool(const Json&)>& isStale) {
+  if (!value.is_array()) return isStale(value) ? Json() : value;
+  Json fresh = Json::array();
+  for (const Json& one : value)
+    if (!isStale(one)) fresh.push_back(one);
+  return fresh.empty() && !value.empty() ? Json() : fresh;
+}
+
 // Takes out what is stale; whether anything is left.
 bool follow(const StaleFinder& finder, const std::string& name, Json& extension,
             LostExtensions& lost) {
   if (!extension.is_object()) return false;
-  std::vector<std::string> stale;
-  for (const auto& [key, value] : extension.items())
-    if (finder.isStale(name, key, value)) stale.push_back(key);
-  if (stale.empty()) return true;
-  if (stale.size() == extension.size()) return false;
-  ++lost.count[name];
-  for (const std::string& key : stale) extension.erase(key);
+  Json left = Json::object();
+  for (const auto& [member, value] : extension.items()) {
+    const std::string& key = member;
+    Json fresh = freshIn(value, [&](const Json& one) { return finder.isStale(name, key, one); });
+    if (!fresh.is_null()) left[key] = std::move(fresh);
+  }
+  if (left.empty()) return extension.empty();
+  if (left != extension) ++lost.count[name];
+  extension = std::move(left);
   return true;
 }
 

@@ -109,6 +109,7 @@ TEST_CASE("ply: text and both orders of bytes say the same") {
     const TriangleMesh binary = meshOf(binarySquare(isBigEndian));
     CHECK(binary.indices == text.indices);
     CHECK(binary.positions[0].y() == double{0.1F});
+    CHECK(binary.positions == text.positions);
     for (std::size_t a = 0; a < text.attributes.size(); ++a)
       CHECK(binary.attributes[a].values == text.attributes[a].values);
   }

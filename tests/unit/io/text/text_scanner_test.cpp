@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "io/files.h"
@@ -13,6 +14,15 @@ using namespace remesher;
 using namespace remesher::test;
 using io::TextScanner;
 using io::TextWriter;
+
+namespace {
+
+std::string digitsOf(double value) {
+  const auto bytes = TextWriter().number(value).bytes();
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
 
 TEST_CASE("text_scanner: lines are counted whatever ends them, continued ones too") {
   for (const char* text : {"a\nb\\\nc\nx", "a\r\nb\\\r\nc\r\nx", "a\rb\\\rc\rx"}) {
@@ -70,18 +80,23 @@ TEST_CASE("text_scanner: names that a file gives are quoted legibly, to the end 
         std::string::npos);
 }
 
+TEST_CASE("text_writer: a single is found again by its digits, and more digits stay") {
+  for (const float single : {0.1F, 1.2345678e29F, -3.4028235e38F, 1e-45F, 16777216.0F}) {
+    const double read = *TextScanner::numberIn(digitsOf(double(single)));
+    CHECK(io::singleWrittenAs(read) == double(single));
+  }
+  for (const double survey : {4512345.678, 512345.678, 1e200, 0.1234567891})
+    CHECK(io::singleWrittenAs(survey) == survey);
+}
+
 TEST_CASE("text_writer: numbers have as few digits as read back to the same value") {
-  const auto written = [](double value) {
-    const auto bytes = TextWriter().number(value).bytes();
-    return std::string(bytes.begin(), bytes.end());
-  };
-  CHECK(written(0.1F) == "0.1");
-  CHECK(written(0.1) == "0.1");
-  CHECK(written(-2) == "-2");
-  CHECK(written(1.0 / 3) == "0.3333333333333333");
-  CHECK(written(static_cast<double>(1.0F / 3)) == "0.33333334");
+  CHECK(digitsOf(0.1F) == "0.1");
+  CHECK(digitsOf(0.1) == "0.1");
+  CHECK(digitsOf(-2) == "-2");
+  CHECK(digitsOf(1.0 / 3) == "0.3333333333333333");
+  CHECK(digitsOf(static_cast<double>(1.0F / 3)) == "0.33333334");
   for (const double value : {1e-300, 123456789.123, -1e20, 5e-324, 1.7976931348623157e308}) {
-    const std::string text = written(value);
+    const std::string text = digitsOf(value);
     TextScanner scanner(text, "t");
     CHECK(scanner.nextLine());
     CHECK(scanner.number("it") == value);

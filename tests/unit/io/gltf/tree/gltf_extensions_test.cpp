@@ -91,6 +91,9 @@ TEST_CASE("extensions: identifiers stay where their attribute or coordinates do"
   CHECK(afterwards("EXT_mesh_features", byNumber, 1).is_null());
   const Json missing = {{"featureIds", {{{"featureCount", 8}, {"attribute", 1}}}}};
   CHECK(afterwards("EXT_mesh_features", missing, 1).is_null());
+  Json several = byTexture;
+  several["featureIds"].insert(several["featureIds"].begin(), byNumber["featureIds"][0]);
+  CHECK(afterwards("EXT_mesh_features", several, 1) == byTexture);
 }
 
 TEST_CASE(
