@@ -4,11 +4,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { BufferAttribute, BufferGeometry } from 'three';
+import { remesh } from 'remesher';
+import { BufferAttribute, BufferGeometry, Color, Mesh } from 'three';
 
+import { angleColors } from '../web/base/colors.js';
+import { irregularVertices } from '../web/survey/irregular.js';
+import { outlineOf, polygonsOf } from '../web/triangles/polygons.js';
+import { soupOf } from '../web/triangles/soup.js';
+import { colorByAngle } from '../web/triangles/triangle_angles.js';
 import { withNormals } from '../web/triangles/normals.js';
 import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
+import { torus as torusArrays } from './support/shapes.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } });
@@ -72,6 +79,47 @@ test('creases are counted as the angle changes', async () => {
   await page.fill('#option-featureAngle', '');
   assert.equal(await creases(), first);
   await settled(page);
+});
+
+/** A mesh as the loader makes it of a file whose triangles are polygons. */
+function polygonMesh(positions, indices) {
+  const mesh = new Mesh(new BufferGeometry()
+    .setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3))
+    .setIndex(new BufferAttribute(Uint32Array.from(indices), 1)));
+  mesh.userData.gltfExtensions = { FB_ngon_encoding: {} };
+  mesh.geometry.userData.polygons = polygonsOf(mesh);
+  return mesh;
+}
+
+test('quads are drawn without diagonals, and dots are where not four of them meet', async () => {
+  const { mesh: { positions, indices }, report } =
+    await remesh(torusArrays(), { quads: true, vertices: 400 });
+  const mesh = polygonMesh(positions, indices);
+  const { polygons } = mesh.geometry.userData;
+  const { count, irregular } = report.output.quads;
+  assert.equal(polygons.length - 1, count);
+  assert.equal(outlineOf(mesh.geometry, polygons).length / 2, 2 * count, 'an edge for two quads');
+  const { valences, places } = irregularVertices(soupOf([mesh]));
+  assert.equal(valences.length, irregular);
+  assert.equal(places.length, 3 * irregular);
+  // Around a ring those of fewer and of more quads cancel.
+  assert.equal(valences.reduce((sum, valence) => sum + 4 - valence, 0), 0);
+  delete mesh.userData.gltfExtensions;
+  assert.equal(polygonsOf(mesh), null);
+});
+
+test('a square is coloured as good, and the longer the slant of a quad the worse', () => {
+  const reds = angleColors.map((color) => Math.fround(new Color(color).r));
+  const steps = [0, 0.3, 0.6, 3].map((slant) => {
+    const mesh = polygonMesh([0, 0, 0, 1, 0, 0, 1 + slant, 1, 0, slant, 1, 0], [0, 1, 2, 0, 2, 3]);
+    const corners = mesh.geometry.toNonIndexed();
+    colorByAngle(corners, mesh.geometry.userData.polygons);
+    const { array } = corners.getAttribute('color');
+    for (let i = 3; i < array.length; i += 3) assert.equal(array[i], array[0], 'one colour a quad');
+    return reds.indexOf(array[0]);
+  });
+  // 90°, then arctan 0.3 off it, and so on.
+  assert.deepEqual(steps, [5, 4, 2, 0]);
 });
 
 test('a pointer finds its triangle', async () => {
@@ -175,4 +223,25 @@ test('turning the model draws two meshes with their lines and nothing else', asy
   assert.ok(Number(calls) <= 8, `${calls} calls`);
   assert.ok(Number(triangles) <= 4 * 576 + 100, `${triangles} triangles`);
   assert.deepEqual(complaints, []);
+});
+
+test('quads: nearly as many as asked for, exactly on request, in their own figures', async () => {
+  await open('ring.obj', objText(torus(24, 12)));
+  await page.fill('#target', '400');
+  await page.click('#preset-quads');
+  await settled(page);
+  await page.waitForSelector('#dot-key');
+  assert.match(await page.textContent('#target-hint'), /^Within 1 %; /);
+  const [triangles, none] = await reportRow(page, 'Triangles');
+  assert.deepEqual([triangles, none], ['576', '']);
+  const count = number((await reportRow(page, 'Quads'))[1]);
+  assert.ok(Math.abs(count - 400) <= 4, `${count} quads`);
+  assert.match((await reportRow(page, 'Angles off 90°, mean'))[1], /^\d+\.\d°$/);
+  await page.click('[data-shading=angles]');
+  assert.match(await page.textContent('#legend'), /Smallest angles.*Of quads: angles off 90°/);
+  await page.check('#option-exact');
+  await settled(page);
+  assert.match(await page.textContent('#target-hint'), /^Exactly; /);
+  assert.equal((await reportRow(page, 'Vertices'))[1], '400');
+  assert.match(await page.textContent('.command'), /--quads --exact/);
 });

@@ -87,8 +87,9 @@ const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 /** How large and of which format new textures are, how long the holes to be closed are, how wide
  * the openings, means nothing without them.
  * @param {string} name @param {Values} values */
-const isIdle = (name, { textures, repair }) =>
+const isIdle = (name, { textures, repair, quads }) =>
   (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
+  || (name === 'exact' && !quads)
   || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
   || (name === 'gap' && repair !== 'wrap' && repair !== 'auto');
 
@@ -206,6 +207,7 @@ export class Panel {
   #showAsked() {
     const values = this.values();
     this.#asked.textContent = valuesInWords(values);
+    this.#target.follow(values);
     for (const { option, control } of this.#fields) {
       const field = /** @type {HTMLElement | null} */ (control.closest('.field'));
       field?.classList.toggle('set', values[option.name] !== undefined);
