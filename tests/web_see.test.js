@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { remesh } from 'remesher';
-import { BufferAttribute, BufferGeometry, Color, Mesh } from 'three';
+import { BufferAttribute, BufferGeometry, Color, Mesh, SphereGeometry } from 'three';
 
 import { angleColors } from '../web/base/colors.js';
 import { irregularVertices } from '../web/survey/irregular.js';
@@ -244,4 +244,71 @@ test('quads: nearly as many as asked for, exactly on request, in their own figur
   assert.match(await page.textContent('#target-hint'), /^Exactly; /);
   assert.equal((await reportRow(page, 'Vertices'))[1], '400');
   assert.match(await page.textContent('.command'), /--quads --exact/);
+});
+
+/** A ball around the origin, and one inside it that faces the same way; with a hole, if wished. */
+function ballInBall({ missing = 0 } = {}) {
+  const parts = [1, 0.5].map((radius) => new SphereGeometry(radius, 16, 10).toNonIndexed());
+  parts[0].setDrawRange(0, parts[0].attributes.position.count - 3 * missing);
+  const places = parts.flatMap(({ attributes: { position }, drawRange }) =>
+    [...position.array.subarray(0, 3 * Math.min(position.count, drawRange.count))]);
+  const faces = Array.from({ length: places.length / 9 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2]);
+  return `${places.map((x, i) => (i % 3 ? ` ${x}` : `\nv ${x}`)).join('')}\n`
+    + faces.map((face) => `f ${face.map((v) => v + 1).join(' ')}\n`).join('');
+}
+
+test('what is broken is mended by one click, and said; each mode has its sentence', async () => {
+  await open('shells.obj', ballInBall({ missing: 20 }));
+  assert.match(await page.textContent('#option-repair-help'), /a hole stays a hole/);
+  assert.equal(await page.isVisible('#option-gap'), false);
+  await page.click('#mend');
+  await settled(page);
+  await page.waitForSelector('#repaired');
+  assert.match(await page.textContent('#repaired'), /^Repair: .*(hole|shell)/);
+  assert.equal(await page.inputValue('#option-repair'), 'auto');
+  assert.match(await page.textContent('.command'), /--repair auto/);
+  await page.selectOption('#option-repair', 'wrap');
+  assert.match(await page.textContent('#option-repair-help'), /openings wider than the gap/);
+  await page.locator('#handle-gap').fill('5');
+  assert.equal(await page.inputValue('#option-gap'), '5');
+  assert.equal(await page.isVisible('#option-holesUpTo'), false);
+  await settled(page);
+  await page.waitForFunction(() => /Repair: wrap/.test(document.querySelector('#repaired h2')
+    ?.textContent ?? ''));
+  await settled(page);
+});
+
+test('the presets for printing and simulation mend', async () => {
+  for (const preset of ['print', 'simulation']) {
+    await page.click(`#preset-${preset}`);
+    assert.equal(await page.inputValue('#option-repair'), 'auto');
+    await settled(page);
+  }
+  await page.click('#preset-even');
+  assert.equal(await page.inputValue('#option-repair'), '');
+  await settled(page);
+});
+
+test('a cut shows what is inside, as deep as it goes', async () => {
+  // Only what lies below the form counts.
+  await page.evaluate(() => {
+    for (const part of document.querySelectorAll('.foot, .cutting')) part.style.opacity = '0';
+  });
+  await page.click('[data-do=fit]');
+  await page.waitForTimeout(300);
+  const whole = String(await picture());
+  await page.focus('#canvas');
+  await page.keyboard.press('x');
+  assert.equal(await page.getAttribute('#cut', 'aria-pressed'), 'true');
+  await page.waitForTimeout(300);
+  const half = String(await picture());
+  await page.locator('#cut-depth').fill('0.9');
+  await page.waitForTimeout(300);
+  const deep = String(await picture());
+  assert.equal(new Set([whole, half, deep]).size, 3);
+  await page.click('#cut');
+  assert.equal(await page.isVisible('#cut-depth'), false);
+  await page.waitForTimeout(300);
+  assert.equal(String(await picture()), whole);
+  assert.deepEqual(complaints, []);
 });

@@ -88,7 +88,8 @@ export class Surveying {
     const edges = this.#edges;
     showLandmarks(edges && { boundary: edges.boundary.length / 6,
       nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 },
-    (landmark) => this.visitLandmark(landmark));
+    { onVisit: (landmark) => this.visitLandmark(landmark),
+      onMend: () => this.#page.panel.ask('repair', 'auto', true) });
   }
 
   get #hasFeatures() {
@@ -174,7 +175,8 @@ export class Surveying {
   /** The triangle there, one question at a time. @param {{ x: number, y: number }} at */
   async #probe(at) {
     const ray = this.#page.stage.viewer?.rayAt(at);
-    if (this.#isProbing || this.#page.stage.isBrushing) return;
+    const { isBrushing, viewer } = this.#page.stage;
+    if (this.#isProbing || isBrushing || viewer?.isCut) return;
     this.#isProbing = true;
     const pick = ray ? await this.survey.ask('pick', ray) : null;
     this.#isProbing = false;

@@ -13,8 +13,9 @@ export const presets = [
   { id: 'accurate', values: { adaptivity: 1 } },
   { id: 'lowPoly', values: { adaptivity: 1, gradation: 2 }, share: 0.1 },
   { id: 'quads', values: { quads: true } },
-  { id: 'print', values: { adaptivity: 0.7, maxError: 0.2 } },
-  { id: 'simulation', values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30 } },
+  { id: 'print', values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
+  { id: 'simulation',
+    values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' } },
 ];
 
 /** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values

@@ -6,6 +6,7 @@ import { count, decimal, degrees, duration, percent, share } from '../base/forma
 import { t, textIfAny } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { histogram } from './histogram.js';
+import { repairView } from './repair_view.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
 /** @typedef {import('remesher').RemeshReport} RemeshReport */
@@ -112,6 +113,7 @@ export function reportView(report, visitorOf) {
   return [
     early ? element('p', { className: 'notice' }, early) : '',
     ...warnings.map((warning) => note(warning, visitorOf)),
+    repairView(report.repair),
     ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]
       : [element('h2', {}, t('report.angles')),
         histogramWithKey(input.minAngle.histogram, output.minAngle.histogram)]),

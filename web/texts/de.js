@@ -262,6 +262,35 @@ export default {
   'contextLost': 'Die Grafikkarte ist für einen Moment weg. Das Bild kommt wieder; das Rechnen '
     + 'geht weiter.',
 
+  'mend': 'Ausbessern',
+  'cut': 'Schnitt',
+  'cut.depth': 'Tiefe des Schnitts',
+  'key.cut': 'Ein Schnitt durch die Modelle',
+  'repair.title': 'Reparatur: {mode}',
+  'repair.nothing': 'Es gab nichts auszubessern.',
+  'repair.made': 'Aus dem, was von außen zu sehen ist, wurde eine geschlossene Fläche.',
+  'repair.holes': '{count} Löcher geschlossen',
+  'repair.islands': '{count} lose Stücke entfernt',
+  'repair.shells': '{count} innere Hüllen entfernt',
+  'repair.turned': '{count} Dreiecke umgedreht',
+  'repair.crossings': '{before} Dreiecke durchdrangen andere; jetzt {after}',
+  'repair.lost': '{share} der Fläche sind weg',
+  'default.gap': '2',
+  'default.holesUpTo': 'alle',
+  'choice.repair.off': 'aus',
+  'choice.repair.holes': 'Löcher schließen',
+  'choice.repair.solid': 'Körper',
+  'choice.repair.wrap': 'Hülle',
+  'choice.repair.auto': 'auto',
+  'means.repair.off': 'Die Fläche bleibt, wie sie ist: ein Loch bleibt ein Loch.',
+  'means.repair.holes': 'Schließt offene Schleifen und lässt den Rest, wie er ist.',
+  'means.repair.solid': 'Behält das Äußere dessen, was etwas umschließt: Körper werden vereint, '
+    + 'innere Hüllen fallen weg.',
+  'means.repair.wrap': 'Behält, was von außen durch Öffnungen, weiter als die Lücke, zu erreichen '
+    + 'ist; Blätter werden dünne Körper.',
+  'means.repair.auto': 'Schließt Löcher, wo das genügt, macht sonst einen Körper, sonst eine '
+    + 'Hülle.',
+
   'error.unknown': 'Etwas ging schief.',
   'error.noModel': '{names} ist kein Modell, das diese Seite lesen kann',
   'error.noModel.hint': 'Legen Sie eine Datei ab: {formats}, einzeln, in .gz oder .zip.',

@@ -246,6 +246,16 @@ export class Viewer {
     this.draw();
   }
 
+  /** @param {import('three').Plane | null} plane behind which nothing is drawn; null: all is */
+  setCut(plane) {
+    this.#renderer.clippingPlanes = plane ? [plane] : [];
+    this.draw();
+  }
+
+  get isCut() {
+    return this.#renderer.clippingPlanes.length > 0;
+  }
+
   /** @param {Compare} compare */
   setCompare(compare) {
     this.#compare = compare;
