@@ -72,6 +72,26 @@ test('all are remeshed, and one bad file does not stop the others', () => {
     ['b.glb', 'er/a.glb', 'x.glb', 'y.glb', 'z.glb']);
 });
 
+test('all are mended and made of quads', () => {
+  mkdirSync(at('torn'));
+  for (const name of ['a', 'b']) {
+    writeFileSync(at('torn', `${name}.obj`), obj.trimEnd().split('\n').slice(0, -1).join('\n'));
+  }
+  const words = ['torn/', '-o', 'whole/', '--quads', '--repair', 'auto', '--vertices', '200'];
+  const { status, stdout, stderr } = run(top, ...words, '--jobs', '2', '--json');
+  assert.equal(status, 0, stderr);
+  const reports = stdout.trim().split('\n').map((line) => JSON.parse(line));
+  assert.deepEqual(reports.map(({ file }) => file).sort(), ['torn/a.obj', 'torn/b.obj']);
+  for (const { input, output, repair } of reports) {
+    assert.deepEqual([input.boundaryEdges, repair.holes, output.boundaryEdges], [3, 1, 0]);
+    assert.equal(output.triangles, 2 * output.quads.count);
+  }
+  for (const name of ['a', 'b']) {
+    const faces = readFileSync(at('whole', `${name}.obj`), 'utf8').match(/^f .*$/gm);
+    assert.ok(faces.every((face) => face.split(' ').length === 5), name);
+  }
+});
+
 test('results that are there stay, unless --force; --skip-existing goes on where it was', () => {
   mkdirSync(at('again'));
   writeFileSync(at('again/x.obj'), 'mine');

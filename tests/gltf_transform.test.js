@@ -177,3 +177,25 @@ test('what cannot be is refused in a sentence, and changes nothing', async () =>
   await assert.rejects(document.transform(remesh()), { code: 'INDEX_OUT_OF_RANGE' });
   await quiet(new Document()).transform(remesh());
 });
+
+test('quads are two triangles in a row each, which the extras of their primitive say', async () => {
+  const document = documentOf(torus(), ({ primitive }) => primitive.setExtras({ of: 'gold' }));
+  await document.transform(remesh({ quads: true, vertices: 600 }));
+  const [primitive] = primitivesOf(document);
+  assert.deepEqual(primitive.getExtras(), { of: 'gold', quads: true });
+  const corners = primitive.getIndices().getArray();
+  const edges = new Map();
+  for (let i = 0; i < corners.length; i += 6) {
+    const [a, b, c, again, same, d] = corners.subarray(i, i + 6);
+    assert.deepEqual([again, same], [a, c]);
+    [a, b, c, d].forEach((from, k, all) => {
+      const edge = [from, all[(k + 1) % 4]].sort((x, y) => x - y).join();
+      edges.set(edge, (edges.get(edge) ?? 0) + 1);
+    });
+  }
+  assert.ok([...edges.values()].every((count) => count === 2));
+  const reread = await opened(await io.writeBinary(document));
+  assert.equal(primitivesOf(reread)[0].getExtras().quads, true);
+  await document.transform(remesh({ vertices: 500 }));
+  assert.equal(primitivesOf(document)[0].getExtras().quads, false);
+});

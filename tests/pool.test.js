@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { after, test } from 'node:test';
 
-import { convertFile, inspect, remesh, remeshFile, remeshScene } from 'remesher';
+import { convertFile, inspect, remesh, remeshFile, remeshScene, repair } from 'remesher';
 import { Pool } from 'remesher/pool';
 
 import { PoolOf } from '../dist/api/pool_of.js';
@@ -54,6 +54,16 @@ test('every function gives what it gives without a pool', async () => {
     timeless(await remeshFile(bytes, { ...file, vertices: 90 })));
   assert.deepEqual(await shared.convertFile(bytes, file), await convertFile(bytes, file));
   assert.deepEqual((await shared.inspect(small)).input, (await inspect(small)).input);
+});
+
+test('quads and repair are the same in a pool, and alone', async () => {
+  const open = { ...small, indices: small.indices.slice(0, -6) };
+  const options = { vertices: 200, quads: true, repair: 'holes' };
+  const [pooled, alone] = [await shared.remesh(open, options), await remesh(open, options)];
+  assert.deepEqual(timeless(pooled), timeless(alone));
+  assert.equal(pooled.mesh.quads.length / 4, pooled.report.output.quads.count);
+  assert.deepEqual([pooled.report.repair.holes, pooled.report.output.boundaryEdges], [1, 0]);
+  assert.deepEqual((await shared.repair(open)).mesh, (await repair(open)).mesh);
 });
 
 test('fifty jobs at once settle, each with its own result', async () => {

@@ -68,12 +68,13 @@ async function startRedis() {
   return `redis://127.0.0.1:${port}`;
 }
 
-/** Models that differ, by their names. @param {number} count @param {string} place */
+/** Models with a hole that differ, by their names. @param {number} count @param {string} place */
 function writeModels(count, place) {
   mkdirSync(join(folder, place));
   for (let i = 0; i < count; i += 1) {
     const mesh = torus({ columns: 12, rows: 8, radius: 2 + i / count });
-    writeFileSync(join(folder, place, `torus${i}.off`), offText(mesh));
+    const torn = { ...mesh, indices: mesh.indices.slice(0, -3) };
+    writeFileSync(join(folder, place, `torus${i}.off`), offText(torn));
   }
 }
 
@@ -94,7 +95,7 @@ test('two hundred jobs are done once each, though a worker dies in the middle of
     victim.onLine((line) => {
       if (line.startsWith('begins') && victim.lines.length > 6) victim.child.kill('SIGKILL');
     });
-    const producer = run('producer.js', 'models', 'results', '60');
+    const producer = run('producer.js', 'models', 'results', '60', '{ "repair": "holes" }');
     assert.deepEqual(await producer.ended, [0, null]);
 
     assert.deepEqual(await victim.ended, [null, 'SIGKILL']);
@@ -114,6 +115,7 @@ test('two hundred jobs are done once each, though a worker dies in the middle of
     for (const name of results) {
       const { input } = await inspect(readFileSync(join(folder, 'results', name)), { name });
       assert.equal(input.vertices, 60, name);
+      assert.equal(input.boundaryEdges, 0, name);
     }
 
     for (const { child } of others) child.kill('SIGTERM');

@@ -105,6 +105,22 @@ const recipes = {
     const [above] = printed.match(/^\d+/) ?? [];
     assert.ok(above > 700 && above < 889, printed);
   },
+  async quads() {
+    const { place, printed } = await follow('quads');
+    const { input } = await inspect(readFileSync(join(place, 'quads.obj')), { name: 'quads.obj' });
+    assert.equal(input.quads.count, input.triangles / 2);
+    assert.ok(Math.abs(input.vertices - 600) <= 6);
+    // As many quads as vertices around a ring, and twice as many edges.
+    assert.match(printed, /true 800\nof 800 quads, \d+ irregular vertices\n1600 edges\n/);
+  },
+  async printing() {
+    const { place, printed } = await follow('printing');
+    assert.match(printed, /^(holes|solid) true$/m);
+    for (const name of ['model.stl', 'mended.stl', 'print.stl']) {
+      const { input } = await inspect(readFileSync(join(place, name)), { name });
+      assert.deepEqual([input.boundaryEdges, input.vertices], [0, 700], name);
+    }
+  },
   async seams() {
     const { printed } = await follow('seams');
     assert.equal(printed, '800 all normals still those of a side: true\n');

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { remeshFile } from 'remesher';
-import { remeshGeometry, remeshObject } from 'remesher/three';
+import { quadEdges, quadsOf, remeshGeometry, remeshObject } from 'remesher/three';
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, ConeGeometry, DynamicDrawUsage,
   Float16BufferAttribute, Group, InstancedBufferAttribute, InstancedBufferGeometry, InstancedMesh,
@@ -334,4 +334,41 @@ test('what three.js turns around an axis is closed, whatever it says sin 2π is'
     assert.equal(result.report.output.boundaryEdges, 0, shape.type);
     assert.equal(countOf(result.geometry), 400);
   }
+});
+
+test('quads are two triangles in a row each, and their edges have no diagonals', async () => {
+  const options = { quads: true, vertices: 600 };
+  for (const shape of [new TorusGeometry(1, 0.4, 16, 48), new BoxGeometry(1, 2, 3)]) {
+    shape.userData.of = 'gold';
+    const { geometry, report: { output } } = await remeshGeometry(shape, options);
+    assert.deepEqual(geometry.userData, { of: 'gold', quads: true });
+    assert.deepEqual(shape.userData, { of: 'gold' });
+    const { count } = output.quads;
+    assert.equal(quadsOf(geometry).length, 4 * count, shape.type);
+    const lines = quadEdges(geometry);
+    assert.equal(lines.attributes.position, geometry.attributes.position);
+    // An edge is of two quads, also along seams and between groups.
+    assert.equal(lines.index.count / 2, 2 * count, shape.type);
+  }
+  const { geometry } = await remeshGeometry(geometryOf(torus()), options);
+  const triangles = await remeshGeometry(geometry, { vertices: 500 });
+  assert.equal(triangles.geometry.userData.quads, false);
+  assert.throws(() => quadsOf(triangles.geometry), { code: 'INVALID_MESH' });
+  assert.throws(() => quadEdges(new BufferGeometry()), { code: 'INVALID_MESH' });
+});
+
+test('quads of a file have edges too, until the object is of triangles', async () => {
+  const { bytes } = await remeshFile(skinnedTorus().bytes,
+    { name: 'torus.glb', output: 'glb', quads: true, vertices: 700 });
+  const loader = new GLTFLoader().register(() =>
+    ({ name: 'no pictures in Node', loadTexture: async () => new Texture() }));
+  const { scene } = await loader.parseAsync(bytes.slice().buffer, '');
+  const mesh = scene.getObjectByProperty('isMesh', true);
+  assert.ok(mesh.userData.gltfExtensions.FB_ngon_encoding);
+  const { index } = mesh.geometry;
+  assert.equal(quadsOf(mesh.geometry).length / 4, index.count / 6);
+  await remeshObject(scene, { vertices: 500, quads: true });
+  assert.ok(mesh.geometry.userData.quads && mesh.userData.gltfExtensions.FB_ngon_encoding);
+  await remeshObject(scene, { vertices: 500 });
+  assert.equal(mesh.userData.gltfExtensions.FB_ngon_encoding, undefined);
 });

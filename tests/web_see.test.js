@@ -4,11 +4,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { BufferAttribute, BufferGeometry } from 'three';
+import { remesh } from 'remesher';
+import { BufferAttribute, BufferGeometry, Color, Mesh, SphereGeometry } from 'three';
 
+import { angleColors } from '../web/base/colors.js';
+import { irregularVertices } from '../web/survey/irregular.js';
+import { outlineOf, polygonsOf } from '../web/triangles/polygons.js';
+import { soupOf } from '../web/triangles/soup.js';
+import { colorByAngle } from '../web/triangles/triangle_angles.js';
 import { withNormals } from '../web/triangles/normals.js';
 import { drop, opened, reportRow, settled, visit } from './support/browser_page.js';
 import { objText, torus } from './support/shape_files.js';
+import { torus as torusArrays } from './support/shapes.js';
 
 const { page, complaints } = await visit(
   { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } });
@@ -72,6 +79,47 @@ test('creases are counted as the angle changes', async () => {
   await page.fill('#option-featureAngle', '');
   assert.equal(await creases(), first);
   await settled(page);
+});
+
+/** A mesh as the loader makes it of a file whose triangles are polygons. */
+function polygonMesh(positions, indices) {
+  const mesh = new Mesh(new BufferGeometry()
+    .setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3))
+    .setIndex(new BufferAttribute(Uint32Array.from(indices), 1)));
+  mesh.userData.gltfExtensions = { FB_ngon_encoding: {} };
+  mesh.geometry.userData.polygons = polygonsOf(mesh);
+  return mesh;
+}
+
+test('quads are drawn without diagonals, and dots are where not four of them meet', async () => {
+  const { mesh: { positions, indices }, report } =
+    await remesh(torusArrays(), { quads: true, vertices: 400 });
+  const mesh = polygonMesh(positions, indices);
+  const { polygons } = mesh.geometry.userData;
+  const { count, irregular } = report.output.quads;
+  assert.equal(polygons.length - 1, count);
+  assert.equal(outlineOf(mesh.geometry, polygons).length / 2, 2 * count, 'an edge for two quads');
+  const { valences, places } = irregularVertices(soupOf([mesh]));
+  assert.equal(valences.length, irregular);
+  assert.equal(places.length, 3 * irregular);
+  // Around a ring those of fewer and of more quads cancel.
+  assert.equal(valences.reduce((sum, valence) => sum + 4 - valence, 0), 0);
+  delete mesh.userData.gltfExtensions;
+  assert.equal(polygonsOf(mesh), null);
+});
+
+test('a square is coloured as good, and the longer the slant of a quad the worse', () => {
+  const reds = angleColors.map((color) => Math.fround(new Color(color).r));
+  const steps = [0, 0.3, 0.6, 3].map((slant) => {
+    const mesh = polygonMesh([0, 0, 0, 1, 0, 0, 1 + slant, 1, 0, slant, 1, 0], [0, 1, 2, 0, 2, 3]);
+    const corners = mesh.geometry.toNonIndexed();
+    colorByAngle(corners, mesh.geometry.userData.polygons);
+    const { array } = corners.getAttribute('color');
+    for (let i = 3; i < array.length; i += 3) assert.equal(array[i], array[0], 'one colour a quad');
+    return reds.indexOf(array[0]);
+  });
+  // 90°, then arctan 0.3 off it, and so on.
+  assert.deepEqual(steps, [5, 4, 2, 0]);
 });
 
 test('a pointer finds its triangle', async () => {
@@ -174,5 +222,93 @@ test('turning the model draws two meshes with their lines and nothing else', asy
     ({ ...document.getElementById('canvas').dataset }));
   assert.ok(Number(calls) <= 8, `${calls} calls`);
   assert.ok(Number(triangles) <= 4 * 576 + 100, `${triangles} triangles`);
+  assert.deepEqual(complaints, []);
+});
+
+test('quads: nearly as many as asked for, exactly on request, in their own figures', async () => {
+  await open('ring.obj', objText(torus(24, 12)));
+  await page.fill('#target', '400');
+  await page.click('#preset-quads');
+  await settled(page);
+  await page.waitForSelector('#dot-key');
+  assert.match(await page.textContent('#target-hint'), /^Within 1 %; /);
+  const [triangles, none] = await reportRow(page, 'Triangles');
+  assert.deepEqual([triangles, none], ['576', '']);
+  const count = number((await reportRow(page, 'Quads'))[1]);
+  assert.ok(Math.abs(count - 400) <= 4, `${count} quads`);
+  assert.match((await reportRow(page, 'Angles off 90°, mean'))[1], /^\d+\.\d°$/);
+  await page.click('[data-shading=angles]');
+  assert.match(await page.textContent('#legend'), /Smallest angles.*Of quads: angles off 90°/);
+  await page.check('#option-exact');
+  await settled(page);
+  assert.match(await page.textContent('#target-hint'), /^Exactly; /);
+  assert.equal((await reportRow(page, 'Vertices'))[1], '400');
+  assert.match(await page.textContent('.command'), /--quads --exact/);
+});
+
+/** A ball around the origin, and one inside it that faces the same way; with a hole, if wished. */
+function ballInBall({ missing = 0 } = {}) {
+  const parts = [1, 0.5].map((radius) => new SphereGeometry(radius, 16, 10).toNonIndexed());
+  parts[0].setDrawRange(0, parts[0].attributes.position.count - 3 * missing);
+  const places = parts.flatMap(({ attributes: { position }, drawRange }) =>
+    [...position.array.subarray(0, 3 * Math.min(position.count, drawRange.count))]);
+  const faces = Array.from({ length: places.length / 9 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2]);
+  return `${places.map((x, i) => (i % 3 ? ` ${x}` : `\nv ${x}`)).join('')}\n`
+    + faces.map((face) => `f ${face.map((v) => v + 1).join(' ')}\n`).join('');
+}
+
+test('what is broken is mended by one click, and said; each mode has its sentence', async () => {
+  await open('shells.obj', ballInBall({ missing: 20 }));
+  assert.match(await page.textContent('#option-repair-help'), /a hole stays a hole/);
+  assert.equal(await page.isVisible('#option-gap'), false);
+  await page.click('#mend');
+  await settled(page);
+  await page.waitForSelector('#repaired');
+  assert.match(await page.textContent('#repaired'), /^Repair: .*(hole|shell)/);
+  assert.equal(await page.inputValue('#option-repair'), 'auto');
+  assert.match(await page.textContent('.command'), /--repair auto/);
+  await page.selectOption('#option-repair', 'wrap');
+  assert.match(await page.textContent('#option-repair-help'), /openings wider than the gap/);
+  await page.locator('#handle-gap').fill('5');
+  assert.equal(await page.inputValue('#option-gap'), '5');
+  assert.equal(await page.isVisible('#option-holesUpTo'), false);
+  await settled(page);
+  await page.waitForFunction(() => /Repair: wrap/.test(document.querySelector('#repaired h2')
+    ?.textContent ?? ''));
+  await settled(page);
+});
+
+test('the presets for printing and simulation mend', async () => {
+  for (const preset of ['print', 'simulation']) {
+    await page.click(`#preset-${preset}`);
+    assert.equal(await page.inputValue('#option-repair'), 'auto');
+    await settled(page);
+  }
+  await page.click('#preset-even');
+  assert.equal(await page.inputValue('#option-repair'), '');
+  await settled(page);
+});
+
+test('a cut shows what is inside, as deep as it goes', async () => {
+  // Only what lies below the form counts.
+  await page.evaluate(() => {
+    for (const part of document.querySelectorAll('.foot, .cutting')) part.style.opacity = '0';
+  });
+  await page.click('[data-do=fit]');
+  await page.waitForTimeout(300);
+  const whole = String(await picture());
+  await page.focus('#canvas');
+  await page.keyboard.press('x');
+  assert.equal(await page.getAttribute('#cut', 'aria-pressed'), 'true');
+  await page.waitForTimeout(300);
+  const half = String(await picture());
+  await page.locator('#cut-depth').fill('0.9');
+  await page.waitForTimeout(300);
+  const deep = String(await picture());
+  assert.equal(new Set([whole, half, deep]).size, 3);
+  await page.click('#cut');
+  assert.equal(await page.isVisible('#cut-depth'), false);
+  await page.waitForTimeout(300);
+  assert.equal(String(await picture()), whole);
   assert.deepEqual(complaints, []);
 });

@@ -64,8 +64,8 @@ test('a purpose sets options for all to see', async () => {
   assert.equal(await value('#option-maxError'), '0.2');
   assert.equal(await value('#option-adaptivity'), '0.7');
   assert.equal(await value('#target'), '400');
-  assert.equal(await page.textContent('#asked'), 'Adaptivity 0.7 · Max error 0.2');
-  assert.equal(await page.locator('.field.set').count(), 2);
+  assert.equal(await page.textContent('#asked'), 'Adaptivity 0.7 · Max error 0.2 · Repair auto');
+  assert.equal(await page.locator('.field.set').count(), 3);
   await page.waitForFunction(() => location.hash.includes('maxError=0.2'));
   await settled(page);
 });

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Puts every model of a folder into the queue, and waits for the results:
-//   REDIS_URL=redis://host:6379 node producer.js models/ results/ 5000
+//   REDIS_URL=redis://host:6379 node producer.js models/ results/ 5000 '{ "repair": "auto" }'
+// The last word is what else is asked of each, as remeshFile takes it.
 // It may be interrupted and started again: a job is known by its result, and is put there once.
 import { mkdir, readdir } from 'node:fs/promises';
 import { join, parse, resolve } from 'node:path';
 
 import { Queue, QueueEvents } from 'bullmq';
 
-const [models, results, vertices] = process.argv.slice(2);
+const [models, results, vertices, others = '{}'] = process.argv.slice(2);
+const options = { vertices: Number(vertices), ...JSON.parse(others) };
 const connection =
   { url: process.env.REDIS_URL ?? 'redis://127.0.0.1:6379', maxRetriesPerRequest: null };
 const queue = new Queue('remesh', { connection });
@@ -19,7 +21,7 @@ function jobOf(file) {
   const output = resolve(results, `${parse(file).name}.glb`);
   return {
     name: file,
-    data: { input: resolve(models, file), output, options: { vertices: Number(vertices) } },
+    data: { input: resolve(models, file), output, options },
     opts: { jobId: Buffer.from(output).toString('hex') },
   };
 }

@@ -78,7 +78,7 @@ export const pageRooms = {
   model: ['base', 'files'],
   triangles: ['base'],
   view: ['base', 'files', 'triangles'],
-  survey: [],
+  survey: ['triangles'],
   panel: ['base', 'files', 'model', 'view', 'survey'],
   report: ['base', 'files', 'model', 'view', 'survey', 'panel'],
   acts: ['base', 'files', 'model', 'view', 'survey', 'panel', 'report'],

@@ -108,6 +108,16 @@ export function clearResult({ stage }) {
   byId('result-count', HTMLElement).textContent = '';
 }
 
+/** For those who hear the page. @param {import('remesher').MeshReport} output */
+function done({ vertices, minAngle, quads }) {
+  if (!quads) {
+    return t('done', { count: count(vertices), mean: degrees(minAngle.mean),
+      worst: degrees(minAngle.worst) });
+  }
+  return t('done.quads', { count: count(vertices), quads: count(quads.count),
+    irregular: count(quads.irregular), mean: degrees(quads.angleDeviation.mean) });
+}
+
 /** @param {Page} page @param {RemeshOptions} [extra] what is not in the form */
 export async function remesh(page, extra = {}) {
   const { session, panel } = page;
@@ -115,7 +125,5 @@ export async function remesh(page, extra = {}) {
   history.replaceState(null, '', writeAddress(session.source, values));
   const result = await session.run(values, { ...extra, ...await page.painting.option() });
   await stageResult(page, result);
-  const { vertices, minAngle } = result.report.output;
-  announce(t('done', { count: count(vertices), mean: degrees(minAngle.mean),
-    worst: degrees(minAngle.worst) }));
+  announce(done(result.report.output));
 }

@@ -61,6 +61,9 @@ export class Surveying {
     const soup = viewer?.view(side)?.soup() ?? null;
     const buffers = soup ? [soup.positions.buffer, soup.indices.buffer] : [];
     await this.survey.ask('setSurface', { side, soup }, buffers);
+    viewer?.overlays[side].setDots(await this.survey.ask('irregular', side));
+    viewer?.draw();
+    this.#showLegend();
     if (side === 'original') await this.#findEdges();
   }
 
@@ -85,7 +88,8 @@ export class Surveying {
     const edges = this.#edges;
     showLandmarks(edges && { boundary: edges.boundary.length / 6,
       nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 },
-    (landmark) => this.visitLandmark(landmark));
+    { onVisit: (landmark) => this.visitLandmark(landmark),
+      onMend: () => this.#page.panel.ask('repair', 'auto', true) });
   }
 
   get #hasFeatures() {
@@ -162,14 +166,17 @@ export class Surveying {
 
   #showLegend() {
     const largest = this.distances?.largest.distance;
-    showLegend(this.#page.stage.shading,
-      largest === undefined ? null : { largest, diagonal: this.diagonal });
+    showLegend(this.#page.stage.shading, {
+      distance: largest === undefined ? null : { largest, diagonal: this.diagonal },
+      faces: this.#page.stage.viewer?.faces ?? [],
+    });
   }
 
   /** The triangle there, one question at a time. @param {{ x: number, y: number }} at */
   async #probe(at) {
     const ray = this.#page.stage.viewer?.rayAt(at);
-    if (this.#isProbing || this.#page.stage.isBrushing) return;
+    const { isBrushing, viewer } = this.#page.stage;
+    if (this.#isProbing || isBrushing || viewer?.isCut) return;
     this.#isProbing = true;
     const pick = ray ? await this.survey.ask('pick', ray) : null;
     this.#isProbing = false;
@@ -190,7 +197,7 @@ export class Surveying {
     for (const [name, overlays] of Object.entries(viewer.overlays)) {
       const corners = name === side && pick ? pick.corners : [];
       overlays.setLines('probe', Float32Array.from(corners.flatMap((corner, i) =>
-        [...corner, ...corners[(i + 1) % 3]])));
+        [...corner, ...corners[(i + 1) % corners.length]])));
     }
     showProbe(pick, this.diagonal);
     viewer.draw();

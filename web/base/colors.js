@@ -11,6 +11,9 @@ export const distanceColors = ['#f4f1e6', '#cfe3c8', '#8cc6b8', '#4a9fae', '#337
 /** From sparse over even to dense. */
 export const densityColors = ['#2f6db3', '#e9e4da', '#c2452f'];
 
+/** Of vertices where not four quads meet but three, five, or another number. */
+export const valenceColors = { three: '#1c7ed6', five: '#e8590c', other: '#ae3ec9' };
+
 /** What is drawn over the surfaces. */
 export const lineColors = { features: '#e8590c', boundary: '#1971c2', nonManifold: '#c2255c',
   flipped: '#9c36b5', probe: '#111111' };

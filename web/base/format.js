@@ -17,6 +17,9 @@ export function number(value, options = {}) {
 const fixed = (value, digits) =>
   number(value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
+/** @param {number} value of any kind, to two digits behind the point */
+export const decimal = (value) => fixed(value, 2);
+
 /** @param {number} value a whole number: 35,947 */
 export const count = (value) => number(value);
 

@@ -4,16 +4,18 @@
 /** @typedef {import('./address.js').Values} Values */
 /** values: what replaces all options but the target and those of textures; `share`, if any, the
  * target as a share of the input's vertices.
- * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'print' | 'simulation', values: Values,
- *   share?: number }} Preset */
+ * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'quads' | 'print' | 'simulation',
+ *   values: Values, share?: number }} Preset */
 
 /** @type {Preset[]} */
 export const presets = [
   { id: 'even', values: { adaptivity: 0 } },
   { id: 'accurate', values: { adaptivity: 1 } },
   { id: 'lowPoly', values: { adaptivity: 1, gradation: 2 }, share: 0.1 },
-  { id: 'print', values: { adaptivity: 0.7, maxError: 0.2 } },
-  { id: 'simulation', values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30 } },
+  { id: 'quads', values: { quads: true } },
+  { id: 'print', values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
+  { id: 'simulation',
+    values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' } },
 ];
 
 /** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values

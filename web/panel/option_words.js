@@ -9,8 +9,13 @@ import { textIfAny } from '../base/i18n.js';
 /** @param {Option} option */
 export const optionName = ({ name }) => textIfAny(`option.${name}`) ?? words(name);
 
-/** @param {Option} option */
-export const optionHelp = ({ name, help }) => sentence(textIfAny(`help.${name}`) ?? help);
+/** What the option is for, or what the choice means.
+ * @param {Option} option @param {string | number | boolean} [choice] */
+export const optionHelp = ({ name, help }, choice) => textIfAny(`means.${name}.${choice}`)
+  ?? sentence(textIfAny(`help.${name}`) ?? help);
+
+/** @param {Option} option @param {string} choice */
+export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choice}`) ?? choice;
 
 /** @param {Option} option */
 export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
@@ -21,5 +26,5 @@ export function valuesInWords(values) {
   return optionTable.filter(({ name }) =>
     values[name] !== undefined && !['vertices', 'ratio', 'edgeLength'].includes(name))
     .map((option) => (values[option.name] === true ? optionName(option)
-      : `${optionName(option)} ${values[option.name]}`)).join(' · ');
+      : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`)).join(' · ');
 }

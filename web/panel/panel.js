@@ -5,7 +5,9 @@ import { defaultOf, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { presets, withPreset } from '../model/presets.js';
-import { optionHelp, optionName, optionUnit, valuesInWords } from './option_words.js';
+import {
+  choiceName, optionHelp, optionName, optionUnit, valuesInWords,
+} from './option_words.js';
 import { TargetField } from './target_field.js';
 
 /** @typedef {import('remesher/options').Option} Option */
@@ -15,7 +17,8 @@ import { TargetField } from './target_field.js';
 
 /** @param {Option} option @param {Scheme} scheme */
 const defaultText = (option, scheme) =>
-  String(defaultOf(option, scheme) ?? textIfAny(`default.${option.name}`) ?? t('none'));
+  choiceName(option, String(defaultOf(option, scheme) ?? textIfAny(`default.${option.name}`)
+    ?? t('none')));
 
 /** Whether a row is best served by a slider: both ends known, and close. @param {Option} option */
 const isShare = ({ min, max, off }) => !off && min === 0 && max === 1;
@@ -28,7 +31,7 @@ function controlFor(option) {
   if (option.type === 'choice') {
     const choices = ['', ...option.choices ?? []];
     return element('select', described,
-      ...choices.map((choice) => element('option', { value: choice }, choice)));
+      ...choices.map((choice) => element('option', { value: choice }, choiceName(option, choice))));
   }
   const limits = { min: option.min ?? option.above ?? '', max: option.max ?? '' };
   if (isShare(option)) {
@@ -39,14 +42,24 @@ function controlFor(option) {
   return element('input', { ...described, type: 'number', ...limits, step: 'any' });
 }
 
+/** Of handles whose values are above 0, in percent of the diagonal. */
+const fineStep = 0.1;
+/** What the core takes for the gap where none is given, in percent of the diagonal. */
+const gapIfNone = 2;
+
+/** Whether a slider beside the field serves, which says more than the slider.
+ * @param {Option} option */
+const hasHandle = ({ off, above, max }) => max !== undefined && Boolean(off || above === 0);
+
 /** A slider beside a field that takes a word as well.
  * @param {Option} option @param {Control} control */
 function handleFor(option, control) {
   const { name, min, max, default: standard } = option;
   const start = typeof standard === 'object' ? standard.best : standard;
   const handle = element('input', { type: 'range', id: `handle-${name}`, className: 'handle',
-    min: String(min), max: String(max), step: '1', 'aria-label': optionName(option) });
-  handle.value = String(start);
+    min: String(min ?? fineStep), max: String(max), step: String(min === undefined ? fineStep : 1),
+    'aria-label': optionName(option) });
+  handle.value = String(start ?? gapIfNone);
   handle.addEventListener('input', () => { control.value = handle.value; });
   return handle;
 }
@@ -61,7 +74,7 @@ function fieldFor(option, control) {
     return element('div', { className: 'field share' }, label, value, control, help);
   }
   return element('div', { className: `field ${option.type}` }, label, control,
-    option.off && option.max !== undefined && handleFor(option, control), help);
+    hasHandle(option) && handleFor(option, control), help);
 }
 
 /** What a control says, undefined for the default.
@@ -83,12 +96,14 @@ const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
+const ofRepair = ['repair', 'holesUpTo', 'gap'];
 
 /** How large and of which format new textures are, how long the holes to be closed are, how wide
  * the openings, means nothing without them.
  * @param {string} name @param {Values} values */
-const isIdle = (name, { textures, repair }) =>
+const isIdle = (name, { textures, repair, quads }) =>
   (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
+  || (name === 'exact' && !quads)
   || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
   || (name === 'gap' && repair !== 'wrap' && repair !== 'auto');
 
@@ -101,6 +116,7 @@ export class Panel {
 
   /** Only where there is something to paint from. */
   #textures = element('div', { className: 'textures', hidden: true });
+  #repair = element('div', { className: 'repair' });
   #asked = element('p', { id: 'asked', className: 'help' });
   /** Whether the result follows while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
@@ -143,11 +159,14 @@ export class Panel {
       .map((option) => ({ option, control: controlFor(option) }));
     this.#button.textContent = t('remesh');
     const live = element('label', { className: 'inline-check' }, this.#live, t('live'));
-    const isOfTextures = (/** @type {{ option: Option }} */ { option }) =>
-      ofTextures.includes(option.name);
-    this.#textures.replaceChildren(...this.#views(this.#fields.filter(isOfTextures)));
-    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#textures,
-      this.#moreOptions(this.#fields.filter((field) => !isOfTextures(field))), this.#button, live);
+    const others = this.#fields.filter(({ option: { name } }) =>
+      ![...ofTextures, ...ofRepair].includes(name));
+    const viewsOf = (/** @type {string[]} */ names) => this.#views(this.#fields
+      .filter(({ option }) => names.includes(option.name)));
+    this.#textures.replaceChildren(...viewsOf(ofTextures));
+    this.#repair.replaceChildren(...viewsOf(ofRepair));
+    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#textures, this.#repair,
+      this.#moreOptions(others), this.#button, live);
     this.setValues(values);
   }
 
@@ -193,6 +212,10 @@ export class Panel {
         control.options[0].text = t('default', { value: text });
       } else if (control.type !== 'range') {
         control.placeholder = text;
+        const handle = control.parentElement?.querySelector('input.handle');
+        if (handle instanceof HTMLInputElement && Number(control.value)) {
+          handle.value = control.value;
+        }
       } else {
         if (!control.dataset.touched) control.value = text;
         const output = control.parentElement?.querySelector('output');
@@ -206,9 +229,13 @@ export class Panel {
   #showAsked() {
     const values = this.values();
     this.#asked.textContent = valuesInWords(values);
+    this.#target.follow(values);
     for (const { option, control } of this.#fields) {
       const field = /** @type {HTMLElement | null} */ (control.closest('.field'));
       field?.classList.toggle('set', values[option.name] !== undefined);
+      const help = field?.querySelector('.help');
+      const choice = values[option.name] ?? String(option.default);
+      if (help && option.type === 'choice') help.textContent = optionHelp(option, choice);
       if (field) field.hidden = isIdle(option.name, values);
     }
   }

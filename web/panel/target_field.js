@@ -25,6 +25,8 @@ export class TargetField {
   static names = ['vertices', 'ratio', 'edgeLength'];
 
   #inputVertices = 0;
+  /** Whether the result has just the number asked for; else nearly. */
+  #isExact = true;
   #kind = element('select');
   #number = element('input', { id: 'target', type: 'number', min: '0', step: 'any',
     'aria-describedby': 'target-hint' });
@@ -112,10 +114,19 @@ export class TargetField {
   #verticesHint() {
     const original = this.#inputVertices;
     const share = Number(this.#number.value) / original;
-    if (!original || !share) return t('target.exact');
-    if (share === 1) return t('target.same');
-    return share < 1 ? t('target.share', { share: number(share, percents), count: count(original) })
-      : t('target.times', { times: number(share, times), count: count(original) });
+    const closely = t(this.#isExact ? 'target.exactly' : 'target.nearly');
+    if (!original || !share) return t(this.#isExact ? 'target.exact' : 'target.near');
+    if (share === 1) return t('target.same', { closely });
+    return share < 1
+      ? t('target.share', { closely, share: number(share, percents), count: count(original) })
+      : t('target.times', { closely, times: number(share, times), count: count(original) });
+  }
+
+  /** Of quads the number is met within 1 % only, unless exactly that was asked for.
+   * @param {Values} values of the whole form */
+  follow({ quads, exact }) {
+    this.#isExact = !quads || Boolean(exact);
+    this.#showHint();
   }
 
   /** @returns {Values} */

@@ -11,6 +11,11 @@ import { valuesInWords } from '../panel/option_words.js';
 /** @param {Result} result */
 export const resultName = ({ number }) => (number ? t('history.name', { number }) : t('draft'));
 
+/** The mean of the smallest angles, or of how far those of quads are from 90°.
+ * @param {import('remesher').MeshReport} output */
+const angleFigure = ({ quads, minAngle }) =>
+  (quads ? `90 ± ${degrees(quads.angleDeviation.mean)}` : degrees(minAngle.mean));
+
 /** @param {Result} result @param {boolean} isShown @param {() => void} onShow */
 function entry(result, isShown, onShow) {
   const { report: { output, fidelity }, values } = result;
@@ -19,7 +24,7 @@ function entry(result, isShown, onShow) {
   element('b', {}, String(result.number)),
   element('span', {}, t('facts.vertices', { count: count(output.vertices) }),
     element('span', { className: 'quiet' }, valuesInWords(values))),
-  element('span', { className: 'quiet numbers' }, degrees(output.minAngle.mean),
+  element('span', { className: 'quiet numbers' }, angleFigure(output),
     element('br'), percent(fidelity.hausdorff)));
   return element('li', {}, button);
 }

@@ -30,8 +30,8 @@ export function placeIn(message) {
 }
 
 /** @param {Record<Landmark, number> | null} counts of edges
- * @param {(landmark: Landmark) => void} onVisit */
-export function showLandmarks(counts, onVisit) {
+ * @param {{ onVisit: (landmark: Landmark) => void, onMend: () => void }} acts */
+export function showLandmarks(counts, { onVisit, onMend }) {
   const box = byId('landmarks', HTMLElement);
   const found = landmarks.filter((name) => counts?.[name]);
   box.hidden = !found.length;
@@ -41,5 +41,6 @@ export function showLandmarks(counts, onVisit) {
     return element('button', { type: 'button', className: 'chip', id: `landmark-${name}`,
       onclick: () => onVisit(name) }, dot,
     t(`landmark.${name}`, { count: count(counts?.[name] ?? 0) }));
-  }));
+  }), element('button', { type: 'button', className: 'chip', id: 'mend', onclick: onMend },
+    t('mend')));
 }

@@ -7,13 +7,25 @@ import { t } from '../base/i18n.js';
 
 /** @typedef {import('../survey/picking.js').Pick} Pick */
 
+/** @param {string[]} marks */
+const marksBelow = (marks) => element('div', { className: 'legend-marks' },
+  ...marks.map((mark) => element('span', {}, mark)));
+
 /** @param {string} label @param {readonly string[]} colors @param {string[]} marks */
 function bar(label, colors, marks) {
   const strip = element('div', { className: 'legend-bar' });
   strip.style.background = gradient(colors);
-  return [element('b', {}, label), strip,
-    element('div', { className: 'legend-marks' }, ...marks.map((mark) =>
-      element('span', {}, mark)))];
+  return [element('b', {}, label), strip, marksBelow(marks)];
+}
+
+/** One bar, which of triangles tells another thing than of quads.
+ * @param {import('../view/viewer.js').Faces[]} faces */
+function angleBar(faces) {
+  const triangles = ['0°', '30°', '60°'], quads = ['60°', '30°', '0°'];
+  if (!faces.includes('quads')) return bar(t('report.angles'), angleColors, triangles);
+  const ofQuads = bar(t('legend.deviation'), angleColors, quads);
+  return faces.includes('triangles')
+    ? [...bar(t('report.angles'), angleColors, triangles), ofQuads[0], ofQuads[2]] : ofQuads;
 }
 
 /** A length in model units and in percent of the model's diagonal.
@@ -27,12 +39,14 @@ const distanceMarks = (largest, diagonal) => ['0', lengthInWords(largest / 2, di
 
 /**
  * @param {import('../view/viewer.js').Shading} shading
- * @param {{ largest: number, diagonal: number } | null} distance largest of all, if known
+ * @param {{ distance: { largest: number, diagonal: number } | null,
+ *   faces: import('../view/viewer.js').Faces[] }} known the largest distance of all, if it is
+ *   known; what is shown
  */
-export function showLegend(shading, distance) {
+export function showLegend(shading, { distance, faces }) {
   const box = byId('legend', HTMLElement);
   const parts = {
-    angles: () => bar(t('report.angles'), angleColors, ['0°', '30°', '60°']),
+    angles: () => angleBar(faces),
     density: () => bar(t('density'), densityColors, [t('density.low'), t('density.high')]),
     distance: () => (distance ? bar(t('distance'), distanceColors,
       distanceMarks(distance.largest, distance.diagonal)) : [t('distance.measuring')]),

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The report on a run: what got better, by how much the surface moved, what to know, and the files.
+import { valenceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
-import { count, degrees, duration, percent, share } from '../base/format.js';
+import { count, decimal, degrees, duration, percent, share } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { histogram } from './histogram.js';
+import { repairView } from './repair_view.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
 /** @typedef {import('remesher').RemeshReport} RemeshReport */
 /** @typedef {import('remesher').Inspection} Inspection */
 /** @typedef {import('remesher').Warning} Warning */
 
-/** @type {[import('../base/i18n.js').TextKey, (mesh: MeshReport) => string][]} */
-const rows = [
-  ['report.vertices', (mesh) => count(mesh.vertices)],
+/** @typedef {NonNullable<MeshReport['quads']>} QuadReport */
+/** @typedef {import('../base/i18n.js').TextKey} TextKey */
+
+/** @type {[TextKey, (mesh: MeshReport) => string][]} */
+const triangleRows = [
   ['report.triangles', (mesh) => count(mesh.triangles)],
   ['report.meanAngle', (mesh) => degrees(mesh.minAngle.mean)],
   ['report.worstAngle', (mesh) => degrees(mesh.minAngle.worst)],
@@ -21,11 +25,47 @@ const rows = [
   ['report.valence6', (mesh) => share(mesh.valence6)],
 ];
 
+/** @type {[TextKey, (quads: QuadReport) => string][]} */
+const quadRows = [
+  ['report.quads', (quads) => count(quads.count)],
+  ['report.irregular', (quads) => count(quads.irregular)],
+  ['report.deviation', ({ angleDeviation }) => degrees(angleDeviation.mean)],
+  ['report.deviationMost', ({ angleDeviation }) => degrees(angleDeviation.p95)],
+  ['report.deviationWorst', ({ angleDeviation }) => degrees(angleDeviation.worst)],
+  ['report.jacobian', ({ scaledJacobian }) => decimal(scaledJacobian.min)],
+];
+
 /** @param {string} label @param {string[]} values */
 function row(label, values) {
   return element('tr', {}, element('th', { scope: 'row' }, label),
     ...values.map((value) => element('td', {}, value)));
 }
+
+/** What is told of both meshes: of triangles, of quads, and, where the two differ, how many faces
+ * the original has before what is told of the result.
+ * @param {MeshReport} input @param {MeshReport} output */
+function meshRows(input, output) {
+  const { quads } = output;
+  if (!quads && !input.quads) {
+    return triangleRows.map(([label, value]) => row(t(label), [value(input), value(output)]));
+  }
+  const ofQuads = quadRows.map(([label, value]) => row(t(label),
+    [input.quads ? value(input.quads) : '', quads ? value(quads) : '']));
+  const ofTriangles = triangleRows.map(([label, value]) => row(t(label),
+    [input.quads ? '' : value(input), quads ? '' : value(output)]));
+  if (!quads) return [ofQuads[0], ...ofTriangles];
+  return input.quads ? ofQuads : [ofTriangles[0], ...ofQuads];
+}
+
+const valences = /** @type {const} */ (['three', 'five', 'other']);
+
+/** What the dots on the stage mean. */
+const dotKey = () => element('p', { className: 'key', id: 'dot-key' }, `${t('dots')} `,
+  ...valences.map((name) => {
+    const dot = element('span', { className: 'dot' });
+    dot.style.background = valenceColors[name];
+    return element('span', { className: 'dot-name' }, dot, t(`dots.${name}`));
+  }));
 
 /** @param {string} title */
 const columnHead = (title) => element('th', { scope: 'col' }, title);
@@ -38,7 +78,8 @@ function table({ input, output, fidelity, timings }) {
     element('thead', {}, element('tr', {}, element('td'), columnHead(t('original')),
       columnHead(t('result')))),
     element('tbody', {},
-      ...rows.map(([label, value]) => row(t(label), [value(input), value(output)])),
+      row(t('report.vertices'), [count(input.vertices), count(output.vertices)]),
+      ...meshRows(input, output),
       row(t('report.largest'), ['', percent(fidelity.hausdorff)]),
       row(t('report.rms'), ['', percent(fidelity.rms)]),
       row(t('report.time'), ['', duration(time)])));
@@ -72,9 +113,12 @@ export function reportView(report, visitorOf) {
   return [
     early ? element('p', { className: 'notice' }, early) : '',
     ...warnings.map((warning) => note(warning, visitorOf)),
-    element('h2', {}, t('report.angles')),
-    histogramWithKey(input.minAngle.histogram, output.minAngle.histogram),
+    repairView(report.repair),
+    ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]
+      : [element('h2', {}, t('report.angles')),
+        histogramWithKey(input.minAngle.histogram, output.minAngle.histogram)]),
     table(report),
+    output.quads ? dotKey() : '',
     element('p', { className: 'quiet' }, t('report.distances')),
     element('section', { id: 'distances', hidden: true }),
   ];
@@ -83,7 +127,8 @@ export function reportView(report, visitorOf) {
 /** One line on a model that was opened. @param {Inspection} report */
 export function modelFacts({ input }) {
   const parts = [t('facts.vertices', { count: count(input.vertices) }),
-    t('facts.triangles', { count: count(input.triangles) })];
+    input.quads ? t('facts.quads', { count: count(input.quads.count) })
+      : t('facts.triangles', { count: count(input.triangles) })];
   if (input.components > 1) parts.push(t('facts.parts', { count: count(input.components) }));
   if (input.boundaryEdges) parts.push(t('facts.open'));
   return parts.join(' · ');

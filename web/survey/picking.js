@@ -1,24 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The triangle that a ray hits, with its angles, its edges and how far its corners are from another
-// surface.
+// The face that a ray hits, a triangle or a quad, with its angles, its edges and how far its
+// corners are from another surface.
 import { Vector3 } from 'three';
+import { cornersOfPolygon } from '../triangles/polygons.js';
 
 /** @typedef {import('./surface.js').Surface} Surface */
 /** @typedef {import('./surface.js').Point} Point */
 /**
- * lengths[i] of the edge opposite to corners[i], angles[i] in degrees there; distance: the largest
- * of the corners', null without another surface.
+ * lengths[i] of the edge behind corners[i], angles[i] in degrees there; distance: the largest of
+ * the corners', null without another surface.
  * @typedef {{ triangle: number, point: Point, corners: Point[], angles: number[],
  *   lengths: number[], distance: number | null }} Pick
  */
 
-/** @param {number[]} lengths the angle opposite to each, in degrees */
-function anglesOf(lengths) {
-  return lengths.map((a, i) => {
-    const [b, c] = [lengths[(i + 1) % 3], lengths[(i + 2) % 3]];
-    const cosine = (b * b + c * c - a * a) / (2 * b * c || 1);
-    return Math.acos(Math.max(-1, Math.min(1, cosine))) * 180 / Math.PI;
+/** @param {Vector3[]} corners the angle at each, in degrees */
+function anglesOf(corners) {
+  return corners.map((corner, i) => {
+    const next = corners[(i + 1) % corners.length].clone().sub(corner);
+    const last = corners[(i + corners.length - 1) % corners.length].clone().sub(corner);
+    return next.angleTo(last) * 180 / Math.PI;
   });
+}
+
+/** The corners of the face that a triangle is part of. @param {Surface['soup']} soup
+ * @param {number} triangle */
+function cornersOfFace({ positions, indices, polygons }, triangle) {
+  const k = polygons ? polygons.findLastIndex((first) => first <= triangle) : 0;
+  const corners = polygons ? cornersOfPolygon(polygons[k], polygons[k + 1])
+    : cornersOfPolygon(triangle, triangle + 1);
+  return corners.map((corner) => new Vector3().fromArray(positions, 3 * indices[corner]));
 }
 
 /** @param {{ on: Surface, against: Surface | null, origin: Point, direction: Point }} request
@@ -26,17 +36,14 @@ function anglesOf(lengths) {
 export function pick({ on, against, origin, direction }) {
   const hit = on.hit(origin, direction);
   if (!hit || typeof hit.faceIndex !== 'number') return null;
-  const { positions, indices } = on.soup;
-  const first = 3 * hit.faceIndex;
-  const corners = [0, 1, 2].map((k) =>
-    new Vector3().fromArray(positions, 3 * indices[first + k]));
-  const lengths = corners.map((_, i) =>
-    corners[(i + 1) % 3].distanceTo(corners[(i + 2) % 3]));
+  const corners = cornersOfFace(on.soup, hit.faceIndex);
+  const lengths = corners.map((corner, i) =>
+    corner.distanceTo(corners[(i + 1) % corners.length]));
   return {
     triangle: hit.faceIndex,
     point: hit.point.toArray(),
     corners: corners.map((corner) => corner.toArray()),
-    angles: anglesOf(lengths),
+    angles: anglesOf(corners),
     lengths,
     distance: against && Math.max(...corners.map((corner) => against.distanceTo(corner))),
   };

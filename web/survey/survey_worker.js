@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The worker that knows both surfaces: whatever takes longer than a frame is asked of it.
+import { irregularVertices } from './irregular.js';
 import { offVertices } from './off.js';
 import { pick } from './picking.js';
 import { measureDistances, Surface } from './surface.js';
@@ -22,6 +23,8 @@ const questions = {
     return null;
   },
   edges: () => (surfaces.original ? findEdges(surfaces.original.soup) : null),
+  /** @param {Side} side */
+  irregular: (side) => (surfaces[side] ? irregularVertices(surfaces[side].soup) : null),
   /** @returns {Distances | null} */
   distances: () => (surfaces.result && surfaces.original
     ? measureDistances(surfaces.result, surfaces.original) : null),

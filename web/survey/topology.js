@@ -3,8 +3,7 @@
 // open, where more than two triangles meet, where neighbours face opposite ways, and how sharply
 // it bends.
 
-/** Three coordinates a vertex, three vertices a triangle.
- * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
+/** @typedef {import('../triangles/soup.js').Soup} Soup */
 
 /** What tells places apart, as the core has it: zero but for the rounding of a full turn is zero.
  * @param {Float32Array} positions */
@@ -22,7 +21,7 @@ function canonicalPlaces(positions) {
 
 /** The number of the first vertex at each vertex's place, by a table that is at most half full.
  * @param {Float32Array} positions */
-function welded(positions) {
+export function welded(positions) {
   const places = new Uint32Array(canonicalPlaces(positions).buffer);
   const count = positions.length / 3;
   const mask = 2 ** Math.ceil(Math.log2(2 * count + 2)) - 1;

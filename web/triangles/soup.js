@@ -3,8 +3,25 @@
 import { positionsOf } from './positions.js';
 import { allCorners, cornerCount } from './thinning.js';
 
-/** Three coordinates a vertex, three vertices a triangle.
- * @typedef {{ positions: Float32Array, indices: Uint32Array }} Soup */
+/** Three coordinates a vertex, three vertices a triangle; polygons: where there are any.
+ * @typedef {{ positions: Float32Array, indices: Uint32Array,
+ *   polygons: import('./polygons.js').Polygons | null }} Soup */
+
+/** Of all geometries together: where some have none, each triangle is one.
+ * @param {import('three').BufferGeometry[]} geometries */
+function allPolygons(geometries) {
+  if (!geometries.some(({ userData }) => userData.polygons)) return null;
+  /** @type {number[]} */
+  const firsts = [];
+  let triangle = 0;
+  for (const geometry of geometries) {
+    const count = cornerCount(geometry) / 3;
+    const own = geometry.userData.polygons ?? Uint32Array.from({ length: count + 1 }, (_, i) => i);
+    for (let k = 0; k + 1 < own.length; ++k) firsts.push(triangle + own[k]);
+    triangle += count;
+  }
+  return Uint32Array.from([...firsts, triangle]);
+}
 
 /** Points where a matrix moves them. @param {Float32Array} from @param {Float32Array} to
  * @param {number[]} matrix three.js's sixteen numbers, of which the last row says nothing */
@@ -35,5 +52,5 @@ export function soupOf(meshes) {
     vertex += vertices;
     corner += corners;
   }
-  return { positions, indices };
+  return { positions, indices, polygons: allPolygons(meshes.map(({ geometry }) => geometry)) };
 }

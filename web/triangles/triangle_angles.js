@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The smallest angle of each triangle as the triangle's colour.
+// How good each face is, as its colour: a triangle by its smallest angle, a quad by how far from
+// 90° its worst one is, other polygons likewise.
 import { BufferAttribute, Color } from 'three';
 import { angleColors } from '../base/colors.js';
+import { cornersOfPolygon } from './polygons.js';
 
 const palette = angleColors.map((color) => new Color(color));
 
@@ -19,16 +21,43 @@ function squaredDistance(p, i, j) {
   return x * x + y * y + z * z;
 }
 
-/** Colours every triangle of a geometry without an index.
- * @param {import('three').BufferGeometry} geometry */
-export function colorByAngle(geometry) {
+/** The smallest angle of the triangle with these corners, in degrees.
+ * @param {ArrayLike<number>} p @param {number[]} corners */
+const ofTriangle = (p, [a, b, c]) => smallestAngle(squaredDistance(p, a, b),
+  squaredDistance(p, b, c), squaredDistance(p, c, a));
+
+/** How far the worst angle of a polygon is from those of a regular one, in degrees.
+ * @param {ArrayLike<number>} p @param {number[]} corners */
+function largestDeviation(p, corners) {
+  const count = corners.length;
+  const regular = 180 - 360 / count;
+  let largest = 0;
+  for (let i = 0; i < count; ++i) {
+    const [a, b, c] = [corners[(i + count - 1) % count], corners[i], corners[(i + 1) % count]];
+    const left = squaredDistance(p, a, b), right = squaredDistance(p, b, c);
+    const cosine = (left + right - squaredDistance(p, a, c)) / (2 * Math.sqrt(left * right) || 1);
+    const angle = Math.acos(Math.max(-1, Math.min(1, cosine))) * 180 / Math.PI;
+    largest = Math.max(largest, Math.abs(angle - regular));
+  }
+  return largest;
+}
+
+/** Steps of ten degrees: 0 is the worst. @param {ArrayLike<number>} p @param {number[]} corners */
+const stepOf = (p, corners) => (corners.length === 3
+  ? Math.min(5, Math.floor(ofTriangle(p, corners) / 10))
+  : 5 - Math.min(5, Math.floor(largestDeviation(p, corners) / 10)));
+
+/** Colours every face of a geometry without an index.
+ * @param {import('three').BufferGeometry} geometry
+ * @param {import('./polygons.js').Polygons | null} polygons null: triangles */
+export function colorByAngle(geometry, polygons) {
   const positions = geometry.getAttribute('position').array;
   const colors = new Float32Array(positions.length);
-  for (let v = 0; v < positions.length / 3; v += 3) {
-    const angle = smallestAngle(squaredDistance(positions, v, v + 1),
-      squaredDistance(positions, v + 1, v + 2), squaredDistance(positions, v + 2, v));
-    const color = palette[Math.min(5, Math.floor(angle / 10))];
-    for (let corner = v; corner < v + 3; ++corner) color.toArray(colors, 3 * corner);
+  const faces = polygons ? polygons.length - 1 : positions.length / 9;
+  for (let face = 0; face < faces; ++face) {
+    const [first, end] = polygons ? [polygons[face], polygons[face + 1]] : [face, face + 1];
+    const color = palette[stepOf(positions, cornersOfPolygon(first, end))];
+    for (let corner = 3 * first; corner < 3 * end; ++corner) color.toArray(colors, 3 * corner);
   }
   geometry.setAttribute('color', new BufferAttribute(colors, 3));
 }

@@ -55,6 +55,11 @@ export class Eye {
     return this.#box.getSize(new Vector3()).length();
   }
 
+  /** Around the model. */
+  get box() {
+    return this.#box;
+  }
+
   /** The model's middle. */
   get center() {
     return this.#box.getCenter(new Vector3());

@@ -87,6 +87,25 @@ function recolored(geometry) {
   return copy.setAttribute('color', new BufferAttribute(new Float32Array(3 * count).fill(1), 3));
 }
 
+/** What is drawn as lines: the edges of polygons, without diagonals. A mesh shows as lines the
+ * edges of its triangles, and a triangle a, b, b is the edge a–b, in any skin and pose.
+ * @param {BufferGeometry} geometry */
+function wires(geometry) {
+  /** @type {{ outline?: Uint32Array }} */
+  const { outline } = geometry.userData;
+  if (!outline) return geometry;
+  const { index, attributes, morphAttributes, boundingSphere, morphTargetsRelative } = geometry;
+  const vertex = (/** @type {number} */ corner) => (index ? index.getX(corner) : corner);
+  const corners = new Uint32Array(outline.length / 2 * 3);
+  for (let edge = 0; 2 * edge < outline.length; ++edge) {
+    const [a, b] = [vertex(outline[2 * edge]), vertex(outline[2 * edge + 1])];
+    corners.set([a, b, b], 3 * edge);
+  }
+  const result = new BufferGeometry().setIndex(new BufferAttribute(corners, 1));
+  return Object.assign(result,
+    { attributes, morphAttributes, boundingSphere, morphTargetsRelative });
+}
+
 /** @param {BufferGeometry} geometry */
 const triangleCount = ({ index, attributes }) => (index ?? attributes.position).count / 3;
 
@@ -111,7 +130,7 @@ export class ModelView {
   /** @param {Surface} surface @returns {Part} */
   #prepare(surface) {
     const own = hasOwnLook(surface) ? Object.assign(surface.material, behindLines) : null;
-    const lines = companion(surface, surface.geometry, wire);
+    const lines = companion(surface, wires(surface.geometry), wire);
     lines.renderOrder = 1;
     return { surface, own, lines, colored: {} };
   }
@@ -128,6 +147,11 @@ export class ModelView {
     return Math.sqrt(3 * (x * y + y * z + z * x) / triangles);
   }
 
+  /** Whether its file says which triangles are quads. */
+  get hasQuads() {
+    return this.#surfaces.some(({ geometry }) => geometry.userData.polygons);
+  }
+
   /** All its triangles, where the stage shows them. */
   soup() {
     return soupOf(this.#surfaces);
@@ -137,7 +161,7 @@ export class ModelView {
   #coloredByAngle({ surface }) {
     const { geometry } = surface;
     const corners = geometry.index ? geometry.toNonIndexed() : geometry.clone();
-    colorByAngle(corners);
+    colorByAngle(corners, geometry.userData.polygons ?? null);
     return companion(surface, corners, paintedFlat);
   }
 

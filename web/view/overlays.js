@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Lines and a mark that lie over a surface: feature curves, borders, the triangle under the
-// pointer, the place of the largest distance.
-import { CanvasTexture, Group, Sprite, SpriteMaterial } from 'three';
+// Lines, dots and a mark that lie over a surface: feature curves, borders, the triangle under the
+// pointer, irregular vertices of quads, the place of the largest distance.
+import {
+  BufferAttribute, BufferGeometry, CanvasTexture, Color, Group, Points, PointsMaterial, Sprite,
+  SpriteMaterial,
+} from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { lineColors } from '../base/colors.js';
+import { lineColors, valenceColors } from '../base/colors.js';
 
 /** @typedef {keyof typeof lineColors} LineKind */
 
@@ -26,8 +29,51 @@ function ring() {
   return new CanvasTexture(canvas);
 }
 
+/** A disc, to be coloured. */
+function disc() {
+  const canvas = new OffscreenCanvas(32, 32);
+  const context = canvas.getContext('2d');
+  if (context) {
+    context.fillStyle = '#fff';
+    context.beginPath();
+    context.arc(16, 16, 15, 0, 2 * Math.PI);
+    context.fill();
+  }
+  return new CanvasTexture(canvas);
+}
+
+/** @param {number} valence */
+const colorOf = (valence) => new Color(valence === 3 ? valenceColors.three
+  : valence === 5 ? valenceColors.five : valenceColors.other);
+
+/** A little nearer to the eye, where the surface does not cut them.
+ * @param {{ vertexShader: string }} shader */
+function nearer(shader) {
+  const part = '#include <project_vertex>';
+  shader.vertexShader = shader.vertexShader.replace(part,
+    `${part}\ngl_Position = projectionMatrix * vec4(0.985 * mvPosition.xyz, 1.0);`);
+}
+
+/** @param {import('../triangles/polygons.js').Irregular} irregular */
+function dotsAt({ places, valences }) {
+  const colors = Float32Array.from(valences.flatMap((valence) => colorOf(valence).toArray()));
+  const geometry = new BufferGeometry()
+    .setAttribute('position', new BufferAttribute(places, 3))
+    .setAttribute('color', new BufferAttribute(colors, 3));
+  const material = new PointsMaterial({ size: 8, sizeAttenuation: false, vertexColors: true,
+    map: disc(), alphaTest: 0.5 });
+  material.onBeforeCompile = nearer;
+  const dots = new Points(geometry, material);
+  dots.renderOrder = 2;
+  dots.frustumCulled = false;
+  return dots;
+}
+
 export class Overlays {
   group = new Group();
+  /** @type {Points<BufferGeometry, PointsMaterial> | null} */
+  #dots = null;
+  #hasDots = true;
   /** @type {Map<LineKind, LineSegments2>} */
   #lines = new Map();
   /** @type {Sprite | null} */
@@ -66,6 +112,25 @@ export class Overlays {
     this.#lines.delete(kind);
   }
 
+  /** @param {import('../triangles/polygons.js').Irregular | null} irregular null: none */
+  setDots(irregular) {
+    if (this.#dots) {
+      this.group.remove(this.#dots);
+      this.#dots.geometry.dispose();
+      this.#dots.material.map?.dispose();
+      this.#dots.material.dispose();
+    }
+    this.#dots = irregular?.valences.length ? dotsAt(irregular) : null;
+    if (this.#dots) this.group.add(this.#dots);
+    this.showDots(this.#hasDots);
+  }
+
+  /** @param {boolean} isVisible */
+  showDots(isVisible) {
+    this.#hasDots = isVisible;
+    if (this.#dots) this.#dots.visible = isVisible;
+  }
+
   /** A ring around a place, seen through the surface; null: none.
    * @param {readonly [number, number, number] | null} point */
   setMark(point) {
@@ -85,5 +150,6 @@ export class Overlays {
   clear() {
     for (const kind of [...this.#lines.keys()]) this.#remove(kind);
     this.setMark(null);
+    this.setDots(null);
   }
 }

@@ -7,7 +7,19 @@ import { openSide } from '../triangles/facing.js';
 import { surfacesOf } from './model_view.js';
 import { withNormals } from '../triangles/normals.js';
 import { originNear } from '../triangles/origin.js';
+import { outlineOf, polygonsOf } from '../triangles/polygons.js';
 import { soupOf } from '../triangles/soup.js';
+
+/** The geometry as it is drawn, which knows its polygons.
+ * @param {import('./model_view.js').Surface} surface as loaded */
+async function drawn(surface) {
+  const { geometry } = surface;
+  const polygons = polygonsOf(surface);
+  const outline = polygons && outlineOf(geometry, polygons);
+  const result = await withNormals(geometry);
+  if (polygons) Object.assign(result.userData, { polygons, outline });
+  return result;
+}
 
 /** @param {import('three').Group} scene as loaded: it is moved to where the stage shows it
  * @param {import('three').Vector3 | null} origin the stage's, in the model's world; null: its own
@@ -18,7 +30,7 @@ export async function prepare(scene, origin) {
   const shaded = new Map();  // a geometry can be shown in several places
   for (const surface of surfaces) {
     const { geometry } = surface;
-    if (!shaded.has(geometry)) shaded.set(geometry, await withNormals(geometry));
+    if (!shaded.has(geometry)) shaded.set(geometry, await drawn(surface));
     surface.geometry = shaded.get(geometry);
   }
   await breath();

@@ -6,6 +6,7 @@ import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { Cutting } from './cutting.js';
 import { surfacesOf } from './model_view.js';
 import { prepare } from './preparation.js';
 import { loadScene } from './scene_loader.js';
@@ -25,6 +26,8 @@ const isPressing = ({ target }) => target instanceof Element
 export class Stage {
   /** None where the browser has no 3-D. @type {Viewer | null} */
   viewer = null;
+  /** @type {Cutting | null} */
+  #cutting = null;
   /** Of what is shown, in the original's world. */
   origin = new Vector3();
   /** Called after the shading has changed. */
@@ -45,6 +48,7 @@ export class Stage {
   constructor() {
     try {
       this.viewer = new Viewer(byId('canvas', HTMLCanvasElement));
+      this.#cutting = new Cutting(this.viewer);
     } catch {
       this.say(t('noWebGL'));
       this.#root.classList.add('blind');
@@ -171,6 +175,7 @@ export class Stage {
     if (turn !== this.#turns[side]) return;
     this.origin = prepared.origin;
     this.viewer.show(side, prepared, thinned);
+    this.#cutting?.refresh();
     this.#root.classList.toggle(`has-${side}`, true);
     this.#tellThinned();
     if (side === 'original') this.#suit(this.viewer.isTextured, Boolean(thinned));

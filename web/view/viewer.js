@@ -14,6 +14,7 @@ import { Overlays } from './overlays.js';
  * @typedef {'original' | 'baseline' | 'result'} Side */
 /** @typedef {'side' | 'wipe'} Compare beside each other, or one over the other */
 /** @typedef {import('./model_view.js').Shading} Shading */
+/** @typedef {'triangles' | 'quads'} Faces */
 /** @typedef {{ x: number, width: number }} Span of the canvas, in CSS pixels */
 /** @typedef {{ side: Side, cut: Span, pane: Span }} Pane */
 /** @typedef {[number, number, number]} Triple */
@@ -218,6 +219,12 @@ export class Viewer {
     return this.#views[side];
   }
 
+  /** What is shown: triangles, quads, or one on each side. @returns {Faces[]} */
+  get faces() {
+    const shown = [this.#views[this.#left], this.#views.result].filter((view) => view !== null);
+    return [...new Set(shown.map((view) => (view.hasQuads ? 'quads' : 'triangles')))];
+  }
+
   /** Whether the original has materials or colours of its own. */
   get isTextured() {
     return Boolean(this.#views.original?.isTextured);
@@ -235,7 +242,18 @@ export class Viewer {
   setWireframe(isVisible) {
     this.#wireframe = isVisible;
     for (const view of Object.values(this.#views)) view?.setWireframe(isVisible);
+    for (const overlays of Object.values(this.overlays)) overlays.showDots(isVisible);
     this.draw();
+  }
+
+  /** @param {import('three').Plane | null} plane behind which nothing is drawn; null: all is */
+  setCut(plane) {
+    this.#renderer.clippingPlanes = plane ? [plane] : [];
+    this.draw();
+  }
+
+  get isCut() {
+    return this.#renderer.clippingPlanes.length > 0;
   }
 
   /** @param {Compare} compare */

@@ -210,6 +210,13 @@ function replacePrimitive(document, primitive, accessors, triangles) {
   replaceTargets(document, primitive, accessors);
 }
 
+/** Says of a primitive whether its triangles are quads, two in a row each.
+ * @param {Primitive} primitive @param {boolean} isQuads */
+function tellQuads(primitive, isQuads) {
+  const extras = primitive.getExtras();
+  if (isQuads || extras.quads) primitive.setExtras({ ...extras, quads: isQuads });
+}
+
 /** Gives the mesh primitives that no other mesh has. @param {Part} part */
 function ownPrimitives({ mesh, streams }) {
   const all = mesh.listPrimitives();
@@ -245,8 +252,12 @@ export function writePart(document, part, mesh) {
       ? newAccessors(document, mesh, vertices, accessors) : new Map();
     for (const [group, primitive] of primitives) {
       const own = /** @type {Uint32Array} */ (triangles.get(group));
-      if (own.length > 0) replacePrimitive(document, primitive, news, own);
-      else primitive.dispose();
+      if (own.length > 0) {
+        replacePrimitive(document, primitive, news, own);
+        tellQuads(primitive, Boolean(mesh.quads));
+      } else {
+        primitive.dispose();
+      }
     }
   }
   olds.forEach(disposeUnused);

@@ -43,7 +43,9 @@ function partsOf(document) {
  * among the meshes by what charts need, then by area in the scene. The primitives of a mesh are one
  * surface, their borders kept. Attributes keep their component types; skins, morph targets,
  * instances and variants stay. Positions in integers become floats where they would be too coarse.
- * Points and lines are left alone, and so are extensions.
+ * Points and lines are left alone, and so are extensions. With `quads: true` two triangles in a
+ * row, from the same first corner, are a quad, and the primitive's extras say `quads: true`. Quads
+ * and repair are in the whole engine: import 'remesher' as well.
  *
  * @example
  * import { remesh } from 'remesher/gltf-transform';

@@ -12,6 +12,8 @@ import { joined } from './vertex_pools.js';
 /** @import { BufferGeometry, Mesh, Object3D } from 'three' */
 /** @import { RemeshOptions, RemeshReport, RunOptions } from 'remesher' */
 
+export { quadEdges, quadsOf } from './three_quads.js';
+
 /**
  * @typedef {object} RemeshGeometryResult
  * @property {BufferGeometry} geometry A new one, indexed.
@@ -27,7 +29,9 @@ import { joined } from './vertex_pools.js';
  * Remeshes a geometry. Every attribute comes back in its type, morph targets too; groups,
  * name, `userData` and what is instanced stay. Only triangles in its draw range count. What was
  * interleaved is not any more, and positions in integers become floats where they would be too
- * coarse.
+ * coarse. With `quads: true` two triangles in a row are a quad, and `userData.quads` is true:
+ * `quadsOf` tells their corners, `quadEdges` draws their edges. Quads and repair are in the whole
+ * engine: import 'remesher' as well.
  *
  * @example
  * const { geometry } = await remeshGeometry(mesh.geometry, { vertices: 10000 });
@@ -56,6 +60,8 @@ function replace(surfaces, replacements) {
   for (const mesh of surfaces) {
     mesh.geometry = replacements.get(mesh.geometry) ?? mesh.geometry;
     renewBounds(mesh);
+    // What GLTFLoader says of quads in the file: true of the new ones only if they are quads too.
+    if (!mesh.geometry.userData.quads) delete mesh.userData.gltfExtensions?.FB_ngon_encoding;
   }
   for (const old of replacements.keys()) old.dispose();
 }

@@ -181,7 +181,6 @@ function newAttributes(mesh, vertices, model) {
 /** @param {BufferGeometry} from @param {BufferGeometry} to */
 function copyTheRest(from, to) {
   to.name = from.name;
-  to.userData = from.userData;
   to.morphTargetsRelative = from.morphTargetsRelative;
   for (const [name, attribute] of Object.entries(from.attributes)) {
     if (isInstanced(attribute)) to.setAttribute(name, attribute);
@@ -227,6 +226,13 @@ function newGeometry(model, attributes, pool, sets) {
   return geometry;
 }
 
+/** What the user keeps on a geometry, with a word on quads where there are any.
+ * @param {BufferGeometry} from @param {boolean} isQuads */
+function userDataOf({ userData }, isQuads) {
+  if (isQuads) return { ...userData, quads: true };
+  return userData.quads ? { ...userData, quads: false } : userData;
+}
+
 /**
  * @param {Part} part
  * @param {Mesh} mesh the part's, remeshed
@@ -241,7 +247,9 @@ export function writePart({ geometries, pools, poolOf, setsOf }, mesh) {
     const result = /** @type {PoolResult} */ (results.get(pool));
     const own = attributes.get(pool) ?? newAttributes(mesh, result.vertices, geometry);
     attributes.set(pool, own);
-    return [geometry, newGeometry(geometry, own, result,
-      /** @type {Map<number, MaterialSet>} */ (setsOf.get(geometry)))];
+    const made = newGeometry(geometry, own, result,
+      /** @type {Map<number, MaterialSet>} */ (setsOf.get(geometry)));
+    made.userData = userDataOf(geometry, Boolean(mesh.quads));
+    return [geometry, made];
   }));
 }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What was mended before remeshing: by which mode, and how much of each.
+import { element } from '../base/dom.js';
+import { count, percent } from '../base/format.js';
+import { t, textIfAny } from '../base/i18n.js';
+
+/** @typedef {NonNullable<import('remesher').RemeshReport['repair']>} RepairSummary */
+
+const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
+
+/** @param {RepairSummary} repair */
+function whatWasDone(repair) {
+  const [before, after] = repair.selfIntersections;
+  const done = counted.filter((name) => repair[name])
+    .map((name) => t(`repair.${name}`, { count: count(repair[name]) }));
+  return [...done,
+    ...(before || after ? [t('repair.crossings', { before: count(before), after: count(after) })]
+      : []),
+    ...(repair.lost >= 0.005 ? [t('repair.lost', { share: percent(repair.lost) })] : [])];
+}
+
+/** @param {RepairSummary | undefined} repair */
+export function repairView(repair) {
+  if (!repair) return '';
+  const mode = textIfAny(`choice.repair.${repair.mode}`) ?? repair.mode;
+  const done = whatWasDone(repair);
+  const otherwise = t(repair.mode === 'holes' ? 'repair.nothing' : 'repair.made');
+  return element('section', { id: 'repaired', className: 'repaired' },
+    element('h2', {}, t('repair.title', { mode })),
+    element('ul', {}, ...(done.length ? done : [otherwise])
+      .map((text) => element('li', {}, text))));
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The vertices inside a surface of quads around which there are not four of them.
+import { forEachPolygon } from '../triangles/polygons.js';
+import { welded } from './topology.js';
+
+/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {import('../triangles/polygons.js').Irregular} Irregular */
+
+/** How many edges each vertex has, 0 for those at a border, by the numbers of first vertices.
+ * @param {import('../triangles/polygons.js').Polygons} polygons
+ * @param {ArrayLike<number>} vertices of the corners @param {number} count */
+function valencesInside(polygons, vertices, count) {
+  /** @type {Map<number, number>} */
+  const uses = new Map();
+  forEachPolygon(polygons, (corners) => corners.forEach((corner, i) => {
+    const [a, b] = [vertices[corner], vertices[corners[(i + 1) % corners.length]]];
+    const edge = Math.min(a, b) * count + Math.max(a, b);
+    uses.set(edge, (uses.get(edge) ?? 0) + 1);
+  }));
+  const valences = new Uint32Array(count), isBorder = new Uint8Array(count);
+  for (const [edge, times] of uses) {
+    for (const vertex of [Math.floor(edge / count), edge % count]) {
+      ++valences[vertex];
+      if (times === 1) isBorder[vertex] = 1;
+    }
+  }
+  return valences.map((valence, vertex) => (isBorder[vertex] ? 0 : valence));
+}
+
+/** @param {Soup} soup @returns {Irregular} none, where it knows of no quads */
+export function irregularVertices({ positions, indices, polygons }) {
+  if (!polygons) return { places: new Float32Array(), valences: [] };
+  const first = welded(positions);
+  const vertices = indices.map((vertex) => first[vertex]);
+  const all = valencesInside(polygons, vertices, positions.length / 3);
+  const found = [...all.keys()].filter((vertex) => all[vertex] && all[vertex] !== 4);
+  return { places: Float32Array.from(found.flatMap((vertex) =>
+    [...positions.subarray(3 * vertex, 3 * vertex + 3)])),
+  valences: found.map((vertex) => all[vertex]) };
+}

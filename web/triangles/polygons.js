@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Quads, and other polygons, of a geometry that is made of triangles: FB_ngon_encoding says that
+// triangles in a row with the same first corner are one. Three corners a triangle, in its order.
+import { allCorners } from './thinning.js';
+
+/** The first triangle of each polygon, and the number of all triangles behind them.
+ * @typedef {Uint32Array} Polygons */
+/** Vertices where not four quads meet; places: three numbers each.
+ * @typedef {{ places: Float32Array, valences: number[] }} Irregular */
+
+/** Null where the file knows triangles only, or where not all of them are drawn.
+ * @param {import('three').Mesh} mesh as the loader makes it @returns {Polygons | null} */
+export function polygonsOf({ userData, geometry }) {
+  const { index } = geometry;
+  const isTold = userData.gltfExtensions?.FB_ngon_encoding;
+  if (!isTold || !index || geometry.userData.allCorners) return null;
+  const corners = index.array;
+  const firsts = [];
+  for (let i = 0; i < corners.length; i += 3) {
+    if (!i || corners[i] !== corners[i - 3]) firsts.push(i / 3);
+  }
+  const count = corners.length / 3;
+  return firsts.length < count ? Uint32Array.from([...firsts, count]) : null;
+}
+
+/** The corners of one polygon, in turn: two of its first triangle, one of each after that.
+ * @param {number} first triangle @param {number} end the triangle behind its last */
+export function cornersOfPolygon(first, end) {
+  const corners = [3 * first, 3 * first + 1];
+  for (let t = first; t < end; ++t) corners.push(3 * t + 2);
+  return corners;
+}
+
+/** Calls back with the corners of each polygon.
+ * @param {Polygons} polygons @param {(corners: number[]) => void} visit */
+export function forEachPolygon(polygons, visit) {
+  for (let k = 0; k + 1 < polygons.length; ++k) {
+    visit(cornersOfPolygon(polygons[k], polygons[k + 1]));
+  }
+}
+
+/** The edges of polygons, each once, as pairs of corners.
+ * @param {import('three').BufferGeometry} geometry @param {Polygons} polygons */
+export function outlineOf(geometry, polygons) {
+  const vertices = /** @type {ArrayLike<number>} */ (allCorners(geometry));
+  // The edges that have their lower end in common are a chain, from the latest.
+  const latest = new Int32Array(geometry.attributes.position.count).fill(-1);
+  /** @type {number[]} */
+  const earlier = [];
+  /** @type {number[]} */
+  const ends = [];
+  /** @type {number[]} */
+  const edges = [];
+  const isKnown = (/** @type {number} */ low, /** @type {number} */ high) => {
+    let edge = latest[low];
+    while (edge >= 0 && ends[edge] !== high) edge = earlier[edge];
+    return edge >= 0;
+  };
+  forEachPolygon(polygons, (corners) => corners.forEach((corner, i) => {
+    const next = corners[(i + 1) % corners.length];
+    const low = Math.min(vertices[corner], vertices[next]);
+    const high = Math.max(vertices[corner], vertices[next]);
+    if (isKnown(low, high)) return;
+    earlier.push(latest[low]);
+    latest[low] = ends.push(high) - 1;
+    edges.push(corner, next);
+  }));
+  return Uint32Array.from(edges);
+}
