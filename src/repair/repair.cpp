@@ -76,10 +76,16 @@ double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
   return std::clamp(edge / 2, diagonal / kFinest, diagonal / kCoarsest);
 }
 
+// What is remeshed to a number gets other triangles anyway.
+Cleaning cleaningFor(const RemeshOptions& options) {
+  const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
+  return isRemeshed ? Cleaning::None : Cleaning::Thorough;
+}
+
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
   constexpr double kUsualGap = 2;  // percent of the diagonal
   const double gap = options.gap.value_or(kUsualGap) / 100 * diagonalOf(input);
-  return {spacingFor(input, options), by, by == InsideBy::Reach ? gap : 0};
+  return {spacingFor(input, options), by, by == InsideBy::Reach ? gap : 0, cleaningFor(options)};
 }
 
 RepairedMesh asRepaired(Solid solid, InsideBy by) {
@@ -122,7 +128,9 @@ bool isClear(const Solid& solid) {
 }
 
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
-  Solid solid = solidOf(input, ruleFor(input, options, InsideBy::Enclosure));
+  SolidRule look = ruleFor(input, options, InsideBy::Enclosure);
+  look.cleaning = Cleaning::None;
+  Solid solid = solidOf(input, look);
   if (solid.wrong == 0) {
     try {
       RepairedMesh closed = withHolesClosed(input, options);
@@ -131,6 +139,8 @@ RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) 
       if (error.code != ErrorCode::NoTriangles) throw;
     }
   }
+  if (isClear(solid) && cleaningFor(options) == Cleaning::Thorough)
+    return solidified(input, options);
   if (isClear(solid)) return asRepaired(std::move(solid), InsideBy::Enclosure);
   return wrapped(input, options);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/mesh_builder.h"
+#include "repair/solid/clean_up.h"
 #include "repair/solid/contour.h"
 #include "repair/solid/contour_attributes.h"
 #include "repair/solid/inside.h"
@@ -87,9 +88,11 @@ Solid solidOf(const TriangleMesh& input, const SolidRule& rule) {
   countShells(built, patches, result);
   result.unsure = field.unsure;
   const std::vector<Index> corners = turnedCorners(built, patches);
-  const Contour contour = contourOf(
+  Contour contour = contourOf(
       lattice, field, {built.positions.values(), corners, input.isSingle, input.scale}, crossings);
   result.lost = lostShare(lattice, field, crossings);
+  if (rule.cleaning == Cleaning::Thorough)
+    contour = cleanedUp(contour, {rule.spacing, kindsOf(contour, input, built)});
   result.mesh = withAttributes(contour, input, built);
   return result;
 }

@@ -19,10 +19,15 @@ struct Solid {
 // from outside through openings wider than a gap.
 enum class InsideBy { Enclosure, Reach };
 
+// Whether triangles that show no more than their neighbours do are taken out, which takes several
+// times as long as all else: for whoever keeps the mesh as it is.
+enum class Cleaning { None, Thorough };
+
 struct SolidRule {
   double spacing;  // between the points at which it is told; what is thinner becomes as thick
   InsideBy by = InsideBy::Enclosure;
   double gap = 0;  // a length, for Reach
+  Cleaning cleaning = Cleaning::None;
 };
 
 // Throws Error as buildMesh does.
