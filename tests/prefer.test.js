@@ -14,8 +14,8 @@ const drawn = { ...ring, attributes: { TEXCOORD_0: { itemSize: 2,
   array: Float32Array.from({ length: 2 * ring.positions.length / 3 },
     (_, i) => ring.positions[3 * (i >> 1) + (i & 1)]) } } };
 
-/** Flat-topped steps that no even triangle of the result fits between. */
-function comb() {
+/** A sheet whose pleats are narrower than an even triangle of the result. */
+function pleats() {
   const positions = [];
   const indices = [];
   const [columns, rows] = [40, 32];
@@ -58,16 +58,16 @@ test('shape: vertices with attributes are those of the original', async () => {
 
 test('auto: shape where even triangles lose it, even where they do not', async () => {
   const options = { vertices: 150, featureAngle: 'off', worker: false };
-  const pleats = await remesh(comb(), options);
-  const forced = await remesh(comb(), { ...options, prefer: 'even' });
-  assert.deepEqual([pleats.report.prefer, forced.report.prefer], ['shape', 'even']);
-  assert.ok(pleats.report.fidelity.rms < forced.report.fidelity.rms / 2);
-  assert.equal(pleats.report.output.vertices, 150);
+  const free = await remesh(pleats(), options);
+  const forced = await remesh(pleats(), { ...options, prefer: 'even' });
+  assert.deepEqual([free.report.prefer, forced.report.prefer], ['shape', 'even']);
+  assert.ok(free.report.fidelity.rms < forced.report.fidelity.rms / 2);
+  assert.equal(free.report.output.vertices, 150);
   assert.equal((await remesh(ring, { ratio: 1, worker: false })).report.prefer, 'even');
 });
 
 test('the report says it for each part where parts differ', async () => {
-  const { report } = await remeshScene([{ mesh: ring }, { mesh: comb() }],
+  const { report } = await remeshScene([{ mesh: ring }, { mesh: pleats() }],
     { ratio: 0.12, featureAngle: 'off', worker: false });
   assert.deepEqual(report.prefer, ['even', 'shape']);
 });

@@ -45,7 +45,7 @@ test('the surface is closed, of its own kind, with as many vertices within 1 %',
   const { mesh, report } = await remesh(round, asked);
   assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
   assert.equal(eulerCharacteristic(mesh), 0);
-  assert.ok(Math.abs(report.output.vertices / 1500 - 1) <= 0.01, `${report.output.vertices}`);
+  assert.ok(Math.abs(report.output.vertices - 1500) <= 15, `${report.output.vertices}`);
   const { count, scaledJacobian, angleDeviation } = report.output.quads;
   assert.equal(count, mesh.quads.length / 4);
   assert.ok(scaledJacobian.min > 0 && scaledJacobian.mean <= 1);

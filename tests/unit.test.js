@@ -61,7 +61,7 @@ function countByFile() {
 function surroundings() {
   const hash = createHash('sha256').update(process.env.ASAN_OPTIONS ?? '')
     .update(process.env.UBSAN_OPTIONS ?? '').update(readFileSync(fileURLToPath(import.meta.url)));
-  const files = ['CMakeLists.txt', 'tests/programs.cmake', 'tests/unit/main.cpp',
+  const files = ['CMakeLists.txt', 'src/core.cmake', 'tests/programs.cmake', 'tests/unit/main.cpp',
     'tests/support/cpp_sources.js', 'build/test/configured', ...versions];
   for (const file of files) hash.update(readText(file));
   const libraries = String(spawnSync('ldd', [program]).stdout ?? '').matchAll(/(\/\S+) \(/g);

@@ -47,8 +47,4 @@ void TriangleGrid::add(Index name, const Box& box) {
   });
 }
 
-void TriangleGrid::remove(Index name, const Box& box) {
-  forEachLine(box, levelOf(box), [&](std::size_t number) { std::erase(lines_[number], name); });
-}
-
 }  // namespace remesher

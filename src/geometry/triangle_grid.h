@@ -21,9 +21,6 @@ class TriangleGrid {
   // A triangle that has changed is added again: what it was stays, and costs a look.
   void add(Index name, const Box& box);
 
-  // With the box that it was added with: leaves nothing behind.
-  void remove(Index name, const Box& box);
-
   // Calls visit(name) once for each triangle whose box, as it was when it was added, may have a
   // point in common with `box`.
   template <class Visit>

@@ -2,11 +2,11 @@
 // The benchmark: named models to named numbers of vertices, in this process, on one thread.
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
-//   npm run bench -- ablation --models FOLDER [--without STEP]… [case…] what steps are worth
+//   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
-//   npm run bench -- quads --models FOLDER [case…]                           quads, by one evaluator
+//   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only those from npm packages are run. The status is 1 when a limit is broken.

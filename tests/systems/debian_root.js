@@ -28,7 +28,7 @@ export class DebianRoot {
   #log;
   #folder;
   /** Where the clone is, as the system itself sees it. */
-  clone = '/root/remesher';
+  clone = '/srv/remesher';
 
   /** @param {string} suite @param {string} log a file for all that is printed */
   constructor(suite, log) {

@@ -186,11 +186,11 @@ class ChainTracer {
   // Three corners in all, about evenly spaced. Of a hole so wide a hexagon is worth its edges:
   // three would hold no more than a triangle, and what lies close around it lets no more come in.
   std::size_t cornersOf(const Chain& loop) const {
-    constexpr double kShortest = 0.5;  // target edge lengths
-    constexpr std::size_t kMost = 6;
+    constexpr double kShortest = 0.5;             // target edge lengths
+    constexpr std::size_t kMost = 6, kEdges = 4;  // of the original, to a corner
     if (loop.boundary || !(rules_.size > 0)) return 3;
     const double fit = loop.length() / (kShortest * rules_.size);
-    const std::size_t most = std::min(kMost, loop.vertices.size() - 1);
+    const std::size_t most = std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
     return fit < double(most) ? std::max<std::size_t>(3, std::size_t(fit)) : most;
   }
 

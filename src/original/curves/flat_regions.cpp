@@ -11,6 +11,13 @@ namespace remesher {
 
 namespace {
 
+// The cosine of the angle between normals from which on an edge is sharp: 40°.
+constexpr double kSharp = 0.766;
+// Of what is half as wide a region is one of many; where most of its border is to such, a facet.
+constexpr double kLike = 2, kMostLikes = 0.5;
+// Where less of a body is flat it is round, with a place where it hardly bends.
+constexpr double kLeastShare = 0.25;
+
 struct Plane {
   Vec3 normal = Vec3::Zero();  // unit
   Vec3 point = Vec3::Zero();
@@ -37,7 +44,8 @@ class RegionGrowth {
       for (const Face f : faces_) of_[f] = Index(result.widths.size());
       result.widths.push_back(own);
     }
-    if (result.widths.empty()) return result;
+    dropFacets(result.widths);
+    if (result.widths.empty() || flatShare() < kLeastShare) return {};
     result.of.assign(mesh_.faceCapacity(), kNone);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
     return result;
@@ -114,6 +122,61 @@ class RegionGrowth {
       total += area.norm();
     }
     return {normal.normalized(), point / total};
+  }
+
+  // How wide what lies at a face is: its region, or the face itself.
+  double widthAt(Face f, const std::vector<double>& widths) const {
+    if (of_[f] != kNone) return widths[of_[f]];
+    double rim = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = HalfedgeMesh::halfedge(f, k);
+      rim += distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
+    }
+    return rim > 0 ? 2 * areaOf(f).norm() / rim : 0;
+  }
+
+  // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
+  std::vector<double> sharesOfLikes(const std::vector<double>& widths) const {
+    std::vector<double> like(widths.size(), 0), all(widths.size(), 0);
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+      const Halfedge h(i), t = mesh_.isAlive(h) ? mesh_.twin(h) : Halfedge();
+      if (!t) continue;
+      const Face own = bearers_[mesh_.face(h)], other = bearers_[mesh_.face(t)];
+      const Index region = of_[own];
+      if (region == kNone || region == of_[other]) continue;
+      const double length = distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
+      all[region] += length;
+      const bool isSharp = planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
+      if (!isSharp && kLike * widthAt(other, widths) > widths[region]) like[region] += length;
+    }
+    for (std::size_t r = 0; r < like.size(); ++r) like[r] = all[r] > 0 ? like[r] / all[r] : 0;
+    return like;
+  }
+
+  // A facet among its like is not flat, but what something round is made of.
+  void dropFacets(std::vector<double>& widths) {
+    const std::vector<double> shares = sharesOfLikes(widths);
+    std::vector<Index> kept(widths.size(), kNone);
+    std::vector<double> left;
+    for (std::size_t r = 0; r < widths.size(); ++r) {
+      if (shares[r] > kMostLikes) continue;
+      kept[r] = Index(left.size());
+      left.push_back(widths[r]);
+    }
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] != kNone) of_[Face(i)] = kept[of_[Face(i)]];
+    widths = std::move(left);
+  }
+
+  // Of the area.
+  double flatShare() const {
+    double flat = 0, all = 0;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      const double area = areaOf(Face(i)).norm();
+      all += area;
+      if (of_[Face(i)] != kNone) flat += area;
+    }
+    return all > 0 ? flat / all : 0;
   }
 
   double widthOfGrown() const {

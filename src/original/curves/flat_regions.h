@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which parts of the original are flat, to the precision of its own coordinates: the sides of
-// machine parts, walls, facets. A result whose vertices stay in these planes has no dents there.
+// machine parts, and walls. A result whose vertices stay in these planes has no dents there.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@ struct FlatRegions {
 };
 
 // Regions of two triangles or more that are at least so wide (model units): one triangle is flat
-// on any surface. Triangles without area belong to what they lie against.
+// on any surface. The facets of what is round, each among its like, are none. Triangles without
+// area belong to what they lie against.
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width);
 

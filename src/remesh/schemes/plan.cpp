@@ -96,10 +96,11 @@ struct CurveNeeds {
 // them is never refused.
 CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
                             const RemeshOptions& options, const CurveNeeds& needs) {
-  constexpr std::size_t kMostCorners = 2;  // one of so many vertices
+  // One of so many vertices; the number that a length gives is known later, and may be a third.
+  const std::size_t mostCorners = options.edgeLength ? 6 : 2;
   CurveChoice choice = chooseCurves(built, input, options, needs.scale);
   if (choice.flats.empty() ||
-      kMostCorners * countCorners(choice.curves, built.mesh) <= needs.vertices)
+      mostCorners * countCorners(choice.curves, built.mesh) <= needs.vertices)
     return choice;
   CurveScale scale = needs.scale;
   scale.flats = Flats::Unknown;

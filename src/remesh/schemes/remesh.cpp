@@ -145,12 +145,13 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   const std::size_t vertices = original.vertices();
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.effort = effortOf(options.quality, Level::Finest, vertices);
-  bool reached = original.bound()
-                     ? runWithin(run, {*original.bound(), vertices}, manner, progress)
-                     : runScheme(run, vertices, manner, progress);
-  std::optional<CrossingGuard> guard;
-  if (options.repair != Repair::Off)
-    reached = keepUncrossed(run, guard, vertices).isReached && reached;
+  bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, manner, progress)
+                                  : runScheme(run, vertices, manner, progress);
+  Uncrossed uncrossed;
+  if (options.repair != Repair::Off) {
+    uncrossed = keepUncrossed(run, vertices);
+    reached = uncrossed.isReached && reached;
+  }
   const bool mayMatch =
       !options.splitObtuse && (reached || manner.bodies.countPlaces(mesh) < places);
   const Places matched =

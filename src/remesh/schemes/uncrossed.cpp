@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/schemes/uncrossed.h"
 
+#include <memory>
+#include <utility>
+
 #include "remesh/accuracy/uncross.h"
 #include "remesh/gate/angles.h"
 #include "remesh/steps/adapt.h"
@@ -14,9 +17,10 @@ namespace remesher {
 
 namespace {
 
-void guardAnew(Run& run, std::optional<CrossingGuard>& guard) {
-  guard.emplace(run.mesh, run.rule.grain);
-  run.rule.guard = &*guard;
+std::unique_ptr<CrossingGuard> guardOf(Run& run) {
+  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.rule.grain);
+  run.rule.guard = guard.get();
+  return guard;
 }
 
 bool finishUncrossed(Run& run, std::size_t vertices) {
@@ -39,14 +43,15 @@ bool makeAnew(Run& run, std::size_t vertices) {
 
 }  // namespace
 
-Uncrossed keepUncrossed(Run& run, std::optional<CrossingGuard>& guard, std::size_t vertices) {
-  guardAnew(run, guard);
-  if (guard->crossing().empty()) return {true, 0};
-  if (uncross(run) == 0) return {finishUncrossed(run, vertices), 0};
+Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
+  std::unique_ptr<CrossingGuard> guard = guardOf(run);
+  if (guard->crossing().empty()) return {std::move(guard), true, 0};
+  if (uncross(run) == 0) return {std::move(guard), finishUncrossed(run, vertices), 0};
   run.mesh = WorkingMesh(run.mesh.surface());
-  guardAnew(run, guard);
+  guard = guardOf(run);
   const bool isReached = makeAnew(run, vertices);
-  return {isReached, guard->crossing().size()};
+  const std::size_t crossing = guard->crossing().size();
+  return {std::move(guard), isReached, crossing};
 }
 
 }  // namespace remesher

@@ -5,12 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "geometry/triangle_grid.h"
 #include "geometry/triangle_meeting.h"
+#include "geometry/triangle_tree.h"
+#include "measure/self_intersections.h"
 #include "mesh/euler_operators.h"
 
 namespace remesher {
@@ -25,7 +26,7 @@ constexpr double kShortEdge = 0.2, kToleranceOfShort = 0.06;
 // No edge becomes longer, in cells: a look around long ones is a look at all that is near.
 constexpr double kLongest = 6;
 // No smaller angles are made, and no triangle turns by more than 40°.
-constexpr double kSmallestAngle = radians(15);
+const double kSmallestTangent = std::tan(radians(15));
 const double kMostTurned = std::cos(radians(40));
 
 // Weighted squared distances from planes [Garland & Heckbert 1997].
@@ -49,19 +50,25 @@ struct PlaneSum {
   }
 };
 
+// Of the smallest angle, which is opposite the shortest edge: as good to compare, and sooner known.
+double tangentOfSmallest(const Triangle& t) {
+  const double ab = (t[1] - t[0]).squaredNorm(), bc = (t[2] - t[1]).squaredNorm(),
+               ca = (t[0] - t[2]).squaredNorm();
+  const double beside = 0.5 * (ab + bc + ca) - std::min({ab, bc, ca});
+  return beside > 0 ? areaVector(t[0], t[1], t[2]).norm() / beside : 0;
+}
+
 class Cleaner {
  public:
-  Cleaner(const Contour& contour, const CleaningRule& rule)
+  // Points that are locked stay.
+  Cleaner(const Contour& contour, const CleaningRule& rule, std::span<const char> isLocked)
       : contour_(contour),
         rule_(rule),
         mesh_(contour.points.size(), contour.corners),
         sums_(contour.points.size()),
-        isWorthATry_(contour.points.size(), 1),
-        grid_(2 * rule.spacing, contour.corners.size() / 3) {
-    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
-      addPlanes(Face(f));
-      grid_.add(f, boxOf(named(Face(f))));
-    }
+        isLocked_(isLocked),
+        isWorthATry_(contour.points.size(), 1) {
+    for (Index f = 0; f < mesh_.faceCapacity(); ++f) addPlanes(Face(f));
   }
 
   // In passes: of each star one point goes in a pass, so that edges grow evenly.
@@ -100,15 +107,9 @@ class Cleaner {
   const Vec3& at(Vertex v) const { return contour_.points[v.index]; }
   Vec3 origin() const { return contour_.points.front(); }
 
-  NamedTriangle named(Face f) const {
+  Triangle cornersOf(Face f) const {
     const auto [a, b, c] = mesh_.vertices(f);
-    return {{a.index, b.index, c.index}, {at(a), at(b), at(c)}};
-  }
-
-  static Box boxOf(const NamedTriangle& t) {
-    Box box;
-    for (const Vec3& p : t.at) box.extend(p);
-    return box;
+    return {at(a), at(b), at(c)};
   }
 
   bool isBorder(Halfedge h) const {
@@ -167,21 +168,17 @@ class Cleaner {
   }
 
   void tryVertex(Vertex from) {
-    if (!mesh_.isAlive(from) || isTouched_[from] || !std::exchange(isWorthATry_[from], 0)) return;
-    for (const auto& [cost, into] : choicesOf(from)) {
+    if (!mesh_.isAlive(from) || isTouched_[from] || isLocked_[from.index]) return;
+    if (!std::exchange(isWorthATry_[from], 0)) return;
+    const std::vector<Choice> choices = choicesOf(from);
+    if (choices.empty()) return;
+    const double least = std::min(kSmallestTangent, smallestAround(from));
+    for (const auto& [cost, into] : choices) {
       const Halfedge h = mesh_.find(from, into);
-      if (!mayCollapse(h)) continue;
+      if (isTooLong(h) || !staysSound(h, least) || !EulerOperators::canCollapse(mesh_, h)) continue;
       collapse(h);
       return;
     }
-  }
-
-  static double smallestAngle(const Triangle& t) { return minAngle(t[0], t[1], t[2]); }
-
-  NamedTriangle moved(NamedTriangle t, Vertex from, Vertex into) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (t.vertices[k] == from.index) t.vertices[k] = into.index, t.at[k] = at(into);
-    return t;
   }
 
   bool isTooLong(Halfedge h) const {
@@ -194,78 +191,40 @@ class Cleaner {
   }
 
   static bool turns(const Triangle& before, const Triangle& after) {
-    const Vec3 was = unitNormal(before[0], before[1], before[2]);
-    return unitNormal(after[0], after[1], after[2]).dot(was) <= kMostTurned &&
-           smallestAngle(before) >= kSmallestAngle;
+    const Vec3 was = areaVector(before[0], before[1], before[2]);
+    const Vec3 is = areaVector(after[0], after[1], after[2]);
+    return is.dot(was) <= kMostTurned * is.norm() * was.norm() &&
+           tangentOfSmallest(before) >= kSmallestTangent;
   }
 
-  // The smallest angle of the star; needles may become others as good.
+  // Of the smallest angle of the star; needles may become others as good.
   double smallestAround(Vertex v) const {
     double worst = std::numeric_limits<double>::infinity();
     mesh_.forEachOutgoing(v, [&](Halfedge h) {
-      worst = std::min(worst, smallestAngle(named(HalfedgeMesh::face(h)).at));
+      worst = std::min(worst, tangentOfSmallest(cornersOf(HalfedgeMesh::face(h))));
     });
     return worst;
   }
 
-  // What the star becomes, if that is sound.
-  std::optional<std::vector<NamedTriangle>> comingOf(Halfedge h) const {
+  // Whether what becomes of the star has area, no smaller angles, and faces as it did.
+  bool staysSound(Halfedge h, double least) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
-    if (isTooLong(h)) return std::nullopt;
-    const double least = std::min(kSmallestAngle, smallestAround(from));
-    std::vector<NamedTriangle> coming;
     bool isSound = true;
     mesh_.forEachOutgoing(from, [&](Halfedge out) {
       if (!isSound || mesh_.tip(out) == into || mesh_.opposite(out) == into) return;
-      const NamedTriangle before = named(HalfedgeMesh::face(out));
-      coming.push_back(moved(before, from, into));
-      const Triangle& after = coming.back().at;
-      isSound = smallestAngle(after) >= least && !turns(before.at, after) && hasArea(after);
+      const Vec3 &b = at(mesh_.tip(out)), &c = at(mesh_.opposite(out));
+      const Triangle before = {at(from), b, c}, after = {at(into), b, c};
+      isSound = tangentOfSmallest(after) >= least && !turns(before, after) && hasArea(after);
     });
-    if (!isSound) return std::nullopt;
-    return coming;
-  }
-
-  bool meetsAny(Halfedge h, const std::vector<NamedTriangle>& coming) const {
-    const Vertex from = mesh_.origin(h);
-    bool found = false;
-    for (const NamedTriangle& t : coming) {
-      const Box box = boxOf(t);
-      grid_.visit(box, [&](Index f) {
-        if (found || !mesh_.isAlive(Face(f))) return;
-        const NamedTriangle other = named(Face(f));
-        const auto& v = other.vertices;
-        if (std::find(v.begin(), v.end(), from.index) != v.end()) return;
-        found = boxOf(other).overlaps(box) && hasArea(other.at) && trianglesMeet(t, other);
-      });
-    }
-    for (std::size_t i = 0; i < coming.size() && !found; ++i)
-      for (std::size_t k = 0; k < i; ++k) found = found || trianglesMeet(coming[i], coming[k]);
-    return found;
-  }
-
-  bool mayCollapse(Halfedge h) const {
-    if (!EulerOperators::canCollapse(mesh_, h)) return false;
-    const std::optional<std::vector<NamedTriangle>> coming = comingOf(h);
-    return coming && !meetsAny(h, *coming);
+    return isSound;
   }
 
   void collapse(Halfedge h) {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     sums_[into].add(sums_[from]);
-    mesh_.forEachOutgoing(from, [&](Halfedge out) {
-      const Face f = HalfedgeMesh::face(out);
-      grid_.remove(f.index, boxOf(named(f)));
-    });
     EulerOperators(mesh_).collapse(h);
-    std::vector<Vertex> around;
-    mesh_.forEachOutgoing(into, [&](Halfedge out) {
-      const Face f = HalfedgeMesh::face(out);
-      grid_.add(f.index, boxOf(named(f)));
-      around.push_back(mesh_.tip(out));
-    });
-    around.push_back(into);
-    for (const Vertex v : around) isTouched_[v] = isWorthATry_[v] = 1;
+    mesh_.forEachNeighbor(into, [&](Vertex v) { isTouched_[v] = isWorthATry_[v] = 1; });
+    isTouched_[into] = isWorthATry_[into] = 1;
     isAnyWorthATry_ = true;
   }
 
@@ -273,19 +232,47 @@ class Cleaner {
   const CleaningRule& rule_;
   HalfedgeMesh mesh_;
   VertexData<PlaneSum> sums_;
-  VertexData<char> isTouched_;    // in this pass
-  VertexData<char> isWorthATry_;  // its star has changed since it was tried
+  std::span<const char> isLocked_;  // per point
+  VertexData<char> isTouched_;      // in this pass
+  VertexData<char> isWorthATry_;    // its star has changed since it was tried
   bool isAnyWorthATry_ = true;
-  TriangleGrid grid_;
 };
+
+TriangleMesh meshFrom(const Contour& contour) {
+  TriangleMesh mesh;
+  mesh.positions = contour.points;
+  mesh.indices = contour.corners;
+  return mesh;
+}
+
+// The points of the contour beside triangles of what became of it.
+void lockAround(std::span<const Index> triangles, const TriangleMesh& mesh, const Contour& contour,
+                std::vector<char>& isLocked) {
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  std::vector<char> isMeant(mesh.triangleCount(), 0);
+  for (const Index t : triangles) isMeant[t] = 1;
+  for (std::size_t v = 0; v < contour.points.size(); ++v) {
+    const Vec3& p = contour.points[v];
+    tree.visitOverlapping({p, p}, [&](Index t) { isLocked[v] = isLocked[v] || isMeant[t]; });
+  }
+}
 
 }  // namespace
 
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
+  constexpr int kTries = 4;
   if (contour.corners.empty()) return contour;
-  Cleaner cleaner(contour, rule);
-  cleaner.run();
-  return cleaner.take();
+  std::vector<char> isLocked(contour.points.size(), 0);
+  for (int i = 0; i < kTries; ++i) {
+    Cleaner cleaner(contour, rule, isLocked);
+    cleaner.run();
+    Contour result = cleaner.take();
+    const TriangleMesh mesh = meshFrom(result);
+    const std::vector<Index> crossed = selfIntersections(mesh);
+    if (crossed.empty()) return result;
+    lockAround(crossed, mesh, contour, isLocked);
+  }
+  return contour;
 }
 
 }  // namespace remesher

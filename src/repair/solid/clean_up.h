@@ -15,7 +15,8 @@ struct CleaningRule {
 };
 
 // Points go into neighbours, which stay where they are, as long as all planes that were there
-// remain near, no triangle turns and none meets another. Still closed and a 2-manifold.
+// remain near and no triangle turns. Where triangles meet then, points near them stay; if that is
+// not enough, all do. Still closed, a 2-manifold, and without self-intersections.
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule);
 
 }  // namespace remesher

@@ -34,17 +34,6 @@ std::vector<char> unsoundQuads(const QuadMesh& mesh) {
   return isBad;
 }
 
-void dropQuads(QuadMesh& mesh, const std::vector<char>& isGone) {
-  std::size_t kept = 0;
-  for (std::size_t q = 0; q < isGone.size(); ++q) {
-    if (isGone[q]) continue;
-    mesh.quads[kept] = mesh.quads[q];
-    mesh.curves[kept++] = mesh.curves[q];
-  }
-  mesh.quads.resize(kept);
-  mesh.curves.resize(kept);
-}
-
 // The sides that leave v, fan by fan, each counterclockwise from its boundary, if it has one.
 std::vector<std::vector<Index>> fansOf(const QuadSides& sides, const std::vector<Index>& out) {
   std::set<Index> left(out.begin(), out.end());

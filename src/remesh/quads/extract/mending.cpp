@@ -48,14 +48,7 @@ void removeDoublets(QuadMesh& mesh) {
       isTouched[a] = isTouched[b] = 1;
       isChanged |= joinAt(mesh, sides, v, isGone);
     }
-    std::size_t kept = 0;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-      if (isGone[q]) continue;
-      mesh.quads[kept] = mesh.quads[q];
-      mesh.curves[kept++] = mesh.curves[q];
-    }
-    mesh.quads.resize(kept);
-    mesh.curves.resize(kept);
+    dropQuads(mesh, isGone);
     dropUnusedVertices(mesh);
   }
 }

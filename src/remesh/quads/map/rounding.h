@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The least of a quadratic some of whose variables are to be whole: those nearest to whole numbers
-// are rounded first, and then all others are where the least is now, and so on [Bommes 2009]. Real variables are eliminated once, so that all of that is done on a dense matrix
-// with a row for each whole variable.
+// are rounded first, and then all others are where the least is now, and so on [Bommes 2009]. Real
+// variables are eliminated once, so that all of that is done on a dense matrix with a row for each
+// whole variable.
 #pragma once
 
 #include <Eigen/SparseCholesky>

@@ -86,6 +86,17 @@ void append(QuadMesh& mesh, const QuadMesh& other) {
   mesh.curves.insert(mesh.curves.end(), other.curves.begin(), other.curves.end());
 }
 
+void dropQuads(QuadMesh& mesh, const std::vector<char>& isGone) {
+  std::size_t kept = 0;
+  for (std::size_t q = 0; q < isGone.size(); ++q) {
+    if (isGone[q]) continue;
+    mesh.quads[kept] = mesh.quads[q];
+    mesh.curves[kept++] = mesh.curves[q];
+  }
+  mesh.quads.resize(kept);
+  mesh.curves.resize(kept);
+}
+
 void dropUnusedVertices(QuadMesh& mesh) {
   std::vector<Index> number(mesh.vertices.size(), kNone);
   for (const Four<Index>& quad : mesh.quads)

@@ -14,6 +14,9 @@ std::vector<WorkingMesh> connectedParts(const WorkingMesh& mesh);
 // Per face of the surface the number of its connected part.
 FaceData<Index> partNumbers(const HalfedgeMesh& mesh);
 
+// Quads that are marked go; the others keep their order.
+void dropQuads(QuadMesh& mesh, const std::vector<char>& isGone);
+
 // Vertices that no quad names go; the others keep their order.
 void dropUnusedVertices(QuadMesh& mesh);
 

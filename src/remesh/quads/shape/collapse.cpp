@@ -115,19 +115,6 @@ void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
   curveB = curveA;
 }
 
-// Without the quads that are marked and the vertices that no quad names.
-void dropMarked(QuadMesh& mesh, const std::vector<char>& isGone) {
-  std::size_t kept = 0;
-  for (std::size_t q = 0; q < isGone.size(); ++q) {
-    if (isGone[q]) continue;
-    mesh.quads[kept] = mesh.quads[q];
-    mesh.curves[kept++] = mesh.curves[q];
-  }
-  mesh.quads.resize(kept);
-  mesh.curves.resize(kept);
-  dropUnusedVertices(mesh);
-}
-
 // As many as may be done side by side.
 std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t most) {
   const QuadMesh before = mesh;
@@ -153,7 +140,8 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t 
   }
   for (Four<Index>& quad : mesh.quads)
     for (Index& v : quad) v = heir[v];
-  dropMarked(mesh, isGone);
+  dropQuads(mesh, isGone);
+  dropUnusedVertices(mesh);
   return count;
 }
 

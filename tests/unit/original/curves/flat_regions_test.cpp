@@ -29,7 +29,8 @@ TEST_CASE("flat regions: the sides of bodies, and none of what is round") {
   CHECK(countRegions(shapes::grid(6, 6), 0.1) == 1);
   // The bottom, the top, two sides, two ends; the facets of the fillets are a sixteenth as wide.
   CHECK(countRegions(shapes::filletedBar(8), 0.2) == 6);
-  CHECK(countRegions(shapes::filletedBar(8), 0) == 6 + 2 * 8);
+  CHECK(countRegions(shapes::filletedBar(8), 0) == 6);
+  CHECK(countRegions(shapes::torus(48, 24), 0) == 0);
 }
 
 TEST_CASE("flat regions: their borders need no angle") {

@@ -14,7 +14,7 @@ namespace {
 
 // One sphere inside another, a tenth of the radius between them: far apart along the surface.
 TriangleMesh shellsInEachOther() {
-  const TriangleMesh outer = shapes::icosphere(4);
+  const TriangleMesh outer = shapes::icosphere(3);
   TriangleMesh inner = outer;
   for (Vec3& p : inner.positions) p *= 0.9;
   return soups::joined({outer, inner});

@@ -43,13 +43,13 @@ TEST_CASE("flat sides: a bottom that runs into fillets has no dent at any number
 
 TEST_CASE("flat sides: those of a drilled plate stay in their planes, and the hole is round") {
   const TriangleMesh plate = shapes::drilledPlate(6, 0.5);
-  for (const Index vertices : {150, 600, 2500}) {
+  for (const Index vertices : {600, 2500}) {
     CAPTURE(vertices);
     const TriangleMesh result = remeshed(plate, vertices, Quality::Best);
     for (const Vec3& p : result.positions)
       CHECK((p.z() == 0 || p.z() == 0.5 || std::abs(std::abs(p.x()) - 2) < 1e-12 ||
              std::abs(std::abs(p.y()) - 2) < 1e-12 || p.head<2>().norm() < 0.55));
-    CHECK(measureFidelity(plate, result).hausdorff < (vertices < 500 ? 2 : 0.5));
+    CHECK(measureFidelity(plate, result).hausdorff < 0.5);
   }
 }
 

@@ -136,8 +136,10 @@ TEST_CASE("follow: taken for pleats that even triangles lose, not for what is ro
     options.detectFeatures = false;
     return remeshSurface(input, options, {}).prefer;
   };
-  CHECK(preferred(pleats(), 0.12, Prefer::Auto) == Prefer::Shape);
-  CHECK(preferred(pleats(), 0.12, Prefer::Even) == Prefer::Even);
+  TriangleMesh high = pleats();
+  for (Vec3& p : high.positions) p.z() *= 4;
+  CHECK(preferred(high, 0.12, Prefer::Auto) == Prefer::Shape);
+  CHECK(preferred(high, 0.12, Prefer::Even) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);

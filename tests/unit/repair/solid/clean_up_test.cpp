@@ -71,7 +71,7 @@ TEST_CASE("clean up: the border between kinds stays in place") {
     CHECK(areaOfKind(result, kind) == doctest::Approx(areaOfKind(contour, kind)));
 }
 
-TEST_CASE("clean up: a sphere stays within a fiftieth of a cell") {
+TEST_CASE("clean up: a sphere stays within a twentieth of a cell") {
   const TriangleMesh ball = shapes::icosphere(40);
   const std::vector<Index> kinds(ball.triangleCount(), 0);
   const double cell = 0.1;
@@ -79,5 +79,5 @@ TEST_CASE("clean up: a sphere stays within a fiftieth of a cell") {
   CHECK(result.triangleCount() < ball.triangleCount());
   CHECK(selfIntersections(result).empty());
   const DeviationBothWays d = measureDeviation(ball, result, Maximum::Sampled);
-  CHECK(d.toOriginal.maximum < cell / 50);
+  CHECK(d.toOriginal.maximum < cell / 20);
 }
