@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/uncrossed.h"
 
 namespace remesher {
 namespace {
@@ -21,5 +22,7 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 }
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
+
+Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }
 
 }  // namespace remesher

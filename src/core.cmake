@@ -45,6 +45,7 @@ add_library(linear OBJECT
   src/geometry/piecewise.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
+  src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
   src/io/gltf/gltf_accessor.cpp
   src/io/text/obj_reader.cpp
@@ -68,6 +69,7 @@ add_library(linear OBJECT
   src/original/patches/patch_builder.cpp
   src/original/patches/point_location.cpp
   src/original/surface/boundary_places.cpp
+  src/remesh/gate/crossing_guard.cpp
   src/remesh/gate/crossings.cpp
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
@@ -98,6 +100,7 @@ add_library(linear OBJECT
   src/repair/holes/refinement.cpp
   src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp
+  src/repair/solid/clean_up.cpp
   src/repair/solid/contour.cpp
   src/repair/solid/contour_attributes.cpp
   src/repair/solid/crossings_of_edges.cpp
@@ -121,6 +124,7 @@ add_library(small OBJECT
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/triangle_mesh.cpp
+  src/find_faults.cpp
   src/geometry/mesh_tree.cpp
   src/io/formats.cpp
   src/io/gltf/gltf_document.cpp
@@ -196,6 +200,7 @@ add_library(small OBJECT
   src/remesh/accuracy/poor_regions.cpp
   src/remesh/accuracy/refine_excess.cpp
   src/remesh/accuracy/tips.cpp
+  src/remesh/accuracy/uncross.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
   src/remesh/schemes/attribute_lengths.cpp
@@ -238,4 +243,5 @@ add_library(small OBJECT
 add_library(doors OBJECT
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp
+  src/remesh/schemes/uncrossed.cpp
 )

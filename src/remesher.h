@@ -93,4 +93,8 @@ ConvertFileResult convertFile(const FileBundle& input, const std::string& output
 Report inspect(const TriangleMesh& mesh);
 Report inspectFile(const FileBundle& input);
 
+// What is broken, which takes longer.
+FaultReport findFaults(const TriangleMesh& mesh);
+FaultReport findFaultsInFile(const FileBundle& input);
+
 }  // namespace remesher

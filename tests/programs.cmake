@@ -10,6 +10,7 @@ add_executable(unit_tests
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
   tests/unit/geometry/quad_test.cpp
+  tests/unit/geometry/triangle_grid_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
@@ -80,6 +81,7 @@ add_executable(unit_tests
   tests/unit/remesh/accuracy/poor_regions_test.cpp
   tests/unit/remesh/accuracy/refine_excess_test.cpp
   tests/unit/remesh/gate/angles_test.cpp
+  tests/unit/remesh/gate/crossing_guard_test.cpp
   tests/unit/remesh/gate/crossings_test.cpp
   tests/unit/remesh/gate/error_bound_test.cpp
   tests/unit/remesh/gate/excess_test.cpp
@@ -111,6 +113,7 @@ add_executable(unit_tests
   tests/unit/remesh/schemes/remesh_test.cpp
   tests/unit/remesh/schemes/rounds_test.cpp
   tests/unit/remesh/schemes/targets_test.cpp
+  tests/unit/remesh/schemes/uncrossed_test.cpp
   tests/unit/remesh/steps/adapt_test.cpp
   tests/unit/remesh/steps/apart_test.cpp
   tests/unit/remesh/steps/boundaries_test.cpp
@@ -124,6 +127,7 @@ add_executable(unit_tests
   tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/repair/repair_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
+  tests/unit/repair/solid/clean_up_test.cpp
   tests/unit/repair/solid/solid_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp

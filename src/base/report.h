@@ -89,6 +89,15 @@ struct RepairReport {
   std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
 };
 
+// What is broken, and what would mend it.
+struct FaultReport {
+  std::vector<double> openLoops;      // lengths in percent of the diagonal, the longest first
+  std::size_t selfIntersections = 0;  // triangles that meet others
+  std::size_t innerShells = 0;        // closed pieces within others that are no cavities
+  std::size_t insideOut = 0;          // closed pieces that face inwards
+  Repair repair = Repair::Off;        // Off: nothing is broken
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection

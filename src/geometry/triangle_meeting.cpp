@@ -99,6 +99,25 @@ std::size_t alignShared(NamedTriangle& s, NamedTriangle& t) {
   return shared;
 }
 
+// Whether all of t but corners that it shares lies, far above all rounding, beyond an edge of s,
+// seen along the normal of s: then they meet in nothing else. Of neighbours in a plane, about which
+// exact signs are slow to find, most are parted so.
+bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
+  const Vec3 normal = areaVector(s.at[0], s.at[1], s.at[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (i + 1) % 3;
+    const Vec3 outwards = (s.at[k] - s.at[i]).cross(normal);
+    const auto isBeyond = [&](std::size_t corner) {
+      const Index v = t.vertices[corner];
+      if (v == s.vertices[i] || v == s.vertices[k]) return true;
+      const Vec3 way = t.at[corner] - s.at[i];
+      return outwards.dot(way) > kFlattest * outwards.norm() * way.norm();
+    };
+    if (isBeyond(0) && isBeyond(1) && isBeyond(2)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool hasArea(const Triangle& t) {
@@ -110,6 +129,7 @@ bool hasArea(const Triangle& t) {
 }
 
 bool trianglesMeet(NamedTriangle s, NamedTriangle t) {
+  if (isBeyondAnEdge(s, t) || isBeyondAnEdge(t, s)) return false;
   switch (alignShared(s, t)) {
     case 0:
       return disjointTrianglesMeet(s.at, t.at);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jobs/part_repair.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/error.h"
@@ -51,6 +53,21 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   }
   if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
   return result;
+}
+
+FaultReport faultsOf(const std::vector<io::Part>& parts) {
+  const PartScale scale(parts);
+  FaultReport sum;
+  for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
+    const FaultReport faults = faultsOf(part.mesh);
+    sum.openLoops.insert(sum.openLoops.end(), faults.openLoops.begin(), faults.openLoops.end());
+    sum.selfIntersections += faults.selfIntersections;
+    sum.innerShells += faults.innerShells;
+    sum.insideOut += faults.insideOut;
+    sum.repair = std::max(sum.repair, faults.repair);
+  }
+  std::sort(sum.openLoops.begin(), sum.openLoops.end(), std::greater<>());
+  return sum;
 }
 
 }  // namespace remesher

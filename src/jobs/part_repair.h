@@ -21,4 +21,8 @@ struct PartsRepair {
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 
+// What is broken in all of them: sums, the loops of each in percent of its own diagonal, and the
+// repair that reaches farthest.
+FaultReport faultsOf(const std::vector<io::Part>& parts);
+
 }  // namespace remesher

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -11,6 +13,7 @@
 #include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
 #include "repair/holes/close_holes.h"
+#include "repair/holes/plug.h"
 #include "repair/solid/solid.h"
 
 namespace remesher {
@@ -76,18 +79,24 @@ double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
   return std::clamp(edge / 2, diagonal / kFinest, diagonal / kCoarsest);
 }
 
+// What is remeshed to a number gets other triangles anyway.
+Cleaning cleaningFor(const RemeshOptions& options) {
+  const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
+  return isRemeshed ? Cleaning::None : Cleaning::Thorough;
+}
+
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
   constexpr double kUsualGap = 2;  // percent of the diagonal
   const double gap = options.gap.value_or(kUsualGap) / 100 * diagonalOf(input);
-  return {spacingFor(input, options), by, by == InsideBy::Reach ? gap : 0};
+  return {spacingFor(input, options), by, by == InsideBy::Reach ? gap : 0, cleaningFor(options)};
 }
 
 RepairedMesh asRepaired(Solid solid, InsideBy by) {
   RepairedMesh result;
   result.report.mode = by == InsideBy::Reach ? "wrap" : "solid";
-  result.report.shells = solid.shells;
-  result.report.turned = by == InsideBy::Reach ? 0 : solid.turned;
-  result.report.lost = solid.lost;
+  result.report.shells = solid.enclosure.shells;
+  result.report.turned = by == InsideBy::Reach ? 0 : solid.enclosure.turned;
+  result.report.lost = solid.enclosure.lost;
   result.mesh = std::move(solid.mesh);
   return result;
 }
@@ -109,30 +118,35 @@ RepairedMesh solidified(const TriangleMesh& input, const RemeshOptions& options)
 
 // Closing holes is enough where nothing passes through itself then, and where no closed piece faces
 // the wrong way: a shell within a body that is no cavity, a body inside out.
-bool isEnough(const RepairedMesh& closed, const Solid& solid) {
-  return closed.report.selfIntersections[1] == 0 && solid.wrong == 0;
+std::optional<RepairedMesh> withEnough(const TriangleMesh& input, const RemeshOptions& options,
+                                       const Enclosure& enclosure) {
+  if (enclosure.inner + enclosure.insideOut > 0) return std::nullopt;
+  try {
+    RepairedMesh closed = withHolesClosed(input, options);
+    if (closed.report.selfIntersections[1] == 0) return closed;
+  } catch (const Error& error) {
+    if (error.code != ErrorCode::NoTriangles) throw;
+  }
+  return std::nullopt;
 }
 
 // Of bodies most points beside the surface are told apart by all half lines, and hardly anything
 // that is seen is lost. Assemblies of bodies, also inside out, have 0 and below 1 %; an open sheet
 // 80 and 56 %.
-bool isClear(const Solid& solid) {
+bool isClear(const Enclosure& enclosure) {
   constexpr double kMostUnsure = 0.1, kMostLost = 3;
-  return solid.unsure < kMostUnsure && solid.lost < kMostLost && !solid.mesh.indices.empty();
+  return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
+}
+
+Enclosure lookAt(const TriangleMesh& input, const RemeshOptions& options) {
+  return enclosureOf(input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
-  Solid solid = solidOf(input, ruleFor(input, options, InsideBy::Enclosure));
-  if (solid.wrong == 0) {
-    try {
-      RepairedMesh closed = withHolesClosed(input, options);
-      if (isEnough(closed, solid)) return closed;
-    } catch (const Error& error) {
-      if (error.code != ErrorCode::NoTriangles) throw;
-    }
-  }
-  if (isClear(solid)) return asRepaired(std::move(solid), InsideBy::Enclosure);
-  return wrapped(input, options);
+  const Enclosure enclosure = lookAt(input, options);
+  if (std::optional<RepairedMesh> closed = withEnough(input, options, enclosure))
+    return std::move(*closed);
+  return isClear(enclosure) ? solidified(input, options) : wrapped(input, options);
 }
 
 RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
@@ -148,7 +162,36 @@ RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
   }
 }
 
+// Of loops that closing holes would find; of pieces that could be kept none is there.
+std::vector<double> openLoops(const TriangleMesh& input) {
+  std::vector<double> lengths;
+  const double diagonal = diagonalOf(input);
+  for (const Loop& loop : boundaryLoops(buildMesh(input)))
+    lengths.push_back(100 * loop.length / diagonal);
+  std::sort(lengths.begin(), lengths.end(), std::greater<>());
+  return lengths;
+}
+
 }  // namespace
+
+FaultReport faultsOf(const TriangleMesh& input) {
+  requireValid(input);
+  RemeshOptions coarse;
+  coarse.vertices = 1;
+  const Enclosure enclosure = lookAt(input, coarse);
+  FaultReport faults;
+  faults.openLoops = openLoops(input);
+  faults.selfIntersections = selfIntersections(input).size();
+  faults.innerShells = enclosure.inner;
+  faults.insideOut = enclosure.insideOut;
+  if (faults.openLoops.empty() &&
+      faults.selfIntersections + enclosure.inner + enclosure.insideOut == 0)
+    return faults;
+  faults.repair = withEnough(input, {}, enclosure) ? Repair::Holes
+                  : isClear(enclosure)             ? Repair::Solid
+                                                   : Repair::Wrap;
+  return faults;
+}
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);

@@ -20,4 +20,7 @@ struct RepairedMesh {
 // nothing can be kept.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
+// What is broken. Throws Error as buildMesh does.
+FaultReport faultsOf(const TriangleMesh& input);
+
 }  // namespace remesher

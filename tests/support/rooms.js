@@ -37,7 +37,7 @@ export const coreRooms = {
     'remesh/accuracy', 'remesh/transfer', 'remesh/quads/mesh', 'remesh/quads'],
   measure: ['base', 'mesh', 'geometry'],
   'repair/holes': ['base', 'mesh', 'geometry', 'measure'],
-  'repair/solid': ['base', 'mesh', 'geometry'],
+  'repair/solid': ['base', 'mesh', 'geometry', 'measure'],
   repair: ['base', 'mesh', 'geometry', 'measure', 'repair/holes', 'repair/solid'],
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],

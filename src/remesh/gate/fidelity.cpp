@@ -165,10 +165,6 @@ Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const Fid
 
 }  // namespace
 
-Vec3 written(const Vec3& p, const Grain& grain) {
-  return grain.size > 0 ? inSingle(p, grain.scale) : p;
-}
-
 bool isLine(const Triangle& triangle, const Grain& grain) {
   const auto& [a, b, c] = triangle;
   const double longer = greatest((b - a).squaredNorm(), (c - a).squaredNorm());
@@ -200,7 +196,7 @@ FidelityRule fidelityRule(const RemeshOptions& options) {
 }
 
 bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule) {
-  if (rule.mode != Fidelity::Fold || rule.bound) return false;
+  if (rule.mode != Fidelity::Fold || rule.bound || rule.guard) return false;
   const std::size_t last = star.size() - 1;
   Vec3 before = star.position(last) - place.position;
   double length2Before = before.squaredNorm();
@@ -219,8 +215,9 @@ bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule)
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
   const Verdict byShape = judgeShape(mesh, change, rule);
-  if (byShape != Verdict::Accepted || !rule.bound) return byShape;
-  return rule.bound->allows(mesh, change) ? Verdict::Accepted : Verdict::MaxError;
+  if (byShape != Verdict::Accepted) return byShape;
+  if (rule.guard && !rule.guard->allows(change)) return Verdict::Crosses;
+  return !rule.bound || rule.bound->allows(mesh, change) ? Verdict::Accepted : Verdict::MaxError;
 }
 
 }  // namespace remesher

@@ -9,31 +9,28 @@
 //           worst of the triangles that the operation replaces; and no triangle that leans so
 //           far faces away from all of them
 //
-// Besides, no mode lets through more triangles without area than there are.
+// Besides, no mode lets through more triangles without area than there are, and where there is a
+// guard none more pairs of triangles that meet.
 //
 // With angles below 90° no triangle that turns over passes strict or loose.
 #pragma once
 
 #include "base/options.h"
+#include "remesh/gate/crossing_guard.h"
 #include "remesh/gate/error_bound.h"
+#include "remesh/gate/grain.h"
 #include "remesh/operators/local_change.h"
 #include "remesh/operators/star.h"
 
 namespace remesher {
 
-enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError };
+enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError, Crosses };
 
 // A triangle may lean 78° against the surface before it counts as folding over; 107° where the
 // surface itself folds more tightly than the triangles are large, and nothing else would remove a
 // cluster.
 inline constexpr double kFold = 0.2;
 inline constexpr double kTightFold = -0.3;
-
-// How coordinates are written: in single precision if that moves them at all.
-struct Grain {
-  double size = 0;   // by how much
-  double scale = 1;  // see TriangleMesh
-};
 
 struct FidelityRule {
   Fidelity mode = Fidelity::Fold;
@@ -42,12 +39,10 @@ struct FidelityRule {
   double fold = kFold;  // smallest N_i·N_T that is not a fold
   Grain grain = {};
   const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
+  CrossingGuard* guard = nullptr;     // if any, to be told of all that is done to its mesh
 };
 
 FidelityRule fidelityRule(const RemeshOptions& options);
-
-// A position as it is written.
-Vec3 written(const Vec3& p, const Grain& grain);
 
 // Whether a triangle is a line in the numbers that are written.
 bool isLine(const Triangle& triangle, const Grain& grain);

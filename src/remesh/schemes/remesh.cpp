@@ -20,6 +20,7 @@
 #include "remesh/schemes/rival.h"
 #include "remesh/schemes/rounds.h"
 #include "remesh/schemes/targets.h"
+#include "remesh/schemes/uncrossed.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/apart.h"
 #include "remesh/steps/split_obtuse.h"
@@ -144,9 +145,13 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   const std::size_t vertices = original.vertices();
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.effort = effortOf(options.quality, Level::Finest, vertices);
-  const bool reached = original.bound()
-                           ? runWithin(run, {*original.bound(), vertices}, manner, progress)
-                           : runScheme(run, vertices, manner, progress);
+  bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, manner, progress)
+                                  : runScheme(run, vertices, manner, progress);
+  Uncrossed uncrossed;
+  if (options.repair != Repair::Off) {
+    uncrossed = keepUncrossed(run, vertices);
+    reached = uncrossed.isReached && reached;
+  }
   const bool mayMatch =
       !options.splitObtuse && (reached || manner.bodies.countPlaces(mesh) < places);
   const Places matched =
@@ -160,11 +165,13 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
 }
 
 // Whether those vertices of the original that its shape needs may be taken instead of even
-// triangles: not where sizes, bounds or edges are the caller's own.
+// triangles: not where sizes, bounds or edges are the caller's own. No collapse there looks for
+// crossings.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
-         !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample;
+         !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample &&
+         options.repair == Repair::Off;
 }
 
 // The shares of a run's time: of triangles for the map, and of each mesh for pairs.

@@ -66,6 +66,7 @@ std::size_t delaunayFlips(WorkingMesh& mesh, const FidelityRule& rule) {
     if (!proposeFlip(mesh, h, change)) continue;
     if (judge(mesh, change, rule) != Verdict::Accepted) continue;
     const Halfedge edge = mesh.flip(h);
+    if (rule.guard) rule.guard->update(change, {});
     ++flips;
     for (const Halfedge side : {edge, m.twin(edge)}) {
       stack.push(m.next(side));

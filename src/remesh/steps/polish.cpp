@@ -255,7 +255,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   }
   if (best.gain <= 0) return false;
   attempt.inVain.forget(run.mesh.mesh(), best.change);
-  run.result = apply(run.mesh, best.change);
+  carryOut(run, best.change);
   return true;
 }
 

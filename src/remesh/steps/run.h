@@ -36,15 +36,21 @@ struct Run {
   LocalChange change = {};              // the proposal at hand
   Star star = {};                       // the star at hand
   Vertex result = {};  // what the last change made, moved or kept; none after a flip
-  std::array<std::size_t, 5> verdicts = {};  // how often the gate said what
+  std::array<std::size_t, 6> verdicts = {};  // how often the gate said what
 };
+
+// Carries out a change that has been judged.
+inline void carryOut(Run& run, const LocalChange& change) {
+  run.result = apply(run.mesh, change);
+  if (run.rule.guard) run.rule.guard->update(change, run.result);
+}
 
 // Judges the proposal at hand by `rule` and carries it out if it is accepted.
 inline bool commit(Run& run, const FidelityRule& rule) {
   const Verdict verdict = judge(run.mesh, run.change, rule);
   ++run.verdicts[std::size_t(verdict)];
   if (verdict != Verdict::Accepted) return false;
-  run.result = apply(run.mesh, run.change);
+  carryOut(run, run.change);
   return true;
 }
 
@@ -64,10 +70,11 @@ inline bool commit(Run& run) { return commit(run, run.rule); }
 }
 
 // For what is to be done even where that folds the mesh over: carries out the proposal at hand
-// unless triangles become lines.
+// unless triangles become lines, or more of them meet.
 inline bool commitUnlessFlat(Run& run) {
   if (flattens(run.mesh, run.change, run.rule.grain)) return false;
-  run.result = apply(run.mesh, run.change);
+  if (run.rule.guard && !run.rule.guard->allows(run.change)) return false;
+  carryOut(run, run.change);
   return true;
 }
 

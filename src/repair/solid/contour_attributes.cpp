@@ -43,6 +43,15 @@ std::vector<Index> spreadSources(const Contour& contour) {
   return sources;
 }
 
+// The direction that was appended last.
+void makeUnit(Attribute& attribute) {
+  if (attribute.itemSize < 3) return;
+  float* const last = &attribute.values[attribute.values.size() - std::size_t(attribute.itemSize)];
+  const Vec3 v(last[0], last[1], last[2]);
+  if (!(v.norm() > 0)) return;
+  for (Eigen::Index k = 0; k < 3; ++k) last[k] = float(v[k] / v.norm());
+}
+
 class Carrier {
  public:
   Carrier(const Contour& contour, const TriangleMesh& input, const BuiltMesh& built)
@@ -106,6 +115,7 @@ class Carrier {
             isPicked ? value(nearest)
                      : weights[0] * value(0) + weights[1] * value(1) + weights[2] * value(2)));
       }
+      if (from.semantic == "NORMAL" || isTangent) makeUnit(mesh_.attributes[a]);
     }
   }
 
@@ -119,6 +129,21 @@ class Carrier {
 };
 
 }  // namespace
+
+std::vector<Index> kindsOf(const Contour& contour, const TriangleMesh& input,
+                           const BuiltMesh& built) {
+  const std::vector<Index> sources = spreadSources(contour);
+  if (input.attributes.empty() && input.groups.empty())
+    return std::vector<Index>(sources.size(), 0);
+  const bool areOnlyNormals =
+      std::all_of(input.attributes.begin(), input.attributes.end(),
+                  [](const Attribute& attribute) { return attribute.semantic == "NORMAL"; });
+  if (!areOnlyNormals) return sources;
+  const std::vector<Index> charts = chartsOf(input, built);
+  std::vector<Index> kinds;
+  for (const Index source : sources) kinds.push_back(source == kNone ? kNone : charts[source]);
+  return kinds;
+}
 
 TriangleMesh withAttributes(const Contour& contour, const TriangleMesh& input,
                             const BuiltMesh& built) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/mesh_builder.h"
+#include "repair/solid/clean_up.h"
 #include "repair/solid/contour.h"
 #include "repair/solid/contour_attributes.h"
 #include "repair/solid/inside.h"
@@ -43,12 +44,13 @@ std::vector<char> closedPatches(const BuiltMesh& built, const OrientedPatches& p
 
 // A piece that is seen faces outwards, as a rule; one that is not seen is the wall of a cavity, and
 // faces into it.
-void countShells(const BuiltMesh& built, const OrientedPatches& patches, Solid& result) {
+void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosure& result) {
   const std::vector<char> isClosed = closedPatches(built, patches);
   for (std::size_t p = 0; p < patches.count; ++p) {
     if (!isClosed[p]) continue;
     result.shells += !patches.isSeen[p];
-    result.wrong += (patches.isSeen[p] != 0) == (patches.turn[p] != 0);
+    result.inner += !patches.isSeen[p] && !patches.turn[p];
+    result.insideOut += patches.isSeen[p] && patches.turn[p];
   }
 }
 
@@ -70,28 +72,53 @@ double lostShare(const Lattice& lattice, const InsideField& field,
   return seen > 0 ? 100 * double(lost) / double(seen) : 0;
 }
 
+// What is known of a surface before its solid is made.
+struct Groundwork {
+  Groundwork(const TriangleMesh& input, const SolidRule& rule)
+      : built(buildMesh(input)),
+        lattice(input, rule.spacing, rule.gap / 2),
+        crossings(crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles())),
+        patches(orientedPatches(built, lattice, crossings)) {
+    turnCrossings(crossings, patches);
+    field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
+                                       : insideField(lattice, crossings);
+    keepThinWalls(lattice, crossings, field);
+  }
+
+  Enclosure enclosure(const TriangleMesh& input) const {
+    Enclosure result;
+    result.turned = countTurned(input, built, patches);
+    countPieces(built, patches, result);
+    result.unsure = field.unsure;
+    result.lost = lostShare(lattice, field, crossings);
+    result.isAny =
+        std::find(field.isInside.begin(), field.isInside.end(), 1) != field.isInside.end();
+    return result;
+  }
+
+  const BuiltMesh built;
+  const Lattice lattice;
+  std::vector<EdgeCrossing> crossings;
+  const OrientedPatches patches;
+  InsideField field;
+};
+
 }  // namespace
 
+Enclosure enclosureOf(const TriangleMesh& input, const SolidRule& rule) {
+  return Groundwork(input, rule).enclosure(input);
+}
+
 Solid solidOf(const TriangleMesh& input, const SolidRule& rule) {
-  const BuiltMesh built = buildMesh(input);
-  const Lattice lattice(input, rule.spacing, rule.gap / 2);
-  std::vector<EdgeCrossing> crossings =
-      crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles());
-  const OrientedPatches patches = orientedPatches(built, lattice, crossings);
-  turnCrossings(crossings, patches);
-  InsideField field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
-                                                 : insideField(lattice, crossings);
-  keepThinWalls(lattice, crossings, field);
-  Solid result;
-  result.turned = countTurned(input, built, patches);
-  countShells(built, patches, result);
-  result.unsure = field.unsure;
-  const std::vector<Index> corners = turnedCorners(built, patches);
-  const Contour contour = contourOf(
-      lattice, field, {built.positions.values(), corners, input.isSingle, input.scale}, crossings);
-  result.lost = lostShare(lattice, field, crossings);
-  result.mesh = withAttributes(contour, input, built);
-  return result;
+  Groundwork ground(input, rule);
+  const std::vector<Index> corners = turnedCorners(ground.built, ground.patches);
+  Contour contour = contourOf(
+      ground.lattice, ground.field,
+      {ground.built.positions.values(), corners, input.isSingle, input.scale}, ground.crossings);
+  const Enclosure enclosure = ground.enclosure(input);
+  if (rule.cleaning == Cleaning::Thorough)
+    contour = cleanedUp(contour, {rule.spacing, kindsOf(contour, input, ground.built)});
+  return {withAttributes(contour, input, ground.built), enclosure};
 }
 
 }  // namespace remesher

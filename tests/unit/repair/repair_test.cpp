@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "measure/mesh_report.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -56,5 +58,51 @@ TEST_CASE("repair: auto wraps a sheet, and loose triangles") {
     CHECK(result.report.mode == "wrap");
     CHECK(result.report.selfIntersections[1] == 0);
     CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
+  }
+}
+
+TEST_CASE("repair: faults are none where nothing is broken") {
+  for (const TriangleMesh& mesh : {shapes::icosphere(6), shapes::torus(20, 10)}) {
+    const FaultReport faults = faultsOf(mesh);
+    CHECK(faults.openLoops.empty());
+    CHECK(faults.selfIntersections == 0);
+    CHECK(faults.repair == Repair::Off);
+  }
+}
+
+TEST_CASE("repair: faults tell how long open loops are") {
+  const FaultReport faults = faultsOf(shapes::grid(8, 6));
+  REQUIRE(faults.openLoops.size() == 1);
+  // Around a rectangle, in percent of its diagonal.
+  const TriangleMesh sheet = shapes::grid(8, 6);
+  const Vec3 size = sheet.positions.back() - sheet.positions.front();
+  const double around = 2 * (std::abs(size.x()) + std::abs(size.y()) + std::abs(size.z()));
+  CHECK(faults.openLoops.front() == doctest::Approx(100 * around / size.norm()));
+  TriangleMesh open = shapes::icosphere(6);
+  open.indices.resize(open.indices.size() - 9);
+  CHECK(faultsOf(open).repair == Repair::Holes);
+}
+
+TEST_CASE("repair: faults tell inner shells from cavities, and bodies that are inside out") {
+  const TriangleMesh ball = shapes::icosphere(5);
+  TriangleMesh shell = ball;
+  for (Vec3& p : shell.positions) p *= 0.5;
+  CHECK(faultsOf(soups::joined({ball, shell})).innerShells == 1);
+  CHECK(faultsOf(soups::joined({ball, shell})).repair == Repair::Solid);
+  CHECK(faultsOf(soups::joined({ball, shapes::turnedOver(shell)})).innerShells == 0);
+  CHECK(faultsOf(shapes::turnedOver(ball)).insideOut == 1);
+  const FaultReport both = faultsOf(soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})}));
+  CHECK(both.selfIntersections > 0);
+  CHECK(both.repair == Repair::Solid);
+}
+
+TEST_CASE("repair: auto does what faults say would mend") {
+  const TriangleMesh ball = shapes::icosphere(4);
+  TriangleMesh open = ball;
+  open.indices.resize(open.indices.size() - 9);
+  for (const TriangleMesh& mesh : {open, shapes::turnedOver(ball), shapes::grid(9, 7)}) {
+    const Repair repair = faultsOf(mesh).repair;
+    const std::string mode = mended(mesh).report.mode;
+    CHECK(mode == (repair == Repair::Holes ? "holes" : repair == Repair::Solid ? "solid" : "wrap"));
   }
 }

@@ -47,8 +47,8 @@ TEST_CASE("solid: a sphere stays one") {
   const Solid solid = solidOf(shapes::icosphere(10), {0.1});
   checkPromise(solid.mesh);
   CHECK(inspectMesh(solid.mesh).eulerCharacteristic == 2);
-  CHECK(solid.lost == 0);
-  CHECK(solid.turned == 0);
+  CHECK(solid.enclosure.lost == 0);
+  CHECK(solid.enclosure.turned == 0);
   CHECK(volume(solid.mesh) == doctest::Approx(volume(shapes::icosphere(10))).epsilon(0.01));
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("solid: overlapping bodies become one, whichever way they face") {
   checkPromise(asGiven.mesh);
   CHECK(inspectMesh(asGiven.mesh).components == 1);
   CHECK(inspectMesh(asGiven.mesh).eulerCharacteristic == 2);
-  CHECK(halfTurned.turned == other.triangleCount());
+  CHECK(halfTurned.enclosure.turned == other.triangleCount());
   CHECK(halfTurned.mesh.positions == asGiven.mesh.positions);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("solid: shells within a body are gone") {
   for (const TriangleMesh& shell : {inner, shapes::turnedOver(inner)}) {
     const Solid solid = solidOf(soups::joined({outer, shell}), {0.1});
     checkPromise(solid.mesh);
-    CHECK(solid.shells == 1);
+    CHECK(solid.enclosure.shells == 1);
     CHECK(inspectMesh(solid.mesh).components == 1);
     CHECK(volume(solid.mesh) == doctest::Approx(volume(outer)).epsilon(0.01));
   }

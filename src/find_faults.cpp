@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What is broken, found and left as it is.
+#include <utility>
+
+#include "io/formats.h"
+#include "jobs/part_joining.h"
+#include "jobs/part_repair.h"
+#include "jobs/run_guards.h"
+#include "remesher.h"
+
+namespace remesher {
+
+FaultReport findFaults(const TriangleMesh& mesh) {
+  return faultsOf(joinedPlaces({io::Part{"", mesh, {}}}, {}));
+}
+
+FaultReport findFaultsInFile(const FileBundle& input) {
+  io::Model model = io::read(input.file, input.resources);
+  return inFile(input.file.name,
+                [&] { return faultsOf(joinedPlaces(std::move(model.parts), {})); });
+}
+
+}  // namespace remesher

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/accuracy/uncross.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "remesh/gate/angles.h"
+
+namespace remesher {
+
+namespace {
+
+// The proposal that leaves the fewest pairs, of equals the widest angle.
+class FewestPairs {
+ public:
+  explicit FewestPairs(const Run& run) : rule_(lenient(run)) { rule_.guard = nullptr; }
+
+  void offer(const Run& run) {
+    const std::ptrdiff_t growth = run.rule.guard->growth(run.change);
+    if (growth >= 0 || growth > growth_) return;
+    const double angle = smallestComingAngle(run.mesh, run.change);
+    if (growth == growth_ && angle <= angle_) return;
+    if (judge(run.mesh, run.change, rule_) != Verdict::Accepted) return;
+    growth_ = growth, angle_ = angle, change_ = run.change;
+  }
+
+  bool carryOut(Run& run) const {
+    if (growth_ >= 0) return false;
+    remesher::carryOut(run, change_);
+    return true;
+  }
+
+ private:
+  FidelityRule rule_;  // but for the guard, which has been asked
+  LocalChange change_ = {};
+  std::ptrdiff_t growth_ = 0;
+  double angle_ = 0;
+};
+
+// Back to the surface, and towards the middles of the triangles around.
+void offerMoves(Run& run, Vertex v, FewestPairs& best) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
+  if (run.mesh.kind(v) != VertexKind::Interior) return;
+  proposePlacement(run.mesh, v, run.mesh.onSurface(run.mesh.at(v)), run.change);
+  best.offer(run);
+  std::vector<Halfedge> around;
+  mesh.forEachOutgoing(v, [&](Halfedge h) { around.push_back(h); });
+  for (const Halfedge h : around)
+    for (const double step : {0.15, 0.3, 0.6})
+      if (proposeRelocation(run.mesh, run.projector, {h, {1 - step, step / 2, step / 2}},
+                            run.change))
+        best.offer(run);
+}
+
+void offerAtEdge(Run& run, Halfedge h, FewestPairs& best) {
+  if (proposeFlip(run.mesh, h, run.change)) best.offer(run);
+  if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+  for (const Halfedge way : {h, run.mesh.mesh().twin(h)}) {
+    if (!way) continue;
+    if (proposeCollapseInto(run.mesh, way, run.change)) best.offer(run);
+    if (proposeCollapse(run.mesh, run.projector, way, run.change)) best.offer(run);
+  }
+}
+
+double lengthOf(const Run& run, Halfedge h) {
+  return (run.mesh.position(run.mesh.mesh().tip(h)) - run.mesh.position(run.mesh.mesh().origin(h)))
+      .norm();
+}
+
+bool mendCrossed(Run& run, Face f) {
+  FewestPairs best(run);
+  for (int k = 0; k < 3; ++k) offerAtEdge(run, HalfedgeMesh::halfedge(f, k), best);
+  for (const Vertex v : run.mesh.mesh().vertices(f)) offerMoves(run, v, best);
+  return best.carryOut(run);
+}
+
+// Where nothing helps at once the triangle is halved: the finer, the nearer to the original, which
+// does not meet itself.
+void halve(Run& run, Face f) {
+  Halfedge longest = HalfedgeMesh::halfedge(f);
+  for (int k = 1; k < 3; ++k)
+    if (const Halfedge h = HalfedgeMesh::halfedge(f, k); lengthOf(run, h) > lengthOf(run, longest))
+      longest = h;
+  if (!proposeSplit(run.mesh, run.projector, longest, run.change)) return;
+  commit(run, lenient(run));
+}
+
+}  // namespace
+
+std::size_t uncross(Run& run) {
+  const int rounds = 2 * run.effort.polishRounds;
+  std::vector<Face> crossed = run.rule.guard->crossing();
+  for (int round = 0; round < rounds && !crossed.empty(); ++round) {
+    for (const Face f : crossed)
+      if (run.mesh.mesh().isAlive(f) && run.rule.guard->isCrossed(f) && !mendCrossed(run, f))
+        halve(run, f);
+    crossed = run.rule.guard->crossing();
+  }
+  return crossed.size();
+}
+
+}  // namespace remesher

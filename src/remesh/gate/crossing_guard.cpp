@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/gate/crossing_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesher {
+
+namespace {
+
+Box boxAround(const NamedTriangle& t) {
+  Box box;
+  for (const Vec3& p : t.at) box.extend(p);
+  return box;
+}
+
+double meanEdge(const WorkingMesh& mesh) {
+  double sum = 0;
+  std::size_t count = 0;
+  const HalfedgeMesh& m = mesh.mesh();
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.isEdge(h)) continue;
+    sum += (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).norm();
+    ++count;
+  }
+  return sum > 0 ? sum / double(count) : 1;
+}
+
+bool contains(std::span<const Face> faces, Face f) {
+  return std::find(faces.begin(), faces.end(), f) != faces.end();
+}
+
+// With those that vanish at an edge that collapses.
+std::vector<Face> goingAll(const HalfedgeMesh& mesh, const LocalChange& change) {
+  std::vector<Face> all = change.going;
+  if (change.operation == Operation::Collapse)
+    for (const Halfedge side : {change.halfedge, mesh.twin(change.halfedge)})
+      if (side) all.push_back(HalfedgeMesh::face(side));
+  return all;
+}
+
+// Of the moved or new vertex. What lies around keeps calling a vertex by its name.
+Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
+  if (change.operation == Operation::Collapse) return mesh.tip(change.halfedge).index;
+  return change.operation == Operation::Relocate ? change.vertex.index : kNone;
+}
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const WorkingMesh& mesh, const Grain& grain)
+    : mesh_(mesh), grain_(grain), grid_(meanEdge(mesh), mesh.mesh().faceCount()) {
+  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
+    if (mesh.mesh().isAlive(Face(i))) grid_.add(i, boxAround(present(Face(i))));
+}
+
+NamedTriangle CrossingGuard::present(Face f) const {
+  const auto v = mesh_.mesh().vertices(f);
+  NamedTriangle t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    t.vertices[k] = v[k].index;
+    t.at[k] = written(mesh_.position(v[k]), grain_);
+  }
+  return t;
+}
+
+NamedTriangle CrossingGuard::coming(const LocalChange& change,
+                                    const std::array<Vertex, 3>& corners) const {
+  NamedTriangle t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    t.vertices[k] = corners[k] == kMoved ? nameOfMoved(mesh_.mesh(), change) : corners[k].index;
+    t.at[k] = written(positionAfter(mesh_, change, corners[k]), grain_);
+  }
+  return t;
+}
+
+std::size_t CrossingGuard::countAround(const NamedTriangle& t,
+                                       std::span<const Face> leftOut) const {
+  if (!hasArea(t.at)) return 0;
+  const Box box = boxAround(t);
+  std::size_t pairs = 0;
+  grid_.visit(box, [&](Index name) {
+    if (!mesh_.mesh().isAlive(Face(name)) || contains(leftOut, Face(name))) return;
+    const NamedTriangle other = present(Face(name));
+    if (!boxAround(other).overlaps(box) || !hasArea(other.at)) return;
+    pairs += trianglesMeet(t, other);
+  });
+  return pairs;
+}
+
+std::size_t CrossingGuard::countAmong(std::span<const NamedTriangle> triangles,
+                                      std::span<const Face> leftOut) const {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    pairs += countAround(triangles[i], leftOut);
+    for (std::size_t k = 0; k < i; ++k)
+      if (hasArea(triangles[i].at) && hasArea(triangles[k].at))
+        pairs += trianglesMeet(triangles[i], triangles[k]);
+  }
+  return pairs;
+}
+
+bool CrossingGuard::allows(const LocalChange& change) const {
+  std::vector<NamedTriangle> after;
+  for (const auto& corners : change.coming) after.push_back(coming(change, corners));
+  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
+  return countAmong(after, gone) == 0 || growth(change) <= 0;
+}
+
+std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
+  std::vector<NamedTriangle> before, after;
+  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
+  for (const Face f : gone) before.push_back(present(f));
+  for (const auto& corners : change.coming) after.push_back(coming(change, corners));
+  return std::ptrdiff_t(countAmong(after, gone)) - std::ptrdiff_t(countAmong(before, gone));
+}
+
+void CrossingGuard::update(const LocalChange& change, Vertex result) {
+  const HalfedgeMesh& mesh = mesh_.mesh();
+  const auto add = [&](Face f) { grid_.add(f.index, boxAround(present(f))); };
+  for (const Face f : change.going)
+    if (mesh.isAlive(f)) add(f);
+  if (result) mesh.forEachOutgoing(result, [&](Halfedge h) { add(HalfedgeMesh::face(h)); });
+}
+
+bool CrossingGuard::isCrossed(Face f) const {
+  return countAround(present(f), std::span(&f, 1)) > 0;
+}
+
+std::vector<Face> CrossingGuard::crossing() const {
+  std::vector<Face> result;
+  for (Index i = 0; i < mesh_.mesh().faceCapacity(); ++i)
+    if (mesh_.mesh().isAlive(Face(i)) && isCrossed(Face(i))) result.push_back(Face(i));
+  return result;
+}
+
+}  // namespace remesher

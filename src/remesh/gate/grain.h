@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// How coordinates are written: in single precision if that moves them at all.
+#pragma once
+
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct Grain {
+  double size = 0;   // by how much
+  double scale = 1;  // see TriangleMesh
+};
+
+// A position as it is written.
+inline Vec3 written(const Vec3& p, const Grain& grain) {
+  return grain.size > 0 ? inSingle(p, grain.scale) : p;
+}
+
+}  // namespace remesher

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/uncrossed.h"
+
+#include <memory>
+#include <utility>
+
+#include "remesh/accuracy/uncross.h"
+#include "remesh/gate/angles.h"
+#include "remesh/steps/adapt.h"
+#include "remesh/steps/coarsen.h"
+#include "remesh/steps/delaunay.h"
+#include "remesh/steps/polish.h"
+#include "remesh/steps/relax.h"
+#include "remesh/steps/valence.h"
+
+namespace remesher {
+
+namespace {
+
+std::unique_ptr<CrossingGuard> guardOf(Run& run) {
+  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.rule.grain);
+  run.rule.guard = guard.get();
+  return guard;
+}
+
+bool finishUncrossed(Run& run, std::size_t vertices) {
+  const bool isReached = matchCount(run, vertices);
+  polish(run, {kFair});
+  return isReached && run.mesh.mesh().vertexCount() == vertices;
+}
+
+// Edges become even, and no step is left out that would do for a mesh of one level.
+bool makeAnew(Run& run, std::size_t vertices) {
+  coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
+  for (int round = 0; round < run.effort.adaptRounds; ++round) {
+    delaunayFlips(run.mesh, run.rule);
+    valenceFlips(run);
+    relax(run, run.effort.passes);
+    matchCount(run, vertices);
+  }
+  return finishUncrossed(run, vertices);
+}
+
+}  // namespace
+
+Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
+  std::unique_ptr<CrossingGuard> guard = guardOf(run);
+  if (guard->crossing().empty()) return {std::move(guard), true, 0};
+  if (uncross(run) == 0) return {std::move(guard), finishUncrossed(run, vertices), 0};
+  run.mesh = WorkingMesh(run.mesh.surface());
+  guard = guardOf(run);
+  const bool isReached = makeAnew(run, vertices);
+  const std::size_t crossing = guard->crossing().size();
+  return {std::move(guard), isReached, crossing};
+}
+
+}  // namespace remesher

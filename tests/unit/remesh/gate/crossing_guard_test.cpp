@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/gate/crossing_guard.h"
+
+#include <doctest/doctest.h>
+
+#include "measure/self_intersections.h"
+#include "remesh/operators/local_operators.h"
+#include "support/soups.h"
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+namespace {
+
+// One sphere inside another, a tenth of the radius between them: far apart along the surface.
+TriangleMesh shellsInEachOther() {
+  const TriangleMesh outer = shapes::icosphere(3);
+  TriangleMesh inner = outer;
+  for (Vec3& p : inner.positions) p *= 0.9;
+  return soups::joined({outer, inner});
+}
+
+std::size_t countCrossed(const WorkingMesh& mesh) {
+  TriangleMesh arrays;
+  arrays.positions = mesh.positions().values();
+  arrays.indices = mesh.mesh().triangles();
+  return selfIntersections(arrays).size();
+}
+
+}  // namespace
+
+TEST_CASE("crossing guard: what it allows crosses nothing, and what it refuses does") {
+  const OriginalSurface surface = shapes::surfaceOf(shellsInEachOther(), shapes::Features::None);
+  WorkingMesh mesh(surface);
+  CrossingGuard guard(mesh, {});
+  REQUIRE(guard.crossing().empty());
+  Projector projector(surface);
+  LocalChange change;
+  std::size_t allowed = 0, refused = 0;
+  for (Index i = 0; i < 300; i += 2) {
+    const Halfedge h(i);
+    if (!mesh.mesh().isAlive(h)) continue;
+    const Vertex v = mesh.mesh().origin(h);
+    Placement place = mesh.placement(v);
+    place.position += (i % 4 == 0 ? 0.3 : -0.02) * place.normal;
+    bool isProposed = true;
+    if (i % 6 == 0)
+      isProposed = proposeCollapseInto(mesh, h, change);
+    else if (i % 6 == 2)
+      isProposed = proposeFlip(mesh, h, change);
+    else
+      proposePlacement(mesh, v, place, change);
+    if (!isProposed) continue;
+    const bool isAllowed = guard.allows(change);
+    WorkingMesh tried = mesh;
+    apply(tried, change);
+    CHECK(isAllowed == (countCrossed(tried) == 0));
+    (isAllowed ? allowed : refused) += 1;
+    if (isAllowed) guard.update(change, apply(mesh, change));
+  }
+  CHECK(allowed > 10);
+  CHECK(refused > 0);
+  CHECK(countCrossed(mesh) == 0);
+}
