@@ -3,6 +3,7 @@
 // as readers and writers, is not linked into the other.
 #include <emscripten/bind.h>
 
+#include "choice_names.h"
 #include "from_js.h"
 #include "guarded.h"
 #include "remesher.h"
@@ -62,9 +63,34 @@ val convertBytes(const val& request) {
   });
 }
 
+val faultsFrom(const FaultReport& faults) {
+  val result = val::object(), loops = val::array();
+  for (const double length : faults.openLoops) loops.call<void>("push", length);
+  result.set("openLoops", loops);
+  result.set("selfIntersections", double(faults.selfIntersections));
+  result.set("innerShells", double(faults.innerShells));
+  result.set("insideOut", double(faults.insideOut));
+  result.set("repair", std::string(nameOf(kRepairs, faults.repair)));
+  return result;
+}
+
+val inspectClosely(const val& mesh) {
+  return guarded([&] {
+    const TriangleMesh given = meshFrom(mesh);
+    val result = objectFrom(inspect(given));
+    result.set("faults", faultsFrom(findFaults(given)));
+    return result;
+  });
+}
+
 // request: { name, bytes, resources }
-val inspectBytes(const val& request) {
-  return guarded([&] { return objectFrom(inspectFile(bundleFrom(request))); });
+val inspectBytes(const val& request, bool areFaultsSought) {
+  return guarded([&] {
+    const FileBundle bundle = bundleFrom(request);
+    val result = objectFrom(inspectFile(bundle));
+    if (areFaultsSought) result.set("faults", faultsFrom(findFaultsInFile(bundle)));
+    return result;
+  });
 }
 
 // For the tests that hold the lists of both languages together.
@@ -81,6 +107,7 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);
   emscripten::function("convertFile", &convertBytes);
+  emscripten::function("inspectClosely", &inspectClosely);
   emscripten::function("inspectFile", &inspectBytes);
   emscripten::function("errorCodes", &errorCodes);
   emscripten::function("defaultOptions", &defaultOptions);

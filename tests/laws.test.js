@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { makeCase } from './fuzz/cases.js';
+import { makeRepairCase, runRepairCase } from './fuzz/repair_case.js';
 import { runCase } from './fuzz/run_case.js';
 import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReports } from './support/laws.js';
 import { files } from './fuzz/made_files.js';
@@ -79,5 +80,14 @@ for (const seed of seeds) {
   test(`case ${seed}: ${input.description}`, async () => {
     const { broken } = await runCase(input, { repeats: seed % 8 === 0 });
     assert.deepEqual(broken, []);
+  });
+}
+
+const repairCases = 12;
+
+for (let seed = 1; seed <= repairCases; seed += 1) {
+  const input = makeRepairCase(seed);
+  test(`repair, case ${seed}: ${input.description}`, async () => {
+    assert.deepEqual((await runRepairCase(input)).broken, []);
   });
 }

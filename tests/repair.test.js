@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { inspect, remesh, repair, repairFile } from 'remesher';
 
 import { parseCommandLine } from '../dist/cli/cli_arguments.js';
+import { reportInWords } from '../dist/cli/report_in_words.js';
 import { rejectsWith } from './support/errors.js';
 import { eulerCharacteristic, offText, sheet, torus } from './support/shapes.js';
 
@@ -82,6 +83,32 @@ test('an open sheet is wrapped, and can be remeshed then', async () => {
   assert.equal(report.repair.mode, 'wrap');
   assert.equal(report.output.vertices, 600);
   assert.equal(report.output.boundaryEdges, 0);
+});
+
+test('an inspection tells what is broken, and what would mend it', async () => {
+  assert.equal((await inspect(open)).faults, undefined);
+  const sound = (await inspect(whole, { faults: true })).faults;
+  assert.deepEqual(sound, { openLoops: [], selfIntersections: 0, innerShells: 0, insideOut: 0,
+    repair: 'off' });
+  const { faults } = await inspect(open, { faults: true });
+  assert.ok(faults.openLoops.length >= 1);
+  assert.ok(faults.openLoops.every((length, i, all) => length > 0 && !(length > all[i - 1])));
+  assert.equal(faults.repair, 'holes');
+  const bytes = new TextEncoder().encode(offText(open));
+  const ofFile = await inspect(bytes, { name: 'open.off', faults: true });
+  assert.equal(ofFile.faults.openLoops.length, faults.openLoops.length);
+  const crossed = (await inspect(joined(whole, whole, 0.9), { faults: true })).faults;
+  assert.ok(crossed.selfIntersections > 0);
+  assert.equal(crossed.repair, 'solid');
+  const inwards = { ...whole, indices: whole.indices.slice().reverse() };
+  assert.equal((await inspect(inwards, { faults: true })).faults.insideOut, 1);
+  await rejectsWith(inspect(open, { faults: 1 }), 'INVALID_OPTION', /faults must be true or false/);
+});
+
+test('faults are said in words', async () => {
+  const words = reportInWords(await inspect(open, { faults: true }));
+  assert.match(words, /faults: \d+ open loops, around, of the diagonal: [\d.]+ %/);
+  assert.match(words, /what would mend it: holes/);
 });
 
 test('options that say nothing to a repair are refused', async () => {

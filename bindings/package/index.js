@@ -9,6 +9,7 @@ import * as platform from './platform_browser.js';
  * All that goes in and comes out.
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
+ * @typedef {import('./api/api.js').InspectOptions} InspectOptions
  * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
  * @typedef {import('./api/api.js').RepairFileResult} RepairFileResult
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
@@ -22,6 +23,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
  * @typedef {import('./base/messages.js').Distances} Distances
+ * @typedef {import('./base/messages.js').FaultSummary} FaultSummary
  * @typedef {import('./base/messages.js').Floats} Floats
  * @typedef {import('./base/messages.js').Indices} Indices
  * @typedef {import('./base/messages.js').Inspection} Inspection
@@ -156,13 +158,15 @@ export function convertFile(bytes, options) {
 }
 
 /**
- * Reports on a file or a mesh; changes nothing.
+ * Reports on a file or a mesh; changes nothing. With `faults` it tells as well what is broken and
+ * what would mend it.
  *
  * @example
  * const { input, warnings } = await inspect(file);
  *
  * @param {Bytes | Mesh} bytesOrMesh The file, or the mesh.
- * @param {FileOptions & RunOptions} [options] The file's name, and how to run.
+ * @param {InspectOptions & FileOptions & RunOptions} [options] Whether to look for faults, the
+ *   file's name, and how to run.
  * @returns {Promise<Inspection>} What there is. Rejects with a {@link RemeshError}.
  */
 export function inspect(bytesOrMesh, options) {

@@ -124,7 +124,8 @@ export class Pool {
    * Reports on a file or a mesh, as the package's function does.
    *
    * @param {Package.Bytes | Package.Mesh} bytesOrMesh The file, or the mesh.
-   * @param {Package.FileOptions & Package.RunOptions} [options] The file's name, and how to run.
+   * @param {Package.InspectOptions & Package.FileOptions & Package.RunOptions} [options] Whether to
+   *   look for faults, the file's name, and how to run.
    * @returns {Promise<Package.Inspection>} What there is. Rejects with a `RemeshError`.
    */
   inspect(bytesOrMesh, options) {

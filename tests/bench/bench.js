@@ -7,6 +7,7 @@
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
+//   npm run bench -- repair [--models FOLDER] [--json FILE] [case…]     broken surfaces, repaired
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only those from npm packages are run. The status is 1 when a limit is broken.
@@ -18,6 +19,7 @@ import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runPage } from './page.js';
 import { runQuads } from './quads.js';
+import { runRepair } from './repair.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
 import { runWait } from './wait.js';
@@ -30,6 +32,7 @@ const { values, positionals } = parseArgs({
     models: { type: 'string' },
     runs: { type: 'string', default: '5' },
     markdown: { type: 'string' },
+    json: { type: 'string' },
     without: { type: 'string', multiple: true, default: [] },
   },
 });
@@ -46,6 +49,8 @@ function run() {
     case 'page':
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
     case 'quads': return runQuads(limits.quads, { folder: values.models, names: rest });
+    case 'repair':
+      return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json });
     case 'wait':
       return runWait(limits.wait,
         { folder: values.models, names: rest, runs: Number(values.runs) });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs cases by number, and prints those that break a law:
-//   npm run laws -- [--seed first] [--cases number] [--every nth]
+//   npm run laws -- [--seed first] [--cases number] [--every nth] [--repair]
+// With --repair the laws are repair's, of other cases.
 // The same seed is the same case: one that was printed is seen again with --cases 1. The clock,
 // here that of the processor, only ends what does not end, and tells which case took longest for
 // its size.
@@ -8,6 +9,7 @@ import { parseArgs } from 'node:util';
 
 import { makeCase } from './cases.js';
 import { firstWithScenes } from './made_scenes.js';
+import { makeRepairCase, runRepairCase } from './repair_case.js';
 import { runCase } from './run_case.js';
 
 const longestRun = 60; // seconds of the processor
@@ -68,21 +70,37 @@ async function runSeed(seed) {
   return { seed, broken, size, code, seconds: seconds() };
 }
 
+/** @param {number} seed */
+async function repairSeed(seed) {
+  const input = makeRepairCase(seed);
+  const { signal, seconds, stop } = watch();
+  const { broken, size, code = 'done' } = await runRepairCase(input, { signal });
+  stop();
+  if (broken.length > 0) {
+    console.log(`${seed} (${input.description}; ${JSON.stringify(input.options)}, `
+      + `${input.count} vertices)\n  ${broken.join('\n  ')}`);
+  }
+  return { seed, broken, size, code, seconds: seconds() };
+}
+
 /** @returns {Promise<number>} the exit status */
 async function runLaws() {
   const { values } = parseArgs({ options: {
     seed: { type: 'string', default: String(firstWithScenes) },
     cases: { type: 'string', default: '1000' },
     every: { type: 'string', default: '1' },
+    repair: { type: 'boolean', default: false },
   } });
   const [first, count, step] = [values.seed, values.cases, values.every].map(Number);
   const outcomes = [];
-  for (let i = 0; i < count; i += 1) outcomes.push(await runSeed(first + i * step));
+  const run = values.repair ? repairSeed : runSeed;
+  for (let i = 0; i < count; i += 1) outcomes.push(await run(first + i * step));
   /** @type {Record<string, number>} */
   const codes = {};
   for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
   const failures = outcomes.filter(({ broken }) => broken.length > 0).length;
   console.log(`${count} cases, ${failures} break a law; ${JSON.stringify(codes)}`);
+  if (values.repair) return failures > 0 ? 1 : 0;
   const timed = outcomes.filter(({ size }) => size > 0);
   for (const { seed } of slowest(timed)) {
     const at = timed.findIndex((timing) => timing.seed === seed);

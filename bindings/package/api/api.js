@@ -29,6 +29,11 @@ import { checkOptions, checkRepair } from '../base/options.js';
 /** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
 
 /**
+ * @typedef {object} InspectOptions
+ * @property {boolean} [faults] Whether to look for what is broken, and for what would mend it.
+ */
+
+/**
  * @typedef {object} RepairResult
  * @property {Mesh} mesh Arrays of the types that were given.
  * @property {RepairReport} report What went in, what was mended, what came out.
@@ -143,18 +148,27 @@ export class Api extends ArraysApi {
 
   /**
    * @param {Bytes | Mesh} bytesOrMesh
-   * @param {FileOptions & RunOptions} [options]
+   * @param {InspectOptions & FileOptions & RunOptions} [options]
    * @returns {Promise<Inspection>}
    */
   async inspect(bytesOrMesh, options = {}) {
-    refuseOthers(options, [...runNames, ...fileNames]);
-    if (!isBytes(bytesOrMesh)) {
-      const { signal, onProgress, worker } = options;
-      return super.inspect(bytesOrMesh, { signal, onProgress, worker });
+    refuseOthers(options, [...runNames, ...fileNames, 'faults']);
+    const faults = checkSwitch('faults', options.faults);
+    if (isBytes(bytesOrMesh)) {
+      const file = await fileRequest(bytesOrMesh, options);
+      return this.#client.run({ kind: 'inspectFile', file, faults }, fileBuffers(file), options);
     }
-    const file = await fileRequest(bytesOrMesh, options);
-    return this.#client.run({ kind: 'inspectFile', file }, fileBuffers(file), options);
+    const { signal, onProgress, worker } = options;
+    if (!faults) return super.inspect(bytesOrMesh, { signal, onProgress, worker });
+    const mesh = copyMesh(bytesOrMesh);
+    return this.#client.run({ kind: 'inspect', mesh, faults }, buffersOf(mesh), options);
   }
+}
+
+/** @param {string} name @param {unknown} value @returns {boolean} */
+function checkSwitch(name, value = false) {
+  if (typeof value === 'boolean') return value;
+  throw new RemeshError('INVALID_OPTION', `${name} must be true or false.`);
 }
 
 /** @param {unknown} codecs @returns {import('./client.js').Codecs} */

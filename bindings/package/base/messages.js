@@ -60,8 +60,8 @@
  *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
- *   | { kind: 'inspect', mesh: Mesh }
- *   | { kind: 'inspectFile', file: FileRequest }} Job
+ *   | { kind: 'inspect', mesh: Mesh, faults?: boolean }
+ *   | { kind: 'inspectFile', file: FileRequest, faults?: boolean }} Job
  */
 
 /**
@@ -184,6 +184,19 @@
  * @property {Memory} memory What it took.
  * @property {Phase[]} phases In order; together they are the run.
  * @property {Warning[]} warnings What was mended or left out.
+ * @property {FaultSummary} [faults] What is broken, of an inspection that was to look for it.
+ */
+
+/**
+ * What of a mesh is broken, and what would mend it.
+ * @typedef {object} FaultSummary
+ * @property {number[]} openLoops The lengths of open boundaries, in percent of the bounding box's
+ *   diagonal, as `holesUpTo` takes them; the longest first.
+ * @property {number} selfIntersections Triangles that meet others.
+ * @property {number} innerShells Closed pieces within others that are no cavities.
+ * @property {number} insideOut Closed pieces that face inwards.
+ * @property {'off' | 'holes' | 'solid' | 'wrap'} repair What `auto` would do; `off`: nothing is
+ *   broken.
  */
 
 /**

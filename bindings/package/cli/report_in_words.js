@@ -45,10 +45,32 @@ function repairInWords({ mode, holes, islands, shells, turned, lost, selfInterse
     + `  triangles that pass through others: ${before} before, ${after} after`;
 }
 
+const cures = {
+  off: 'nothing is to be mended',
+  holes: 'what would mend it: holes, which closes loops and leaves the rest',
+  solid: 'what would mend it: solid, the outside of what encloses something',
+  wrap: 'what would mend it: wrap, what can be reached from outside',
+};
+
+/** @param {import('../base/messages.js').FaultSummary} faults */
+function faultsInWords({ openLoops, selfIntersections, innerShells, insideOut, repair }) {
+  const told = 10;
+  const lengths = openLoops.slice(0, told).map((length) => `${length.toPrecision(3)} %`).join(', ');
+  const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
+    + `${openLoops.length > told ? ', …' : ''}`;
+  return [
+    `faults: ${openLoops.length} open loops${loops}`,
+    `  triangles that pass through others ${selfIntersections}, inner shells ${innerShells}, `
+      + `bodies inside out ${insideOut}`,
+    `  ${cures[repair]}`,
+  ].join('\n');
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
   if (report.input) parts.push(meshInWords('input', report.input));
+  if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.repair) parts.push(repairInWords(report.repair));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));

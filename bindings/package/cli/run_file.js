@@ -80,7 +80,7 @@ function withRefusals(error, refused) {
  */
 async function work(task, api, bytes, about) {
   if (task.command === 'inspect') {
-    return { files: [], report: { ...await api.inspect(bytes, about) } };
+    return { files: [], report: { ...await api.inspect(bytes, { ...about, faults: true }) } };
   }
   const output = task.outputName;
   if (task.command === 'convert') {

@@ -99,9 +99,10 @@ function call(instance, job, ask) {
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
-      return instance.inspect(withList(job.mesh));
+      return job.faults
+        ? instance.inspectClosely(withList(job.mesh)) : instance.inspect(withList(job.mesh));
     default:
-      return instance.inspectFile(job.file);
+      return instance.inspectFile(job.file, job.faults ?? false);
   }
 }
 

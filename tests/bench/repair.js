@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Broken surfaces repaired, and remeshed from there: what repair promises, by the native judge.
+import { writeFileSync } from 'node:fs';
+import { repair } from 'remesher';
+
+import { torus, sheet } from '../support/shapes.js';
+import { judge } from './judge.js';
+import { loadModel } from './models.js';
+import { timeRemesh } from './run.js';
+import { fixed, markdownTable } from './table.js';
+
+const columns = ['model', 'mode', 'triangles', 's', 'open', 'crossing', 'RMS %', '→ vertices',
+  'open', 'crossing', 'worst °', 'flat', 'RMS %', 's'];
+
+/** Both, the second one scaled and moved along x. */
+function joined(a, b, scale, by) {
+  const moved = Array.from(b.positions, (value, i) => scale * value + (i % 3 === 0 ? by : 0));
+  return {
+    positions: Float64Array.from([...a.positions, ...moved]),
+    indices: Uint32Array.from([...a.indices,
+      ...Array.from(b.indices, (v) => v + a.positions.length / 3)]),
+  };
+}
+
+/** Every so many triangles left out. */
+const torn = ({ positions, indices }, every) => ({ positions,
+  indices: indices.filter((_, i) => Math.floor(i / 3) % every !== 0) });
+
+/** Every other triangle turned over. */
+const turned = ({ positions, indices }) => ({ positions,
+  indices: indices.map((_, i, all) => (Math.floor(i / 3) % 2 === 0 || i % 3 === 0
+    ? all[i] : all[i % 3 === 1 ? i + 1 : i - 1])) });
+
+/** By formula. */
+const made = {
+  shell: () => joined(torus(), torus(), 0.98, 0),
+  crossed: () => joined(torus(), torus(), 1, 0.9),
+  apart: () => joined(torus(), torus(), 1, 20),
+  torn: () => torn(torus(), 37),
+  turned: () => turned(torus()),
+  sheet: () => sheet(),
+};
+
+/** What must be so of all that is repaired. */
+function brokenPromises(name, result) {
+  return ['boundaryEdges', 'nonManifoldEdges', 'selfIntersections']
+    .filter((fault) => result[fault] > 0)
+    .map((fault) => `${name}: ${result[fault]} ${fault}`);
+}
+
+async function measured(name, { model = name, mode = 'auto', vertices = 5000 }, folder) {
+  const given = made[model]?.() ?? loadModel(model, folder);
+  const begin = performance.now();
+  const mended = await repair(given, { repair: mode, worker: false });
+  const seconds = (performance.now() - begin) / 1000;
+  const after = await timeRemesh(given, { repair: mode, vertices }, 1);
+  return { name, mode: mended.report.repair.mode, seconds, mended: judge(given, mended.mesh),
+    remeshSeconds: after.seconds, remeshed: judge(given, after.mesh) };
+}
+
+function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed }) {
+  const [one, two] = [mended.result, remeshed.result];
+  return [name, mode, one.triangles, fixed(seconds, 2), one.boundaryEdges, one.selfIntersections,
+    fixed(mended.fidelity.rmsToOriginal, 4), two.vertices, two.boundaryEdges,
+    two.selfIntersections, fixed(two.worstAngle, 1), two.degenerateTriangles,
+    fixed(remeshed.fidelity.rmsToOriginal, 4), fixed(remeshSeconds, 2)];
+}
+
+/** @param {any} limits @param {{ folder?: string, names: string[], json?: string }} how */
+export async function runRepair(limits, { folder, names, json }) {
+  const all = [];
+  const broken = [];
+  for (const [name, row] of Object.entries(limits)) {
+    if (names.length > 0 && !names.some((word) => name.startsWith(word))) continue;
+    if (row.model && !folder) continue;
+    const found = await measured(name, row, folder);
+    all.push(found);
+    broken.push(...brokenPromises(`${name}, repaired`, found.mended.result),
+      ...brokenPromises(`${name}, remeshed`, found.remeshed.result));
+    if (found.seconds > row.seconds) broken.push(`${name}: ${found.seconds.toFixed(2)} s`);
+    if (found.mended.fidelity.rmsToOriginal > row.rms) {
+      broken.push(`${name}: RMS ${found.mended.fidelity.rmsToOriginal} %`);
+    }
+    if (found.remeshed.result.worstAngle < row.worstAngle) {
+      broken.push(`${name}: an angle of ${found.remeshed.result.worstAngle.toFixed(1)}°`);
+    }
+  }
+  if (json) writeFileSync(json, `${JSON.stringify(all, null, 2)}\n`);
+  return { table: markdownTable(columns, all.map(rowOf)), broken };
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What repair promises, of any surface: what it makes, and what is remeshed from it, is closed, a
+// 2-manifold, faces outwards and passes through itself nowhere.
+import { inspect, remesh, repair } from 'remesher';
+
+import { lawsOfErrors } from '../support/laws.js';
+import { Dice } from './dice.js';
+import { meshOf } from './made_files.js';
+import { shapes } from './made_shapes.js';
+import { spoilShape } from './mutations.js';
+
+/**
+ * @param {number} seed
+ * @returns {{ description: string, mesh: any, options: any, count: number }}
+ */
+export function makeRepairCase(seed) {
+  const dice = new Dice(seed);
+  const name = dice.pick(Object.keys(shapes));
+  const said = [name];
+  let shape = shapes[name](dice.whole(1, 4));
+  for (let times = dice.whole(0, 3); times > 0; times -= 1) shape = spoilShape(shape, dice, said);
+  const options = { repair: dice.pick(['solid', 'wrap', 'auto']) };
+  return { description: said.join(', '), mesh: meshOf(shape), options,
+    count: dice.whole(100, 1500) };
+}
+
+/** @param {any} mesh @param {string} what */
+async function lawsOfMended(mesh, what) {
+  const { input, faults } = await inspect(mesh, { faults: true });
+  const broken = [];
+  for (const name of ['boundaryEdges', 'nonManifoldEdges']) {
+    if (input[name] > 0) broken.push(`${what}: ${input[name]} ${name}`);
+  }
+  for (const name of ['selfIntersections', 'insideOut']) {
+    if (faults[name] > 0) broken.push(`${what}: ${faults[name]} ${name}`);
+  }
+  return broken;
+}
+
+/**
+ * The broken laws.
+ * @param {ReturnType<typeof makeRepairCase>} input
+ * @param {object} [how] of the call: signal, worker
+ * @returns {Promise<{ broken: string[], size: number, code?: string }>}
+ */
+export async function runRepairCase({ mesh, options, count }, how = {}) {
+  try {
+    const mended = await repair(mesh, { ...options, ...how });
+    const broken = await lawsOfMended(mended.mesh, 'repaired');
+    const remeshed = await remesh(mesh, { ...options, vertices: count, ...how });
+    broken.push(...await lawsOfMended(remeshed.mesh, 'remeshed'));
+    return { broken, size: mended.report.output.vertices };
+  } catch (error) {
+    if (error?.name === 'AbortError') return { broken: ['it does not end'], size: 0 };
+    return { broken: lawsOfErrors(error), size: 0, code: error.code };
+  }
+}
