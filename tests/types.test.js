@@ -24,8 +24,8 @@ const functions = {
     + '& RunOptions): Promise<RepairFileResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
     + 'Promise<ConvertFileResult>',
-  inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: FileOptions & RunOptions): '
-    + 'Promise<Inspection>',
+  inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
+    + 'RunOptions): Promise<Inspection>',
 };
 
 const program = [
