@@ -73,9 +73,8 @@ class Cleaner {
 
   // In passes: of each star one point goes in a pass, so that edges grow evenly.
   void run() {
-    constexpr int kPasses =
-        40;  // far more than there are, unless nothing but a little goes in each
-    for (int pass = 0; pass < kPasses && isAnyWorthATry_; ++pass) {
+    constexpr int kMostPasses = 40;  // a bound for whatever hardly gets on, not a choice
+    for (int pass = 0; pass < kMostPasses && isAnyWorthATry_; ++pass) {
       isAnyWorthATry_ = false;
       isTouched_.assign(mesh_.vertexCapacity(), 0);
       for (Index i = 0; i < mesh_.vertexCapacity(); ++i) tryVertex(Vertex(i));
@@ -260,7 +259,7 @@ void lockAround(std::span<const Index> triangles, const TriangleMesh& mesh, cons
 }  // namespace
 
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
-  constexpr int kTries = 4;
+  constexpr int kTries = 4;  // each locks more points; after the last the contour stays as it was
   if (contour.corners.empty()) return contour;
   std::vector<char> isLocked(contour.points.size(), 0);
   for (int i = 0; i < kTries; ++i) {
