@@ -51,6 +51,7 @@ add_library(linear OBJECT
   src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
   src/jobs/part_report.cpp
+  src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/salient_vertices.cpp
   src/mesh/edge_groups.cpp

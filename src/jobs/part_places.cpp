@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
-#include "geometry/triangle.h"
 #include "io/model/bake.h"
+#include "measure/facing.h"
 
 namespace remesher {
 namespace {
@@ -21,29 +21,9 @@ constexpr double kFlat = 1e-3;
 // Places that show as much but for rounding: the first counts.
 constexpr double kMore = 1 + 1e-9;
 
-// How large triangles are, together and by where they face: area, and the sum of n nᵀ / area over
-// area vectors n.
-struct Faces {
-  double area = 0;
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-};
-
-Faces facesOf(const TriangleMesh& mesh) {
-  Faces faces;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vec3 n = areaVector(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                              mesh.positions[mesh.indices[i + 2]]);
-    const double twice = n.norm();
-    if (!(twice > 0) || !std::isfinite(twice)) continue;
-    faces.area += twice / 2;
-    faces.moments += n * n.transpose() / (2 * twice);
-  }
-  return faces;
-}
-
 // Of the triangles when they are shown so, about: exact where all face one way, and where all
 // directions are stretched alike. A place may be one of thousands.
-double shownArea(const Faces& faces, const Transform& place) {
+double shownArea(const Facing& faces, const Transform& place) {
   const Eigen::Matrix3d m = place.linear();
   Eigen::Matrix3d cofactors;
   cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
@@ -52,7 +32,7 @@ double shownArea(const Faces& faces, const Transform& place) {
 }
 
 // The place that shows most, and the mean of all that show anything.
-PartPlace placeOf(const io::Part& part, const Faces& faces) {
+PartPlace placeOf(const io::Part& part, const Facing& faces) {
   PartPlace best;
   double most = 0;
   std::size_t count = 0;
@@ -92,7 +72,7 @@ std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts) {
   std::vector<double> own;
   double shown = 0, bare = 0;
   for (const io::Part& part : parts) {
-    const Faces faces = facesOf(part.mesh);
+    const Facing faces = facingOf(part.mesh);
     places.push_back(placeOf(part, faces));
     own.push_back(faces.area);
     if (places.back().area > 0) {

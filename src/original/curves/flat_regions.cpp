@@ -29,13 +29,16 @@ class RegionGrowth {
       : mesh_(mesh),
         positions_(positions),
         bearers_(bearingFaces(mesh, positions)),
+        areas_(areaVectors(mesh, positions)),
         tolerance_(coordinateStep(positions)),
         seen_(mesh.faceCapacity(), 0),
         of_(mesh.faceCapacity(), kNone) {}
 
   FlatRegions run(double width) {
     FlatRegions result;
-    for (const Face seed : seeds()) {
+    const std::vector<Face> all = seeds();
+    if (shareOf(all) < kLeastShare) return {};
+    for (const Face seed : all) {
       if (of_[seed] != kNone || seen_[seed] != 0) continue;
       grow(seed, planeOf(seed));
       grow(seed, meanPlane());
@@ -45,7 +48,7 @@ class RegionGrowth {
       result.widths.push_back(own);
     }
     dropFacets(result.widths);
-    if (result.widths.empty() || flatShare() < kLeastShare) return {};
+    if (result.widths.empty() || shareOf(flatFaces()) < kLeastShare) return {};
     result.of.assign(mesh_.faceCapacity(), kNone);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
     return result;
@@ -54,14 +57,23 @@ class RegionGrowth {
  private:
   bool hasArea(Face f) const { return bearers_[f] == f; }
 
-  Plane planeOf(Face f) const {
-    const auto [a, b, c] = mesh_.vertices(f);
-    return {unitNormal(positions_[a], positions_[b], positions_[c]), positions_[a]};
+  static FaceData<Vec3> areaVectors(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+    FaceData<Vec3> result(mesh.faceCapacity());
+    for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+      const auto [a, b, c] = mesh.vertices(Face(i));
+      result[Face(i)] = 0.5 * areaVector(positions[a], positions[b], positions[c]);
+    }
+    return result;
   }
 
-  Vec3 areaOf(Face f) const {
-    const auto [a, b, c] = mesh_.vertices(f);
-    return 0.5 * areaVector(positions_[a], positions_[b], positions_[c]);
+  Plane planeOf(Face f) const { return {areas_[f].normalized(), positions_[mesh_.vertices(f)[0]]}; }
+
+  bool isOn(const Plane& plane, Vertex v) const {
+    return std::abs(plane.normal.dot(positions_[v] - plane.point)) <= tolerance_;
+  }
+
+  bool facesAlike(const Plane& plane, Face f) const {
+    return !hasArea(f) || areas_[f].dot(plane.normal) > 0;
   }
 
   // Faces that lie in one plane with a neighbor, the largest first: their planes are known best.
@@ -69,12 +81,13 @@ class RegionGrowth {
     std::vector<std::pair<double, Face>> found;
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
       const Face f(i);
-      if (!hasArea(f) || areaOf(f).isZero(0)) continue;
+      if (!hasArea(f) || areas_[f].isZero(0)) continue;
       const Plane plane = planeOf(f);
       for (int k = 0; k < 3; ++k) {
         const Halfedge across = mesh_.twin(HalfedgeMesh::halfedge(f, k));
-        if (!across || !contains(plane, HalfedgeMesh::face(across))) continue;
-        found.emplace_back(-areaOf(f).squaredNorm(), f);
+        if (!across || !isOn(plane, mesh_.opposite(across))) continue;
+        if (!facesAlike(plane, HalfedgeMesh::face(across))) continue;
+        found.emplace_back(-areas_[f].squaredNorm(), f);
         break;
       }
     }
@@ -85,20 +98,20 @@ class RegionGrowth {
   }
 
   bool contains(const Plane& plane, Face f) const {
-    for (const Vertex v : mesh_.vertices(f))
-      if (std::abs(plane.normal.dot(positions_[v] - plane.point)) > tolerance_) return false;
-    return !hasArea(f) || planeOf(f).normal.dot(plane.normal) > 0;
+    const auto corners = mesh_.vertices(f);
+    return std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return isOn(plane, v); }) &&
+           facesAlike(plane, f);
   }
 
   // All faces of the plane that hang together with the seed; those without area only lead on.
   void grow(Face seed, const Plane& plane) {
     ++round_;
     faces_.clear();
-    std::vector<Face> stack = {seed};
+    stack_ = {seed};
     seen_[seed] = round_;
-    while (!stack.empty()) {
-      const Face f = stack.back();
-      stack.pop_back();
+    while (!stack_.empty()) {
+      const Face f = stack_.back();
+      stack_.pop_back();
       if (hasArea(f)) faces_.push_back(f);
       for (int k = 0; k < 3; ++k) {
         const Halfedge across = mesh_.twin(HalfedgeMesh::halfedge(f, k));
@@ -106,7 +119,7 @@ class RegionGrowth {
         const Face next = HalfedgeMesh::face(across);
         if (seen_[next] == round_ || of_[next] != kNone || !contains(plane, next)) continue;
         seen_[next] = round_;
-        stack.push_back(next);
+        stack_.push_back(next);
       }
     }
   }
@@ -115,7 +128,7 @@ class RegionGrowth {
     Vec3 normal = Vec3::Zero(), point = Vec3::Zero();
     double total = 0;
     for (const Face f : faces_) {
-      const Vec3 area = areaOf(f);
+      const Vec3& area = areas_[f];
       const auto [a, b, c] = mesh_.vertices(f);
       normal += area;
       point += area.norm() / 3 * (positions_[a] + positions_[b] + positions_[c]);
@@ -132,7 +145,7 @@ class RegionGrowth {
       const Halfedge h = HalfedgeMesh::halfedge(f, k);
       rim += distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
     }
-    return rim > 0 ? 2 * areaOf(f).norm() / rim : 0;
+    return rim > 0 ? 2 * areas_[f].norm() / rim : 0;
   }
 
   // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
@@ -146,7 +159,7 @@ class RegionGrowth {
       if (region == kNone || region == of_[other]) continue;
       const double length = distance(positions_[mesh_.origin(h)], positions_[mesh_.tip(h)]);
       all[region] += length;
-      const bool isSharp = planeOf(own).normal.dot(planeOf(other).normal) < kSharp;
+      const bool isSharp = areas_[own].normalized().dot(areas_[other].normalized()) < kSharp;
       if (!isSharp && kLike * widthAt(other, widths) > widths[region]) like[region] += length;
     }
     for (std::size_t r = 0; r < like.size(); ++r) like[r] = all[r] > 0 ? like[r] / all[r] : 0;
@@ -169,20 +182,24 @@ class RegionGrowth {
   }
 
   // Of the area.
-  double flatShare() const {
-    double flat = 0, all = 0;
-    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
-      const double area = areaOf(Face(i)).norm();
-      all += area;
-      if (of_[Face(i)] != kNone) flat += area;
-    }
-    return all > 0 ? flat / all : 0;
+  double shareOf(const std::vector<Face>& faces) const {
+    double own = 0, all = 0;
+    for (const Face f : faces) own += areas_[f].norm();
+    for (const Vec3& area : areas_.values()) all += area.norm();
+    return all > 0 ? own / all : 0;
+  }
+
+  std::vector<Face> flatFaces() const {
+    std::vector<Face> result;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] != kNone) result.emplace_back(i);
+    return result;
   }
 
   double widthOfGrown() const {
     double area = 0, rim = 0;
     for (const Face f : faces_) {
-      area += areaOf(f).norm();
+      area += areas_[f].norm();
       for (int k = 0; k < 3; ++k) {
         const Halfedge h = HalfedgeMesh::halfedge(f, k), across = mesh_.twin(h);
         if (across && seen_[bearers_[HalfedgeMesh::face(across)]] == round_) continue;
@@ -195,11 +212,13 @@ class RegionGrowth {
   const HalfedgeMesh& mesh_;
   const VertexData<Vec3>& positions_;
   const FaceData<Face> bearers_;
+  const FaceData<Vec3> areas_;  // along the normals
   const double tolerance_;
   Index round_ = 0;
   FaceData<Index> seen_;  // in which round last, from 1
   FaceData<Index> of_;
   std::vector<Face> faces_;  // of the region at hand
+  std::vector<Face> stack_;  // those of it whose neighbors are to be looked at
 };
 
 }  // namespace

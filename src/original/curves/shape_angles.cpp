@@ -15,15 +15,16 @@ namespace {
 // Coordinates are rounded to 2^-24 of themselves in binary files, to six digits in text.
 constexpr double kPrecision = 1e-6;
 
-Halfedge longestSide(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Face f) {
-  Halfedge longest;
-  double length = -1;
+struct Side {
+  Halfedge halfedge;
+  double squaredLength = -1;
+};
+
+Side longestSide(Face f, const Triangle& corners) {
+  Side longest;
   for (int k = 0; k < 3; ++k) {
-    const Halfedge h = HalfedgeMesh::halfedge(f, k);
-    const double own = distance(positions[mesh.origin(h)], positions[mesh.tip(h)]);
-    if (own <= length) continue;
-    length = own;
-    longest = h;
+    const double own = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
+    if (own > longest.squaredLength) longest = {HalfedgeMesh::halfedge(f, k), own};
   }
   return longest;
 }
@@ -43,11 +44,11 @@ FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& po
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const Face f(i);
     const auto [a, b, c] = mesh.vertices(f);
-    const Halfedge side = longestSide(mesh, positions, f);
-    const double length = distance(positions[mesh.origin(side)], positions[mesh.tip(side)]);
-    const double twice = areaVector(positions[a], positions[b], positions[c]).norm();
+    const Triangle corners = {positions[a], positions[b], positions[c]};
+    const auto [side, squared] = longestSide(f, corners);
+    const double squaredTwice = areaVector(corners[0], corners[1], corners[2]).squaredNorm();
     beyond[f] = f;
-    if (twice > step * length || !mesh.twin(side)) continue;
+    if (squaredTwice > step * step * squared || !mesh.twin(side)) continue;
     beyond[f] = HalfedgeMesh::face(mesh.twin(side));
     flat.push_back(f);
   }

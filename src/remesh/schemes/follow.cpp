@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "base/place.h"
@@ -131,24 +132,20 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   return countPlaces(places);
 }
 
-// Four points to a triangle, for its corners are where vertices may have stayed; of many triangles
-// some tell enough.
-double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                  const BuiltMesh& original) {
+// Not from a triangle's corners, for there vertices may have stayed.
+double distanceTo(const MeshTree& mesh, const BuiltMesh& original, const Samples& samples) {
   constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6, kMiddle = 1.0 / 3;
   const std::array<Vec3, 4> weights = {Vec3(kMiddle, kMiddle, kMiddle), Vec3(kFar, kNear, kNear),
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
-  constexpr std::size_t kEnough = 20'000;
-  const Index step = Index(1 + original.mesh.faceCapacity() / kEnough);
-  const MeshTree tree(mesh, positions);
+  const Index step = Index(1 + original.mesh.faceCapacity() / samples.triangles);
   double sum = 0, total = 0;
   Face last;
   for (Index f = 0; f < original.mesh.faceCapacity(); f += step) {
     const auto [a, b, c] = original.mesh.vertices(Face(f));
     const auto& p = original.positions;
-    const double share = area(p[a], p[b], p[c]) / double(weights.size());
-    for (const Vec3& w : weights) {
-      const MeshTree::Nearest nearest = tree.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
+    const double share = area(p[a], p[b], p[c]) / double(samples.ofEach);
+    for (const Vec3& w : std::span(weights).first(samples.ofEach)) {
+      const MeshTree::Nearest nearest = mesh.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
       last = nearest.face;
       sum += share * nearest.distance * nearest.distance;
       total += share;
@@ -178,7 +175,7 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
     now = distinctPositions(surface.mesh, surface.positions);
   }
   Followed result = Extraction(surface, original, input, kept).run();
-  result.distance = distanceTo(surface.mesh, surface.positions, original);
+  result.distance = distanceTo({surface.mesh, surface.positions}, original);
   return result;
 }
 

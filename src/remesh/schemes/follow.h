@@ -10,6 +10,7 @@
 #include "base/input_place.h"
 #include "base/options.h"
 #include "base/triangle_mesh.h"
+#include "geometry/mesh_tree.h"
 #include "mesh/mesh_builder.h"
 #include "remesh/operators/working_mesh.h"
 
@@ -34,8 +35,15 @@ bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, Textures textures);
 
+// From where a surface is looked at: about so many of its triangles, at even steps, and so many
+// points of each, at most 4.
+struct Samples {
+  std::size_t triangles, ofEach;
+};
+constexpr Samples kTelling = {20'000, 4};
+
 // The root of the mean square, over the original's area, of its distance to a mesh.
-double distanceTo(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
-                  const BuiltMesh& original);
+double distanceTo(const MeshTree& mesh, const BuiltMesh& original,
+                  const Samples& samples = kTelling);
 
 }  // namespace remesher

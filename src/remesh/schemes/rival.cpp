@@ -9,12 +9,12 @@ namespace remesher {
 
 namespace {
 
-// Of the diagonal: half a pixel in a picture a thousand pixels wide, a pixel, and where nothing is
-// drawn two.
-constexpr double kSeen = 5e-4, kNearerSeen = 1e-3, kSeenPlain = 2e-3;
+// Of the diagonal: half a pixel in a picture a thousand pixels wide; where nothing is drawn two.
+constexpr double kSeen = 5e-4, kSeenPlain = 2e-3;
 // Times as near, where textures or colours show what is off; and where only shape does.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;  // times: it makes nothing twice as near
+constexpr Samples kGlimpse = {1000, 1};
 
 // Even triangles are worth more than half a pixel where nothing is drawn on them.
 bool isPlain(const TriangleMesh& input, Textures textures) {
@@ -36,8 +36,12 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
       isPlain_(isPlain(input, textures)),
       seen_((isPlain_ ? kSeenPlain : kSeen) * original.surface().diagonal()) {}
 
+// What is so much nearer than what is seen, at a glimpse, need not be known better.
 double Rival::distanceOf(const WorkingMesh& even) const {
-  return distanceTo(even.mesh(), even.positions(), original_.surface().built());
+  const BuiltMesh& built = original_.surface().built();
+  const MeshTree tree(even.mesh(), even.positions());
+  const double glimpsed = distanceTo(tree, built, kGlimpse);
+  return muchNearer() * glimpsed <= seen_ ? glimpsed : distanceTo(tree, built);
 }
 
 double Rival::muchNearer() const { return isPlain_ ? kMuchNearerPlain : kMuchNearer; }
@@ -64,9 +68,9 @@ std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   look();
   if (!isReached || !followed_) return std::move(followed_);
   const double nearest = followed_->distance;
-  const double nearerSeen = kNearerSeen * original_.surface().diagonal();
+  // A pixel.
   const bool isMuchNearer =
-      distance > muchNearer() * nearest || (!isPlain_ && distance - nearest > nearerSeen);
+      distance > muchNearer() * nearest || (!isPlain_ && distance - nearest > 2 * seen_);
   return isMuchNearer ? std::move(followed_) : std::nullopt;
 }
 
