@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What machines can say about the sources: layout, names, traps, types. What they found good they
-// look at again only when something that they read has changed.
+// What machines can say about the sources in seconds: layout, names, traps, types; what takes them
+// minutes is in lint_cpp. What they found good they look at again only when something that they
+// read has changed.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -9,7 +10,7 @@ import { test } from 'node:test';
 import { ESLint } from 'eslint';
 
 import { Stamp } from '../bindings/build/stamp.js';
-import { clangTidy, complaintsOf, gcc } from './support/cpp_checks.js';
+import { agreeingVersion } from './support/llvm.js';
 import { filesUnder, root } from './support/tree.js';
 
 /** What all that is JavaScript is read with: each tool, and every package it may look into. */
@@ -18,22 +19,6 @@ const packages = ['package.json', 'node_modules/.package-lock.json'];
 /** @param {string} tool @param {readonly string[]} files all that it reads, but for packages */
 const passedWith = (tool, files) =>
   new Stamp(`build/checks/${tool}-${process.version}`, [...packages, ...files]);
-
-/** The versions of LLVM whose tools agree about these sources: those of Debian 12 and 13. */
-const agreeing = ['14', '19'];
-
-/**
- * Other versions have a taste of their own: they are not asked, and that is said.
- * @param {import('node:test').TestContext} t @param {string} tool
- * @returns {string | undefined} which it is, if it is one of them
- */
-function agreeingVersion(t, tool) {
-  const { stdout } = spawnSync(tool, ['--version'], { encoding: 'utf8' });
-  const [, number] = /version (\d+)/.exec(stdout) ?? [];
-  if (agreeing.includes(number)) return stdout.trim();
-  t.skip(`${tool} is ${number} here; the sources are held to ${agreeing.join(' and ')}`);
-  return undefined;
-}
 
 test('C++ is laid out as .clang-format says', (t) => {
   const version = agreeingVersion(t, 'clang-format');
@@ -50,18 +35,6 @@ test('C++ is laid out as .clang-format says', (t) => {
   const wrong = [...complaints].map(([, file, line]) => `${file}:${line}`);
   assert.deepEqual(wrong, []);
   for (const file of files) stamps.get(file).set();
-});
-
-test('C++ passes clang-tidy', async (t) => {
-  if (!agreeingVersion(t, 'clang-tidy')) return;
-  // But for a library's implementation, which is not ours.
-  const files = filesUnder('src', /(?<!tinygltf)\.cpp$/);
-  assert.equal(await complaintsOf(clangTidy, files), '');
-});
-
-test('C++ compiles with g++ without a warning', async () => {
-  // What is built with it: unit tests and fuzzers are clang++'s, which has warned of them by then.
-  assert.equal(await complaintsOf(gcc, filesUnder('src', /\.cpp$/)), '');
 });
 
 test('JavaScript passes eslint', async () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs test files side by side:
-//   node tests/run.js               all of them, but those that could only pass again
-//   node tests/run.js --again       all of them
+//   node tests/run.js               all of them, but those that could only pass again, and lint_cpp
+//   node tests/run.js --again       all of them but lint_cpp
 //   node tests/run.js web gltf      those whose names contain one of the words
 // Node's own runner leaves one core idle, which is half of a machine with two. One file more than
 // there are cores runs at a time, for those of the page often wait. The files that take longest
@@ -18,13 +18,16 @@ import { filesUnder, root } from './support/tree.js';
 /** No file takes half as long, even beside others: what does hangs. In milliseconds. */
 const longestRun = 900_000;
 
+/** Minutes that only who changes the sources need spend: `npm run lint` does. */
+const onlyAsked = ['tests/lint_cpp.test.js'];
+
 /**
  * Those of eight seconds and more; the last to end is one of the short ones. The first that needs
  * the page builds it, while others run that do not.
  */
-const longest = ['lint', 'unit', 'web_trust', 'bundlers', 'faults', 'web_out', 'web_everyone',
-  'web_in', 'web', 'bake', 'queue', 'recipes', 'web_paint', 'web_steer', 'web_see', 'package',
-  'readme', 'rendering'];
+const longest = ['lint_cpp', 'unit', 'lint', 'web_trust', 'bundlers', 'faults', 'web_out',
+  'web_everyone', 'web_in', 'web', 'bake', 'queue', 'recipes', 'web_paint', 'web_steer', 'web_see',
+  'package', 'readme', 'rendering'];
 const rank = (/** @type {string} */ file) => {
   const at = longest.findIndex((name) => file === `tests/${name}.test.js`);
   return at < 0 ? longest.length : at;
@@ -34,7 +37,8 @@ const { values, positionals: words } = parseArgs({
   options: { again: { type: 'boolean' } }, allowPositionals: true,
 });
 const files = filesUnder('tests', /^tests\/\w+\.test\.js$/)
-  .filter((file) => words.length === 0 || words.some((word) => file.includes(word)))
+  .filter((file) => (words.length === 0 ? !onlyAsked.includes(file)
+    : words.some((word) => file.includes(word))))
   .sort((a, b) => rank(a) - rank(b));
 if (files.length === 0) {
   console.error(`No test file has one of these in its name: ${words.join(' ')}`);

@@ -122,7 +122,7 @@ export const needs = [
   { name: 'clang-format', parts: checks, find: program('clang-format'),
     packages: { apt: 'clang-format', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'clang-format', nix: 'clang-tools' } },
-  { name: 'clang-tidy', parts: checks, find: program('clang-tidy'),
+  { name: 'clang-tidy', parts: ['lint'], find: program('clang-tidy'),
     packages: { apt: 'clang-tidy', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'llvm', nix: 'clang-tools' } },
   { name: 'doctest', parts: checks, find: header('doctest/doctest.h'), variable,

@@ -44,9 +44,12 @@ export async function start(system) {
   }
 }
 
-/** `npm test`, to its end. @param {DebianRoot} system @returns how many, and its failures */
-export async function test(system) {
-  const { printed, passed } = await system.run('npm test').then(
+/**
+ * A command that ends with a report of Node's test runner.
+ * @param {DebianRoot} system @param {string} command @returns how many, and its failures
+ */
+export async function test(system, command) {
+  const { printed, passed } = await system.run(command).then(
     (text) => ({ printed: text, passed: true }),
     (error) => ({ printed: String(error.printed ?? error), passed: false }));
   const told = printed.slice(printed.lastIndexOf('failing tests:'));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The README's two commands on fresh Debians, each in a folder of its own, as root:
+// The README's two commands and the linters on fresh Debians, each in a folder of its own, as root:
 //   npm run systems -- trixie bookworm [--commit REV] [--keep]
 // Each suite takes half an hour on two cores, and 6 GB meanwhile; all that is printed is in
 // build/systems/SUITE.log. --keep leaves the system in its folder. Ends with status 1 if a command
@@ -37,10 +37,14 @@ async function tryCommands(system, commit) {
   console.log(`  Node is of ${node}: ${(await system.run('node --version')).trim()}`);
   await timed(`commit ${commit.slice(0, 10)}`, () => system.takeClone(commit));
   await timed('npm start, until the page has answered', () => start(system));
-  const { passed, counts, failures } = await timed('npm test', () => test(system));
-  console.log(`  ${counts}`);
-  for (const line of failures) console.log(`  ${line}`);
-  return passed;
+  let passedAll = true;
+  for (const command of ['npm test', 'npm run lint']) {
+    const { passed, counts, failures } = await timed(command, () => test(system, command));
+    console.log(`  ${counts}`);
+    for (const line of failures) console.log(`  ${line}`);
+    passedAll &&= passed;
+  }
+  return passedAll;
 }
 
 /** The system that runs, for an interrupt to end. @type {DebianRoot | undefined} */
