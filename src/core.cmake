@@ -183,6 +183,7 @@ add_library(small OBJECT
   src/measure/quad_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/check.cpp
+  src/mesh/hubs.cpp
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
   src/mesh/orientation.cpp

@@ -4,6 +4,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { remesh } from 'remesher';
+
 import { makeCase } from './fuzz/cases.js';
 import { makeRepairCase, runRepairCase } from './fuzz/repair_case.js';
 import { runCase } from './fuzz/run_case.js';
@@ -48,6 +50,22 @@ test('a broken law is noticed', async () => {
   const words = new TextEncoder().encode('v 0 nan 0\n');
   assert.match((await lawsOfFiles(good, { name: 'a.obj', bytes: words }))[0], /not finite/);
   assert.match((await lawsOfFiles(good, bad))[0], /ACCESSOR_JOINTS_INDEX_OOB/);
+});
+
+test('a star of 20,000 triangles around one vertex is as good as any surface', async () => {
+  const count = 20_000;
+  const turn = (i) => (2 * Math.PI * i) / count;
+  const positions = Float64Array.from([0, 0, 0, ...Array.from({ length: count }, (_, i) =>
+    [Math.cos(turn(i)), Math.sin(turn(i)), 0]).flat()]);
+  const indices = Uint32Array.from(Array.from({ length: count }, (_, i) =>
+    [0, i + 1, (i + 1) % count + 1]).flat());
+  for (const vertices of [count + 1, 1000]) {
+    const options = { vertices, scheme: 'rounds' };
+    const { mesh, report } = await remesh({ positions, indices }, options);
+    assert.deepEqual(lawsOfReports(report, options), []);
+    assert.deepEqual(lawsOfMeshes(mesh), []);
+    assert.equal(report.output.vertices, vertices);
+  }
 });
 
 const [first, last] = [179, 239];

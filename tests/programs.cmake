@@ -49,6 +49,7 @@ add_executable(unit_tests
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
+  tests/unit/mesh/hubs_test.cpp
   tests/unit/mesh/joining_test.cpp
   tests/unit/mesh/joints_test.cpp
   tests/unit/mesh/manifold_cut_test.cpp
