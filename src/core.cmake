@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The core, in lots: what takes the time of a run; what is hardly slower, but smaller, with less
 # inlining; what is done once (planning, writing, reading what describes a model), where size
-# matters more than speed; and the doors to repair and quads, which the engine for arrays lacks.
+# matters more than speed; and the doors to repair, quads and whole steps, which the engine for
+# arrays lacks.
 add_library(fast OBJECT
   src/geometry/polar_map.cpp
   src/geometry/triangle.cpp
@@ -243,6 +244,7 @@ add_library(small OBJECT
 )
 add_library(doors OBJECT
   src/jobs/part_repair.cpp
+  src/jobs/whole_steps.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/uncrossed.cpp
 )

@@ -89,6 +89,7 @@ const found = [
   826166, // values that are no numbers, of a mesh that is not touched
   605896, // a ring lost to rounding, samples of which were near no triangle
   1314146, // a spike so long that a vertex on its way there made steps without end
+  3001982, // coordinates of whole steps, judged before they were rounded to them
   1960143, // the tip of a triangle that goes into its only neighbour, within a bound
 ];
 

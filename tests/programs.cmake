@@ -39,6 +39,7 @@ add_executable(unit_tests
   tests/unit/jobs/part_unions_test.cpp
   tests/unit/jobs/precision_test.cpp
   tests/unit/jobs/result_check_test.cpp
+  tests/unit/jobs/whole_steps_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
