@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What stands in the engine for arrays where repair and quads are in the whole one. Whoever calls a
-// module by way of the package gets the engine that the job needs.
+// What stands in the engine for arrays where repair, quads and whole steps, which only files have,
+// are in the whole one. Whoever calls a module by way of the package gets the engine that the job
+// needs.
 #include "base/error.h"
 #include "jobs/part_repair.h"
+#include "jobs/whole_steps.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/uncrossed.h"
 
@@ -24,5 +26,7 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 
 Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }
+
+std::optional<std::vector<Vec3>> inWholeSteps(const TriangleMesh&, const WholeSteps&) { return {}; }
 
 }  // namespace remesher

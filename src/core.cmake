@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The core, in lots: what takes the time of a run; what is hardly slower, but smaller, with less
 # inlining; what is done once (planning, writing, reading what describes a model), where size
-# matters more than speed; and the doors to repair and quads, which the engine for arrays lacks.
+# matters more than speed; and the doors to repair, quads and whole steps, which the engine for
+# arrays lacks.
 add_library(fast OBJECT
   src/geometry/polar_map.cpp
   src/geometry/triangle.cpp
@@ -184,6 +185,7 @@ add_library(small OBJECT
   src/measure/quad_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/check.cpp
+  src/mesh/hubs.cpp
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
   src/mesh/orientation.cpp
@@ -243,6 +245,7 @@ add_library(small OBJECT
 )
 add_library(doors OBJECT
   src/jobs/part_repair.cpp
+  src/jobs/whole_steps.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/uncrossed.cpp
 )

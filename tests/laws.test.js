@@ -4,6 +4,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { remesh } from 'remesher';
+
 import { makeCase } from './fuzz/cases.js';
 import { makeRepairCase, runRepairCase } from './fuzz/repair_case.js';
 import { runCase } from './fuzz/run_case.js';
@@ -50,6 +52,22 @@ test('a broken law is noticed', async () => {
   assert.match((await lawsOfFiles(good, bad))[0], /ACCESSOR_JOINTS_INDEX_OOB/);
 });
 
+test('a star of 20,000 triangles around one vertex is as good as any surface', async () => {
+  const count = 20_000;
+  const turn = (i) => (2 * Math.PI * i) / count;
+  const positions = Float64Array.from([0, 0, 0, ...Array.from({ length: count }, (_, i) =>
+    [Math.cos(turn(i)), Math.sin(turn(i)), 0]).flat()]);
+  const indices = Uint32Array.from(Array.from({ length: count }, (_, i) =>
+    [0, i + 1, (i + 1) % count + 1]).flat());
+  for (const vertices of [count + 1, 1000]) {
+    const options = { vertices, scheme: 'rounds' };
+    const { mesh, report } = await remesh({ positions, indices }, options);
+    assert.deepEqual(lawsOfReports(report, options), []);
+    assert.deepEqual(lawsOfMeshes(mesh), []);
+    assert.equal(report.output.vertices, vertices);
+  }
+});
+
 const [first, last] = [179, 239];
 
 /** Cases that broke a law once, one of each kind. */
@@ -71,6 +89,7 @@ const found = [
   826166, // values that are no numbers, of a mesh that is not touched
   605896, // a ring lost to rounding, samples of which were near no triangle
   1314146, // a spike so long that a vertex on its way there made steps without end
+  3001982, // coordinates of whole steps, judged before they were rounded to them
   1960143, // the tip of a triangle that goes into its only neighbour, within a bound
 ];
 

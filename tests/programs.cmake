@@ -39,6 +39,7 @@ add_executable(unit_tests
   tests/unit/jobs/part_unions_test.cpp
   tests/unit/jobs/precision_test.cpp
   tests/unit/jobs/result_check_test.cpp
+  tests/unit/jobs/whole_steps_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
@@ -49,6 +50,7 @@ add_executable(unit_tests
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp
+  tests/unit/mesh/hubs_test.cpp
   tests/unit/mesh/joining_test.cpp
   tests/unit/mesh/joints_test.cpp
   tests/unit/mesh/manifold_cut_test.cpp

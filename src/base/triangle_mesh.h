@@ -4,6 +4,7 @@
 // builder welds them by position and remembers which corner of which triangle used which.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,14 @@ struct Attribute {
   std::vector<float> values;
 };
 
+// The whole numbers as which a file holds coordinates: how many steps of them make one, and how far
+// they reach.
+struct WholeSteps {
+  double perUnit = 1, lowest = 0, highest = 0;
+
+  bool operator==(const WholeSteps&) const = default;
+};
+
 struct TriangleMesh {
   std::vector<Vec3> positions;
   std::vector<Index> indices;  // three per triangle, counterclockwise seen from outside
@@ -27,6 +36,7 @@ struct TriangleMesh {
   std::vector<Attribute> attributes;
   bool isSingle = false;  // the coordinates are of single precision, and will be when written
   double scale = 1;       // of the coordinates, over those that are written
+  std::optional<WholeSteps> steps = {};  // in which the coordinates were given
   // Triangles 2i and 2i + 1 are a quad each, cut from its first corner: (a, b, c) and (a, c, d).
   bool isQuads = false;
 

@@ -43,6 +43,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     progress.at(total > 0 ? done / total : 0);
     const std::size_t triangles = part.mesh.triangleCount();
     RepairedMesh repaired = repairSurface(part.mesh, options);
+    repaired.mesh.steps = part.mesh.steps;
     part.mesh = std::move(repaired.mesh);
     add(result.report, repaired.report);
     result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;

@@ -85,6 +85,7 @@ std::vector<io::Part> PartScale::applied(std::vector<io::Part> parts) const {
     scale(parts[i].mesh.positions, local_[i]);
     // Only small numbers have fewer digits.
     parts[i].mesh.scale = std::max(local_[i], 1.0);
+    if (parts[i].mesh.steps) parts[i].mesh.steps->perUnit /= local_[i];
     if (parts[i].instances.empty()) parts[i].instances.push_back(Transform::Identity());
     for (Transform& place : parts[i].instances) place.prescale(world_).scale(1 / local_[i]);
   }
@@ -101,6 +102,7 @@ std::vector<io::Part> PartScale::undone(std::vector<io::Part> parts,
   for (std::size_t i = 0; i < parts.size(); ++i) {
     scale(parts[i].mesh.positions, 1 / local_[i]);
     parts[i].mesh.scale = 1;
+    parts[i].mesh.steps = originals[i].mesh.steps;
     parts[i].instances = originals[i].instances;
   }
   return parts;

@@ -4,15 +4,20 @@
 #include <utility>
 
 #include "base/place.h"
+#include "jobs/whole_steps.h"
 #include "mesh/joining.h"
 
 namespace remesher {
 
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   const std::size_t places = countPlaces(result.positions);
+  if (original.steps)
+    if (std::optional<std::vector<Vec3>> whole = inWholeSteps(result, *original.steps))
+      result.positions = std::move(*whole);
   if (original.isSingle)
     for (Vec3& p : result.positions) p = inSingle(p, original.scale);
   result.isSingle = original.isSingle;
+  result.steps = original.steps;
   joinNoise(result);
   const std::size_t left = countPlaces(result.positions);
   return {std::move(result), places - left};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Coordinates that were given in single precision come back in it, and what is noise around zero to
-// whoever reads the result is noise here: what is reported of it is what its file or its arrays
-// hold.
+// Coordinates that were given in single precision, or in whole steps, come back in them, and what
+// is noise around zero to whoever reads the result is noise here: what is reported of it is what
+// its file or its arrays hold.
 #pragma once
 
 #include <cstddef>

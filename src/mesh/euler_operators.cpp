@@ -113,7 +113,8 @@ bool EulerOperators::canCollapse(const HalfedgeMesh& mesh, Halfedge h) {
     const Halfedge side = i == 0 ? h : mesh.twin(h);
     if (!side) continue;
     thirds[i] = mesh.opposite(side);
-    if (mesh.valence(thirds[i]) <= (mesh.isBoundary(thirds[i]) ? 2 : 3)) return false;
+    const int fewest = mesh.isBoundary(thirds[i]) ? 2 : 3;
+    if (!mesh.hasMoreNeighbors(thirds[i], fewest)) return false;
   }
   if (thirds[0] == thirds[1]) return false;
   // Every edge of a vertex inside leaves it.

@@ -56,6 +56,16 @@ int HalfedgeMesh::valence(Vertex v) const {
   return n;
 }
 
+bool HalfedgeMesh::hasMoreNeighbors(Vertex v, int than) const {
+  const Halfedge first = outgoing(v);
+  Halfedge h = first;
+  for (int seen = isBoundary(v) ? 2 : 1; seen <= than; ++seen) {
+    h = twin(prev(h));
+    if (!h || h == first) return false;
+  }
+  return true;
+}
+
 Halfedge HalfedgeMesh::find(Vertex from, Vertex to) const {
   const Halfedge first = outgoing(from);
   if (tip(first) == to) return first;

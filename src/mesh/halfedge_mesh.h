@@ -93,7 +93,9 @@ class HalfedgeMesh {
     }
   }
 
-  int valence(Vertex v) const;                  // number of neighbours
+  int valence(Vertex v) const;  // number of neighbours
+  // Whether the valence is more than that, 2 at least, without counting on.
+  bool hasMoreNeighbors(Vertex v, int than) const;
   Halfedge find(Vertex from, Vertex to) const;  // the halfedge from → to, or none
   bool adjacent(Vertex a, Vertex b) const { return find(a, b) || find(b, a); }
 

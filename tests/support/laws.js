@@ -200,10 +200,9 @@ export async function lawsOfFiles(before, after) {
   return [...worse, ...lawsOfColors(after), ...lawsOfReferences(openGltf(after).tree)];
 }
 
-/** Those of needles hang on the last digit that is written. @param {any} found @param {any} said */
+/** @param {any} found @param {any} said */
 function lawsOfAngles(found, said) {
-  const tolerance = said.worst < 1 ? 0.1 : 0.01;
-  return Math.abs(found.mean - said.mean) < tolerance ? []
+  return Math.abs(found.mean - said.mean) < 0.01 ? []
     : [`the file's mean angle is ${found.mean}°, not ${said.mean}°`];
 }
 

@@ -201,6 +201,20 @@ double largestInteger(int componentType) {
   return largest;
 }
 
+std::optional<WholeSteps> wholeStepsOf(const Encoding& encoding) {
+  std::optional<WholeSteps> steps;
+  withComponentType(encoding.componentType, [&]<class Component>(Component) {
+    using Limits = std::numeric_limits<Component>;
+    if constexpr (std::is_integral_v<Component>) {
+      const auto highest = static_cast<double>(Limits::max());
+      const bool isBelowRange = encoding.normalized && Limits::is_signed;
+      steps = {encoding.normalized ? highest : 1,
+               isBelowRange ? -highest : static_cast<double>(Limits::lowest()), highest};
+    }
+  });
+  return steps;
+}
+
 std::size_t componentSize(int componentType) {
   switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:

@@ -4,8 +4,10 @@
 // Each function throws PARSE_ERROR naming the accessor if it promises what is not there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "base/triangle_mesh.h"
 #include "base/types.h"
 #include "io/gltf/gltf_document.h"
 
@@ -23,6 +25,9 @@ struct Encoding {
 // The largest value of an integer type: what 1 becomes when normalised. 0 for floats.
 double largestInteger(int componentType);
 std::size_t componentSize(int componentType);
+
+// None for floats. A normalised integer is never less than minus its largest.
+std::optional<WholeSteps> wholeStepsOf(const Encoding& encoding);
 
 std::size_t accessorCount(const GltfDocument& document, int accessor);
 Encoding accessorEncoding(const GltfDocument& document, int accessor);

@@ -2,16 +2,12 @@
 #include "io/gltf/gltf_encoder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 namespace remesher::io {
 namespace {
-
-// An edge of this many integer steps is bent by rounding its ends by less than a degree.
-constexpr double kShortestEdgeInSteps = 64;
 
 template <class Component>
 Component rounded(float value, bool isNormalized) {
@@ -45,24 +41,6 @@ EncodedAccessor encodeAs(const Table& table, const Encoding& encoding) {
     }
   }
   return result;
-}
-
-using Place = std::array<double, 3>;
-
-std::size_t countPlaces(std::vector<Place> places) {
-  std::sort(places.begin(), places.end());
-  return std::size_t(std::unique(places.begin(), places.end()) - places.begin());
-}
-
-// Whether vertices that lie apart still do as whole steps.
-bool staysApart(const std::vector<Vec3>& positions, double scale) {
-  std::vector<Place> places, steps;
-  for (const Vec3& p : positions) {
-    places.push_back({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});
-    steps.push_back({std::round(p.x() * scale) + 0.0, std::round(p.y() * scale) + 0.0,
-                     std::round(p.z() * scale) + 0.0});
-  }
-  return countPlaces(std::move(steps)) == countPlaces(std::move(places));
 }
 
 template <class Component>
@@ -155,23 +133,15 @@ void normalizeWeights(std::span<Table> sets, int componentType) {
   }
 }
 
-bool canRoundPositions(const TriangleMesh& mesh, const Encoding& encoding) {
-  const double largest = largestInteger(encoding.componentType);
-  if (largest == 0) return true;
-  const bool isSigned = encoding.componentType == TINYGLTF_COMPONENT_TYPE_BYTE ||
-                        encoding.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
-  const double scale = encoding.normalized ? largest : 1;
-  for (const Vec3& position : mesh.positions) {
-    const Vec3 steps = position * scale;
-    if (steps.maxCoeff() > largest + 0.5 || steps.minCoeff() < (isSigned ? -largest - 0.5 : -0.5))
-      return false;
-  }
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-    const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
-    const Vec3 edge = mesh.positions[mesh.indices[next]] - mesh.positions[mesh.indices[i]];
-    if (edge.norm() * scale < kShortestEdgeInSteps) return false;
-  }
-  return staysApart(mesh.positions, scale);
+bool holdsExactly(const Table& table, const Encoding& encoding) {
+  const auto steps = wholeStepsOf(encoding);
+  if (!steps) return true;
+  const auto perUnit = static_cast<float>(steps->perUnit);
+  return std::all_of(table.values.begin(), table.values.end(), [&](float value) {
+    const double whole = std::round(double{value} * steps->perUnit);
+    return whole >= steps->lowest && whole <= steps->highest &&
+           static_cast<float>(whole) / perUnit == value;
+  });
 }
 
 }  // namespace remesher::io

@@ -43,8 +43,7 @@ void makeUnitLength(Table& table);
 // one; where all are zero, as they may not be, the first becomes one.
 void normalizeWeights(std::span<Table> sets, int componentType);
 
-// Whether positions can go back to integers: not where rounding would move vertices by more than a
-// small part of an edge, nor where they leave the range.
-bool canRoundPositions(const TriangleMesh& mesh, const Encoding& encoding);
+// Whether the numbers are read as they are when they have been written so.
+bool holdsExactly(const Table& table, const Encoding& encoding);
 
 }  // namespace remesher::io

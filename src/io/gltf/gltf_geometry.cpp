@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -77,6 +78,18 @@ std::size_t jointCount(const tinygltf::Model& model, int mesh) {
         static_cast<std::size_t>(node.skin) < model.skins.size())
       count = std::min(count, model.skins[node.skin].joints.size());
   return count;
+}
+
+// The whole steps in which all pools have their positions, if they do.
+std::optional<WholeSteps> stepsOf(const GltfDocument& document,
+                                  const std::vector<VertexPool>& pools) {
+  std::optional<WholeSteps> common;
+  for (const VertexPool& pool : pools) {
+    const auto own = wholeStepsOf(accessorEncoding(document, pool.accessors.at("POSITION")));
+    if (!own || (common && *common != *own)) return {};
+    common = own;
+  }
+  return common;
 }
 
 class GeometryReader {
@@ -306,6 +319,7 @@ TriangleMesh GeometryReader::read() {
   for (const auto& [primitive, pool] : primitives)
     readTriangles(primitive, static_cast<Index>(firstVertices[pool]),
                   firstVertices[pool + 1] - firstVertices[pool]);
+  result_.steps = stepsOf(document_, pools);
   result_.isQuads = areQuads();
   layOutAttributes(pools);
   for (std::size_t i = 0; i < pools.size(); ++i)

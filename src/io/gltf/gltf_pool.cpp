@@ -99,13 +99,13 @@ float single(double coordinate) {
 }
 
 void PoolEncoder::encodePositions() {
-  Encoding encoding = encodingOf("POSITION", 3);
-  if (!canRoundPositions(mesh_, encoding)) encoding = {TINYGLTF_COMPONENT_TYPE_FLOAT, false, 3};
   Table table{3, {}};
   table.values.reserve(3 * vertices_.size());
   for (const Index vertex : vertices_)
     for (const double coordinate : mesh_.positions[vertex])
       table.values.push_back(single(coordinate));
+  Encoding encoding = encodingOf("POSITION", 3);
+  if (!holdsExactly(table, encoding)) encoding = {TINYGLTF_COMPONENT_TYPE_FLOAT, false, 3};
   add("POSITION", table, encoding);
 }
 

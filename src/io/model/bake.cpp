@@ -69,6 +69,7 @@ void makeBodies(Model& model) {
       const Transform& instance = part.instances[i];
       if (!showsAreas(instance)) continue;
       bodies.push_back({part.name, part.mesh, {Transform::Identity()}, part.groups});
+      bodies.back().mesh.steps.reset();
       if (isWhereItIs(instance)) continue;
       transformMesh(bodies.back().mesh, instance);
       bodies.back().mesh.isSingle = false;

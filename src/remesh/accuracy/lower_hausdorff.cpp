@@ -120,9 +120,10 @@ class Descent {
     return distances_.of(f) > share * run_.sizes.at(run_.mesh.at(v));
   }
 
-  // Boundaries are near enough already: see followBoundaries.
+  // Boundaries are near enough already: see followBoundaries. So is a hub, with so many around it.
   bool isFixed(Vertex v) const {
-    return run_.mesh.kind(v) == VertexKind::Corner || mesh_.isBoundary(v);
+    return run_.mesh.kind(v) == VertexKind::Corner || mesh_.isBoundary(v) ||
+           distances_.hubs().contains(v);
   }
 
   // Outlines show: a curve always has its way.

@@ -11,6 +11,7 @@
 #include "geometry/extremes.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
+#include "mesh/hubs.h"
 #include "original/surface/surface_walk.h"
 
 namespace remesher {
@@ -64,7 +65,7 @@ class Posts {
 };
 
 // For each post a vertex of the mesh that lies near it along the surface: those on its own faces
-// first, then what its neighbours have.
+// first, then what its neighbours have; what only a hub is a neighbour of comes last.
 class NearbyVertices {
  public:
   NearbyVertices(const WorkingMesh& mesh, const Posts& posts)
@@ -91,14 +92,25 @@ class NearbyVertices {
     }
   }
 
+  void spreadFrom(Vertex from) {
+    posts_.mesh().forEachNeighbor(from, [&](Vertex v) {
+      if (near_[v]) return;
+      near_[v] = near_[from];
+      reached_.push_back(v);
+    });
+  }
+
   void spread() {
-    for (std::size_t head = 0; head < reached_.size(); ++head) {
-      const Vertex from = reached_[head];
-      posts_.mesh().forEachNeighbor(from, [&](Vertex v) {
-        if (near_[v]) return;
-        near_[v] = near_[from];
-        reached_.push_back(v);
-      });
+    const Hubs hubs(posts_.mesh());
+    std::vector<Vertex> waiting;
+    for (std::size_t head = 0; head < reached_.size() || !waiting.empty();) {
+      const bool isLast = head == reached_.size();
+      const Vertex from = isLast ? waiting.back() : reached_[head++];
+      if (isLast) waiting.pop_back();
+      if (!isLast && hubs.contains(from))
+        waiting.push_back(from);
+      else
+        spreadFrom(from);
     }
   }
 
@@ -114,6 +126,7 @@ class Survey {
         enough_(enough),
         surely_(surely),
         mesh_(run.mesh),
+        hubs_(run.mesh.mesh()),
         posts_(run),
         nearby_(run.mesh, posts_),
         near_(posts_.mesh().vertexCapacity(), 0) {}
@@ -161,20 +174,23 @@ class Survey {
     return areaVector(p[a], p[b], p[c]).dot(areaVector(t[0], t[1], t[2])) < 0;
   }
 
-  // Walks again from all around where the last one ended. From one start they all end alike.
+  // Walks again from all around where the last one ended, but for hubs. From one start they all end
+  // alike.
   void retry(Place& place, double size) {
     const HalfedgeMesh& mesh = mesh_.mesh();
     starts_.clear();
     for (int i = 0; i < kRetries; ++i) {
       if (!isDoubtful(place, size)) return;
       bool improved = false;
-      for (const Vertex v : mesh.vertices(place.nearest))
+      for (const Vertex v : mesh.vertices(place.nearest)) {
+        if (hubs_.contains(v)) continue;
         mesh.forEachNeighbor(v, [&](Vertex w) {
           const Face start = faceAt(w);
           if (std::find(starts_.begin(), starts_.end(), start) != starts_.end()) return;
           starts_.push_back(start);
           improved = improve(mesh_, place, {start, enough_ * size}) || improved;
         });
+      }
       if (!improved) return;
     }
   }
@@ -254,11 +270,19 @@ class Survey {
       if (grids[Face(i)].hasPlaces()) addOver(Face(i), grids);
   }
 
+  // Where walks over a triangle of the original begin: from a hub they would look at all around it.
+  Face startFor(Face f) const {
+    const auto corners = mesh_.surface().mesh().vertices(f);
+    for (const Vertex v : corners)
+      if (const Vertex w = nearby_[posts_.near(v)]; w && !hubs_.contains(w)) return faceAt(w);
+    return faceAt(nearby_[posts_.near(corners[0])]);
+  }
+
   // A side that two triangles share is looked at once.
   void addOver(Face f, const Grids& grids) {
     const HalfedgeMesh& original = mesh_.surface().mesh();
     const auto& [longest, along, rows] = grids[f];
-    Face start = faceAt(nearby_[posts_.near(original.vertices(f)[0])]);
+    Face start = startFor(f);
     for (int i = 0; i < 3; ++i) {
       const Halfedge twin = original.twin(HalfedgeMesh::halfedge(f, i));
       if (twin && HalfedgeMesh::face(twin) < f && grids[HalfedgeMesh::face(twin)].hasPlaces())
@@ -292,6 +316,7 @@ class Survey {
   const Run& run_;
   const double enough_, surely_;
   const WorkingMesh& mesh_;
+  const Hubs hubs_;
   const Posts posts_;
   const NearbyVertices nearby_;
   // For the few places that no walk finds the nearest triangle for: those inside triangles of the

@@ -29,6 +29,7 @@ constexpr double kDecides = 0.4;
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
+      hubs_(run.mesh.mesh()),
       doubtful_(kMayBeLocal * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
       places_(measurePlaces(run, kBesideIt, kBesideIt)),
@@ -47,10 +48,14 @@ SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
   return wouldMove ? to_.at : mesh_.cornerPoint(corner);
 }
 
-// The corner of f that is nearest to a sample, as the place of a walk's start.
+// The corner of f that is nearest to a sample, as the place of a walk's start; a hub only where all
+// are.
 SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
   const Triangle corners = mesh_.corners(f);
-  const auto distance2 = [&](int i) { return (corners[i] - sample).squaredNorm(); };
+  const auto vertices = mesh_.mesh().vertices(f);
+  const auto distance2 = [&](int i) {
+    return hubs_.contains(vertices[i]) ? kFarOff : (corners[i] - sample).squaredNorm();
+  };
   int nearest = 0;
   for (const int i : {1, 2})
     if (distance2(i) < distance2(nearest)) nearest = i;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/hubs.h"
 #include "original/surface/original_tree.h"
 #include "remesh/accuracy/places.h"
 
@@ -35,6 +36,9 @@ class TwoSidedDistance {
   // places there go over to the nearest triangle.
   void update(Vertex v);
   void update(Halfedge h);
+
+  // Vertices that it takes too long to ask about.
+  const Hubs& hubs() const { return hubs_; }
 
   // The triangles of the original looked at because walks to it ended too far off.
   std::size_t looked() const { return looked_; }
@@ -67,6 +71,7 @@ class TwoSidedDistance {
   void measureFaces();
 
   const WorkingMesh& mesh_;
+  const Hubs hubs_;
   const double doubtful_;
   const bool originalIsCoarse_;
   std::vector<Place> places_;

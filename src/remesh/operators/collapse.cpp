@@ -21,11 +21,13 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
 }
 
 // A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed
-// into one hub, each next look would cost thousands.
+// into one hub, each next look would cost thousands. Where one of the two has four, the other gets
+// no more than it has.
 bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
   constexpr int kMostNeighbors = 128;
-  const int from = m.valence(a), into = m.valence(b), after = from + into - 4;
-  return after > kMostNeighbors && after > std::max(from, into);
+  if (!m.hasMoreNeighbors(a, 4) || !m.hasMoreNeighbors(b, 4)) return false;
+  return m.hasMoreNeighbors(a, kMostNeighbors) || m.hasMoreNeighbors(b, kMostNeighbors) ||
+         m.valence(a) + m.valence(b) - 4 > kMostNeighbors;
 }
 
 bool isLegal(const WorkingMesh& mesh, Halfedge h) {

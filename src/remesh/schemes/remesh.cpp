@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "mesh/hubs.h"
 #include "original/surface/original_tree.h"
 #include "remesh/accuracy/bound_error.h"
 #include "remesh/accuracy/poor_regions.h"
@@ -112,23 +113,15 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   return {bodies.countPlaces(run.mesh) == vertices, coincident};
 }
 
-std::size_t largestStar(const HalfedgeMesh& mesh) {
-  std::vector<std::size_t> spokes(mesh.vertexCapacity(), 0);
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
-    if (mesh.isAlive(Halfedge(i))) ++spokes[mesh.origin(Halfedge(i)).index];
-  return *std::max_element(spokes.begin(), spokes.end());
-}
-
 // Of many vertices each walks: over short edges the straight way leads to where patches do. So it
-// does in a star so large that patches, which hold whole stars, would each hold all of it: of
-// 20,000 triangles together 400 million.
+// does around a hub, for patches, which hold whole stars, would each hold all of its triangles: of
+// 20,000 together 400 million.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
-  constexpr std::size_t kManySpokes = 1000;
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
-  const bool isStar = options.projection == Projection::Patches &&
-                      largestStar(original.ground().mesh()) >= kManySpokes;
-  if (walks || isStar) return Projector(original.ground());
+  const bool hasHubs =
+      options.projection == Projection::Patches && !Hubs(original.ground().mesh()).empty();
+  if (walks || hasHubs) return Projector(original.ground());
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 

@@ -8,6 +8,7 @@
 
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
+#include "mesh/hubs.h"
 #include "remesh/gate/angles.h"
 #include "remesh/operators/shift.h"
 #include "remesh/steps/adapt.h"
@@ -169,11 +170,13 @@ void offerLifts(Run& run, Vertex v, Best& best) {
     }
 }
 
-void offerCollapses(Run& run, Face f, Best& best) {
+void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
+  const HalfedgeMesh& mesh = run.mesh.mesh();
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
     if (relativeLength(run, h) > kCollapseBelow) continue;
-    for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
+    if (hubs.contains(mesh.origin(h)) || hubs.contains(mesh.tip(h))) continue;
+    for (const Halfedge direction : {h, mesh.twin(h)})
       if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
         best.offer(run);
   }
@@ -214,16 +217,19 @@ class InVain {
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 struct Attempt {
+  // No place gives a hub's triangles angles, and each that is tried costs a look at all of them.
+  const Hubs& hubs;
   Means means;
   double shift;    // see PolishGoal
   InVain& inVain;  // of the same means
 };
 
-// What an attempt to mend f costs, about.
-std::size_t workOf(const Run& run, Face f) {
+// What an attempt to mend f costs, about; beside a hub still much, for it is a neighbour.
+std::size_t workOf(const Run& run, Face f, const Hubs& hubs) {
   std::size_t work = 0;
   for (const Vertex v : run.mesh.mesh().vertices(f))
-    work += kPlacesTried * std::size_t(run.mesh.mesh().valence(v));
+    work += kPlacesTried *
+            (hubs.contains(v) ? Hubs::kFewestSpokes : std::size_t(run.mesh.mesh().valence(v)));
   return work;
 }
 
@@ -240,7 +246,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   for (const Vertex v : corners) {
     const double before = best.gain;
-    if (attempt.inVain.knows(v, before)) continue;
+    if (attempt.hubs.contains(v) || attempt.inVain.knows(v, before)) continue;
     offerMove(run, v, ground, best);
     if (best.gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
   }
@@ -248,9 +254,10 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   // says how far off it a vertex already is.
   const bool mayLift =
       means == Means::LeaveSurface && !isBesideCurve && run.projector.mode() == Projection::Patches;
-  for (int i = 0; mayLift && i < 3; ++i) offerLifts(run, corners[i], best);
+  for (const Vertex v : corners)
+    if (mayLift && !attempt.hubs.contains(v)) offerLifts(run, v, best);
   if (means == Means::ChangeCount) {
-    offerCollapses(run, f, best);
+    offerCollapses(run, f, attempt.hubs, best);
     offerSplits(run, f, best);
   }
   if (best.gain <= 0) return false;
@@ -319,10 +326,11 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = run.effort.polishRounds;
   double before = std::numeric_limits<double>::infinity();
+  const Hubs hubs(run.mesh.mesh());
   std::size_t work = mostWork(run);
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
-    const std::size_t own = isFull ? work + 1 : workOf(run, f);
+    const std::size_t own = isFull ? work + 1 : workOf(run, f, hubs);
     if (own > work || areProofsSpent(run)) return false;
     work -= own;
     return true;
@@ -337,7 +345,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     if ((round + 1) % run.effort.polishPatience == 0) before = double(bad.size());
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;
-    const Attempt attempt{meansOf(round, rounds), goal.shift, inVain};
+    const Attempt attempt{hubs, meansOf(round, rounds), goal.shift, inVain};
     const int tries = triesOf(run, attempt.means);
     for (const Face f : bad)
       for (int i = 0; i < tries && isBad(run, f, limit) && mayTry(f); ++i) {

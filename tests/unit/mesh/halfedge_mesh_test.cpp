@@ -77,6 +77,8 @@ TEST_CASE("halfedge_mesh: a turn around a vertex meets each face and each neighb
       });
       CHECK(int(distinct.size()) == mesh.valence(v));
       CHECK(mesh.valence(v) == leaving + mesh.isBoundary(v));
+      for (int than = 2; than < 12; ++than)
+        CHECK(mesh.hasMoreNeighbors(v, than) == (mesh.valence(v) > than));
       faces += std::size_t(leaving);
       neighbors += distinct.size();
     }

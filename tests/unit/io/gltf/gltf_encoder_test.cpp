@@ -63,20 +63,17 @@ TEST_CASE("gltf_encoder: weights of all sets together sum to exactly one") {
   CHECK(sum == 255);
 }
 
-TEST_CASE("gltf_encoder: what lies apart does not fall together as integers") {
-  TriangleMesh mesh;
-  const auto addSheet = [&](double z) {
-    for (const Vec3& p : {Vec3(0, 0, z), Vec3(1000, 0, z), Vec3(0, 1000, z)}) {
-      mesh.indices.push_back(Index(mesh.positions.size()));
-      mesh.positions.push_back(p);
-    }
-  };
-  const Encoding steps{TINYGLTF_COMPONENT_TYPE_SHORT, false, 3};
-  addSheet(0);
-  addSheet(1);
-  CHECK(canRoundPositions(mesh, steps));
-  addSheet(0);  // copies are no others
-  CHECK(canRoundPositions(mesh, steps));
-  addSheet(0.4);
-  CHECK(!canRoundPositions(mesh, steps));
+TEST_CASE("gltf_encoder: what integers hold exactly is known") {
+  const Encoding fractions{TINYGLTF_COMPONENT_TYPE_SHORT, true, 3};
+  const Encoding steps{TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, false, 3};
+  Table table{3, {}};
+  for (int i = -32767; i <= 32767; ++i) table.values.push_back(static_cast<float>(i) / 32767.0F);
+  CHECK(holdsExactly(table, fractions));
+  CHECK(holdsExactly(table, {TINYGLTF_COMPONENT_TYPE_FLOAT, false, 3}));
+  CHECK(!holdsExactly(table, steps));
+  CHECK(!holdsExactly({3, {0.5F, 0, 0}}, fractions));
+  CHECK(!holdsExactly({3, {1.5F, 0, 0}}, fractions));
+  CHECK(holdsExactly({3, {0, 7, 65535}}, steps));
+  CHECK(!holdsExactly({3, {0, 7, 65536}}, steps));
+  CHECK(!holdsExactly({3, {0, -1, 7}}, steps));
 }

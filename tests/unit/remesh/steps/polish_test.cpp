@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "mesh/hubs.h"
+#include "support/hostile_shapes.h"
 #include "support/runs.h"
 #include "support/soups.h"
 
@@ -81,4 +83,15 @@ TEST_CASE("polish: around a tip that stays vertices leave the surface a little, 
   CHECK(shapes::worstAngle(mesh) >= radians(33));
   CHECK(mesh.mesh().vertexCount() == input.positions.size());
   CHECK(mesh.position(Vertex(kTip)) == input.positions[kTip]);
+}
+
+TEST_CASE("polish: a hub stays, for no place gives its triangles angles") {
+  constexpr Index kHub = 0;
+  TriangleMesh input = shapes::wheel(Hubs::kFewestSpokes);
+  input.positions[kHub].x() = 0.3;
+  shapes::TestRun test(input);
+  test.run.rule = fidelityRule({});
+  polish(test.run, {radians(20)});
+  CHECK(test.mesh.position(Vertex(kHub)) == input.positions[kHub]);
+  CHECK(shapes::checkWorkingMesh(test.mesh) == "");
 }
