@@ -71,6 +71,19 @@ test('exact is exact', async () => {
   }
 });
 
+test('along sharp edges no two vertices come to one place', async () => {
+  // Around the tube its edges bend by 45 degrees: all of them are features.
+  const sharp = torus({ columns: 16, rows: 8 });
+  for (const vertices of [200, 300]) {
+    for (const exact of [false, true]) {
+      const { mesh, report } = await remesh(sharp, { quads: true, vertices, exact });
+      assert.equal(distinctPositions(mesh.positions), mesh.positions.length / 3);
+      assert.deepEqual(report.warnings.filter(({ code }) => code === 'VERTICES_COINCIDE'), []);
+      assert.equal(eulerCharacteristic(mesh), 0);
+    }
+  }
+});
+
 test('OBJ, OFF and PLY have faces of four corners, which go from one to the other', async () => {
   const obj = await remeshFile(bytes, { name: 'a.off', output: 'a.obj', ...asked });
   const faces = facesOf(new TextDecoder().decode(obj.bytes));

@@ -75,6 +75,7 @@ std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& m
   fillHoles(quads, part);
   const bool areCurvesFollowed = followCurves(quads, part);
   removeDoublets(quads);
+  collapseFlatCorners(quads, part);
   if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
   return Extracted{std::move(quads), areCurvesFollowed};
 }

@@ -29,11 +29,21 @@ class QuadCollapses {
   explicit QuadCollapses(const QuadMesh& mesh)
       : mesh_(mesh), sides_(mesh.vertices.size(), mesh.quads) {}
 
-  std::vector<Candidate> candidates() const {
+  std::vector<Candidate> ofQuads() const {
     std::vector<Candidate> found;
     for (Index q = 0; q < mesh_.quads.size(); ++q)
       for (Index corner = 0; corner < 2; ++corner)
         if (const auto candidate = judge(sideOf(q, corner))) found.push_back(*candidate);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // Those that take away a corner of about half a turn, both of whose sides are on curves.
+  std::vector<Candidate> ofFlatCorners() const {
+    std::vector<Candidate> found;
+    for (Index side = 0; side < 4 * mesh_.quads.size(); ++side)
+      if (isFlatCorner(side))
+        if (const auto candidate = judge(side)) found.push_back(*candidate);
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -67,6 +77,12 @@ class QuadCollapses {
   }
 
   bool isCurve(Index side) const { return mesh_.curves[side / 4][side % 4] != kNone; }
+
+  // Of the corner that a side leaves.
+  bool isFlatCorner(Index side) const {
+    return isCurve(side) && isCurve(prevSide(side)) &&
+           mesh_.vertices[sides_.origin(side)].kind == VertexKind::Curve;
+  }
 
   // Whether b may lose a neighbour: it keeps three inside, and a quad on a boundary.
   bool mayLose(Index b) const {
@@ -115,8 +131,11 @@ void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
   curveB = curveA;
 }
 
-// As many as may be done side by side.
-std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t most) {
+using Candidates = std::vector<Candidate> (QuadCollapses::*)() const;
+
+// As many of these as may be done side by side.
+std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates candidates,
+                         std::size_t most) {
   const QuadMesh before = mesh;
   const QuadCollapses collapses(before);
   const QuadSides sides(before.vertices.size(), before.quads);
@@ -124,7 +143,7 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t 
   std::vector<Index> heir(before.vertices.size());
   for (Index v = 0; v < heir.size(); ++v) heir[v] = v;
   std::size_t count = 0;
-  for (const Candidate& candidate : collapses.candidates()) {
+  for (const Candidate& candidate : (collapses.*candidates)()) {
     if (count == most) break;
     const std::vector<Index> reach = collapses.reachOf(candidate.side);
     if (std::any_of(reach.begin(), reach.end(), [&](Index v) { return isTouched[v] != 0; }))
@@ -147,10 +166,16 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, std::size_t 
 
 }  // namespace
 
+void collapseFlatCorners(QuadMesh& mesh, const WorkingMesh& ground) {
+  while (collapseOnce(mesh, ground, &QuadCollapses::ofFlatCorners, mesh.vertices.size()) > 0)
+    ;
+}
+
 std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count) {
   std::size_t all = 0;
   while (mesh.vertices.size() > count) {
-    const std::size_t gone = collapseOnce(mesh, ground, mesh.vertices.size() - count);
+    const std::size_t gone =
+        collapseOnce(mesh, ground, &QuadCollapses::ofQuads, mesh.vertices.size() - count);
     if (gone == 0) break;
     all += gone;
   }

@@ -12,7 +12,8 @@ namespace remesher {
 
 namespace {
 
-// A vertex on a curve stays that share of the way away from its neighbours on it.
+// A vertex on a curve comes no nearer to either of its neighbours on it than that share of the way
+// between them.
 constexpr double kMargin = 0.25;
 
 }  // namespace
@@ -68,9 +69,10 @@ std::optional<Placement> MovingQuads::alongCurve(Index v, const Vec3& p) const {
   if (!(length2 > 0)) return {};
   const double span = arcs[1 - low] - arcs[low];
   const double share = (p - here.position).dot(along) / length2;
+  const double margin = kMargin * span;
   const double arc =
-      std::clamp(here.on.arc + share * span, arcs[low] + kMargin * (here.on.arc - arcs[low]),
-                 arcs[1 - low] - kMargin * (arcs[1 - low] - here.on.arc));
+      std::clamp(here.on.arc + share * span, std::min(here.on.arc, arcs[low] + margin),
+                 std::max(here.on.arc, arcs[1 - low] - margin));
   return ground_.onCurve({here.on.chain, arc});
 }
 

@@ -42,3 +42,20 @@ TEST_CASE("collapse: where nothing may go, nothing goes") {
   CHECK(collapseTo(mesh, ground, 4) == 0);
   CHECK(mesh.vertices.size() == vertices);
 }
+
+TEST_CASE("collapse: corners of half a turn go from curves, and nothing else is lost") {
+  for (const TriangleMesh& shape : {shapes::torus(16, 8), shapes::cylinder(16, 5)}) {
+    const OriginalSurface surface = shapes::surfaceOf(shape);
+    const WorkingMesh ground(surface);
+    const FaceFrames frames(ground);
+    const CrossField field = makeCrossField(ground, frames, 0.5);
+    QuadMesh mesh = splitPairs(ground, pairTriangles(ground, frames, field));
+    const SurfaceKind kind = kindOf(mesh);
+    collapseFlatCorners(mesh, ground);
+    CHECK(check(mesh) == "");
+    CHECK(kindOf(mesh) == kind);
+    const std::size_t vertices = mesh.vertices.size();
+    collapseFlatCorners(mesh, ground);
+    CHECK(mesh.vertices.size() == vertices);
+  }
+}
