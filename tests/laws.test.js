@@ -90,6 +90,7 @@ const found = [
   605896, // a ring lost to rounding, samples of which were near no triangle
   1314146, // a spike so long that a vertex on its way there made steps without end
   3001982, // coordinates of whole steps, judged before they were rounded to them
+  4006967, // a list of the required of which an element is no name
   1960143, // the tip of a triangle that goes into its only neighbour, within a bound
 ];
 

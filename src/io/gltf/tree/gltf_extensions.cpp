@@ -298,9 +298,10 @@ void settleDeclarations(const Json& before, Json& tree) {
   collectNames(tree, is);
   const bool quantizes = needsQuantization(tree), restarts = needsRestart(tree);
   const auto isNeedless = [&](const Json& name) {
+    if (!name.is_string()) return true;
     if (name == kQuantization) return !quantizes;
     if (name == kRestart) return !restarts;
-    return name.is_string() && was.count(name) > is.count(name);
+    return was.count(name) > is.count(name);
   };
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     if (!tree.contains(list) || !tree[list].is_array()) continue;
@@ -312,6 +313,9 @@ void settleDeclarations(const Json& before, Json& tree) {
     else
       tree[list] = std::move(needed);
   }
+  // What is required is used, whatever a broken file says.
+  if (tree.contains("extensionsRequired") && !tree.contains("extensionsUsed"))
+    tree["extensionsUsed"] = tree["extensionsRequired"];
 }
 
 Hidden hiddenIn(std::string_view extension) { return rowOf(extension).hidden; }
