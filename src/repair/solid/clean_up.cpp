@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -336,9 +336,10 @@ void lockAround(std::span<const Index> triangles, const TriangleMesh& mesh, doub
 }  // namespace
 
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
-  constexpr int kTries = 8;  // each locks more points; after the last the contour stays as it was
+  constexpr int kTries = 6;  // each locks more points; after the last the contour stays as it was
   if (contour.corners.empty()) return contour;
-  auto cleaner = std::make_unique<Cleaner>(contour, rule);
+  const Cleaner blank(contour, rule);
+  std::optional<Cleaner> cleaner(blank);
   std::vector<Merger> mergers = cleaner->run();
   Cleaner::Result result = cleaner->take();
   TriangleMesh mesh = meshFrom(result.contour);
@@ -346,7 +347,7 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   std::vector<char> isLocked(contour.points.size(), 0);
   for (int i = 0; i < kTries && !crossed.empty(); ++i) {
     lockAround(crossed, mesh, i * rule.spacing, contour, isLocked);
-    cleaner = std::make_unique<Cleaner>(contour, rule);
+    cleaner.emplace(blank);
     mergers = cleaner->repeat(mergers, isLocked);
     result = cleaner->take();
     mesh = meshFrom(result.contour);
