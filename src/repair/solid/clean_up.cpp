@@ -319,17 +319,20 @@ TriangleMesh meshFrom(const Contour& contour) {
   return mesh;
 }
 
-// The points of the contour in the boxes around triangles of what became of it, with a margin.
-void lockAround(std::span<const Index> triangles, const TriangleMesh& mesh, double margin,
-                const Contour& contour, std::vector<char>& isLocked) {
+std::vector<Index> cornersOf(std::span<const Index> triangles, const TriangleMesh& mesh) {
   std::vector<Index> corners;
   for (const Index t : triangles)
     for (std::size_t k = 0; k < 3; ++k) corners.push_back(mesh.indices[3 * std::size_t{t} + k]);
-  const TriangleTree tree(mesh.positions, corners);
+  return corners;
+}
+
+// The points of the contour in the boxes around triangles, with a margin.
+void lockAround(const TriangleTree& triangles, double margin, const Contour& contour,
+                std::vector<char>& isLocked) {
   const Vec3 around = Vec3::Constant(margin);
   for (std::size_t v = 0; v < contour.points.size(); ++v) {
     const Vec3& p = contour.points[v];
-    tree.visitOverlapping({p - around, p + around}, [&](Index) { isLocked[v] = 1; });
+    triangles.visitOverlapping({p - around, p + around}, [&](Index) { isLocked[v] = 1; });
   }
 }
 
@@ -346,7 +349,8 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   std::vector<Index> crossed = selfIntersections(mesh);
   std::vector<char> isLocked(contour.points.size(), 0);
   for (int i = 0; i < kTries && !crossed.empty(); ++i) {
-    lockAround(crossed, mesh, i * rule.spacing, contour, isLocked);
+    const std::vector<Index> corners = cornersOf(crossed, mesh);
+    lockAround(TriangleTree(mesh.positions, corners), i * rule.spacing, contour, isLocked);
     cleaner.emplace(blank);
     mergers = cleaner->repeat(mergers, isLocked);
     result = cleaner->take();
