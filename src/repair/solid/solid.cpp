@@ -86,6 +86,7 @@ struct SolidGround::Known {
     field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
                                        : insideField(lattice, crossings);
     keepThinWalls(lattice, crossings, field);
+    fillCavities(lattice, field.isInside);  // which walls so thin may have closed
   }
 
   const TriangleMesh& input;
