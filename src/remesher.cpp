@@ -310,7 +310,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   const Progress whole = progress.timedBy(clock);
   const double mended = mendShare(options);
   const Mending mending(parts, options, whole.part(0, mended));
-  std::vector<Run> runs = remeshAll(parts, options, whole.part(mended, 1));
+  std::vector<Run> runs = remeshAll(parts, mending.chosen(options), whole.part(mended, 1));
   mending.note(runs.front().report);
   std::vector<std::vector<TriangleMesh>> levels;
   for (Run& run : runs) {
@@ -348,9 +348,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Progress body = whole.part(mended, 1);
     std::vector<Run> all;
     if (options.textures == Textures::Keep)
-      all = remeshAll(model.parts, options, body);
+      all = remeshAll(model.parts, mending.chosen(options), body);
     else
-      all.push_back(remeshBaked(model, std::move(input.pictures), options, body));
+      all.push_back(remeshBaked(model, std::move(input.pictures), mending.chosen(options), body));
     mending.note(all.front().report);
     return all;
   });

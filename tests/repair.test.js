@@ -8,6 +8,7 @@ import { inspect, remesh, repair, repairFile } from 'remesher';
 
 import { parseCommandLine } from '../dist/cli/cli_arguments.js';
 import { reportInWords } from '../dist/cli/report_in_words.js';
+import * as broken from './support/broken_shapes.js';
 import { rejectsWith } from './support/errors.js';
 import { eulerCharacteristic, offText, sheet, torus } from './support/shapes.js';
 
@@ -83,6 +84,39 @@ test('an open sheet is wrapped, and can be remeshed then', async () => {
   assert.equal(report.repair.mode, 'wrap');
   assert.equal(report.output.vertices, 600);
   assert.equal(report.output.boundaryEdges, 0);
+});
+
+/** What must be so of all that is repaired. */
+async function assertSound(mesh, what) {
+  const { input, faults } = await inspect(mesh, { faults: true });
+  assert.deepEqual([input.boundaryEdges, input.nonManifoldEdges, input.degenerateTriangles,
+    faults.selfIntersections, faults.insideOut], [0, 0, 0, 0, 0], what);
+}
+
+const { askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan, cracked, tJunctions,
+  moebiusStrip, looseTriangles } = broken;
+for (const make of [askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan, cracked,
+  tJunctions, moebiusStrip, looseTriangles]) {
+  test(`${make.name}: repaired, and remeshed from there, it is sound`, async () => {
+    const shape = make();
+    await assertSound((await repair(shape, { repair: 'auto' })).mesh, 'repaired');
+    const { mesh, report } = await remesh(shape, { repair: 'auto', vertices: 2000 });
+    await assertSound(mesh, 'remeshed');
+    assert.equal(report.output.vertices, 2000);
+  });
+}
+
+test('what repair makes gets no curves where its lattice happens to be flat', async () => {
+  const { report } = await remesh(askewBoxes(), { repair: 'auto', vertices: 2000 });
+  assert.equal(report.repair.mode, 'solid');
+  assert.ok(report.output.minAngle.worst > 15, `${report.output.minAngle.worst}`);
+});
+
+test('rooms with walls thinner than the lattice are filled as others are', async () => {
+  for (const vertices of [2000, 20000]) {
+    const { report } = await remesh(thinHouse(), { repair: 'auto', vertices, quality: 'draft' });
+    assert.equal(report.output.components, 1, `${vertices}`);
+  }
 });
 
 test('an inspection tells what is broken, and what would mend it', async () => {

@@ -21,6 +21,12 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
   parts = std::move(repair_->parts);
 }
 
+RemeshOptions Mending::chosen(RemeshOptions options) const {
+  if (options.repair == Repair::Auto && repair_)
+    options.repair = repair_->report.mode == "holes" ? Repair::Holes : Repair::Solid;
+  return options;
+}
+
 void Mending::note(Report& report) const {
   if (!repair_) return;
   report.input = input_;

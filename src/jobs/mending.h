@@ -21,6 +21,9 @@ class Mending {
  public:
   Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress);
 
+  // What is asked for with what was done, where the choice was repair's own.
+  RemeshOptions chosen(RemeshOptions options) const;
+
   // The input is what was given, not what was made of it.
   void note(Report& report) const;
 

@@ -110,8 +110,7 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
 }
 
 // What encloses nothing is wrapped.
-RepairedMesh solidified(const TriangleMesh& input, const RemeshOptions& options) {
-  Solid solid = solidOf(input, ruleFor(input, options, InsideBy::Enclosure));
+RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
   if (solid.mesh.indices.empty()) return wrapped(input, options);
   return asRepaired(std::move(solid), InsideBy::Enclosure);
 }
@@ -138,15 +137,15 @@ bool isClear(const Enclosure& enclosure) {
   return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
 }
 
-Enclosure lookAt(const TriangleMesh& input, const RemeshOptions& options) {
-  return enclosureOf(input, ruleFor(input, options, InsideBy::Enclosure));
-}
-
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
-  const Enclosure enclosure = lookAt(input, options);
+  std::optional<SolidGround> ground(std::in_place, input,
+                                    ruleFor(input, options, InsideBy::Enclosure));
+  const Enclosure enclosure = ground->enclosure();
   if (std::optional<RepairedMesh> closed = withEnough(input, options, enclosure))
     return std::move(*closed);
-  return isClear(enclosure) ? solidified(input, options) : wrapped(input, options);
+  if (isClear(enclosure)) return solidified(ground->solid(), input, options);
+  ground.reset();  // a wrap takes as much memory again
+  return wrapped(input, options);
 }
 
 RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
@@ -154,7 +153,8 @@ RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
     case Repair::Holes:
       return withHolesClosed(input, options);
     case Repair::Solid:
-      return solidified(input, options);
+      return solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)), input,
+                        options);
     case Repair::Wrap:
       return wrapped(input, options);
     default:
@@ -178,7 +178,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
   RemeshOptions coarse;
   coarse.vertices = 1;
-  const Enclosure enclosure = lookAt(input, coarse);
+  const Enclosure enclosure = enclosureOf(input, ruleFor(input, coarse, InsideBy::Enclosure));
   FaultReport faults;
   faults.openLoops = openLoops(input);
   faults.selfIntersections = selfIntersections(input).size();

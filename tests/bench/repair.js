@@ -3,6 +3,8 @@
 import { writeFileSync } from 'node:fs';
 import { repair } from 'remesher';
 
+import { askewBoxes, cracked, doubledScan, looseTriangles, manyBodies, moebiusStrip, nestedBoxes,
+  thinHouse, tJunctions } from '../support/broken_shapes.js';
 import { torus, sheet } from '../support/shapes.js';
 import { judge } from './judge.js';
 import { loadModel } from './models.js';
@@ -39,11 +41,20 @@ const made = {
   torn: () => torn(torus(), 37),
   turned: () => turned(torus()),
   sheet: () => sheet(),
+  scan: () => doubledScan({ columns: 260, rows: 125 }),
+  cracked: () => cracked({ columns: 200, rows: 100 }),
+  junctions: tJunctions,
+  moebius: () => moebiusStrip(),
+  loose: () => looseTriangles(100000, 0.03),
+  nested: () => nestedBoxes(),
+  house: () => thinHouse(),
+  bodies: () => manyBodies(),
+  askew: askewBoxes,
 };
 
 /** What must be so of all that is repaired. */
 function brokenPromises(name, result) {
-  return ['boundaryEdges', 'nonManifoldEdges', 'selfIntersections']
+  return ['boundaryEdges', 'nonManifoldEdges', 'selfIntersections', 'degenerateTriangles']
     .filter((fault) => result[fault] > 0)
     .map((fault) => `${name}: ${result[fault]} ${fault}`);
 }

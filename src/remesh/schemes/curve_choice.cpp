@@ -41,6 +41,11 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
   return edges;
 }
 
+// Repair's own surfaces follow a lattice: where they are flat to the last digit is chance.
+bool areFlatsMeant(const RemeshOptions& options) {
+  return options.repair != Repair::Solid && options.repair != Repair::Wrap && !options.quads;
+}
+
 void add(std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
@@ -63,7 +68,7 @@ CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& inpu
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
                          const RemeshOptions& options, const CurveScale& scale) {
   auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
-  if (isDetecting && scale.flats == Flats::Bordered && !options.quads) {
+  if (isDetecting && scale.flats == Flats::Bordered && areFlatsMeant(options)) {
     edges.flats = findFlatRegions(built.mesh, built.positions, kFlatWidth * scale.size);
     add(edges.free, bordersOf(edges.flats, built.mesh));
   }

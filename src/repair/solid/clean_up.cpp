@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,50 +60,72 @@ double tangentOfSmallest(const Triangle& t) {
   return beside > 0 ? areaVector(t[0], t[1], t[2]).norm() / beside : 0;
 }
 
+// A point that went into a neighbour.
+struct Merger {
+  Vertex from, into;
+};
+
 class Cleaner {
  public:
-  // Points that are locked stay.
-  Cleaner(const Contour& contour, const CleaningRule& rule, std::span<const char> isLocked)
+  Cleaner(const Contour& contour, const CleaningRule& rule)
       : contour_(contour),
         rule_(rule),
         mesh_(contour.points.size(), contour.corners),
+        hasBorders_(std::adjacent_find(rule.kinds.begin(), rule.kinds.end(),
+                                       std::not_equal_to<>()) != rule.kinds.end()),
         sums_(contour.points.size()),
-        isLocked_(isLocked),
-        isWorthATry_(contour.points.size(), 1) {
+        isOther_(contour.points.size(), 0) {
     for (Index f = 0; f < mesh_.faceCapacity(); ++f) addPlanes(Face(f));
   }
 
   // In passes: of each star one point goes in a pass, so that edges grow evenly.
-  void run() {
+  std::vector<Merger> run() {
     constexpr int kMostPasses = 40;  // a bound for whatever hardly gets on, not a choice
-    for (int pass = 0; pass < kMostPasses && isAnyWorthATry_; ++pass) {
-      isAnyWorthATry_ = false;
+    isWorthATry_.assign(mesh_.vertexCapacity(), 1);
+    std::vector<Merger> mergers;
+    for (bool isAny = true; isAny && passes_ < kMostPasses; ++passes_) {
+      const std::size_t before = mergers.size();
       isTouched_.assign(mesh_.vertexCapacity(), 0);
-      for (Index i = 0; i < mesh_.vertexCapacity(); ++i) tryVertex(Vertex(i));
+      for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
+        if (const Vertex into = tryVertex(Vertex(i))) mergers.push_back({Vertex(i), into});
+      isAny = mergers.size() > before;
     }
+    return mergers;
   }
 
-  Contour take() const {
-    Contour result;
-    std::vector<Index> numbers(mesh_.vertexCapacity(), kNone);
-    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
-      if (!mesh_.isAlive(Face(f))) continue;
-      for (const Vertex v : mesh_.vertices(Face(f))) {
-        if (numbers[v.index] == kNone) {
-          numbers[v.index] = Index(result.points.size());
-          result.points.push_back(contour_.points[v.index]);
-          result.pointSources.push_back(contour_.pointSources[v.index]);
-        }
-        result.corners.push_back(numbers[v.index]);
+  // The mergers of another run but for those of points that are locked; beside these, and wherever
+  // stars are no more what they were, only those that would be done now. Returns what was done.
+  std::vector<Merger> repeat(std::span<const Merger> mergers, std::span<const char> isLocked) {
+    std::vector<Merger> done;
+    for (Index i = 0; i < isLocked.size(); ++i) isOther_[Vertex(i)] = isLocked[i];
+    for (const Merger& merger : mergers) {
+      if (isLocked[merger.from.index] || !(isAsThen(merger) || isAllowed(merger))) {
+        markOther(merger);
+        continue;
       }
-      result.triangleSources.push_back(contour_.triangleSources[f]);
+      collapse(mesh_.find(merger.from, merger.into));
+      done.push_back(merger);
     }
+    return done;
+  }
+
+  struct Result {
+    Contour contour;
+    Index firstOther = 0;  // from there on triangles have such corners
+  };
+
+  Result take() const {
+    Result result;
+    std::vector<Index> numbers(mesh_.vertexCapacity(), kNone);
+    add(result.contour, numbers, 0);
+    result.firstOther = Index(result.contour.triangleSources.size());
+    add(result.contour, numbers, 1);
     return result;
   }
 
  private:
   // Where a vertex may go, for what it costs.
-  using Choice = std::pair<double, Vertex>;
+  using Choice = std::pair<double, Halfedge>;
 
   const Vec3& at(Vertex v) const { return contour_.points[v.index]; }
   Vec3 origin() const { return contour_.points.front(); }
@@ -112,8 +136,8 @@ class Cleaner {
   }
 
   bool isBorder(Halfedge h) const {
-    return rule_.kinds[HalfedgeMesh::face(h).index] !=
-           rule_.kinds[HalfedgeMesh::face(mesh_.twin(h)).index];
+    return hasBorders_ && rule_.kinds[HalfedgeMesh::face(h).index] !=
+                              rule_.kinds[HalfedgeMesh::face(mesh_.twin(h)).index];
   }
 
   // Of a triangle without much area the normal says little.
@@ -136,48 +160,58 @@ class Cleaner {
     }
   }
 
-  // Inside of what is of one kind any neighbour will do, on a border between two those along it.
-  bool keepsBorders(Halfedge h) const {
+  int bordersAt(Vertex v) const {
     int borders = 0;
-    mesh_.forEachOutgoing(mesh_.origin(h), [&](Halfedge out) { borders += isBorder(out); });
+    if (!hasBorders_) return borders;
+    mesh_.forEachOutgoing(v, [&](Halfedge h) { borders += isBorder(h); });
+    return borders;
+  }
+
+  // Inside of what is of one kind any neighbour will do, on a border between two those along it.
+  bool keepsBorders(Halfedge h, int borders) const {
     return borders == 0 || (borders == 2 && isBorder(h));
   }
 
-  // None if it would cost too much.
+  // Infinite if it would be too much.
   double costOf(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     const double length = (at(into) - at(from)).norm();
     const double share = length < kShortEdge * rule_.spacing ? kToleranceOfShort : kTolerance;
     const double most = share * rule_.spacing;
     const double squared = sums_[from].at(at(into) - origin());
-    if (squared > most * most || !keepsBorders(h)) return std::numeric_limits<double>::infinity();
+    if (squared > most * most) return std::numeric_limits<double>::infinity();
     // Of what costs nothing the shortest edges go first, which keeps triangles even.
     constexpr double kByLength = 1e-4;
     return squared + kByLength * length * length;
   }
 
-  std::vector<Choice> choicesOf(Vertex from) const {
-    std::vector<Choice> choices;
+  void findChoices(Vertex from) {
+    choices_.clear();
+    const int borders = bordersAt(from);
+    if (borders != 0 && borders != 2) return;
     mesh_.forEachOutgoing(from, [&](Halfedge h) {
-      const double cost = costOf(h);
-      if (std::isfinite(cost)) choices.emplace_back(cost, mesh_.tip(h));
+      const double cost = keepsBorders(h, borders) ? costOf(h) : 0;
+      if (cost > 0 && std::isfinite(cost)) choices_.emplace_back(cost, h);
     });
-    std::sort(choices.begin(), choices.end());
-    return choices;
+    std::sort(choices_.begin(), choices_.end(), [&](const Choice& a, const Choice& b) {
+      return a.first != b.first ? a.first < b.first : mesh_.tip(a.second) < mesh_.tip(b.second);
+    });
   }
 
-  void tryVertex(Vertex from) {
-    if (!mesh_.isAlive(from) || isTouched_[from] || isLocked_[from.index]) return;
-    if (!std::exchange(isWorthATry_[from], 0)) return;
-    const std::vector<Choice> choices = choicesOf(from);
-    if (choices.empty()) return;
-    const double least = std::min(kSmallestTangent, smallestAround(from));
-    for (const auto& [cost, into] : choices) {
-      const Halfedge h = mesh_.find(from, into);
-      if (isTooLong(h) || !staysSound(h, least) || !EulerOperators::canCollapse(mesh_, h)) continue;
+  // The neighbour that it went into, if it did.
+  Vertex tryVertex(Vertex from) {
+    if (!mesh_.isAlive(from) || isTouched_[from]) return {};
+    if (!std::exchange(isWorthATry_[from], 0)) return {};
+    findChoices(from);
+    for (const auto& [cost, h] : choices_) {
+      const Vertex into = mesh_.tip(h);
+      if (isTooLong(h) || !staysSound(h) || !EulerOperators::canCollapse(mesh_, h)) continue;
       collapse(h);
-      return;
+      mesh_.forEachNeighbor(into, [&](Vertex v) { isTouched_[v] = isWorthATry_[v] = 1; });
+      isTouched_[into] = isWorthATry_[into] = 1;
+      return into;
     }
+    return {};
   }
 
   bool isTooLong(Halfedge h) const {
@@ -196,7 +230,7 @@ class Cleaner {
            tangentOfSmallest(before) >= kSmallestTangent;
   }
 
-  // Of the smallest angle of the star; needles may become others as good.
+  // Of the smallest angle of the star.
   double smallestAround(Vertex v) const {
     double worst = std::numeric_limits<double>::infinity();
     mesh_.forEachOutgoing(v, [&](Halfedge h) {
@@ -205,36 +239,77 @@ class Cleaner {
     return worst;
   }
 
+  // Needles may become others as good.
+  bool isWideEnough(const Triangle& after, Vertex from) const {
+    const double tangent = tangentOfSmallest(after);
+    return tangent >= kSmallestTangent || (tangent >= smallestAround(from) && hasArea(after));
+  }
+
   // Whether what becomes of the star has area, no smaller angles, and faces as it did.
-  bool staysSound(Halfedge h, double least) const {
+  bool staysSound(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     bool isSound = true;
     mesh_.forEachOutgoing(from, [&](Halfedge out) {
       if (!isSound || mesh_.tip(out) == into || mesh_.opposite(out) == into) return;
       const Vec3 &b = at(mesh_.tip(out)), &c = at(mesh_.opposite(out));
       const Triangle before = {at(from), b, c}, after = {at(into), b, c};
-      isSound = tangentOfSmallest(after) >= least && !turns(before, after) && hasArea(after);
+      isSound = !turns(before, after) && isWideEnough(after, from);
     });
     return isSound;
   }
 
   void collapse(Halfedge h) {
-    const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
-    sums_[into].add(sums_[from]);
+    sums_[mesh_.tip(h)].add(sums_[mesh_.origin(h)]);
     EulerOperators(mesh_).collapse(h);
-    mesh_.forEachNeighbor(into, [&](Vertex v) { isTouched_[v] = isWorthATry_[v] = 1; });
-    isTouched_[into] = isWorthATry_[into] = 1;
-    isAnyWorthATry_ = true;
+  }
+
+  bool isAsThen(const Merger& merger) const {
+    bool isAny = isOther_[merger.from] || isOther_[merger.into];
+    mesh_.forEachNeighbor(merger.from, [&](Vertex v) { isAny = isAny || isOther_[v]; });
+    return !isAny;
+  }
+
+  bool isAllowed(const Merger& merger) const {
+    const Halfedge h = mesh_.find(merger.from, merger.into);
+    return h && keepsBorders(h, bordersAt(merger.from)) && std::isfinite(costOf(h)) &&
+           !isTooLong(h) && staysSound(h) && EulerOperators::canCollapse(mesh_, h);
+  }
+
+  // In the other run it was done.
+  void markOther(const Merger& merger) {
+    isOther_[merger.from] = isOther_[merger.into] = 1;
+    mesh_.forEachNeighbor(merger.from, [&](Vertex v) { isOther_[v] = 1; });
+  }
+
+  // The triangles with corners that are other, or those without.
+  void add(Contour& result, std::vector<Index>& numbers, char wanted) const {
+    for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
+      if (!mesh_.isAlive(Face(f))) continue;
+      const std::array<Vertex, 3> corners = mesh_.vertices(Face(f));
+      const bool isOther = isOther_[corners[0]] || isOther_[corners[1]] || isOther_[corners[2]];
+      if (char(isOther) != wanted) continue;
+      for (const Vertex v : corners) {
+        if (numbers[v.index] == kNone) {
+          numbers[v.index] = Index(result.points.size());
+          result.points.push_back(contour_.points[v.index]);
+          result.pointSources.push_back(contour_.pointSources[v.index]);
+        }
+        result.corners.push_back(numbers[v.index]);
+      }
+      result.triangleSources.push_back(contour_.triangleSources[f]);
+    }
   }
 
   const Contour& contour_;
   const CleaningRule& rule_;
   HalfedgeMesh mesh_;
+  const bool hasBorders_;  // between kinds
   VertexData<PlaneSum> sums_;
-  std::span<const char> isLocked_;  // per point
-  VertexData<char> isTouched_;      // in this pass
-  VertexData<char> isWorthATry_;    // its star has changed since it was tried
-  bool isAnyWorthATry_ = true;
+  VertexData<char> isOther_;      // locked, or its star is not what it was in another run
+  VertexData<char> isTouched_;    // in this pass
+  VertexData<char> isWorthATry_;  // its star has changed since it was tried
+  int passes_ = 0;
+  std::vector<Choice> choices_;  // of the vertex that is tried
 };
 
 TriangleMesh meshFrom(const Contour& contour) {
@@ -244,34 +319,45 @@ TriangleMesh meshFrom(const Contour& contour) {
   return mesh;
 }
 
-// The points of the contour beside triangles of what became of it.
-void lockAround(std::span<const Index> triangles, const TriangleMesh& mesh, const Contour& contour,
+std::vector<Index> cornersOf(std::span<const Index> triangles, const TriangleMesh& mesh) {
+  std::vector<Index> corners;
+  for (const Index t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) corners.push_back(mesh.indices[3 * std::size_t{t} + k]);
+  return corners;
+}
+
+// The points of the contour in the boxes around triangles, with a margin.
+void lockAround(const TriangleTree& triangles, double margin, const Contour& contour,
                 std::vector<char>& isLocked) {
-  const TriangleTree tree(mesh.positions, mesh.indices);
-  std::vector<char> isMeant(mesh.triangleCount(), 0);
-  for (const Index t : triangles) isMeant[t] = 1;
+  const Vec3 around = Vec3::Constant(margin);
   for (std::size_t v = 0; v < contour.points.size(); ++v) {
     const Vec3& p = contour.points[v];
-    tree.visitOverlapping({p, p}, [&](Index t) { isLocked[v] = isLocked[v] || isMeant[t]; });
+    triangles.visitOverlapping({p - around, p + around}, [&](Index) { isLocked[v] = 1; });
   }
 }
 
 }  // namespace
 
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
-  constexpr int kTries = 4;  // each locks more points; after the last the contour stays as it was
+  constexpr int kTries = 6;  // each locks more points; after the last the contour stays as it was
   if (contour.corners.empty()) return contour;
+  const Cleaner blank(contour, rule);
+  std::optional<Cleaner> cleaner(blank);
+  std::vector<Merger> mergers = cleaner->run();
+  Cleaner::Result result = cleaner->take();
+  TriangleMesh mesh = meshFrom(result.contour);
+  std::vector<Index> crossed = selfIntersections(mesh);
   std::vector<char> isLocked(contour.points.size(), 0);
-  for (int i = 0; i < kTries; ++i) {
-    Cleaner cleaner(contour, rule, isLocked);
-    cleaner.run();
-    Contour result = cleaner.take();
-    const TriangleMesh mesh = meshFrom(result);
-    const std::vector<Index> crossed = selfIntersections(mesh);
-    if (crossed.empty()) return result;
-    lockAround(crossed, mesh, contour, isLocked);
+  for (int i = 0; i < kTries && !crossed.empty(); ++i) {
+    const std::vector<Index> corners = cornersOf(crossed, mesh);
+    lockAround(TriangleTree(mesh.positions, corners), i * rule.spacing, contour, isLocked);
+    cleaner.emplace(blank);
+    mergers = cleaner->repeat(mergers, isLocked);
+    result = cleaner->take();
+    mesh = meshFrom(result.contour);
+    crossed = selfIntersectionsFrom(mesh, result.firstOther);
   }
-  return contour;
+  return crossed.empty() ? std::move(result.contour) : contour;
 }
 
 }  // namespace remesher

@@ -39,9 +39,10 @@ class Contourer {
   // The cells whose loops cannot be kept apart; the contour is whole if there are none.
   std::vector<std::size_t> run() {
     std::vector<std::size_t> bad;
-    for (std::size_t cell = 0; cell < lattice_.size(); ++cell)
-      if (const unsigned corners = cornersOf(cell); corners != 0 && corners != 255)
-        if (!addCell(cell, corners)) bad.push_back(cell);
+    lattice_.forEachPoint([&](std::size_t cell, const std::array<std::size_t, 3>& place) {
+      const unsigned corners = cornersOf(cell, place);
+      if (corners != 0 && corners != 255 && !addCell(cell, corners)) bad.push_back(cell);
+    });
     if (bad.empty()) addTriangles();
     return bad;
   }
@@ -78,14 +79,13 @@ class Contourer {
 
   void placeEdges() {
     edgePoints_.assign(3 * lattice_.size(), kNone);
-    for (std::size_t p = 0; p < lattice_.size(); ++p) {
-      const auto place = lattice_.place(p);
+    lattice_.forEachPoint([&](std::size_t p, const std::array<std::size_t, 3>& place) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (place[axis] + 1 == lattice_.count(axis)) continue;
         const std::size_t q = p + lattice_.stride(axis);
         if (field_.isInside[p] != field_.isInside[q]) placeEdge(3 * p + axis, p, q);
       }
-    }
+    });
   }
 
   // Where no triangle passes, where the half lines are of two minds.
@@ -103,8 +103,7 @@ class Contourer {
   }
 
   // Bit by corner; 0 for what is no cell.
-  unsigned cornersOf(std::size_t cell) const {
-    const auto place = lattice_.place(cell);
+  unsigned cornersOf(std::size_t cell, const std::array<std::size_t, 3>& place) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (place[axis] + 1 == lattice_.count(axis)) return 0;
     unsigned corners = 0;

@@ -2,6 +2,8 @@
 #include "repair/solid/crossings_of_edges.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "geometry/predicates.h"
 #include "geometry/triangle.h"
@@ -65,6 +67,30 @@ class Scan {
   std::size_t axis_, u_, v_;
 };
 
+// By line and coordinate. Lines hold few crossings each: they are parted first.
+void sortAlong(const Lattice& lattice, std::size_t axis, std::vector<EdgeCrossing>& crossings) {
+  std::vector<std::size_t> lines;  // per crossing
+  const std::size_t first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
+  for (const EdgeCrossing& c : crossings) {
+    const auto place = lattice.place(c.edge / 3);
+    lines.push_back(place[first] * lattice.count(second) + place[second]);
+  }
+  std::vector<std::size_t> ends(lattice.count(first) * lattice.count(second) + 1, 0);
+  for (const std::size_t line : lines) ++ends[line + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<EdgeCrossing> sorted(crossings.size());
+  for (std::size_t i = 0; i < crossings.size(); ++i) sorted[ends[lines[i]]++] = crossings[i];
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    std::sort(sorted.begin() + std::ptrdiff_t(begin), sorted.begin() + std::ptrdiff_t(end),
+              [](const EdgeCrossing& a, const EdgeCrossing& b) {
+                return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
+              });
+    begin = end;
+  }
+  crossings = std::move(sorted);
+}
+
 }  // namespace
 
 std::vector<EdgeCrossing> crossingsOfEdges(const Lattice& lattice, std::span<const Vec3> positions,
@@ -72,20 +98,12 @@ std::vector<EdgeCrossing> crossingsOfEdges(const Lattice& lattice, std::span<con
   std::vector<EdgeCrossing> all;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Scan scan(lattice, axis);
-    const std::size_t begin = all.size();
+    std::vector<EdgeCrossing> along;
     for (std::size_t c = 0; c < corners.size(); c += 3)
       scan.add({positions[corners[c]], positions[corners[c + 1]], positions[corners[c + 2]]},
-               Index(c / 3), all);
-    const auto lineOf = [&](const EdgeCrossing& crossing) {
-      const std::size_t point = crossing.edge / 3;
-      return point - lattice.place(point)[axis] * lattice.stride(axis);
-    };
-    std::sort(all.begin() + std::ptrdiff_t(begin), all.end(),
-              [&](const EdgeCrossing& a, const EdgeCrossing& b) {
-                const std::size_t lineA = lineOf(a), lineB = lineOf(b);
-                if (lineA != lineB) return lineA < lineB;
-                return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
-              });
+               Index(c / 3), along);
+    sortAlong(lattice, axis, along);
+    all.insert(all.end(), along.begin(), along.end());
   }
   return all;
 }

@@ -37,18 +37,11 @@ std::vector<char> crossedEdges(const Lattice& lattice, std::span<const EdgeCross
   return crossed;
 }
 
-bool isOnBorder(const Lattice& lattice, std::size_t point) {
-  const auto place = lattice.place(point);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (place[axis] == 0 || place[axis] + 1 == lattice.count(axis)) return true;
-  return false;
-}
-
 // Each share becomes the mean of its own and of those of neighbours that no surface parts from it.
 void diffuse(const Lattice& lattice, const std::vector<char>& crossed, std::vector<float>& shares) {
   std::vector<float> next(shares.size(), 0);
-  for (std::size_t p = 0; p < shares.size(); ++p) {
-    if (isOnBorder(lattice, p)) continue;
+  lattice.forEachPoint([&](std::size_t p, const std::array<std::size_t, 3>& place) {
+    if (lattice.isOnBorder(place)) return;
     float sum = shares[p], count = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t up = p + lattice.stride(axis), down = p - lattice.stride(axis);
@@ -56,7 +49,7 @@ void diffuse(const Lattice& lattice, const std::vector<char>& crossed, std::vect
       if (!(crossed[down] >> axis & 1)) sum += shares[down], count += 1;
     }
     next[p] = sum / count;
-  }
+  });
   shares = std::move(next);
 }
 
@@ -66,18 +59,18 @@ void fillCavities(const Lattice& lattice, std::vector<char>& isInside) {
   std::vector<char> isReached(isInside.size(), 0);
   std::vector<std::size_t> front = {0};
   isReached[0] = 1;
+  // Beyond the lattice's border its other side comes next, by number: it is outside, too.
+  const auto visit = [&](std::size_t q) {
+    if (q >= isInside.size() || isInside[q] || isReached[q]) return;
+    isReached[q] = 1;
+    front.push_back(q);
+  };
   while (!front.empty()) {
     const std::size_t p = front.back();
     front.pop_back();
-    const auto place = lattice.place(p);
-    const auto visit = [&](std::size_t q) {
-      if (isInside[q] || isReached[q]) return;
-      isReached[q] = 1;
-      front.push_back(q);
-    };
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (place[axis] > 0) visit(p - lattice.stride(axis));
-      if (place[axis] + 1 < lattice.count(axis)) visit(p + lattice.stride(axis));
+      visit(p - lattice.stride(axis));
+      visit(p + lattice.stride(axis));
     }
   }
   for (std::size_t p = 0; p < isInside.size(); ++p) isInside[p] = !isReached[p];
@@ -90,12 +83,12 @@ InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> cr
   InsideField field;
   field.shares.reserve(votes.size());
   std::size_t disputed = 0, asked = 0;
-  for (std::size_t p = 0; p < votes.size(); ++p) {
-    field.shares.push_back(isOnBorder(lattice, p) ? 0 : float(votes[p]) / kHalfLines);
-    if (!crossed[p]) continue;
+  lattice.forEachPoint([&](std::size_t p, const std::array<std::size_t, 3>& place) {
+    field.shares.push_back(lattice.isOnBorder(place) ? 0 : float(votes[p]) / kHalfLines);
+    if (!crossed[p]) return;
     ++asked;
     disputed += votes[p] != 0 && votes[p] != kHalfLines;
-  }
+  });
   field.unsure = asked > 0 ? double(disputed) / double(asked) : 1;
   for (int round = 0; round < kRounds && disputed > 0; ++round)
     diffuse(lattice, crossed, field.shares);

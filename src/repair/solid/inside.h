@@ -20,7 +20,7 @@ struct InsideField {
 // hangs together with it: cavities are filled.
 InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings);
 
-// What is outside but does not hang together with the border becomes inside.
+// What is outside but does not hang together with the border, which is, becomes inside.
 void fillCavities(const Lattice& lattice, std::vector<char>& isInside);
 
 }  // namespace remesher

@@ -35,6 +35,20 @@ class Lattice {
     return {at(0, x), at(1, y), at(2, z)};
   }
 
+  // Calls visit(point, place) for each point, ascending.
+  template <class Visit>
+  void forEachPoint(Visit visit) const {
+    std::size_t point = 0;
+    for (std::array<std::size_t, 3> i{}; i[0] < counts_[0]; ++i[0])
+      for (i[1] = 0; i[1] < counts_[1]; ++i[1])
+        for (i[2] = 0; i[2] < counts_[2]; ++i[2]) visit(point++, i);
+  }
+
+  bool isOnBorder(const std::array<std::size_t, 3>& i) const {
+    return i[0] == 0 || i[0] + 1 == counts_[0] || i[1] == 0 || i[1] + 1 == counts_[1] ||
+           i[2] == 0 || i[2] + 1 == counts_[2];
+  }
+
   // The first along the axis that lies at the coordinate or beyond; their number if none does.
   std::size_t firstFrom(std::size_t axis, double coordinate) const;
 

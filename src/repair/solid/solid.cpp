@@ -72,30 +72,25 @@ double lostShare(const Lattice& lattice, const InsideField& field,
   return seen > 0 ? 100 * double(lost) / double(seen) : 0;
 }
 
-// What is known of a surface before its solid is made.
-struct Groundwork {
-  Groundwork(const TriangleMesh& input, const SolidRule& rule)
-      : built(buildMesh(input)),
-        lattice(input, rule.spacing, rule.gap / 2),
+}  // namespace
+
+struct SolidGround::Known {
+  Known(const TriangleMesh& mesh, const SolidRule& how)
+      : input(mesh),
+        rule(how),
+        built(buildMesh(mesh)),
+        lattice(mesh, how.spacing, how.gap / 2),
         crossings(crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles())),
         patches(orientedPatches(built, lattice, crossings)) {
     turnCrossings(crossings, patches);
     field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
                                        : insideField(lattice, crossings);
     keepThinWalls(lattice, crossings, field);
+    fillCavities(lattice, field.isInside);  // which walls so thin may have closed
   }
 
-  Enclosure enclosure(const TriangleMesh& input) const {
-    Enclosure result;
-    result.turned = countTurned(input, built, patches);
-    countPieces(built, patches, result);
-    result.unsure = field.unsure;
-    result.lost = lostShare(lattice, field, crossings);
-    result.isAny =
-        std::find(field.isInside.begin(), field.isInside.end(), 1) != field.isInside.end();
-    return result;
-  }
-
+  const TriangleMesh& input;
+  const SolidRule rule;
   const BuiltMesh built;
   const Lattice lattice;
   std::vector<EdgeCrossing> crossings;
@@ -103,22 +98,33 @@ struct Groundwork {
   InsideField field;
 };
 
-}  // namespace
+SolidGround::SolidGround(const TriangleMesh& input, const SolidRule& rule)
+    : known_(std::make_unique<Known>(input, rule)) {}
 
-Enclosure enclosureOf(const TriangleMesh& input, const SolidRule& rule) {
-  return Groundwork(input, rule).enclosure(input);
+SolidGround::~SolidGround() = default;
+
+Enclosure SolidGround::enclosure() const {
+  const std::vector<char>& isInside = known_->field.isInside;
+  Enclosure result;
+  result.turned = countTurned(known_->input, known_->built, known_->patches);
+  countPieces(known_->built, known_->patches, result);
+  result.unsure = known_->field.unsure;
+  result.lost = lostShare(known_->lattice, known_->field, known_->crossings);
+  result.isAny = std::find(isInside.begin(), isInside.end(), 1) != isInside.end();
+  return result;
 }
 
-Solid solidOf(const TriangleMesh& input, const SolidRule& rule) {
-  Groundwork ground(input, rule);
-  const std::vector<Index> corners = turnedCorners(ground.built, ground.patches);
-  Contour contour = contourOf(
-      ground.lattice, ground.field,
-      {ground.built.positions.values(), corners, input.isSingle, input.scale}, ground.crossings);
-  const Enclosure enclosure = ground.enclosure(input);
-  if (rule.cleaning == Cleaning::Thorough)
-    contour = cleanedUp(contour, {rule.spacing, kindsOf(contour, input, ground.built)});
-  return {withAttributes(contour, input, ground.built), enclosure};
+Solid SolidGround::solid() {
+  const TriangleMesh& input = known_->input;
+  const BuiltMesh& built = known_->built;
+  const std::vector<Index> corners = turnedCorners(built, known_->patches);
+  Contour contour = contourOf(known_->lattice, known_->field,
+                              {built.positions.values(), corners, input.isSingle, input.scale},
+                              known_->crossings);
+  const Enclosure enclosed = enclosure();
+  if (known_->rule.cleaning == Cleaning::Thorough)
+    contour = cleanedUp(contour, {known_->rule.spacing, kindsOf(contour, input, built)});
+  return {withAttributes(contour, input, built), enclosed};
 }
 
 }  // namespace remesher

@@ -2,6 +2,8 @@
 // The outside of what a surface encloses, as one clean closed surface.
 #pragma once
 
+#include <memory>
+
 #include "base/triangle_mesh.h"
 
 namespace remesher {
@@ -37,8 +39,29 @@ struct SolidRule {
   Cleaning cleaning = Cleaning::None;
 };
 
-// Throws Error as buildMesh does. A look costs less than the surface.
-Enclosure enclosureOf(const TriangleMesh& input, const SolidRule& rule);
-Solid solidOf(const TriangleMesh& input, const SolidRule& rule);
+// A surface of which it is known what lies inside. The input has to outlive it.
+class SolidGround {
+ public:
+  // Throws Error as buildMesh does.
+  SolidGround(const TriangleMesh& input, const SolidRule& rule);
+  ~SolidGround();
+
+  Enclosure enclosure() const;
+
+  // To be asked for once.
+  Solid solid();
+
+ private:
+  struct Known;
+  const std::unique_ptr<Known> known_;
+};
+
+inline Enclosure enclosureOf(const TriangleMesh& input, const SolidRule& rule) {
+  return SolidGround(input, rule).enclosure();
+}
+
+inline Solid solidOf(const TriangleMesh& input, const SolidRule& rule) {
+  return SolidGround(input, rule).solid();
+}
 
 }  // namespace remesher

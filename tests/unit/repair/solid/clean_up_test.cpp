@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "base/place.h"
@@ -43,7 +44,44 @@ double areaOfKind(const Contour& contour, Index kind) {
   return sum;
 }
 
+// A wavy plate of square cells of side 1, as thin as said, closed all around.
+TriangleMesh plate(Index cells, double thickness) {
+  TriangleMesh mesh;
+  const Index row = cells + 1, side = row * row;
+  for (const double height : {thickness, 0.0})
+    for (Index i = 0; i < row; ++i)
+      for (Index k = 0; k < row; ++k)
+        mesh.positions.emplace_back(i, k, 0.1 * std::sin(0.3 * i) * std::cos(0.25 * k) + height);
+  const auto add = [&](Index a, Index b, Index c) {
+    mesh.indices.insert(mesh.indices.end(), {a, b, c});
+  };
+  for (Index i = 0; i < cells; ++i)
+    for (Index k = 0; k < cells; ++k) {
+      const Index a = i * row + k, b = a + row, c = b + 1, d = a + 1;
+      add(a, b, c), add(a, c, d);
+      add(a + side, c + side, b + side), add(a + side, d + side, c + side);
+    }
+  const auto wall = [&](Index a, Index b) { add(b, a, a + side), add(b, a + side, b + side); };
+  for (Index i = 0; i < cells; ++i) {
+    wall(i * row, (i + 1) * row), wall((i + 1) * row + cells, i * row + cells);
+    wall(i + 1, i), wall(cells * row + i, cells * row + i + 1);
+  }
+  return mesh;
+}
+
 }  // namespace
+
+TEST_CASE("clean up: a plate far thinner than the tolerance does not meet itself") {
+  const TriangleMesh thin = plate(24, 0.005);
+  REQUIRE(inspectMesh(thin).boundaryEdges == 0);
+  REQUIRE(selfIntersections(thin).empty());
+  const std::vector<Index> kinds(thin.triangleCount(), 0);
+  const TriangleMesh result = meshFrom(cleanedUp(contourFrom(thin), {1, kinds}));
+  CHECK(result.triangleCount() < thin.triangleCount() * 3 / 4);
+  CHECK(inspectMesh(result).boundaryEdges == 0);
+  CHECK(inspectMesh(result).eulerCharacteristic == 2);
+  CHECK(selfIntersections(result).empty());
+}
 
 TEST_CASE("clean up: a cube of many squares keeps its shape with a quarter of the triangles") {
   const TriangleMesh cube = shapes::cube(8);
