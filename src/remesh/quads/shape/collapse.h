@@ -18,8 +18,9 @@ namespace remesher {
 // where no more can. ground: any mesh on the same original. Returns how many went.
 std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count);
 
-// Where two sides of a quad follow one curve they make half a turn, and half of the quad has no area:
-// the vertex between them becomes one with that across the quad, unless that is on a curve too.
+// Where two sides of a quad follow one curve they make half a turn, and half of the quad has no
+// area: the vertex between them becomes one with that across the quad, unless that is on a curve
+// too.
 void collapseFlatCorners(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher
