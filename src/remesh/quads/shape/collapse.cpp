@@ -167,8 +167,8 @@ std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates c
 }  // namespace
 
 void collapseFlatCorners(QuadMesh& mesh, const WorkingMesh& ground) {
-  while (collapseOnce(mesh, ground, &QuadCollapses::ofFlatCorners, mesh.vertices.size()) > 0)
-    ;
+  for (bool isDone = false; !isDone;)
+    isDone = collapseOnce(mesh, ground, &QuadCollapses::ofFlatCorners, mesh.vertices.size()) == 0;
 }
 
 std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count) {
