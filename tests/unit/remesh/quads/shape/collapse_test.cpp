@@ -9,15 +9,23 @@
 
 using namespace remesher;
 
+namespace {
+
+QuadMesh pairedOn(const WorkingMesh& ground, double length) {
+  const FaceFrames frames(ground);
+  const CrossField field = makeCrossField(ground, frames, length);
+  return splitPairs(ground, pairTriangles(ground, frames, field));
+}
+
+}  // namespace
+
 TEST_CASE(
     "collapse: one vertex and one quad at a time, down to the number, and nothing else is lost") {
   for (const TriangleMesh& shape :
        {shapes::icosphere(4), shapes::torus(16, 10), shapes::grid(8, 7), shapes::cylinder(16, 5)}) {
     const OriginalSurface surface = shapes::surfaceOf(shape);
     const WorkingMesh ground(surface);
-    const FaceFrames frames(ground);
-    const CrossField field = makeCrossField(ground, frames, 0.5);
-    QuadMesh mesh = splitPairs(ground, pairTriangles(ground, frames, field));
+    QuadMesh mesh = pairedOn(ground, 0.5);
     const SurfaceKind kind = kindOf(mesh);
     const std::size_t vertices = mesh.vertices.size(), quads = mesh.quads.size();
     for (const std::size_t fewer : {1, 7, 20}) {
@@ -35,9 +43,7 @@ TEST_CASE(
 TEST_CASE("collapse: where nothing may go, nothing goes") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(1, 1));
   const WorkingMesh ground(surface);
-  const FaceFrames frames(ground);
-  QuadMesh mesh =
-      splitPairs(ground, pairTriangles(ground, frames, makeCrossField(ground, frames, 1)));
+  QuadMesh mesh = pairedOn(ground, 1);
   const std::size_t vertices = mesh.vertices.size();
   CHECK(collapseTo(mesh, ground, 4) == 0);
   CHECK(mesh.vertices.size() == vertices);
@@ -47,9 +53,7 @@ TEST_CASE("collapse: corners of half a turn go from curves, and nothing else is 
   for (const TriangleMesh& shape : {shapes::torus(16, 8), shapes::cylinder(16, 5)}) {
     const OriginalSurface surface = shapes::surfaceOf(shape);
     const WorkingMesh ground(surface);
-    const FaceFrames frames(ground);
-    const CrossField field = makeCrossField(ground, frames, 0.5);
-    QuadMesh mesh = splitPairs(ground, pairTriangles(ground, frames, field));
+    QuadMesh mesh = pairedOn(ground, 0.5);
     const SurfaceKind kind = kindOf(mesh);
     collapseFlatCorners(mesh, ground);
     CHECK(check(mesh) == "");
