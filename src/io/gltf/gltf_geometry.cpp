@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -92,6 +93,44 @@ std::optional<WholeSteps> stepsOf(const GltfDocument& document,
   return common;
 }
 
+struct Binding {
+  float &joint, &weight;
+};
+
+// All that a vertex is bound to, by sets of joints with their weights.
+std::vector<Binding> bindingsOf(std::span<const std::pair<Attribute*, Attribute*>> sets,
+                                std::size_t vertex) {
+  std::vector<Binding> bindings;
+  for (const auto& [joints, weights] : sets) {
+    const auto size = static_cast<std::size_t>(joints->itemSize);
+    for (std::size_t i = vertex * size; i < (vertex + 1) * size; ++i)
+      bindings.push_back({joints->values[i], weights->values[i]});
+  }
+  return bindings;
+}
+
+// Those to joints that the skin has not; the rest weighs as much as all did.
+void dropForeign(std::span<const Binding> bindings, float jointCount) {
+  double all = 0, own = 0;
+  for (const auto& [joint, weight] : bindings) {
+    all += weight;
+    if (joint >= jointCount) weight = 0;
+    own += weight;
+  }
+  if (own == all || !(own > 0)) return;
+  for (const Binding& one : bindings) one.weight = static_cast<float>(one.weight * (all / own));
+}
+
+// A joint that is there twice has both weights once.
+void mergeTwice(std::span<const Binding> bindings) {
+  for (std::size_t i = 1; i < bindings.size(); ++i)
+    for (std::size_t k = 0; k < i && bindings[i].weight > 0; ++k) {
+      if (bindings[k].joint != bindings[i].joint || !(bindings[k].weight > 0)) continue;
+      bindings[k].weight += bindings[i].weight;
+      bindings[i].joint = bindings[i].weight = 0;
+    }
+}
+
 class GeometryReader {
  public:
   GeometryReader(const GltfDocument& document, int mesh, std::vector<Warning>& warnings)
@@ -115,7 +154,7 @@ class GeometryReader {
                                          std::vector<Index> indices) const;
   std::vector<std::vector<Index>> vertexSequences(int primitiveNumber,
                                                   std::size_t vertexCount) const;
-  void dropForeignJoints();
+  void settleJoints();
   bool areQuads() const;
   void warn(const char* code, const std::string& message);
 
@@ -277,18 +316,25 @@ void GeometryReader::readAttributes(const VertexPool& pool, std::size_t firstVer
   }
 }
 
-// What is bound to a joint that the skin has not goes nowhere.
-void GeometryReader::dropForeignJoints() {
-  for (Attribute& joints : result_.attributes) {
+void GeometryReader::settleJoints() {
+  const auto jointCount = static_cast<float>(jointCount_);
+  std::vector<std::pair<Attribute*, Attribute*>> sets;
+  std::vector<Attribute>& all = result_.attributes;
+  for (Attribute& joints : all)
+    for (Attribute& weights : all)
+      if (joints.semantic.starts_with("JOINTS_") && joints.itemSize == weights.itemSize &&
+          weights.semantic == "WEIGHTS_" + joints.semantic.substr(7))
+        sets.emplace_back(&joints, &weights);
+  for (std::size_t v = 0; !sets.empty() && v < result_.positions.size(); ++v) {
+    const std::vector<Binding> bindings = bindingsOf(sets, v);
+    dropForeign(bindings, jointCount);
+    mergeTwice(bindings);
+  }
+  for (Attribute& joints : all) {
     if (!joints.semantic.starts_with("JOINTS_")) continue;
-    const std::string partner = "WEIGHTS_" + joints.semantic.substr(7);
-    const auto weights =
-        std::find_if(result_.attributes.begin(), result_.attributes.end(),
-                     [&](const Attribute& other) { return other.semantic == partner; });
-    for (std::size_t i = 0; i < joints.values.size(); ++i) {
-      if (joints.values[i] < static_cast<float>(jointCount_)) continue;
-      joints.values[i] = 0;
-      if (weights != result_.attributes.end()) weights->values[i] = 0;
+    for (float& joint : joints.values) {
+      if (joint < jointCount) continue;
+      joint = 0;
       warn("JOINT_NOT_IN_SKIN", "Vertices bound to joints that their skin has not lose these.");
     }
   }
@@ -324,7 +370,7 @@ TriangleMesh GeometryReader::read() {
   layOutAttributes(pools);
   for (std::size_t i = 0; i < pools.size(); ++i)
     readAttributes(pools[i], firstVertices[i], firstVertices[i + 1] - firstVertices[i]);
-  dropForeignJoints();
+  settleJoints();
   return std::move(result_);
 }
 

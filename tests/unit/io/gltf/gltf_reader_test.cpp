@@ -226,11 +226,30 @@ TEST_CASE("gltf: joints that the skin has not bind nothing") {
   CHECK(read[0].values == std::vector<float>{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   CHECK(read[1].values[5] == 0);
   CHECK(read[1].values[12] == 0);
-  CHECK(read[1].values[4] == 0.25F);
+  const std::vector<float> rest(read[1].values.begin() + 4, read[1].values.begin() + 8);
+  CHECK(rest[0] == doctest::Approx(1.0 / 3));
+  CHECK(rest[0] + rest[1] + rest[2] + rest[3] == doctest::Approx(1));
+  CHECK(read[1].values[8] == 1);  // four times the same joint
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].code == "JOINT_NOT_IN_SKIN");
   CHECK(model.warnings[0].count == 2);
   CHECK(io::read(io::write(model, "out.glb").files[0]).warnings.empty());
+}
+
+TEST_CASE("gltf: a joint that a vertex is bound to twice has both weights once") {
+  GltfMaker maker = squareOf(kSquareIndices, kUShort, 4);
+  Json& attributes = maker.tree["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] =
+      maker.add(Bytes{1, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0}, kUByte, "VEC4");
+  attributes["WEIGHTS_0"] = maker.add(
+      std::vector<float>{0.5F, 0.25F, 0.25F, 0, 0.5F, 0.5F, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0},
+      kFloat, "VEC4");
+  maker.show({{{"mesh", 0}, {"skin", 0}}, Json::object(), Json::object()});
+  maker.tree["skins"] = Json::array({{{"joints", {1, 2}}}});
+  const std::vector<Attribute> read = io::read(maker.glb()).parts[0].mesh.attributes;
+  CHECK(read[0].values == std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+  CHECK(read[1].values ==
+        std::vector<float>{0.75F, 0.25F, 0, 0, 0.5F, 0.5F, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
 }
 
 TEST_CASE("gltf: images that another format has no place for are said to be lost") {
