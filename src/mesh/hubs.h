@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "mesh/halfedge_mesh.h"
@@ -14,7 +15,10 @@ class Hubs {
  public:
   static constexpr std::size_t kFewestSpokes = 1000;
 
-  explicit Hubs(const HalfedgeMesh& mesh);
+  explicit Hubs(const HalfedgeMesh& mesh, std::size_t fewestSpokes = kFewestSpokes);
+
+  // Who walks from each triangle of a star to all of its others has had enough at a tenth.
+  static Hubs ofWalks(const HalfedgeMesh& mesh) { return Hubs(mesh, kFewestSpokes / 10); }
 
   bool empty() const { return hubs_.empty(); }
 

@@ -101,7 +101,7 @@ class NearbyVertices {
   }
 
   void spread() {
-    const Hubs hubs(posts_.mesh());
+    const Hubs hubs = Hubs::ofWalks(posts_.mesh());
     std::vector<Vertex> waiting;
     for (std::size_t head = 0; head < reached_.size() || !waiting.empty();) {
       const bool isLast = head == reached_.size();
@@ -126,7 +126,7 @@ class Survey {
         enough_(enough),
         surely_(surely),
         mesh_(run.mesh),
-        hubs_(run.mesh.mesh()),
+        hubs_(Hubs::ofWalks(run.mesh.mesh())),
         posts_(run),
         nearby_(run.mesh, posts_),
         near_(posts_.mesh().vertexCapacity(), 0) {}

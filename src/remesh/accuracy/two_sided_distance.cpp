@@ -29,7 +29,7 @@ constexpr double kDecides = 0.4;
 
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
-      hubs_(run.mesh.mesh()),
+      hubs_(Hubs::ofWalks(run.mesh.mesh())),
       doubtful_(kMayBeLocal * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
       places_(measurePlaces(run, kBesideIt, kBesideIt)),

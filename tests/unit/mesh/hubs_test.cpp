@@ -17,3 +17,11 @@ TEST_CASE("hubs: what a thousand triangles meet at, and nothing else") {
     CHECK(hubs.contains(Vertex(i)) == (wheel.mesh.valence(Vertex(i)) >= kFewest));
   CHECK(!hubs.empty());
 }
+
+TEST_CASE("hubs: for walks a tenth of the triangles is enough") {
+  constexpr int kFewest = Hubs::kFewestSpokes / 10;
+  CHECK(Hubs::ofWalks(buildMesh(shapes::wheel(kFewest - 1)).mesh).empty());
+  const BuiltMesh wheel = buildMesh(shapes::wheel(kFewest));
+  CHECK(!Hubs::ofWalks(wheel.mesh).empty());
+  CHECK(Hubs(wheel.mesh).empty());
+}
