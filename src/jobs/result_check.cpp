@@ -166,14 +166,21 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   return warnings;
 }
 
-std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io::Part>& result) {
-  if (!report.fidelity || report.fidelity->hausdorff <= kWholeDiagonal) return {};
+std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::Part>& result) {
+  const MeshReport& after = report.output ? *report.output : report.input;
+  const std::size_t flat = more(after.degenerateTriangles, report.input.degenerateTriangles);
+  const bool isFar = report.fidelity && report.fidelity->hausdorff > kWholeDiagonal;
+  if (!isFar && flat == 0) return {};
   const std::optional<Vec3> where = placeOfRounding(result);
   if (!where) return {};
-  std::string text = "The result is " + number(report.fidelity->hausdorff);
-  text.append(" % of the diagonal away from the original, near (").append(place(*where, result));
+  std::string text = "Triangles of the result have no area";
+  if (isFar)
+    text = "The result is " + number(report.fidelity->hausdorff) +
+           " % of the diagonal away from the original";
+  text.append(", near (").append(place(*where, result));
   text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
-  return {{"SHAPE_LOST_TO_ROUNDING", text.append("to. Move it to the origin first.")}};
+  text.append("to. Move it to the origin first.");
+  return {{"SHAPE_LOST_TO_ROUNDING", text, std::max<std::size_t>(flat, 1)}};
 }
 
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options) {
@@ -190,7 +197,7 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
                                     const RemeshOptions& options) {
   std::vector<Warning> all = worseThanGiven({report.input, *report.output}, result);
-  for (const auto& more : {fartherThanLarge(report, result), fartherThanAsked(report, options)})
+  for (const auto& more : {lostToRounding(report, result), fartherThanAsked(report, options)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -22,9 +22,9 @@ struct BeforeAndAfter {
 std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result);
 
-// SHAPE_LOST_TO_ROUNDING, where what was measured is farther than the original is large, and the
-// result no larger than what rounding leaves.
-std::vector<Warning> fartherThanLarge(const Report& report, const std::vector<io::Part>& result);
+// SHAPE_LOST_TO_ROUNDING, where the result is no larger than what rounding leaves, and either has
+// triangles without area that the original had not, or is farther away than the original is large.
+std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::Part>& result);
 
 // MAX_ERROR_EXCEEDED, where a bound was asked for and what was measured lies beyond it.
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);

@@ -38,7 +38,8 @@ export function lawsOfReports(report, options) {
     warning.code === code && /near \(/.test(warning.message));
   const isRepaired = warnings.some((/** @type {any} */ { code }) => repairs.has(code));
   // The numbers that are written hold less than those read: far from the origin, in singles.
-  const isRounded = warnings.some((/** @type {any} */ { code }) => code === 'VERTICES_COINCIDE');
+  const isRounded = warnings.some((/** @type {any} */ { code }) => code === 'VERTICES_COINCIDE')
+    || says('SHAPE_LOST_TO_ROUNDING');
   // What is sound stays sound. What is not may become worse where that is said, with the place.
   require(output.degenerateTriangles <= input.degenerateTriangles
     || ((isThin(input) || isRounded) && says('DEGENERATE_TRIANGLES_MADE')),

@@ -90,19 +90,28 @@ TEST_CASE("result check: a model smaller than what it is rounded to is said, wit
   for (Vec3& p : far.positions) p = Vec3(1, 1e-30 * p.y(), 1e-30 * p.z());
   const std::vector<io::Part> speck = {io::Part{"", far, {}}};
   Report report;
-  CHECK(fartherThanLarge(report, speck).empty());
+  CHECK(lostToRounding(report, speck).empty());
   report.fidelity = FidelityReport{};
   report.fidelity->hausdorff = 100;
-  CHECK(fartherThanLarge(report, speck).empty());
+  CHECK(lostToRounding(report, speck).empty());
   report.fidelity->hausdorff = 250;
-  const std::vector<Warning> warnings = fartherThanLarge(report, speck);
+  const std::vector<Warning> warnings = lostToRounding(report, speck);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].code == "SHAPE_LOST_TO_ROUNDING");
   CHECK(warnings[0].message.find("250 % of the diagonal") != std::string::npos);
   CHECK(warnings[0].message.find(" near (1, ") != std::string::npos);
+  // As are triangles that rounding made flat, and only those.
+  report.fidelity.reset();
+  report.output = MeshReport{};
+  report.output->degenerateTriangles = report.input.degenerateTriangles = 2;
+  CHECK(lostToRounding(report, speck).empty());
+  report.input.degenerateTriangles = 0;
+  REQUIRE(lostToRounding(report, speck).size() == 1);
+  CHECK(lostToRounding(report, speck)[0].message.find("no area, near (1, ") != std::string::npos);
+  CHECK(lostToRounding(report, speck)[0].count == 2);
   // Of anything else rounding is not the reason.
-  CHECK(fartherThanLarge(report, kParts).empty());
-  CHECK(fartherThanLarge(report, {io::Part{}}).empty());
+  CHECK(lostToRounding(report, kParts).empty());
+  CHECK(lostToRounding(report, {io::Part{}}).empty());
 }
 
 TEST_CASE("result check: a bound that was asked for and is not kept is said, with both figures") {
