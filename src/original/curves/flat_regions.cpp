@@ -36,9 +36,7 @@ class RegionGrowth {
 
   FlatRegions run(double width) {
     FlatRegions result;
-    const std::vector<Face> all = seeds();
-    if (shareOf(all) < kLeastShare) return {};
-    for (const Face seed : all) {
+    for (const Face seed : seeds()) {
       if (of_[seed] != kNone || seen_[seed] != 0) continue;
       grow(seed, planeOf(seed));
       grow(seed, meanPlane());
@@ -48,7 +46,7 @@ class RegionGrowth {
       result.widths.push_back(own);
     }
     dropFacets(result.widths);
-    if (result.widths.empty() || shareOf(flatFaces()) < kLeastShare) return {};
+    if (result.widths.empty() || flatShare() < kLeastShare) return {};
     result.of.assign(mesh_.faceCapacity(), kNone);
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
     return result;
@@ -182,18 +180,14 @@ class RegionGrowth {
   }
 
   // Of the area.
-  double shareOf(const std::vector<Face>& faces) const {
-    double own = 0, all = 0;
-    for (const Face f : faces) own += areas_[f].norm();
-    for (const Vec3& area : areas_.values()) all += area.norm();
-    return all > 0 ? own / all : 0;
-  }
-
-  std::vector<Face> flatFaces() const {
-    std::vector<Face> result;
-    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
-      if (of_[Face(i)] != kNone) result.emplace_back(i);
-    return result;
+  double flatShare() const {
+    double flat = 0, all = 0;
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
+      const double area = areas_[Face(i)].norm();
+      all += area;
+      if (of_[Face(i)] != kNone) flat += area;
+    }
+    return all > 0 ? flat / all : 0;
   }
 
   double widthOfGrown() const {
@@ -225,6 +219,7 @@ class RegionGrowth {
 
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width) {
+  if (coplanarShare(mesh, positions) < kLeastShare) return {};
   return RegionGrowth(mesh, positions).run(width);
 }
 

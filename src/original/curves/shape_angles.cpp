@@ -104,6 +104,26 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
   return missing;
 }
 
+double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
+  const double step = coordinateStep(positions);
+  double coplanar = 0, all = 0;
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    const Vec3 normal = areaVector(positions[a], positions[b], positions[c]);
+    const double twice = normal.norm();
+    all += twice;
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge across = mesh.twin(HalfedgeMesh::halfedge(Face(i), k));
+      if (!across) continue;
+      const double off = normal.dot(positions[mesh.opposite(across)] - positions[a]);
+      if (std::abs(off) > step * twice) continue;
+      coplanar += twice;
+      break;
+    }
+  }
+  return all > 0 ? coplanar / all : 0;
+}
+
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                          double angle) {
   constexpr double kRounding = 1e-6;

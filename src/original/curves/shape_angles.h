@@ -31,6 +31,10 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
 // are within φ of one: seen against that, an angle is wider at least by cos φ.
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
+// The share of the area whose triangles lie in one plane with a neighbor, to the precision of the
+// coordinates; in [0, 1].
+double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
+
 // Per edge, in the order of the halfedges that name them.
 std::vector<double> edgeLengths(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
