@@ -76,18 +76,15 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
   return reached;
 }
 
-// Where the bound asks for more vertices than there are to be, and than the original has, which
-// keeps every bound, no scheme is a way there.
+// Where the bound asks for more vertices than there are to be, more are made first, and taken again
+// where the bound allows it; but for more than the original has, as sizes of facets and thin walls
+// ask for, those there are to be come nearer.
 bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
   const bool splitsObtuse = manner.options.splitObtuse;
-  constexpr double kBeyondAll = 1e15;  // a bound near nothing may ask for any number
-  const std::size_t aim = std::size_t(std::lround(std::min(run.sizes.vertices(), kBeyondAll)));
   const std::size_t original = run.mesh.mesh().vertexCount();
-  if (std::max(goal.vertices, original) < aim) {
-    const bool reached = boundError(run, goal, progress);
-    if (splitsObtuse) splitObtuse(run);
-    return reached;
-  }
+  const double wanted = run.sizes.vertices();
+  const bool isBeyond = wanted > double(std::max(goal.vertices, original));
+  const std::size_t aim = isBeyond ? goal.vertices : std::size_t(std::lround(wanted));
   runScheme(run, aim, manner, progress.part(0, 1 - kBoundShare));
   const std::size_t most = splitsObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
   return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
