@@ -171,6 +171,7 @@ add_library(small OBJECT
   src/io/text/obj_writer.cpp
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
+  src/jobs/fewest_vertices.cpp
   src/jobs/mending.cpp
   src/jobs/part_borders.cpp
   src/jobs/part_joining.cpp

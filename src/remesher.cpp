@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +11,7 @@
 #include "base/legible.h"
 #include "io/formats.h"
 #include "io/model/levels.h"
+#include "jobs/fewest_vertices.h"
 #include "jobs/mending.h"
 #include "jobs/part_joining.h"
 #include "jobs/part_report.h"
@@ -107,12 +107,12 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
 Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& options,
                  const Progress& progress) {
   const PartScale scale(originals);
-  const bool isScaled = scale.isNeeded();
   Run run = withinMemory([&] {
-    return isScaled ? remeshParts(scale.applied(originals), scale.applied(options), progress)
-                    : remeshParts(originals, options, progress);
+    return scale.isNeeded()
+               ? remeshParts(scale.applied(originals), scale.applied(options), progress)
+               : remeshParts(originals, options, progress);
   });
-  if (isScaled) run.parts = scale.undone(std::move(run.parts), originals);
+  if (scale.isNeeded()) run.parts = scale.undone(std::move(run.parts), originals);
   run.report.warnings =
       joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, options));
   return run;
@@ -154,7 +154,8 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
   std::vector<Run> runs = {remeshScaled(originals, options, progress.part(0, share))};
   if (options.lods.empty()) return runs;
   progress.phase("levels of detail", share, share);
-  for (Run& run : remeshLods(originals, options, progress.part(share, 1))) {
+  for (Run& run : remeshLods(originals, optionsOfLevels(options, runs.front().report),
+                             progress.part(share, 1))) {
     runs.front().report.lods.push_back(run.report);
     runs.push_back(std::move(run));
   }
@@ -257,8 +258,7 @@ io::Model withLods(io::Model model, std::vector<Run>& runs) {
 // "horse.glb" becomes "horse_lod1.glb".
 std::string nameOfLod(const std::string& outputName, std::size_t level) {
   if (level == 0) return outputName;
-  const std::size_t dot = outputName.rfind('.');
-  return outputName.substr(0, dot) + "_lod" + std::to_string(level) + outputName.substr(dot);
+  return std::string(outputName).insert(outputName.rfind('.'), "_lod" + std::to_string(level));
 }
 
 // A file for each level. What lies beside them, a texture, is there once.
@@ -319,7 +319,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   }
   RemeshSceneResult result{
       std::move(levels.front()), timed(std::move(runs.front().report), clock), {}};
-  result.lods.assign(std::next(levels.begin()), levels.end());
+  result.lods.assign(levels.begin() + 1, levels.end());
   return result;
 }
 

@@ -31,6 +31,7 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_joining_test.cpp
   tests/unit/jobs/part_places_test.cpp
   tests/unit/jobs/part_report_test.cpp

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jobs/fewest_vertices.h"
 #include "jobs/part_report.h"
 #include "jobs/part_scale.h"
 
@@ -11,10 +12,13 @@ namespace remesher {
 namespace {
 
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
+  using Run =
+      RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
+  const Run remeshed = asksForFewest(options) ? Run(remeshToFewest) : Run(remeshSurface);
   const auto stretch = stretchAt(part.place.toWorld);
-  if (!stretch) return remeshSurface(part.mesh, std::move(part.welding), options, progress);
+  if (!stretch) return remeshed(part.mesh, std::move(part.welding), options, progress);
   RemeshOutcome outcome =
-      remeshSurface(stretched(part.mesh, *stretch), std::move(part.welding), options, progress);
+      remeshed(stretched(part.mesh, *stretch), std::move(part.welding), options, progress);
   outcome.mesh = relaxed(std::move(outcome.mesh), *stretch, part.mesh);
   outcome.tree.reset();
   return outcome;

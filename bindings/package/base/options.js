@@ -34,7 +34,8 @@ import { legible } from './legible.js';
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
-    help: 'exact number of vertices of the result (distinct positions); the input’s if not given' },
+    help: 'exact number of vertices of the result (distinct positions); if not given the input’s, '
+      + 'or as few as keep --max-error' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',

@@ -62,7 +62,10 @@ void polishInCount(Run& run, const Progress& progress) {
 }  // namespace
 
 bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
-  if (!mend(run, goal, progress.phase("mend", 0, 0.3))) run.mesh = WorkingMesh(run.mesh.surface());
+  if (!mend(run, goal, progress.phase("mend", 0, 0.3))) {
+    if (goal.outOfBound == OutOfBound::GiveUp) return false;
+    run.mesh = WorkingMesh(run.mesh.surface());
+  }
   run.scale = 1;
   run.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();

@@ -5,6 +5,7 @@
 // under the gate so does all that is made of it.
 #pragma once
 
+#include "base/options.h"
 #include "remesh/gate/error_bound.h"
 #include "remesh/steps/run.h"
 
@@ -13,9 +14,11 @@ namespace remesher {
 struct BoundGoal {
   const ErrorBound& bound;
   std::size_t vertices;
+  OutOfBound outOfBound = OutOfBound::FromOriginal;
 };
 
-// From now on the run's gate keeps the bound. Returns whether the number of vertices was reached.
+// From now on the run's gate keeps the bound. Returns whether the number of vertices was reached,
+// within the bound.
 bool boundError(Run& run, const BoundGoal& goal, const Progress& progress);
 
 }  // namespace remesher

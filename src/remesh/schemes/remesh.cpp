@@ -84,10 +84,11 @@ bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Prog
   const std::size_t original = run.mesh.mesh().vertexCount();
   const double wanted = run.sizes.vertices();
   const bool isBeyond = wanted > double(std::max(goal.vertices, original));
-  const std::size_t aim = isBeyond ? goal.vertices : std::size_t(std::lround(wanted));
+  const bool isFewest = goal.outOfBound == OutOfBound::GiveUp;
+  const std::size_t aim = isBeyond || isFewest ? goal.vertices : std::size_t(std::lround(wanted));
   runScheme(run, aim, manner, progress.part(0, 1 - kBoundShare));
   const std::size_t most = splitsObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
-  return boundError(run, {goal.bound, most}, progress.part(1 - kBoundShare, 1));
+  return boundError(run, {goal.bound, most, goal.outOfBound}, progress.part(1 - kBoundShare, 1));
 }
 
 struct Places {
@@ -135,8 +136,10 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   const std::size_t vertices = original.vertices();
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.effort = effortOf(options.quality, Level::Finest, vertices);
-  bool reached = original.bound() ? runWithin(run, {*original.bound(), vertices}, manner, progress)
-                                  : runScheme(run, vertices, manner, progress);
+  bool reached =
+      original.bound()
+          ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
+          : runScheme(run, vertices, manner, progress);
   Uncrossed uncrossed;
   if (options.repair != Repair::Off) {
     uncrossed = keepUncrossed(run, vertices);

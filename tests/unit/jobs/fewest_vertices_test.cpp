@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/fewest_vertices.h"
+
+#include <doctest/doctest.h>
+
+#include "measure/hausdorff.h"
+#include "support/shapes.h"
+
+using namespace remesher;
+
+namespace {
+
+RemeshOutcome withinOnly(const TriangleMesh& mesh, double maxError) {
+  RemeshOptions options;
+  options.quality = Quality::Draft;
+  options.maxError = maxError;
+  REQUIRE(asksForFewest(options));
+  return remeshToFewest(mesh, Welding(mesh), options, {});
+}
+
+}  // namespace
+
+TEST_CASE("fewest vertices: as many as the bound takes, which is kept; a tighter one takes more") {
+  const TriangleMesh sphere = shapes::icosphere(3);
+  std::size_t coarser = 0;
+  for (const double bound : {4.0, 1.0}) {
+    const RemeshOutcome made = withinOnly(sphere, bound);
+    CHECK(made.stopped == Stopped::Target);
+    CHECK(measureFidelity(sphere, made.mesh).hausdorff <= bound);
+    CHECK(made.vertices < sphere.positions.size());
+    CHECK(made.vertices > coarser);
+    coarser = made.vertices;
+  }
+}
+
+TEST_CASE("fewest vertices: of what is flat few, however many there are") {
+  const RemeshOutcome made = withinOnly(shapes::grid(24, 24), 0.5);
+  CHECK(made.stopped == Stopped::Target);
+  CHECK(made.vertices <= 24);
+}
+
+TEST_CASE("fewest vertices: a bound that no even triangles keep leaves the input's own number") {
+  const TriangleMesh sphere = shapes::icosphere(1);
+  const RemeshOutcome made = withinOnly(sphere, 1e-7);
+  CHECK(made.vertices == sphere.positions.size());
+}
+
+TEST_CASE("fewest vertices: looked for where a bound is all that is asked for") {
+  RemeshOptions options;
+  CHECK(!asksForFewest(options));
+  options.maxError = 1;
+  CHECK(asksForFewest(options));
+  options.ratio = 0.5;
+  CHECK(!asksForFewest(options));
+}
+
+TEST_CASE("fewest vertices: levels of detail are shares of what was found, and need no bound") {
+  RemeshOptions options;
+  Report report;
+  report.output = MeshReport{};
+  report.output->vertices = 77;
+  CHECK(!optionsOfLevels(options, report).vertices);
+  options.maxError = 1;
+  CHECK(optionsOfLevels(options, report).vertices == 77);
+  CHECK(!optionsOfLevels(options, report).maxError);
+}
