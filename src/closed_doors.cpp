@@ -23,6 +23,8 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
   refuse("Repair");
 }
 
+RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
+
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 
 Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }

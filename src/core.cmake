@@ -55,6 +55,7 @@ add_library(linear OBJECT
   src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/salient_vertices.cpp
+  src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
   src/mesh/fan_cut.cpp
   src/mesh/joining.cpp
@@ -108,7 +109,9 @@ add_library(linear OBJECT
   src/repair/solid/crossings_of_edges.cpp
   src/repair/solid/inside.cpp
   src/repair/solid/lattice.cpp
+  src/repair/solid/oriented_patches.cpp
   src/repair/solid/outside_flood.cpp
+  src/repair/solid/solid.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
   src/textures/charts/chart_growth.cpp
@@ -184,7 +187,6 @@ add_library(small OBJECT
   src/jobs/result_check.cpp
   src/measure/distance_bound.cpp
   src/measure/quad_report.cpp
-  src/measure/self_intersections.cpp
   src/mesh/check.cpp
   src/mesh/hubs.cpp
   src/mesh/joints.cpp
@@ -233,8 +235,6 @@ add_library(small OBJECT
   src/repair/holes/plug.cpp
   src/repair/holes/plug_attributes.cpp
   src/repair/repair.cpp
-  src/repair/solid/oriented_patches.cpp
-  src/repair/solid/solid.cpp
   src/repair_file.cpp
   src/textures/charts/unwrap.cpp
   src/textures/painting/look_borders.cpp

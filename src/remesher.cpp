@@ -19,7 +19,6 @@
 #include "jobs/part_scale.h"
 #include "jobs/part_targets.h"
 #include "jobs/part_unions.h"
-#include "jobs/precision.h"
 #include "jobs/result_check.h"
 #include "jobs/run_guards.h"
 #include "remesh/schemes/remesh.h"
@@ -39,8 +38,7 @@ struct Run {
   Report report;
 };
 
-void take(Run& run, std::size_t part, RemeshOutcome outcome, const TriangleMesh& original) {
-  RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
+void take(Run& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh rounded) {
   if (const std::size_t count = std::max(rounded.coincident, outcome.coincident); count > 0)
     outcome.warnings.push_back({"VERTICES_COINCIDE",
                                 "Vertices of the result lie where others do: parts of the surface "
@@ -76,7 +74,8 @@ std::optional<ListedTree> remeshSurfaces(Run& run, const std::vector<io::Part>& 
     tree = std::move(outcome.tree);
     std::vector<RemeshOutcome> parted = unions.parted(i, std::move(outcome));
     for (std::size_t k = 0; k < parted.size(); ++k)
-      take(run, members[k], std::move(parted[k]), originals[members[k]].mesh);
+      take(run, members[k], parted[k],
+           roundedOutcome(originals[members[k]].mesh, parted[k], options.repair));
     done += share;
   }
   return tree;

@@ -34,6 +34,7 @@ add_executable(unit_tests
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_joining_test.cpp
   tests/unit/jobs/part_places_test.cpp
+  tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/part_report_test.cpp
   tests/unit/jobs/part_scale_test.cpp
   tests/unit/jobs/part_targets_test.cpp

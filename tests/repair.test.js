@@ -8,6 +8,7 @@ import { inspect, remesh, repair, repairFile } from 'remesher';
 
 import { parseCommandLine } from '../dist/cli/cli_arguments.js';
 import { reportInWords } from '../dist/cli/report_in_words.js';
+import { makeRepairCase, runRepairCase } from './fuzz/repair_case.js';
 import * as broken from './support/broken_shapes.js';
 import { rejectsWith } from './support/errors.js';
 import { eulerCharacteristic, offText, sheet, torus } from './support/shapes.js';
@@ -103,6 +104,27 @@ for (const make of [askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan,
     const { mesh, report } = await remesh(shape, { repair: 'auto', vertices: 2000 });
     await assertSound(mesh, 'remeshed');
     assert.equal(report.output.vertices, 2000);
+  });
+}
+
+test('far from the origin, where single precision has few digits, all of it is sound', async () => {
+  const torusAt = (/** @type {number} */ offset) => {
+    const { positions, indices } = torus({ columns: 12, rows: 8 });
+    return { positions: positions.map((x, i) => (i % 3 === 0 ? x + offset : x)), indices };
+  };
+  await rejectsWith(repair(torusAt(1e8), { repair: 'wrap' }), 'NO_TRIANGLES', /too small/);
+  for (const offset of [8e4, 1e6]) {
+    const shape = torusAt(offset);
+    await assertSound((await repair(shape, { repair: 'wrap' })).mesh, `repaired, ${offset}`);
+    const { mesh } = await remesh(shape, { repair: 'wrap', vertices: 900 });
+    await assertSound(mesh, `remeshed, ${offset}`);
+  }
+});
+
+// Sheets back to back of which scraps remain, and three that lie far away.
+for (const seed of [14, 40, 44, 50]) {
+  test(`case ${seed} of the laws, which broke one`, async () => {
+    assert.deepEqual((await runRepairCase(makeRepairCase(seed))).broken, []);
   });
 }
 

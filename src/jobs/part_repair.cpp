@@ -8,6 +8,8 @@
 #include "base/error.h"
 #include "jobs/part_report.h"
 #include "jobs/part_scale.h"
+#include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
 #include "repair/repair.h"
 
 namespace remesher {
@@ -27,6 +29,20 @@ void add(RepairReport& sum, const RepairReport& part) {
   sum.shells += part.shells;
   sum.turned += part.turned;
   for (std::size_t i = 0; i < 2; ++i) sum.selfIntersections[i] += part.selfIntersections[i];
+}
+
+bool isSound(const TriangleMesh& mesh) {
+  const MeshReport report = inspectMesh(mesh);
+  return report.boundaryEdges + report.nonManifoldEdges + report.degenerateTriangles == 0 &&
+         selfIntersections(mesh).empty();
+}
+
+// Of each corner of the mesh itself.
+std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
+  std::vector<InputPlace> places;
+  for (Index i = 0; i < mesh.indices.size(); ++i)
+    places.push_back({i / 3, Vec3::Unit(Eigen::Index(i % 3))});
+  return places;
 }
 
 }  // namespace
@@ -54,6 +70,20 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   }
   if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
   return result;
+}
+
+RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome) {
+  RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
+  if (rounded.mesh.isQuads || isSound(rounded.mesh) || !isSound(original)) return rounded;
+  outcome.stopped = Stopped::Fidelity;
+  if (!outcome.places.empty()) outcome.places = ownPlaces(original);
+  outcome.coincident = 0;
+  outcome.warnings.push_back(
+      {"ONLY_REPAIRED",
+       "Parts of the repaired surface are too near to each other for coordinates of "
+       "so few digits to be remeshed: they are as repair has left them.",
+       1});
+  return {original, 0};
 }
 
 FaultReport faultsOf(const std::vector<io::Part>& parts) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jobs/fewest_vertices.h"
+#include "jobs/part_repair.h"
 #include "jobs/part_report.h"
 #include "jobs/part_scale.h"
 
@@ -34,6 +35,11 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);
   }
+}
+
+RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair) {
+  if (repair != Repair::Off) return inSoundPrecisionOf(original, outcome);
+  return inPrecisionOf(original, std::move(outcome.mesh));
 }
 
 io::Part withoutMesh(const io::Part& part) {

@@ -9,6 +9,7 @@
 #include "jobs/part_places.h"
 #include "jobs/part_targets.h"
 #include "jobs/part_unions.h"
+#include "jobs/precision.h"
 #include "mesh/welding.h"
 #include "remesh/schemes/remesh.h"
 
@@ -29,6 +30,9 @@ struct PartTarget {
 
 // The outcome is in the part's own space; its tree only where the part looks as it does there.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress);
+
+// What remeshing has made, in the original's precision: sound if that was repaired.
+RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair);
 
 // All of a part but its mesh.
 io::Part withoutMesh(const io::Part& part);

@@ -105,8 +105,9 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
   RepairedMesh result =
       asRepaired(solidOf(input, ruleFor(input, options, InsideBy::Reach)), InsideBy::Reach);
   if (!result.mesh.indices.empty()) return result;
-  throw Error(ErrorCode::NoTriangles, "The triangles are too small to be wrapped.",
-              "Was the mesh scaled to zero in one direction?");
+  throw Error(
+      ErrorCode::NoTriangles, "The triangles are too small to be wrapped.",
+      "Was the mesh scaled to zero in one direction, or does it lie too far from the origin?");
 }
 
 // What encloses nothing is wrapped.
@@ -115,14 +116,27 @@ RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOpti
   return asRepaired(std::move(solid), InsideBy::Enclosure);
 }
 
+// A shell within a body that is no cavity, a body inside out.
+bool facesWrongWay(const Enclosure& enclosure) { return enclosure.inner + enclosure.insideOut > 0; }
+
+// On the coarsest lattice.
+Enclosure roughEnclosure(const TriangleMesh& mesh) {
+  RemeshOptions coarse;
+  coarse.vertices = 1;
+  return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
+}
+
 // Closing holes is enough where nothing passes through itself then, and where no closed piece faces
-// the wrong way: a shell within a body that is no cavity, a body inside out.
+// the wrong way.
 std::optional<RepairedMesh> withEnough(const TriangleMesh& input, const RemeshOptions& options,
                                        const Enclosure& enclosure) {
-  if (enclosure.inner + enclosure.insideOut > 0) return std::nullopt;
+  if (facesWrongWay(enclosure)) return std::nullopt;
   try {
     RepairedMesh closed = withHolesClosed(input, options);
-    if (closed.report.selfIntersections[1] == 0) return closed;
+    const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
+    if (closed.report.selfIntersections[1] == 0 &&
+        (isAsGiven || !facesWrongWay(roughEnclosure(closed.mesh))))
+      return closed;
   } catch (const Error& error) {
     if (error.code != ErrorCode::NoTriangles) throw;
   }
@@ -176,9 +190,7 @@ std::vector<double> openLoops(const TriangleMesh& input) {
 
 FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
-  RemeshOptions coarse;
-  coarse.vertices = 1;
-  const Enclosure enclosure = enclosureOf(input, ruleFor(input, coarse, InsideBy::Enclosure));
+  const Enclosure enclosure = roughEnclosure(input);
   FaultReport faults;
   faults.openLoops = openLoops(input);
   faults.selfIntersections = selfIntersections(input).size();

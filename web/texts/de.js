@@ -347,6 +347,8 @@ export default {
   'warning.NON_ORIENTABLE_CUT': 'Die Fläche hat nur eine Seite und wurde aufgeschnitten.',
   'warning.NOTHING_TO_REMESH': 'Es gibt keine Dreiecke: die Datei wird weitergegeben, wie sie ist.',
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
+  'warning.ONLY_REPAIRED': 'Teile der ausgebesserten Fläche liegen für ihre Zahlen zu nah '
+    + 'beieinander und sind nicht neu vernetzt.',
   'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
     + 'auf.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '

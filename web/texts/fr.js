@@ -348,6 +348,8 @@ export default {
   'warning.NON_ORIENTABLE_CUT': 'La surface n’a qu’un côté et a été ouverte.',
   'warning.NOTHING_TO_REMESH': 'Il n’y a pas de triangles : le fichier est transmis tel quel.',
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
+  'warning.ONLY_REPAIRED': 'Des parties de la surface réparée sont trop proches pour leurs '
+    + 'nombres et ne sont pas remaillées.',
   'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
   'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '

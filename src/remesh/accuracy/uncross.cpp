@@ -82,15 +82,21 @@ void halve(Run& run, Face f) {
     if (const Halfedge h = HalfedgeMesh::halfedge(f, k); lengthOf(run, h) > lengthOf(run, longest))
       longest = h;
   if (!proposeSplit(run.mesh, run.projector, longest, run.change)) return;
-  commit(run, lenient(run));
+  FidelityRule rule = lenient(run);
+  rule.guard = nullptr;  // both halves may meet what the whole does
+  commit(run, rule);
 }
 
 }  // namespace
 
 std::size_t uncross(Run& run) {
   const int rounds = 2 * run.effort.polishRounds;
+  // To mend one triangle takes as long as 64 of the original take where all is made anew.
+  std::size_t budget = run.mesh.surface().mesh().faceCount() / 64;
   std::vector<Face> crossed = run.rule.guard->crossing();
   for (int round = 0; round < rounds && !crossed.empty(); ++round) {
+    if (crossed.size() > budget) break;
+    budget -= crossed.size();
     for (const Face f : crossed)
       if (run.mesh.mesh().isAlive(f) && run.rule.guard->isCrossed(f) && !mendCrossed(run, f))
         halve(run, f);

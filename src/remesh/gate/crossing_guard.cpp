@@ -76,7 +76,7 @@ NamedTriangle CrossingGuard::coming(const LocalChange& change,
 
 std::size_t CrossingGuard::countAround(const NamedTriangle& t,
                                        std::span<const Face> leftOut) const {
-  if (!hasArea(t.at)) return 0;
+  if (!hasArea(t.at)) return 1;
   const Box box = boxAround(t);
   std::size_t pairs = 0;
   grid_.visit(box, [&](Index name) {

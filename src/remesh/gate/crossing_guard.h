@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A gate that no triangle passes which meets others, however far apart along the surface they are:
-// what was free of crossings stays so, in the numbers that are written.
+// A gate that no triangle passes which meets others, however far apart along the surface they are,
+// or has no area: what was free of both stays so, in the numbers that are written.
 #pragma once
 
 #include <span>

@@ -23,6 +23,21 @@ std::unique_ptr<CrossingGuard> guardOf(Run& run) {
   return guard;
 }
 
+// The original, thinned out without a look as far as what meets then can be mended, which is
+// sooner done.
+std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
+  for (const std::size_t times : {std::size_t{4}, std::size_t{16}}) {
+    run.mesh = WorkingMesh(run.mesh.surface());
+    if (times * vertices >= run.mesh.mesh().vertexCount()) break;
+    run.rule.guard = nullptr;
+    coarsen(run, times * vertices, MeetingPlace::MiddleOrEnds);
+    std::unique_ptr<CrossingGuard> guard = guardOf(run);
+    if (uncross(run) == 0) return guard;
+  }
+  run.mesh = WorkingMesh(run.mesh.surface());
+  return guardOf(run);
+}
+
 bool finishUncrossed(Run& run, std::size_t vertices) {
   const bool isReached = matchCount(run, vertices);
   polish(run, {kFair});
@@ -47,8 +62,7 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
   if (guard->crossing().empty()) return {std::move(guard), true, 0};
   if (uncross(run) == 0) return {std::move(guard), finishUncrossed(run, vertices), 0};
-  run.mesh = WorkingMesh(run.mesh.surface());
-  guard = guardOf(run);
+  guard = startAnew(run, vertices);
   const bool isReached = makeAnew(run, vertices);
   const std::size_t crossing = guard->crossing().size();
   return {std::move(guard), isReached, crossing};

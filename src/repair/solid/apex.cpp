@@ -37,13 +37,11 @@ bool haveEdge(const std::vector<Plane>& planes) {
 }  // namespace
 
 Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell) {
-  constexpr double kMargin = 0.02;  // of the cell's width
   Apex apex{middle};
   if (!planes.empty()) apex.at = nearestToPlanes(planes, middle);
   if (!apex.at.allFinite()) apex.at = middle;
   apex.isSharp = haveEdge(planes);
-  const Vec3 margin = kMargin * (cell.high - cell.low);
-  apex.at = apex.at.cwiseMax(cell.low + margin).cwiseMin(cell.high - margin);
+  apex.at = apex.at.cwiseMax(cell.low).cwiseMin(cell.high);
   double nearest = 0;
   for (const Plane& plane : planes) {
     const double distance = std::abs(plane.normal.dot(apex.at - plane.at));

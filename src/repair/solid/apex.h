@@ -23,7 +23,7 @@ struct Apex {
   bool isSharp = false;  // whether the planes make an edge or a corner
 };
 
-// middle: where it lies when the planes do not say. Always strictly within the cell.
+// middle: where it lies when the planes do not say. Always within the box.
 Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell);
 
 }  // namespace remesher

@@ -50,8 +50,10 @@ class Contourer {
   Contour take() { return std::move(result_); }
 
  private:
+  Vec3 rounded(const Vec3& p) const { return source_.isSingle ? inSingle(p, source_.scale) : p; }
+
   Index addPoint(const Vec3& p, Index source) {
-    result_.points.push_back(source_.isSingle ? inSingle(p, source_.scale) : p);
+    result_.points.push_back(rounded(p));
     result_.pointSources.push_back(source);
     isSharp_.push_back(0);
     return Index(result_.points.size() - 1);
@@ -90,7 +92,7 @@ class Contourer {
 
   // Where no triangle passes, where the half lines are of two minds.
   void placeEdge(std::size_t edge, std::size_t p, std::size_t q) {
-    constexpr double kMargin = 0.01;  // of the edge's length: no two places become one by rounding
+    const double margin = lattice_.margin(0.01);  // of the edge's length
     const auto axis = Eigen::Index(edge % 3);
     Vec3 at = lattice_.position(p);
     const double low = at[axis], high = lattice_.position(q)[axis];
@@ -98,7 +100,7 @@ class Contourer {
     const double a = field_.shares[p] - 0.5, b = field_.shares[q] - 0.5;
     double share = (a > 0) != (b > 0) ? a / (a - b) : 0.5;
     if (crossing) share = (crossing->at - low) / (high - low);
-    at[axis] = low + std::clamp(share, kMargin, 1 - kMargin) * (high - low);
+    at[axis] = low + std::clamp(share, margin, 1 - margin) * (high - low);
     edgePoints_[edge] = addPoint(at, crossing ? crossing->triangle : kNone);
   }
 
@@ -141,6 +143,13 @@ class Contourer {
     return sum / double(points.size());
   }
 
+  // What is within the cell, also when it is written.
+  CellBox innerBox(std::size_t cell) const {
+    const Vec3 low = lattice_.position(cell), high = lattice_.position(cornerOf(cell, 7));
+    const Vec3 margin = lattice_.margin(0.02) * (high - low);  // of the cell's width
+    return {low + margin, high - margin};
+  }
+
   // Whether the triangles that join loops to apexes meet those of other loops.
   bool areApart(const std::vector<std::vector<Index>>& loops,
                 const std::vector<Vec3>& apexes) const {
@@ -161,17 +170,14 @@ class Contourer {
 
   bool addCell(std::size_t cell, unsigned corners) {
     const std::vector<CellLoop> loops = cellLoops(corners);
-    const CellBox box{lattice_.position(cell), lattice_.position(cornerOf(cell, 7))};
+    const CellBox box = innerBox(cell);
     std::vector<std::vector<Index>> points;
     std::vector<Apex> apexes;
     std::vector<Vec3> places, middles;
     for (const CellLoop& loop : loops) {
       points.push_back(pointsOf(cell, loop));
-      const Vec3 middle = middleOf(points.back());
+      const Vec3 middle = middleOf(points.back()).cwiseMax(box.low).cwiseMin(box.high);
       apexes.push_back(apexOf(planesAt(points.back()), middle, box));
-      const auto rounded = [&](const Vec3& p) {
-        return source_.isSingle ? inSingle(p, source_.scale) : p;
-      };
       places.push_back(rounded(apexes.back().at));
       middles.push_back(rounded(middle));
     }
@@ -199,7 +205,7 @@ class Contourer {
 
   // Where the way from one apex to the other passes the face, if it does within it.
   std::optional<Vec3> sharpPlace(const Step& s, const Step& t) const {
-    constexpr double kMargin = 0.02;  // of the face's width
+    const double margin = lattice_.margin(0.02);  // of the face's width
     if (!s.isAlone || !t.isAlone || !isSharp_[s.apex] || !isSharp_[t.apex]) return std::nullopt;
     const auto axis = Eigen::Index(s.face % 3);
     const Vec3 low = lattice_.position(s.face / 3);
@@ -208,7 +214,7 @@ class Contourer {
     at[axis] = low[axis];
     for (Eigen::Index u = 0; u < 3; ++u)
       if (const double share = (at[u] - low[u]) / lattice_.spacing();
-          u != axis && !(share > kMargin && share < 1 - kMargin))
+          u != axis && !(share > margin && share < 1 - margin))
         return std::nullopt;
     return at;
   }

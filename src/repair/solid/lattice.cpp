@@ -8,10 +8,27 @@
 
 namespace remesher {
 
-Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) : spacing_(spacing) {
-  const double cells = 2 + spare / spacing;
+namespace {
+
+// By how much coordinates may differ and still be one to whoever reads them: see joinNoise.
+double grainOf(const TriangleMesh& mesh, const Box& box) {
+  constexpr double kOfSingle = 0x1p-22, kOfDouble = 0x1p-50, kLeastSingle = 0x1p-148;
+  const double farthest = std::max(box.high.cwiseAbs().maxCoeff(), box.low.cwiseAbs().maxCoeff());
+  if (!mesh.isSingle) return kOfDouble * farthest;
+  return std::max(kOfSingle * farthest, kLeastSingle * mesh.scale);
+}
+
+}  // namespace
+
+Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
+  // A cell is so many grains wide at least, and what is within it so many from its sides.
+  constexpr double kFewestGrains = 8, kGrainsBeside = 2;
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
+  const double grain = grainOf(mesh, box);
+  spacing_ = spacing = std::max(spacing, kFewestGrains * grain);
+  leastMargin_ = kGrainsBeside * grain / spacing;
+  const double cells = 2 + spare / spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Off the box by a fraction of no simple kind: planes of boxes seldom lie in those of the
     // lattice.

@@ -3,6 +3,7 @@
 // number; an edge by its axis and the point at its lower end; a cell by its lowest corner.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -12,9 +13,10 @@ namespace remesher {
 
 class Lattice {
  public:
-  // spacing: the length of a cell; spare: how far it reaches beyond the mesh, at least. All
-  // coordinates of points are as the mesh's: in single precision if these are, so that what lies in
-  // a plane of the lattice still does when it is written.
+  // spacing: the length of a cell, longer where the mesh's coordinates have too few digits; spare:
+  // how far the lattice reaches beyond the mesh, at least. All coordinates of points are as the
+  // mesh's: in single precision if these are, so that what lies in a plane of the lattice still
+  // does when it is written.
   Lattice(const TriangleMesh& mesh, double spacing, double spare = 0);
 
   std::size_t size() const { return counts_[0] * counts_[1] * counts_[2]; }
@@ -22,6 +24,9 @@ class Lattice {
   // From a point to the next one along the axis.
   std::size_t stride(std::size_t axis) const { return strides_[axis]; }
   double spacing() const { return spacing_; }
+  // A share of a cell's width, or more where rounding takes more: what lies so far within a cell
+  // does so when it is written.
+  double margin(double share) const { return std::max(share, leastMargin_); }
   double at(std::size_t axis, std::size_t i) const { return coordinates_[axis][i]; }
 
   std::size_t number(const std::array<std::size_t, 3>& i) const {
@@ -53,7 +58,7 @@ class Lattice {
   std::size_t firstFrom(std::size_t axis, double coordinate) const;
 
  private:
-  double spacing_;
+  double spacing_, leastMargin_;
   std::array<std::size_t, 3> counts_{}, strides_{};
   std::array<std::vector<double>, 3> coordinates_;
 };

@@ -123,7 +123,7 @@ Solid SolidGround::solid() {
                               known_->crossings);
   const Enclosure enclosed = enclosure();
   if (known_->rule.cleaning == Cleaning::Thorough)
-    contour = cleanedUp(contour, {known_->rule.spacing, kindsOf(contour, input, built)});
+    contour = cleanedUp(contour, {known_->lattice.spacing(), kindsOf(contour, input, built)});
   return {withAttributes(contour, input, built), enclosed};
 }
 

@@ -62,3 +62,18 @@ TEST_CASE("crossing guard: what it allows crosses nothing, and what it refuses d
   CHECK(refused > 0);
   CHECK(countCrossed(mesh) == 0);
 }
+
+TEST_CASE("crossing guard: a triangle that loses its area counts as one that meets others") {
+  // The only vertex inside goes to the middle of an edge of the boundary, where nothing else is.
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(2, 2), shapes::Features::None);
+  const WorkingMesh mesh(surface);
+  const CrossingGuard guard(mesh, {});
+  Vertex v(0);
+  while (mesh.mesh().isBoundary(v)) v = Vertex(v.index + 1);
+  const Halfedge h = mesh.mesh().outgoing(v);
+  Placement place = mesh.placement(v);
+  place.position = (mesh.position(mesh.mesh().tip(h)) + mesh.position(mesh.mesh().opposite(h))) / 2;
+  LocalChange change;
+  proposePlacement(mesh, v, place, change);
+  CHECK(!guard.allows(change));
+}

@@ -20,10 +20,11 @@ namespace {
 
 double volume(const TriangleMesh& mesh) {
   double sum = 0;
+  const auto at = [&](std::size_t i) -> Vec3 {
+    return mesh.positions[mesh.indices[i]] - mesh.positions.front();
+  };
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    sum += mesh.positions[mesh.indices[i]].dot(
-               mesh.positions[mesh.indices[i + 1]].cross(mesh.positions[mesh.indices[i + 2]])) /
-           6;
+    sum += at(i).dot(at(i + 1).cross(at(i + 2))) / 6;
   return sum;
 }
 
@@ -97,6 +98,21 @@ TEST_CASE("solid: sharp edges are kept") {
       for (double x = -0.9; x < 0.9; x += 0.0037, ++count)
         sum += tree.nearest(turn * Vec3(x, y, z)).squaredDistance;
   CHECK(std::sqrt(sum / count) < spacing / 28);
+}
+
+TEST_CASE("solid: the promise holds in single precision, however far away") {
+  for (const double offset : {1e3, 1e5, 1e6, 1e7}) {
+    CAPTURE(offset);
+    TriangleMesh mesh = soups::joined({shapes::icosphere(4), soups::cube(0.3, 1.4)});
+    mesh.isSingle = true;
+    for (Vec3& p : mesh.positions) p = inSingle(p + Vec3(offset, 0.1 * offset, 0), 1);
+    const Solid solid = solidOf(mesh, {0.05, InsideBy::Reach, 0.1});
+    if (offset < 1e7) CHECK(!solid.mesh.indices.empty());
+    if (solid.mesh.indices.empty()) continue;
+    checkPromise(solid.mesh);
+    CHECK(inspectMesh(solid.mesh).degenerateTriangles == 0);
+    for (const Vec3& p : solid.mesh.positions) CHECK(p == inSingle(p, 1));
+  }
 }
 
 TEST_CASE("solid: the promise holds whatever is given, both ways") {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_repair.h"
+
+#include <doctest/doctest.h>
+
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+RemeshOutcome outcomeWith(const TriangleMesh& mesh) {
+  RemeshOutcome outcome;
+  outcome.mesh = mesh;
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("part repair: a sound outcome is returned as it is") {
+  const TriangleMesh sphere = shapes::icosphere(3);
+  RemeshOutcome outcome = outcomeWith(shapes::icosphere(2));
+  CHECK(inSoundPrecisionOf(sphere, outcome).mesh.positions == shapes::icosphere(2).positions);
+  CHECK(outcome.warnings.empty());
+  CHECK(outcome.stopped == Stopped::Target);
+}
+
+TEST_CASE("part repair: what rounding makes meet itself becomes the sound original, and says so") {
+  TriangleMesh sphere = shapes::icosphere(3);
+  sphere.isSingle = true;
+  for (Vec3& p : sphere.positions) p = inSingle(p, 1);
+  // Closer to each other than single precision tells apart.
+  const TriangleMesh twice =
+      soups::joined({sphere, soups::moved(shapes::turnedOver(sphere), {1e-9, 0, 0})});
+  RemeshOutcome outcome = outcomeWith(twice);
+  CHECK(inSoundPrecisionOf(sphere, outcome).mesh.positions == sphere.positions);
+  CHECK(outcome.stopped == Stopped::Fidelity);
+  REQUIRE(outcome.warnings.size() == 1);
+  CHECK(outcome.warnings.front().code == "ONLY_REPAIRED");
+
+  // Of two that are broken the result remains.
+  RemeshOutcome broken = outcomeWith(twice);
+  CHECK(inSoundPrecisionOf(twice, broken).mesh.triangleCount() == twice.triangleCount());
+  CHECK(broken.warnings.empty());
+}
