@@ -96,7 +96,9 @@ add_library(linear OBJECT
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp
   src/remesh/quads/pair/pairing.cpp
+  src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/side_places.cpp
   src/remesh/transfer/attribute_mix.cpp
   src/repair/holes/fairing.cpp
   src/repair/holes/loop_triangulation.cpp

@@ -109,6 +109,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp
   tests/unit/remesh/quads/quads_test.cpp
+  tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
@@ -13,6 +14,7 @@
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/pair/pairing.h"
+#include "remesh/quads/shape/chords.h"
 #include "remesh/quads/shape/collapse.h"
 #include "remesh/quads/shape/smoothing.h"
 
@@ -29,7 +31,7 @@ constexpr int kTries = 12;
 constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
 // Towards the count by what the last map had; then aside. A map farther off is no result.
 constexpr int kSteps = 4;
-constexpr double kFarthest = 0.1;
+constexpr double kFarthest = 0.2;
 constexpr int kSmoothings = 12;
 // Of maps whose quads fold somewhere, so many are looked at.
 constexpr int kShaped = 4;
@@ -80,10 +82,11 @@ std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& m
   return Extracted{std::move(quads), areCurvesFollowed};
 }
 
-// Too many can be made fewer, but not the other way round.
+// Rows are added for nothing, while each quad that is taken out leaves irregular vertices.
 double countError(double count, double wanted) {
+  constexpr double kTooMany = 4;  // times as bad as too few
   const double off = count / wanted - 1;
-  return off < -kCountTolerance ? kFarthest : std::abs(off);
+  return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
 
 // Whether one result is to be had rather than another: curves first, then folds, then the count.
@@ -95,43 +98,51 @@ bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double want
          countError(double(b->quads.vertices.size()), wanted);
 }
 
+bool isSound(const std::optional<Extracted>& made) {
+  return made && made->folds == 0 && made->areCurvesFollowed;
+}
+
 // Rounding makes of each scale another map, and numbers come in steps: scales to both sides of the
-// right one are tried, ever farther ones, until a map is good.
+// nearest one are tried, ever farther ones, until a map is good.
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
                                      double vertices) {
   std::optional<Extracted> best;
+  double nearest = length, least = kFarthest;
   int shaped = 0;
-  for (int i = 0; i < kTries && shaped < kShaped; ++i) {
+  for (int i = 0; i < kTries && shaped < kShaped && !isSound(best); ++i) {
     const bool isFirst = i < kSteps;
-    const double aside = i % 2 == 0 ? 1 + kNudge * (i - kSteps) : 1 - kNudge * (i - kSteps);
-    const SeamlessMap map = maker.map(isFirst ? length : length * aside);
-    const double count = maker.countVertices(map);
-    std::optional<Extracted> made;
-    if (countError(count, vertices) < (isFirst || best ? kCountTolerance : kFarthest))
-      made = extracted(part, map);
-    if (made && countError(double(made->quads.vertices.size()), vertices) < kFarthest) {
-      shape(made->quads, part);
-      made->folds = countFolds(made->quads, part);
-      ++shaped;
-      if (isBetter(*made, best, vertices)) best = std::move(made);
-      if (best->folds == 0 && best->areCurvesFollowed &&
-          countError(double(best->quads.vertices.size()), vertices) <= kCountTolerance)
-        break;
+    const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
+    const double scale = isFirst ? length : nearest * aside;
+    const SeamlessMap map = maker.map(scale);
+    const double count = maker.countVertices(map), error = countError(count, vertices);
+    if (error < least) {
+      least = error;
+      nearest = scale;
     }
-    if (isFirst) length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
+    length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
+    if (error >= (isFirst ? kCountTolerance : kFarthest)) continue;
+    std::optional<Extracted> made = extracted(part, map);
+    if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) continue;
+    shape(made->quads, part);
+    made->folds = countFolds(made->quads, part);
+    ++shaped;
+    if (isBetter(*made, best, vertices)) best = std::move(made);
   }
   return best;
 }
 
-// Quads can be taken out one by one, but not put in: for an exact number a few more are made.
-constexpr double kMore = 1.011;
-
-// To the number that is wanted, or as near as is allowed.
+// To the number that is wanted, or as near as is allowed: whole rows of quads more make nothing
+// irregular, single quads fewer do.
 void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
-  const double most = double(goal.vertices) * (1 + kCountTolerance);
-  const std::size_t count = goal.isExact ? goal.vertices : std::size_t(most);
-  made.collapsed = collapseTo(made.mesh, ground, std::max<std::size_t>(count, 8));
-  if (made.collapsed > 0) shape(made.mesh, ground);
+  const double slack = goal.isExact ? 0 : kCountTolerance;
+  const auto most = std::size_t(double(goal.vertices) * (1 + slack));
+  const auto least = std::size_t(std::ceil(double(goal.vertices) * (1 - slack)));
+  QuadMesh& mesh = made.mesh;
+  const std::size_t before = mesh.vertices.size();
+  if (before < least) divideChords(mesh, ground, goal.vertices);
+  if (mesh.vertices.size() < least) divideShortestChord(mesh, ground, least - mesh.vertices.size());
+  made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(most, 8), goal.isExact});
+  if (mesh.vertices.size() != before || made.collapsed > 0) shape(mesh, ground);
 }
 
 // What a part may have: its share of the vertices by area.
@@ -159,7 +170,8 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
   std::size_t coarse = std::max<std::size_t>(vertices / 4, 4);
   QuadMesh quads;
   for (int i = 0; i < 3; ++i) {
-    const WorkingMesh mesh = triangles(coarse);
+    WorkingMesh mesh = triangles(coarse);
+    openSectors(mesh);
     const FaceData<Index> numbers = partNumbers(mesh.surface().mesh());
     quads = {};
     for (const WorkingMesh& part : connectedParts(mesh)) {
@@ -200,22 +212,33 @@ QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
 }
 
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
-  const double more = goal.isExact ? kMore : 1;
-  const auto vertices = std::size_t(std::ceil(more * double(goal.vertices)));
-  WorkingMesh base = triangles(std::max(vertices, kLeastForMap));
+  WorkingMesh base = triangles(std::max(goal.vertices, kLeastForMap));
   openSectors(base);
   const std::vector<WorkingMesh> parts = connectedParts(base);
-  const std::vector<PartShare> shares = sharesOf(parts, double(vertices));
-  MadeQuads made{{}, parts.size(), 0};
-  std::vector<PartShare> failed;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const QuadMesh quads = mapToQuads(parts[i], shares[i].vertices);
-    quads.quads.empty() ? failed.push_back(shares[i]) : append(made.mesh, quads);
-  }
-  made.paired = failed.size();
-  if (!failed.empty()) append(made.mesh, pairParts(failed, vertices, triangles));
-  matchCount(made, goal, base);
-  return made;
+  const auto made = [&](double share) {
+    const double vertices = share * double(goal.vertices);
+    const std::vector<PartShare> shares = sharesOf(parts, vertices);
+    MadeQuads result{{}, parts.size(), 0};
+    std::vector<PartShare> failed;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const QuadMesh quads = mapToQuads(parts[i], shares[i].vertices);
+      quads.quads.empty() ? failed.push_back(shares[i]) : append(result.mesh, quads);
+    }
+    result.paired = failed.size();
+    if (!failed.empty())
+      append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
+    matchCount(result, goal, base);
+    return result;
+  };
+  if (!goal.isExact) return made(1);
+  // To a few less rows are added; where that is not enough, some of a few more go.
+  MadeQuads fromBelow = made(1 - kCountTolerance);
+  if (fromBelow.collapsed == 0 && fromBelow.mesh.vertices.size() == goal.vertices) return fromBelow;
+  MadeQuads fromAbove = made(1 + kCountTolerance);
+  const auto order = [&](const MadeQuads& one) {
+    return std::tuple(one.mesh.vertices.size() != goal.vertices, one.paired, one.collapsed);
+  };
+  return order(fromAbove) < order(fromBelow) ? fromAbove : fromBelow;
 }
 
 }  // namespace remesher

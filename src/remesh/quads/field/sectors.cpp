@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include "original/surface/surface_walk.h"
@@ -15,6 +16,11 @@ namespace {
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 // Between two edges of a curve that is hardly a corner.
 constexpr double kGoesOn = 1.25 * kQuarterTurn;
+
+// Closed curves have corners that are none: what is nearer to half a turn than to a quarter.
+bool goesOn(VertexKind kind, double angle) {
+  return kind == VertexKind::Curve ? angle > kGoesOn : std::lround(angle / kQuarterTurn) >= 2;
+}
 
 double angleAt(const WorkingMesh& mesh, Halfedge h) {
   const Vec3& p = mesh.position(mesh.mesh().origin(h));
@@ -60,10 +66,62 @@ int lackOf(const WorkingMesh& mesh, const FaceFrames& frames, const Sector& sect
   double angle = cornerAngle(frames, sector.last);
   for (const Halfedge h : sector.inside) angle += cornerAngle(frames, h);
   const Vertex v = mesh.mesh().tip(sector.last);
-  const bool isFeature = mesh.kind(v) == VertexKind::Curve && !mesh.mesh().isBoundary(v);
-  const int least = isFeature && angle > kGoesOn ? 2 : 1;
+  const int least = !mesh.mesh().isBoundary(v) && goesOn(mesh.kind(v), angle) ? 2 : 1;
   // None of four quarters looks like none at all.
   return angle < (least + 1) * kQuarterTurn ? std::max(least - quarters, 0) : 0;
+}
+
+// The other edges that leave the origin of h between the same two curves.
+std::vector<Halfedge> besides(const WorkingMesh& mesh, Halfedge h) {
+  const HalfedgeMesh& m = mesh.mesh();
+  std::vector<Halfedge> found;
+  for (Halfedge out = m.twin(HalfedgeMesh::prev(h)); out && out != h && !mesh.isCurve(out);
+       out = m.twin(HalfedgeMesh::prev(out)))
+    found.push_back(out);
+  for (Halfedge twin = m.twin(h); twin;) {
+    const Halfedge out = HalfedgeMesh::next(twin);
+    if (out == h || mesh.isCurve(out)) break;
+    found.push_back(out);
+    twin = m.twin(out);
+  }
+  return found;
+}
+
+// The shortest way out of a sector to a vertex inside, last edge first. Curves that lie near each
+// other have none between them: there it leads through sectors of other vertices on them.
+std::vector<Halfedge> wayInside(const WorkingMesh& mesh, const std::vector<Halfedge>& starts) {
+  struct Step {
+    Halfedge edge;
+    std::size_t before;
+  };
+  std::vector<Step> steps;
+  std::set<Halfedge> seen;
+  const auto add = [&](const std::vector<Halfedge>& edges, std::size_t before) {
+    for (const Halfedge h : edges)
+      if (seen.insert(std::min(h, mesh.mesh().twin(h))).second) steps.push_back({h, before});
+  };
+  add(starts, 0);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (mesh.kind(mesh.mesh().tip(steps[i].edge)) != VertexKind::Interior) {
+      add(besides(mesh, mesh.mesh().twin(steps[i].edge)), i);
+      continue;
+    }
+    std::vector<Halfedge> way = {steps[i].edge};
+    for (; i >= starts.size(); i = steps[i].before) way.push_back(steps[steps[i].before].edge);
+    return way;
+  }
+  return {starts.front()};
+}
+
+// The edges that leave the vertex of a sector, those in its middle first.
+std::vector<Halfedge> fromMiddle(const WorkingMesh& mesh, const Sector& sector) {
+  std::vector<Halfedge> edges;
+  const std::size_t count = sector.inside.size(), middle = count / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t aside = (i + 1) / 2;
+    edges.push_back(mesh.mesh().twin(sector.inside[i % 2 == 0 ? middle + aside : middle - aside]));
+  }
+  return edges;
 }
 
 }  // namespace
@@ -74,8 +132,7 @@ void openSectors(WorkingMesh& mesh) {
     const Halfedge h(i), across = HalfedgeMesh::next(h);
     if (!mesh.isCurve(h) || !mesh.isCurve(HalfedgeMesh::prev(h)) || mesh.isCurve(across)) continue;
     const Vertex v = m.origin(h);
-    if (mesh.kind(v) != VertexKind::Curve || m.isBoundary(v) || angleAt(mesh, h) < kGoesOn)
-      continue;
+    if (m.isBoundary(v) || !goesOn(mesh.kind(v), angleAt(mesh, h))) continue;
     const Vec3 middle = (mesh.position(m.origin(across)) + mesh.position(m.tip(across))) / 2;
     mesh.split(across,
                mesh.onSurface(closestPointFrom(mesh.surface(), mesh.cornerPoint(across), middle)));
@@ -90,9 +147,11 @@ void turnSectors(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
     const Sector sector = sectorFrom(mesh, first);
     if (sector.inside.empty()) continue;
     const int lack = lackOf(mesh, frames, sector, quartersOf(sector, first, field, frames));
-    const Halfedge middle = sector.inside[sector.inside.size() / 2];
-    field.turn[middle] -= lack;
-    field.turn[m.twin(middle)] += lack;
+    if (lack == 0) continue;
+    for (const Halfedge h : wayInside(mesh, fromMiddle(mesh, sector))) {
+      field.turn[h] += lack;
+      field.turn[m.twin(h)] -= lack;
+    }
   }
 }
 

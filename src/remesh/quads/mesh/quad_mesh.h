@@ -23,6 +23,9 @@ struct QuadMesh {
   const Vec3& position(Index v) const { return vertices[v].position; }
 };
 
+// Sines below it are of corners that are nearly straight: 12°.
+constexpr double kLeastSine = 0.2;
+
 // A side of a quad by one number.
 inline Index sideOf(Index quad, Index corner) { return 4 * quad + corner; }
 inline Index nextSide(Index side) { return side % 4 == 3 ? side - 3 : side + 1; }

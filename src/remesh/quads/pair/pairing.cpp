@@ -13,8 +13,6 @@ namespace remesher {
 
 namespace {
 
-// Sines below it are of corners that are nearly straight: 12°.
-constexpr double kLeastSine = 0.2;
 // An alternating path longer than this turns a whole region for two triangles.
 constexpr std::size_t kLongestPath = 16;
 

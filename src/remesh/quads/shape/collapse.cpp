@@ -2,11 +2,13 @@
 #include "remesh/quads/shape/collapse.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "geometry/quad.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
@@ -24,6 +26,11 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return order() < other.order(); }
 };
 
+double worstSine(const Quad& corners) {
+  const std::array<double, 4> sines = cornerSines(corners, areaVector(corners).normalized());
+  return *std::min_element(sines.begin(), sines.end());
+}
+
 class QuadCollapses {
  public:
   explicit QuadCollapses(const QuadMesh& mesh)
@@ -35,6 +42,16 @@ class QuadCollapses {
       for (Index corner = 0; corner < 2; ++corner)
         if (const auto candidate = judge(sideOf(q, corner))) found.push_back(*candidate);
     std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  // Those that make no quad worse than 12° that was better.
+  std::vector<Candidate> ofSoundQuads() const {
+    std::vector<Candidate> found = ofQuads();
+    const auto isFolding = [&](const Candidate& candidate) {
+      return foldsQuad(sides_.origin(candidate.side), sides_.tip(nextSide(candidate.side)));
+    };
+    found.erase(std::remove_if(found.begin(), found.end(), isFolding), found.end());
     return found;
   }
 
@@ -113,6 +130,30 @@ class QuadCollapses {
     return Candidate{after - before, (mesh_.position(a) - mesh_.position(c)).norm(), side};
   }
 
+  // Whether a quad around a and c, which become one, gets worse than 12° and than it was.
+  bool foldsQuad(Index a, Index c) const {
+    const VertexKind kindA = mesh_.vertices[a].kind, kindC = mesh_.vertices[c].kind;
+    const Vec3 &p = mesh_.position(a), &q = mesh_.position(c);
+    const Vec3 place = kindA != VertexKind::Interior   ? p
+                       : kindC != VertexKind::Interior ? q
+                                                       : Vec3((p + q) / 2);
+    bool isFound = false;
+    for (const Index v : {a, c})
+      sides_.forEachOutgoing(v, [&](Index side) {
+        const Four<Index>& quad = mesh_.quads[side / 4];
+        const auto has = [&](Index w) {
+          return std::find(quad.begin(), quad.end(), w) != quad.end();
+        };
+        if (has(a) && has(c)) return;
+        Quad corners{};
+        for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh_.position(quad[i]);
+        const double before = worstSine(corners);
+        corners[side % 4] = place;
+        isFound |= worstSine(corners) < std::min(before, kLeastSine);
+      });
+    return isFound;
+  }
+
   const QuadMesh& mesh_;
   const QuadSides sides_;
 };
@@ -171,11 +212,12 @@ void collapseFlatCorners(QuadMesh& mesh, const WorkingMesh& ground) {
     isDone = collapseOnce(mesh, ground, &QuadCollapses::ofFlatCorners, mesh.vertices.size()) == 0;
 }
 
-std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count) {
+std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, const CollapseGoal& goal) {
   std::size_t all = 0;
-  while (mesh.vertices.size() > count) {
-    const std::size_t gone =
-        collapseOnce(mesh, ground, &QuadCollapses::ofQuads, mesh.vertices.size() - count);
+  while (mesh.vertices.size() > goal.vertices) {
+    const std::size_t most = mesh.vertices.size() - goal.vertices;
+    std::size_t gone = collapseOnce(mesh, ground, &QuadCollapses::ofSoundQuads, most);
+    if (gone == 0 && goal.mayFold) gone = collapseOnce(mesh, ground, &QuadCollapses::ofQuads, 1);
     if (gone == 0) break;
     all += gone;
   }

@@ -14,9 +14,14 @@
 
 namespace remesher {
 
-// Takes vertices away until there are `count`, where the fewest irregular ones come of it. Fewer go
+struct CollapseGoal {
+  std::size_t vertices = 0;
+  bool mayFold = false;  // a quad, if the number cannot be reached otherwise
+};
+
+// Takes vertices away until there are so many, where the fewest irregular ones come of it. Fewer go
 // where no more can. ground: any mesh on the same original. Returns how many went.
-std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count);
+std::size_t collapseTo(QuadMesh& mesh, const WorkingMesh& ground, const CollapseGoal& goal);
 
 // Where two sides of a quad follow one curve they make half a turn, and half of the quad has no
 // area: the vertex between them becomes one with that across the quad, unless that is on a curve

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "original/surface/surface_walk.h"
+#include "remesh/quads/shape/side_places.h"
 
 namespace remesher {
 
@@ -24,16 +25,20 @@ Quad MovingQuads::corners(Index quad) const {
 }
 
 // Folds are seen along the original's normals: of a vertex on a curve there are several, so that
-// those of the vertices inside count, and where there are none the quad's own.
+// those of the vertices inside count. A quad that bends may look sound along these and be reflex by
+// itself, so that its own normal counts too.
 double MovingQuads::quality(Index quad) const {
   const Quad places = corners(quad);
+  const auto worst = [&](const Vec3& normal) {
+    const std::array<double, 4> sines = cornerSines(places, normal);
+    return *std::min_element(sines.begin(), sines.end());
+  };
+  const double own = worst(areaVector(places).normalized());
   Vec3 normal = Vec3::Zero();
   for (const Index v : mesh_.quads[quad])
     if (mesh_.vertices[v].kind == VertexKind::Interior) normal += mesh_.vertices[v].normal;
   const double length = normal.norm();
-  normal = length > 0 ? Vec3(normal / length) : Vec3(areaVector(places).normalized());
-  const std::array<double, 4> sines = cornerSines(places, normal);
-  return *std::min_element(sines.begin(), sines.end());
+  return length > 0 ? std::min(own, worst(normal / length)) : own;
 }
 
 double MovingQuads::qualityAround(Index v) const {
@@ -54,15 +59,8 @@ std::optional<Placement> MovingQuads::alongCurve(Index v, const Vec3& p) const {
   });
   if (neighbors.size() != 2) return {};
   std::array<double, 2> arcs{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Placement& end = mesh_.vertices[neighbors[i]];
-    arcs[i] = end.kind == VertexKind::Curve
-                  ? end.on.arc
-                  : ground_.surface()
-                        .curves()
-                        .atCorner(here.on.chain, ground_.originalCorner(end.at))
-                        .arc;
-  }
+  for (std::size_t i = 0; i < 2; ++i)
+    arcs[i] = onChain(mesh_.vertices[neighbors[i]], here.on.chain, ground_).arc;
   const std::size_t low = arcs[1] < arcs[0] ? 1 : 0;
   const Vec3 along = (mesh_.position(neighbors[1 - low]) - mesh_.position(neighbors[low]));
   const double length2 = along.squaredNorm();

@@ -22,7 +22,7 @@ class MovingQuads {
   const QuadSides& sides() const { return sides_; }
   Quad corners(Index quad) const;
 
-  // The smallest sine of the quad's corners, negative where it folds over.
+  // The smallest sine of the quad's corners, negative where it folds over or is reflex.
   double quality(Index quad) const;
   // The smallest of all quads around v.
   double qualityAround(Index v) const;
