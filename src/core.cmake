@@ -57,7 +57,6 @@ add_library(linear OBJECT
   src/measure/salient_vertices.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
-  src/mesh/fan_cut.cpp
   src/mesh/joining.cpp
   src/mesh/mesh_builder.cpp
   src/mesh/space_order.cpp
@@ -67,11 +66,8 @@ add_library(linear OBJECT
   src/original/curves/spikes.cpp
   src/original/patches/disk_parameterization.cpp
   src/original/patches/disk_patch.cpp
-  src/original/patches/face_cells.cpp
   src/original/patches/patch_atlas.cpp
-  src/original/patches/patch_builder.cpp
   src/original/patches/point_location.cpp
-  src/original/surface/boundary_places.cpp
   src/remesh/gate/crossing_guard.cpp
   src/remesh/gate/crossings.cpp
   src/remesh/gate/error_bound.cpp
@@ -80,24 +76,16 @@ add_library(linear OBJECT
   src/remesh/quads/extract/extraction.cpp
   src/remesh/quads/extract/holes.cpp
   src/remesh/quads/extract/map_walk.cpp
-  src/remesh/quads/extract/mending.cpp
   src/remesh/quads/field/cross_field.cpp
   src/remesh/quads/field/curvature_directions.cpp
   src/remesh/quads/field/face_frames.cpp
-  src/remesh/quads/field/sectors.cpp
   src/remesh/quads/field/singularities.cpp
   src/remesh/quads/map/cut.cpp
   src/remesh/quads/map/integer_rows.cpp
   src/remesh/quads/map/seamless_map.cpp
   src/remesh/quads/map/seamless_system.cpp
   src/remesh/quads/map/spacing.cpp
-  src/remesh/quads/mesh/quad_check.cpp
-  src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
-  src/remesh/quads/mesh/triangulated.cpp
-  src/remesh/quads/pair/pairing.cpp
-  src/remesh/quads/shape/chords.cpp
-  src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/side_places.cpp
   src/remesh/transfer/attribute_mix.cpp
   src/repair/holes/fairing.cpp
@@ -190,6 +178,7 @@ add_library(small OBJECT
   src/measure/distance_bound.cpp
   src/measure/quad_report.cpp
   src/mesh/check.cpp
+  src/mesh/fan_cut.cpp
   src/mesh/hubs.cpp
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
@@ -200,6 +189,9 @@ add_library(small OBJECT
   src/original/curves/feature_detection.cpp
   src/original/curves/flat_regions.cpp
   src/original/curves/seams.cpp
+  src/original/patches/face_cells.cpp
+  src/original/patches/patch_builder.cpp
+  src/original/surface/boundary_places.cpp
   src/original/surface/boundary_sizes.cpp
   src/original/surface/original_tree.cpp
   src/remesh/accuracy/bound_error.cpp
@@ -211,6 +203,14 @@ add_library(small OBJECT
   src/remesh/accuracy/uncross.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
+  src/remesh/quads/extract/mending.cpp
+  src/remesh/quads/field/sectors.cpp
+  src/remesh/quads/mesh/quad_check.cpp
+  src/remesh/quads/mesh/quad_parts.cpp
+  src/remesh/quads/mesh/triangulated.cpp
+  src/remesh/quads/pair/pairing.cpp
+  src/remesh/quads/shape/chords.cpp
+  src/remesh/quads/shape/collapse.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
