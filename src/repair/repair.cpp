@@ -126,21 +126,24 @@ Enclosure roughEnclosure(const TriangleMesh& mesh) {
   return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
 }
 
-// Closing holes is enough where nothing passes through itself then, and where no closed piece faces
-// the wrong way.
-std::optional<RepairedMesh> withEnough(const TriangleMesh& input, const RemeshOptions& options,
-                                       const Enclosure& enclosure) {
+// With holes closed, if nothing passes through itself then; not where a piece that is closed
+// already faces the wrong way.
+std::optional<RepairedMesh> closedSoundly(const TriangleMesh& input, const RemeshOptions& options,
+                                          const Enclosure& enclosure) {
   if (facesWrongWay(enclosure)) return std::nullopt;
   try {
     RepairedMesh closed = withHolesClosed(input, options);
-    const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
-    if (closed.report.selfIntersections[1] == 0 &&
-        (isAsGiven || !facesWrongWay(roughEnclosure(closed.mesh))))
-      return closed;
+    if (closed.report.selfIntersections[1] == 0) return closed;
   } catch (const Error& error) {
     if (error.code != ErrorCode::NoTriangles) throw;
   }
   return std::nullopt;
+}
+
+// Whether no piece that was closed faces the wrong way.
+bool isEnough(const RepairedMesh& closed) {
+  const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
+  return isAsGiven || !facesWrongWay(roughEnclosure(closed.mesh));
 }
 
 // Of bodies most points beside the surface are told apart by all half lines, and hardly anything
@@ -151,14 +154,29 @@ bool isClear(const Enclosure& enclosure) {
   return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
 }
 
+// The bodies that closed pieces are, without what lies within others, which nobody sees.
+RepairedMesh unitedOnceClosed(RepairedMesh closed, const RemeshOptions& options) {
+  RepairedMesh united =
+      solidified(solidOf(closed.mesh, ruleFor(closed.mesh, options, InsideBy::Enclosure)),
+                 closed.mesh, options);
+  united.report.holes = closed.report.holes;
+  united.report.islands = closed.report.islands;
+  united.report.lost = std::max(united.report.lost, closed.report.lost);
+  united.warnings.insert(united.warnings.end(), closed.warnings.begin(), closed.warnings.end());
+  return united;
+}
+
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   const Enclosure enclosure = ground->enclosure();
-  if (std::optional<RepairedMesh> closed = withEnough(input, options, enclosure))
-    return std::move(*closed);
+  if (std::optional<RepairedMesh> closed = closedSoundly(input, options, enclosure)) {
+    if (isEnough(*closed)) return std::move(*closed);
+    ground.reset();  // a solid takes as much memory again, and so does a wrap
+    return unitedOnceClosed(std::move(*closed), options);
+  }
   if (isClear(enclosure)) return solidified(ground->solid(), input, options);
-  ground.reset();  // a wrap takes as much memory again
+  ground.reset();
   return wrapped(input, options);
 }
 
@@ -199,9 +217,10 @@ FaultReport faultsOf(const TriangleMesh& input) {
   if (faults.openLoops.empty() &&
       faults.selfIntersections + enclosure.inner + enclosure.insideOut == 0)
     return faults;
-  faults.repair = withEnough(input, {}, enclosure) ? Repair::Holes
-                  : isClear(enclosure)             ? Repair::Solid
-                                                   : Repair::Wrap;
+  const std::optional<RepairedMesh> closed = closedSoundly(input, {}, enclosure);
+  faults.repair = closed && isEnough(*closed)    ? Repair::Holes
+                  : closed || isClear(enclosure) ? Repair::Solid
+                                                 : Repair::Wrap;
   return faults;
 }
 
