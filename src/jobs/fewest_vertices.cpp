@@ -4,46 +4,55 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace remesher {
 
 namespace {
 
-constexpr int kMostDrafts = 12;
-constexpr int kMostTries = 5;          // drafts keep a bound that what is fitted may not
-constexpr double kSearchShare = 0.5;   // of a run's time
-constexpr double kNearEnough = 1.1;    // between the number that does and one that does not
-constexpr double kStep = 2;            // from one number to the next
-constexpr double kFirst = 1.0 / 8;     // of the input's own number
-constexpr double kMostOfOwn = 4;       // times that number; even triangles of a few long ones
-constexpr double kMostOfFew = 10'000;  // may take so many all the same
+constexpr double kNearEnough = 1.1;  // between the number that does and one that does not
+constexpr double kStep = 2;          // from one number to the next, before both are known
+constexpr double kFirst = 1.0 / 8;   // of the input's own number
+// Even triangles of what has a few long ones take more than its own number: so many times that, or
+// so many.
+constexpr double kMostOfOwn = 4, kMostOfFew = 10'000;
 
-// Looks for the smallest number of vertices with which a draft keeps the bound.
-class DraftSearch {
+class FewestSearch {
  public:
-  DraftSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& options)
-      : input_(input), welding_(welding), options_(options) {
+  FewestSearch(const TriangleMesh& input, const Welding& welding, const RemeshOptions& asked,
+               const Progress& progress)
+      : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {}
+
+  // Drafts keep bounds that better meshes, which are fitted and polished, may not.
+  RemeshOutcome run() {
+    const double drafted = search();
+    options_.quality = asked_.quality;
+    options_.tooFew = asked_.tooFew;
+    for (double next = drafted; next > 0 && next <= kStep * drafted; next *= kNearEnough) {
+      RemeshOutcome outcome = runAt(next);
+      if (outcome.stopped == Stopped::Target) return outcome;
+    }
+    options_ = asked_;
+    if (drafted > 0) options_.vertices = Index(drafted);
+    return runNext();
+  }
+
+ private:
+  // The smallest number with which a draft keeps the bound, 0 where none does.
+  double search() {
     options_.quality = Quality::Draft;
     options_.tooFew = TooFew::Raise;
     options_.outOfBound = OutOfBound::GiveUp;
-  }
-
-  // None where no number keeps it.
-  std::optional<Index> run(const Progress& progress) {
     const double own = ownVertices(), most = std::max(kMostOfOwn * own, kMostOfFew);
     double next = std::ceil(kFirst * own);
-    for (int draft = 0; draft < kMostDrafts && next <= most && !isSettled(); ++draft) {
-      attempt(next, progress.part(double(draft) / kMostDrafts, double(draft + 1) / kMostDrafts));
+    while (next <= most && !isSettled()) {
+      draft(next);
       next = fails_ && does_ ? std::sqrt(*fails_ * *does_)
              : does_         ? *does_ / kStep
                              : *fails_ * kStep;
     }
-    if (!does_) return {};
-    return Index(*does_);
+    return does_.value_or(0);
   }
 
- private:
   double ownVertices() const {
     double own = 0;
     for (Index v = 0; v < welding_.first.size(); ++v) own += welding_.first[v] == v ? 1 : 0;
@@ -55,18 +64,32 @@ class DraftSearch {
     return does_ && (isLeast_ || (fails_ && *does_ <= kNearEnough * *fails_));
   }
 
-  void attempt(double vertices, const Progress& progress) {
-    options_.vertices = Index(vertices);
-    const RemeshOutcome made = remeshSurface(input_, welding_, options_, progress);
+  void draft(double vertices) {
+    const RemeshOutcome made = runAt(vertices);
     const double reached = std::max(vertices, double(made.vertices));
     const bool isWithin = made.stopped == Stopped::Target;
     (isWithin ? does_ : fails_) = reached;
     isLeast_ = isWithin && reached > vertices;
   }
 
+  RemeshOutcome runAt(double vertices) {
+    options_.vertices = Index(std::ceil(vertices));
+    return runNext();
+  }
+
+  // How many runs there will be nobody knows: each has half of what is left of the progress.
+  RemeshOutcome runNext() {
+    const double begin = done_;
+    done_ = (1 + begin) / 2;
+    return remeshSurface(input_, welding_, options_, progress_.part(begin, done_));
+  }
+
   const TriangleMesh& input_;
   const Welding& welding_;
+  const RemeshOptions& asked_;
   RemeshOptions options_;
+  const Progress& progress_;
+  double done_ = 0;
   std::optional<double> does_, fails_;  // between these the fewest lie
   bool isLeast_ = false;
 };
@@ -80,18 +103,7 @@ bool asksForFewest(const RemeshOptions& options) {
 
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
                              const RemeshOptions& options, const Progress& progress) {
-  RemeshOptions found = options;
-  found.vertices = DraftSearch(input, welding, options).run(progress.part(0, kSearchShare));
-  const Progress rest = progress.part(kSearchShare, 1);
-  found.outOfBound = OutOfBound::GiveUp;
-  for (int i = 0; found.vertices && i < kMostTries; ++i) {
-    const double begin = double(i) / kMostTries;
-    RemeshOutcome outcome = remeshSurface(input, welding, found, rest.part(begin, 1));
-    if (outcome.stopped == Stopped::Target) return outcome;
-    found.vertices = Index(std::ceil(kNearEnough * double(*found.vertices)));
-  }
-  found.outOfBound = OutOfBound::FromOriginal;
-  return remeshSurface(input, std::move(welding), found, found.vertices ? rest.part(1, 1) : rest);
+  return FewestSearch(input, welding, options, progress).run();
 }
 
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {

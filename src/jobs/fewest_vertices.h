@@ -14,7 +14,7 @@ namespace remesher {
 // Whether a bound is all that is asked for.
 bool asksForFewest(const RemeshOptions& options);
 
-// The number is looked for with drafts, which are within 15 % of it at the end; where no draft
+// The number is looked for with drafts, which find it to a tenth; where no draft
 // keeps the bound it is the input's own. Throws Error as remeshSurface does.
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
                              const RemeshOptions& options, const Progress& progress);
