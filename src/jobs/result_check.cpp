@@ -23,9 +23,8 @@ constexpr double kGoodWorst = 25, kGoodMean = 50, kWorthAWord = 0.5;
 // Nothing lies farther from a surface than this within its box, in percent of the diagonal.
 constexpr double kWholeDiagonal = 100;
 
-// A surface all of which is rounded to places this near to each other, relative to its coordinates,
-// is no larger than four of them.
-constexpr double kSinglePrecision = std::numeric_limits<float>::epsilon(), kPlaces = 4;
+// A surface that is no larger than so many steps of its coordinates is lost to rounding.
+constexpr double kSteps = 64;
 
 // What was kept may be measured as a little more.
 constexpr double kRounding = 1 + 1e-6;
@@ -62,17 +61,20 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
 // Around all vertices; of none `low` is above `high`.
 struct Extent {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  bool isSingle = false;  // of any of them
   double size() const { return (high - low).maxCoeff(); }
   double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
 };
 
 Extent extentOf(const std::vector<io::Part>& parts) {
   Extent extent;
-  for (const io::Part& part : parts)
+  for (const io::Part& part : parts) {
+    extent.isSingle = extent.isSingle || part.mesh.isSingle;
     for (const Vec3& p : part.mesh.positions) {
       extent.low = extent.low.cwiseMin(p);
       extent.high = extent.high.cwiseMax(p);
     }
+  }
   return extent;
 }
 
@@ -87,11 +89,12 @@ std::string place(const Vec3& p, const std::vector<io::Part>& parts) {
   return text;
 }
 
-// Where all vertices lie, if that is no larger than what single precision rounds it to.
+// Where all vertices lie, if their coordinates are too coarse for anything as small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
   const Extent extent = extentOf(parts);
-  const bool isLarger = extent.size() > kPlaces * kSinglePrecision * extent.largest();
-  if (extent.size() < 0 || isLarger) return {};
+  const double step = extent.isSingle ? std::numeric_limits<float>::epsilon()
+                                      : std::numeric_limits<double>::epsilon();
+  if (extent.size() < 0 || extent.size() > kSteps * step * extent.largest()) return {};
   return (extent.low + extent.high) / 2;
 }
 
