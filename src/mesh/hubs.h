@@ -17,7 +17,8 @@ class Hubs {
 
   explicit Hubs(const HalfedgeMesh& mesh, std::size_t fewestSpokes = kFewestSpokes);
 
-  // Who walks from each triangle of a star to all of its others has had enough at a tenth.
+  // Where each triangle of a star begins walks that look at all the others, a tenth as many
+  // triangles take as long.
   static Hubs ofWalks(const HalfedgeMesh& mesh) { return Hubs(mesh, kFewestSpokes / 10); }
 
   bool empty() const { return hubs_.empty(); }

@@ -114,9 +114,13 @@ EdgeCounts edgesOf(const TriangleMesh& mesh) {
 
 }  // namespace
 
+double noiseBeside(double size, const TriangleMesh& mesh) {
+  return size * (mesh.isSingle ? kSingleNoise : kDoubleNoise);
+}
+
 void joinNoise(TriangleMesh& mesh) {
   if (mesh.positions.empty()) return;
-  const double nothing = sizeOf(mesh.positions) * (mesh.isSingle ? kSingleNoise : kDoubleNoise);
+  const double nothing = noiseBeside(sizeOf(mesh.positions), mesh);
   bool isNoisy = false;
   std::vector<Vec3> plain = mesh.positions;
   for (Vec3& p : plain)

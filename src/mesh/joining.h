@@ -9,6 +9,10 @@
 
 namespace remesher {
 
+// What programs leave of zero in coordinates of this size, in the mesh's precision: what is no
+// larger may be one to whoever reads them.
+double noiseBeside(double size, const TriangleMesh& mesh);
+
 // Vertices that differ in coordinates which are nothing beside the model's size come to one place,
 // where no triangle loses a corner by it.
 void joinNoise(TriangleMesh& mesh);

@@ -3,19 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/triangle_tree.h"
+#include "mesh/joining.h"
 
 namespace remesher {
 
 namespace {
 
-// By how much coordinates may differ and still be one to whoever reads them: see joinNoise.
+// By how much coordinates may differ and still be one to whoever reads them.
 double grainOf(const TriangleMesh& mesh, const Box& box) {
-  constexpr double kOfSingle = 0x1p-22, kOfDouble = 0x1p-50, kLeastSingle = 0x1p-148;
   const double farthest = std::max(box.high.cwiseAbs().maxCoeff(), box.low.cwiseAbs().maxCoeff());
-  if (!mesh.isSingle) return kOfDouble * farthest;
-  return std::max(kOfSingle * farthest, kLeastSingle * mesh.scale);
+  const double least = mesh.isSingle ? std::numeric_limits<float>::denorm_min() * mesh.scale : 0;
+  return std::max(noiseBeside(farthest, mesh), 2 * least);
 }
 
 }  // namespace
