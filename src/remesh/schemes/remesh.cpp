@@ -76,9 +76,10 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
   return reached;
 }
 
-// Where the bound asks for more vertices than there are to be, more are made first, and taken again
-// where the bound allows it; but for more than the original has, as sizes of facets and thin walls
-// ask for, those there are to be come nearer.
+// Where the sizes that the bound asks for take more vertices than there are to be, so many are
+// made, and some are taken away again as the bound allows. Sizes that take more than the original
+// has measure its facets, not its shape: then, and where the number itself is looked for, only the
+// vertices that there are to be are made.
 bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
   const bool splitsObtuse = manner.options.splitObtuse;
   const std::size_t original = run.mesh.mesh().vertexCount();
