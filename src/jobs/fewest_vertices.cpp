@@ -9,12 +9,15 @@ namespace remesher {
 
 namespace {
 
-constexpr double kNearEnough = 1.1;  // between the number that does and one that does not
-constexpr double kStep = 2;          // from one number to the next, before both are known
-constexpr double kFirst = 1.0 / 8;   // of the input's own number
-// Even triangles of what has a few long ones take more than its own number: so many times that, or
-// so many.
-constexpr double kMostOfOwn = 4, kMostOfFew = 10'000;
+// Between the number that does and one that does not. Of 8 models, at 7 bounds within 3 %
+// each, 1.05 and 1.2 find the same number in the median, but for one; drafts are not more even than
+// that.
+constexpr double kNearEnough = 1.1;
+// From one number to the next, before both are known; three steps below the input's own they begin.
+constexpr double kStep = 2;
+// Even triangles of what has a few long ones take more than its own number: with 1000 a block of
+// 352 vertices keeps its needles at all 7 bounds, of 8.9° in the mean, not 46.1°.
+constexpr double kMostOfFew = 10'000;
 
 class FewestSearch {
  public:
@@ -42,8 +45,8 @@ class FewestSearch {
     options_.quality = Quality::Draft;
     options_.tooFew = TooFew::Raise;
     options_.outOfBound = OutOfBound::GiveUp;
-    const double own = ownVertices(), most = std::max(kMostOfOwn * own, kMostOfFew);
-    double next = std::ceil(kFirst * own);
+    const double own = ownVertices(), most = std::max(own, kMostOfFew);
+    double next = own / (kStep * kStep * kStep);
     while (next <= most && !isSettled()) {
       draft(next);
       next = fails_ && does_ ? std::sqrt(*fails_ * *does_)
@@ -66,10 +69,10 @@ class FewestSearch {
 
   void draft(double vertices) {
     const RemeshOutcome made = runAt(vertices);
-    const double reached = std::max(vertices, double(made.vertices));
+    const auto asked = double(*options_.vertices), reached = std::max(asked, double(made.vertices));
     const bool isWithin = made.stopped == Stopped::Target;
     (isWithin ? does_ : fails_) = reached;
-    isLeast_ = isWithin && reached > vertices;
+    isLeast_ = isWithin && reached > asked;
   }
 
   RemeshOutcome runAt(double vertices) {

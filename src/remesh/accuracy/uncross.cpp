@@ -91,8 +91,9 @@ void halve(Run& run, Face f) {
 
 std::size_t uncross(Run& run) {
   const int rounds = 2 * run.effort.polishRounds;
-  // To mend one triangle takes as long as 64 of the original take where all is made anew.
-  std::size_t budget = run.mesh.surface().mesh().faceCount() / 64;
+  // To mend one triangle takes as long as so many of the original take where all is made anew.
+  constexpr std::size_t kWorthMending = 64;
+  std::size_t budget = run.mesh.surface().mesh().faceCount() / kWorthMending;
   std::vector<Face> crossed = run.rule.guard->crossing();
   for (int round = 0; round < rounds && !crossed.empty(); ++round) {
     if (crossed.size() > budget) break;

@@ -29,8 +29,10 @@ constexpr std::size_t kLeastForMap = 5000;
 constexpr double kCancelWithin = 1.5;
 constexpr int kTries = 12;
 constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
-// Towards the count by what the last map had; then aside. A map farther off is no result.
+// Towards the count by what the last map had; then aside.
 constexpr int kSteps = 4;
+// A map farther off is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7 neighboring
+// counts, not at 1; five other models are the same.
 constexpr double kFarthest = 0.2;
 constexpr int kSmoothings = 12;
 // Of maps whose quads fold somewhere, so many are looked at.
@@ -84,7 +86,9 @@ std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& m
 
 // Rows are added for nothing, while each quad that is taken out leaves irregular vertices.
 double countError(double count, double wanted) {
-  constexpr double kTooMany = 4;  // times as bad as too few
+  // Times as bad as too few. Of five models at 7 neighboring counts each, 2 leaves featuretype 208
+  // irregular vertices instead of 188, 8 takes angle_block from 1.3 to 2.6 % in the worst.
+  constexpr double kTooMany = 4;
   const double off = count / wanted - 1;
   return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
