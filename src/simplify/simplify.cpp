@@ -29,7 +29,8 @@ constexpr double kSharp = 0.8;
 constexpr double kTurned = 0.5, kFarTurned = 0;
 // In lengths of the edge: no vertex goes farther from the end that remains.
 constexpr double kFarthest = 2;
-// A look around a vertex costs as much as it has neighbours.
+// A look around a vertex costs as much as it has neighbours. A vertex of more is a hub: it stays,
+// and loses neighbours where they go into each other.
 constexpr int kMostNeighbors = 64;
 
 struct Offer {
@@ -137,6 +138,8 @@ class Simplification {
     return seams == 0 ? Freedom::Free : seams == 2 ? Freedom::Seam : Freedom::Fixed;
   }
 
+  bool isHub(Vertex v) const { return mesh_.hasMoreNeighbors(v, kMostNeighbors); }
+
   // Stamps only grow: where the sum is the same, so are both.
   bool isCurrent(const Offer& offered) const {
     const Halfedge h = offered.halfedge;
@@ -180,8 +183,9 @@ class Simplification {
   }
 
   bool isLegal(Halfedge h) const {
-    const int from = mesh_.valence(mesh_.origin(h)), into = mesh_.valence(mesh_.tip(h));
-    if (from + into - 4 > std::max({kMostNeighbors, from, into})) return false;
+    if (isHub(mesh_.origin(h)) || isHub(mesh_.tip(h))) return false;
+    if (mesh_.valence(mesh_.origin(h)) + mesh_.valence(mesh_.tip(h)) - 4 > kMostNeighbors)
+      return false;
     if (!EulerOperators::canCollapse(mesh_, h)) return false;
     // Two seams of one triangle would become one.
     for (const Halfedge side : {h, mesh_.twin(h)})
@@ -221,7 +225,7 @@ class Simplification {
     surface_.positions[into] = offered.place;
     quadrics_[into].add(gone);
     ++stamps_[into];
-    mesh_.forEachNeighbor(into, [&](Vertex w) { ++stamps_[w]; });
+    mesh_.forEachNeighbor(into, [&](Vertex w) { stamps_[w] += isHub(w) ? 0 : 1; });
     offerAround(into);
   }
 
@@ -235,7 +239,7 @@ class Simplification {
     });
   }
 
-  // What was refused may be possible now, all around.
+  // What was refused may be possible now, all around. What was offered at a hub beside it stays.
   void offerAround(Vertex v) {
     around_.clear();
     const auto gather = [&](Vertex w) {
@@ -245,7 +249,9 @@ class Simplification {
       });
     };
     gather(v);
-    mesh_.forEachNeighbor(v, gather);
+    mesh_.forEachNeighbor(v, [&](Vertex w) {
+      if (!isHub(w)) gather(w);
+    });
     std::sort(around_.begin(), around_.end());
     around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
     for (const Halfedge h : around_) offer(h);

@@ -177,7 +177,8 @@ std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>&
     const double missing = missingAt(v);
     if (missing < kTipAngle) continue;
     double beside = 0;
-    mesh.forEachNeighbor(v, [&](Vertex w) { beside += std::abs(missingAt(w)) / mesh.valence(v); });
+    const int valence = mesh.valence(v);
+    mesh.forEachNeighbor(v, [&](Vertex w) { beside += std::abs(missingAt(w)) / valence; });
     if (missing >= kMuchSharper * beside) tips.push_back(v);
   }
   return tips;

@@ -58,10 +58,10 @@ void reach(Run& run, const Place& tip) {
 void insert(Run& run, const Place& tip) {
   double best = kSliver;
   LocalChange change;
+  const Placement place = run.mesh.onSurface(tip.original);
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
-    if (run.mesh.isCurve(h) || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
-    run.change.place = run.mesh.onSurface(tip.original);
+    if (run.mesh.isCurve(h) || !proposeSplitAt(run.mesh, place, h, run.change)) continue;
     const double angle = smallestComingAngle(run.mesh, run.change);
     if (angle <= best || judge(run.mesh, run.change, lenient(run)) != Verdict::Accepted) continue;
     best = angle;

@@ -22,6 +22,10 @@ bool proposeFlip(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 // At the middle of the edge.
 bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change);
 
+// At that place: needs no projection.
+bool proposeSplitAt(const WorkingMesh& mesh, const Placement& place, Halfedge h,
+                    LocalChange& change);
+
 // At the middle of the edge between equals, else at the end that may not move. A pinned vertex
 // neither moves nor goes.
 bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
