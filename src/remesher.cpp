@@ -168,7 +168,7 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
   if (!options.lods.empty())
     throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
                 "Ask for one of them: --textures, --lods.");
-  if (io::holdsLods(outputName)) return;
+  if (io::holdsImages(outputName)) return;
   throw Error(ErrorCode::Unsupported,
               "Baked textures are written as glTF only, not as " + legible(outputName) + ".",
               "Let the output's name end in .glb or .gltf.");

@@ -7,6 +7,7 @@ import { dirname, join, normalize, relative } from 'node:path';
 import { test } from 'node:test';
 
 import { coreRooms, findCircle, packageRooms, pageRooms, wrongArrows } from './support/rooms.js';
+import { roomsPicture } from './support/rooms_picture.js';
 import { filesUnder, readText, root } from './support/tree.js';
 
 const cppFiles = filesUnder('src', /\.(h|cpp)$/);
@@ -57,6 +58,10 @@ const definedIn = new Map(cppFiles.filter((file) => file.endsWith('.h')).flatMap
 /** The headers of the types that a file only names: a promise that somebody else defines them. */
 const promisesOf = (file) => [...readText(file).matchAll(/^(?:struct|class) (\w+);/gm)]
   .flatMap(([, type]) => definedIn.get(type) ?? []);
+
+test('the picture of the rooms is of these rooms: node tests/pictures/rooms.js', () => {
+  assert.equal(readText('src/rooms.svg'), roomsPicture(coreRooms, 'remesher'));
+});
 
 test('includes and forward declarations in src point to lower rooms only', () => {
   const arrows = cppFiles.map((file) =>

@@ -79,7 +79,7 @@ export const buildWebAssembly = (system) => buildTarget({
  */
 const unitTests = (system) => ({
   what: 'the unit tests, with sanitizers', folder: 'build/test',
-  names: ['fuzz_replay', 'unit_tests'], givesWay: true,
+  names: ['fuzz_replay', 'remesher', 'unit_tests'], givesWay: true,
   definitions: [...commonDefinitions(system), ...testDefinitions(system)],
 });
 

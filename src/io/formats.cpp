@@ -21,21 +21,30 @@
 namespace remesher::io {
 namespace {
 
+// What files of a format hold.
+enum Holds : unsigned {
+  kScenes = 1,  // instances, places of parts, levels of detail
+  kImages = 2,  // with the materials
+  kDoubles = 4,
+};
+
 struct Format {
   std::string_view extension;
   std::string_view magic;  // the first bytes of every such file; empty: it has none
   Model (*read)(const File& file, const std::vector<File>& resources);
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
-  bool isSingle = false;  // all its coordinates are of single precision
+  unsigned holds;
+
+  bool has(Holds what) const { return (holds & what) != 0; }
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF", readGltf, writeGlb, true},
-    {".gltf", "{", readGltf, writeGltf, true},
-    {".obj", "", readObj, writeObj},
-    {".off", "OFF", readOff, writeOff},
-    {".ply", "ply", readPly, writePly},
-    {".stl", "solid", readStl, writeStl, true},
+    {".glb", "glTF", readGltf, writeGlb, kScenes | kImages},
+    {".gltf", "{", readGltf, writeGltf, kScenes | kImages},
+    {".obj", "", readObj, writeObj, kDoubles},
+    {".off", "OFF", readOff, writeOff, kDoubles},
+    {".ply", "ply", readPly, writePly, kDoubles},
+    {".stl", "solid", readStl, writeStl, 0},
 };
 
 std::string lowerCase(std::string_view text) {
@@ -118,17 +127,22 @@ void requireWritable(const std::string& outputName) {
 
 bool holdsLods(const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
-  return format != nullptr && format->read == readGltf;
+  return format != nullptr && format->has(kScenes);
+}
+
+bool holdsImages(const std::string& outputName) {
+  const Format* const format = findByExtension(outputName);
+  return format != nullptr && format->has(kImages);
 }
 
 void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
   if (format == nullptr) return;
-  if (format->read != readGltf) makeBodies(model);
-  if (!format->isSingle) return;
+  if (!format->has(kScenes)) makeBodies(model);
+  if (format->has(kDoubles)) return;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
-    if (wasExact && format->read == readGltf && isFarFromOrigin(part.mesh)) moveToOrigin(part);
+    if (wasExact && format->has(kScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
   }
 }
 
@@ -136,7 +150,7 @@ WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
   const Format& format = *findByExtension(outputName);
   WrittenFiles written = format.write(model, plainName(outputName));
-  const bool keepsMaps = model.conventions != Conventions::Gltf || format.read == readGltf;
+  const bool keepsMaps = model.conventions != Conventions::Gltf || format.has(kImages);
   if (const std::size_t lost = keepsMaps ? 0 : mappedGroups(model); lost > 0)
     written.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
                                 "The images of the materials are not passed on: write a .glb or "

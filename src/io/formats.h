@@ -24,6 +24,9 @@ void requireWritable(const std::string& outputName);
 // Whether a file of such a name can hold the levels of detail of its parts.
 bool holdsLods(const std::string& outputName);
 
+// Whether it can hold the images of materials.
+bool holdsImages(const std::string& outputName);
+
 // Readies a model that was read for a file of such a name: where there are no instances, each that
 // is shown becomes a part; its coordinates are said to be single where those there are; where that
 // would cost its shape, and the file says where its parts are, each moves to the origin.

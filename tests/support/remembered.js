@@ -13,7 +13,7 @@ import { filesUnder, readText, root } from './tree.js';
 
 const memory = join(root, 'build/checks');
 /** Programs that are made of the checkout. */
-const made = ['build/test/unit_tests', 'build/test/fuzz_replay'];
+const made = ['build/test/unit_tests', 'build/test/fuzz_replay', 'build/test/libremesher.a'];
 /** What every test reads without saying so: packages, and what Node starts the files with. */
 const everywhere = ['node_modules/.package-lock.json', 'tests/support/late_tiering.js'];
 
