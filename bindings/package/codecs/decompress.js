@@ -202,17 +202,28 @@ async function decompressTree(tree, chunk, file) {
   }
 }
 
+/** Where in a tree a number is beyond all that there are, as a JSON pointer. @param {any} tree */
+function endlessNumber(tree) {
+  const waiting = [{ at: '', value: tree }];
+  for (const { at, value } of waiting) {
+    if (typeof value === 'number' && !Number.isFinite(value)) return at;
+    if (typeof value !== 'object' || value === null) continue;
+    for (const [key, part] of Object.entries(value))
+      if (typeof part !== 'string') waiting.push({ at: `${at}/${key}`, value: part });
+  }
+  return undefined;
+}
+
 /**
- * A number beyond all that there are is none once it has been read, and would be written as null.
+ * Such a number is none once it has been read, and would be written as null.
  * @param {string} text @param {FileRequest} file
  */
 function parseTree(text, { name }) {
-  return JSON.parse(text, (key, value) => {
-    if (typeof value !== 'number' || Number.isFinite(value)) return value;
-    throw new RemeshError('PARSE_ERROR', `${legible(name)}: the glTF document is invalid: `
-      + `${legible(key)} has a number beyond all that can be read.`,
-    'A glTF validator tells where.');
-  });
+  const tree = JSON.parse(text);
+  const at = endlessNumber(tree);
+  if (at === undefined) return tree;
+  throw new RemeshError('PARSE_ERROR', `${legible(name)}: the glTF document is invalid: `
+    + `${legible(at)} is a number beyond all that can be read.`, 'Correct that number.');
 }
 
 /**
