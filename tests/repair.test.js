@@ -68,6 +68,15 @@ test('what is remeshed is mended first, if asked for', async () => {
   assert.equal((await remesh(open, { vertices: 400 })).report.repair, undefined);
 });
 
+test('without a number of vertices it is the input’s, whatever repair has made of it', async () => {
+  for (const [input, mode] of [[whole, 'solid'], [open, 'wrap'], [open, 'auto']]) {
+    for (const ratio of [undefined, 2]) {
+      const { report } = await remesh(input, { ratio, repair: mode });
+      assert.equal(report.output.vertices, (ratio ?? 1) * report.input.vertices, mode);
+    }
+  }
+});
+
 test('overlapping bodies become one that passes through itself nowhere', async () => {
   const both = joined(whole, whole, 0.9);
   const { mesh, report } = await repair(both);

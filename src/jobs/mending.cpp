@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jobs/mending.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "jobs/part_report.h"
@@ -12,18 +14,36 @@ namespace remesher {
 
 double mendShare(const RemeshOptions& options) { return options.repair == Repair::Off ? 0 : 0.1; }
 
+namespace {
+
+// Whether the number of vertices follows the input's.
+bool isByInput(const RemeshOptions& options) {
+  return !options.vertices && !options.edgeLength && (options.ratio || !options.maxError);
+}
+
+}  // namespace
+
 Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
                  const Progress& progress) {
   if (options.repair == Repair::Off) return;
   input_ = inspectScaled(parts);
+  RemeshOptions sized = options;
+  const double target = options.ratio.value_or(1) * double(input_.vertices);
+  if (isByInput(options)) sized.vertices = Index(std::max(1.0, std::round(target)));
   repair_ = withinMemory(
-      [&] { return repairParts(std::move(parts), options, progress.phase("repair", 0, 1)); });
+      [&] { return repairParts(std::move(parts), sized, progress.phase("repair", 0, 1)); });
   parts = std::move(repair_->parts);
+  const double mended = isByInput(options) ? double(inspectScaled(parts).vertices) : 0;
+  if (mended > 0) ratio_ = target / mended;
 }
 
 RemeshOptions Mending::chosen(RemeshOptions options) const {
   if (options.repair == Repair::Auto && repair_)
     options.repair = repair_->report.mode == "holes" ? Repair::Holes : Repair::Solid;
+  if (ratio_) {
+    if (!options.ratio) options.tooFew = TooFew::Raise;
+    options.ratio = ratio_;
+  }
   return options;
 }
 
@@ -36,14 +56,20 @@ void Mending::note(Report& report) const {
 
 Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                   const Progress& progress) {
-  const std::vector<io::Part> originals = parts;
-  const Mending mending(parts, options, progress);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
-  progress.phase("measure", 1, 1);
   Report report;
+  if (options.repair != Repair::Off) {
+    const std::vector<io::Part> originals = parts;
+    report.input = inspectScaled(parts);
+    PartsRepair repair = withinMemory(
+        [&] { return repairParts(std::move(parts), options, progress.phase("repair", 0, 1)); });
+    parts = std::move(repair.parts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
+    report.repair = repair.report;
+    report.warnings = std::move(repair.warnings);
+  }
+  progress.phase("measure", 1, 1);
   report.output = inspectScaled(parts);
-  mending.note(report);
   return report;
 }
 

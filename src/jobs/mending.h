@@ -21,7 +21,8 @@ class Mending {
  public:
   Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress);
 
-  // What is asked for with what was done, where the choice was repair's own.
+  // What is asked for with what was done, where the choice was repair's own. Without a number of
+  // vertices the input's counts, of which `ratio` is a share: repair may have made many times that.
   RemeshOptions chosen(RemeshOptions options) const;
 
   // The input is what was given, not what was made of it.
@@ -30,6 +31,7 @@ class Mending {
  private:
   MeshReport input_;
   std::optional<PartsRepair> repair_;
+  std::optional<double> ratio_;  // of the mended parts' vertices, where the input's count
 };
 
 // Mends the parts in place, and says all but how long it took.
