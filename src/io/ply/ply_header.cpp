@@ -66,6 +66,7 @@ class HeaderParser {
   ParsedPlyHeader parse();
 
  private:
+  void addRemark(std::string_view begin);
   void parseLine(std::string_view keyword);
   void parseEncoding();
   void parseElement();
@@ -140,6 +141,11 @@ void HeaderParser::parseProperty() {
   properties.push_back(std::move(property));
 }
 
+void HeaderParser::addRemark(std::string_view begin) {
+  const std::string_view text = scanner_.rest();
+  header_.remarks.push_back(std::string(begin) + (text.empty() ? "" : " ") + std::string(text));
+}
+
 void HeaderParser::parseLine(std::string_view keyword) {
   if (keyword == "format") {
     parseEncoding();
@@ -148,8 +154,9 @@ void HeaderParser::parseLine(std::string_view keyword) {
   } else if (keyword == "property") {
     parseProperty();
   } else if (keyword == "comment" || keyword == "obj_info") {
-    const std::string_view text = scanner_.rest();
-    header_.remarks.push_back(std::string(keyword) + (text.empty() ? "" : " ") + std::string(text));
+    addRemark(keyword);
+  } else if (header_.elements.empty() && keyword != "end_header" && !keyword.empty()) {
+    addRemark("comment " + std::string(keyword));  // exporters sign there without saying so
   } else if (keyword != "end_header" && !keyword.empty()) {
     scanner_.fail(ErrorCode::ParseError, "a PLY's header knows no \"" + legible(keyword) + "\".");
   }

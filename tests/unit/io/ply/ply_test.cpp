@@ -282,6 +282,14 @@ TEST_CASE("ply: numbers that are not finite are refused of places, and 0 of the 
   CHECK(textOf(io::write(model, "b.ply").files[0]).find("nan") == std::string::npos);
 }
 
+// Blender 2.47 wrote it so.
+TEST_CASE("ply: an exporter's signature above the elements is a comment, below them an error") {
+  const std::string signature = "Created by a program\n";
+  const std::string above = replaced(kTriangle, "element vertex", signature + "element vertex");
+  CHECK(meshOf(above).positions == meshOf(kTriangle).positions);
+  CHECK_THROWS_AS(meshOf(replaced(kTriangle, "element face", signature + "element face")), Error);
+}
+
 TEST_CASE("ply: a header of thousands of names is refused, not compared with itself") {
   std::string elements;
   std::string properties;
