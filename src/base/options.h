@@ -22,7 +22,7 @@ enum class Textures { Keep, Bake };       // texture coordinates along their sea
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class TooFew { Refuse, Raise };                  // a target below what the surface needs
-// Where even triangles do not keep a bound: those of the original do | the run ends.
+// If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 
 struct RemeshOptions {
@@ -57,11 +57,11 @@ struct RemeshOptions {
   std::vector<double> lods;   // shares of the number of vertices, each > 0
   bool lodFiles = false;      // a file for each level, not one for all
 
-  // Not the caller's: see PartTargets, PartUnions, fewest_vertices.h.
+  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
-  std::vector<Index> bodies;      // per group of the input: several bodies are one surface
-  std::optional<Index> inBodies;  // the exact number of places, each once in every body it is in
+  std::vector<Index> bodies;      // per input group its body; all bodies form one surface
+  std::optional<Index> inBodies;  // exact number of positions, each counted once per body
 };
 
 }  // namespace remesher
