@@ -19,7 +19,7 @@ struct Image {
   std::vector<std::uint8_t> texels;
 };
 
-// An image of a model that somebody else has decoded; glTF's are called by their number.
+// A decoded image of a model (decoding happens outside of the core); glTF's are named by number.
 struct NamedImage {
   std::string name;
   Image image;
@@ -27,7 +27,7 @@ struct NamedImage {
 
 enum class Wrap { Repeat, Clamp, Mirror };
 
-// A map: where it is looked up for a vertex with texture coordinates.
+// A map: its image, and where the image is looked up for texture coordinates.
 struct Map {
   std::string image;  // its name; empty: there is no map
   int texcoord = 0;   // TEXCOORD_n
