@@ -29,7 +29,7 @@ struct Spread {
 constexpr Spread kGlimpsed = {32, 2000, 10'000}, kSampled = {4, 5000, 50'000},
                  kProven = {1, 20'000, 200'000};
 // Points are set denser in the kSearchedTriangles triangles with the largest distances found: a
-// grid of kSearchGrid points along an edge.
+// grid of kSearchGrid steps along an edge.
 constexpr std::size_t kSearchedTriangles = 64;
 constexpr int kSearchGrid = 6;
 // Distances below this share of the maximum found so far are not measured further if only the
