@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets of numbers that only grow together: union and find.
+// Disjoint sets of numbers that only merge: union and find.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@ namespace remesher {
 
 class DisjointSets {
  public:
-  // Each of the numbers below `size` is a set of its own.
+  // At first each number below `size` is a set of its own.
   explicit DisjointSets(std::size_t size) : parents_(size) {
     std::iota(parents_.begin(), parents_.end(), Index{0});
   }
 
-  // What the set is named by: its lowest member.
+  // The set's name: its lowest member.
   Index find(Index x) {
     while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
     return x;
   }
 
-  // Whether they were two sets.
+  // Merges two sets; false if they were one already.
   bool unite(Index x, Index y) {
     x = find(x), y = find(y);
     parents_[std::max(x, y)] = std::min(x, y);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one exception remesher throws: what the caller gave cannot be done, said in a sentence.
-// The list of codes is the only one: the bindings hand it to JavaScript, where a test compares it.
+// The one exception that remesher throws: the input or request cannot be processed, for a reason
+// said in one sentence. The error codes are listed here only: the bindings hand the list to
+// JavaScript, where a test compares it.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place on a mesh as it was given: what remains of a SurfacePoint outside of the remesher.
+// A place on a mesh as it was given: the form a SurfacePoint has outside of the remesher.
 #pragma once
 
 #include "base/types.h"

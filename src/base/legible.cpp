@@ -12,7 +12,7 @@ namespace remesher {
 namespace {
 
 constexpr std::size_t kLongest = 120;  // characters
-constexpr std::size_t kHead = 80;      // of a longer text: these, a mark, and what fits of its end
+constexpr std::size_t kHead = 80;      // a longer text keeps these, a mark, and its end
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr char32_t kEllipsis = 0x2026;
 
@@ -21,7 +21,7 @@ struct Range {
   char32_t last;
 };
 
-// What shows nothing but does something: controls, marks of direction, ends of lines, tags.
+// Characters that show nothing but have an effect: controls, direction marks, line ends, tags.
 constexpr std::array<Range, 11> kInvisible = {{{0x00, 0x1F},
                                                {0x7F, 0x9F},
                                                {0xAD, 0xAD},
@@ -39,7 +39,7 @@ bool isInvisible(char32_t c) {
                      [c](const Range& range) { return range.first <= c && c <= range.last; });
 }
 
-// The length of the character that begins with this byte; 0 where none does.
+// The length in bytes of the character that begins with this byte; 0 if none does.
 std::size_t lengthFrom(std::uint8_t first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -48,7 +48,7 @@ std::size_t lengthFrom(std::uint8_t first) {
   return 0;
 }
 
-// Takes the first character off the text.
+// Removes the first character of the text and returns it.
 char32_t takeCharacter(std::string_view& text) {
   const auto first = static_cast<std::uint8_t>(text[0]);
   const std::size_t length = lengthFrom(first);
@@ -74,7 +74,8 @@ std::string escaped(char32_t c) {
   return "\\u{" + digits + "}";
 }
 
-// As they are shown. Of a text of megabytes only what can be is looked at: its two ends.
+// The characters as shown. Of a very long text only the two ends can be shown, so only they are
+// read.
 std::vector<char32_t> charactersOf(std::string_view text) {
   constexpr std::size_t kEnd = 8 * kLongest;
   std::string ends;
@@ -102,10 +103,10 @@ void append(std::string& text, char32_t c) {
   for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80U | (c >> 6 * i & 0x3FU));
 }
 
-// Smaller numbers, and those of more digits before the point than are told, have an exponent.
+// Smaller numbers get an exponent, as do those with more digits before the point than `digits`.
 constexpr int kSmallestExponent = -4;
 
-// Steps of ten each; the largest power of ten that a double holds exactly is the 22nd.
+// Multiplies in steps of at most 10^22, the largest power of ten that a double holds exactly.
 double timesTenTo(double x, int power) {
   double factor = 1;
   for (int i = std::abs(power); i > 0; --i) {
@@ -117,7 +118,7 @@ double timesTenTo(double x, int power) {
   return x;
 }
 
-// x ≥ 0 as a whole number of so many digits, times a power of ten: d.ddd × 10^exponent.
+// x ≥ 0 rounded to an integer of `digits` digits, with its exponent: d.ddd × 10^exponent.
 struct Scaled {
   std::uint64_t whole = 0;
   int exponent = 0;

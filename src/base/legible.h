@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is put into a message of ours. Foreign text: names and lines of files from anywhere may be
-// of any length, and may hold what a terminal obeys or what turns the rest of a line around. The
-// package's base/legible.js does the same.
+// Makes foreign text safe to show in our messages. Names and lines from files may be of any length,
+// and may hold terminal commands or marks that reverse the rest of a line. The package's
+// base/legible.js does the same.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace remesher {
 
-// The text with control characters and invisible ones as \u{1b}, bytes that are not UTF-8 as the
-// replacement character; so in at most 120 characters, the middle left out of a longer one.
+// Control and invisible characters become \u{1b}, bytes that are not UTF-8 the replacement
+// character. The result has at most 120 characters: a longer text loses its middle.
 std::string legible(std::string_view text);
 
-// `a, b, c`; of many names the first few, and how many more there are.
+// `a, b, c`; of a long list only the first few names, and the number of the others.
 std::string legibleList(const std::vector<std::string>& names);
 
-// What printf's %g says of a number, without printf, which is large: as many significant digits,
-// from 1 to 17, but no zeros at the end: "0.0125", "1.25e+20", "nan".
+// Formats a number like printf's %g, but without printf, which is large code. Up to `digits`
+// significant digits, from 1 to 17, without trailing zeros: "0.0125", "1.25e+20", "nan".
 std::string inDigits(double x, int digits);
 
 }  // namespace remesher

@@ -13,7 +13,7 @@
 namespace remesher {
 
 enum class Scheme { Best, Rounds };          // ours | the report's Algorithm 2
-enum class Quality { Draft, Best };          // of the scheme `best`: soon | as good as can be
+enum class Quality { Draft, Best };          // for scheme `best`: fast | best result
 enum class Projection { Patches, Current };  // onto the original | on the current mesh
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
@@ -21,8 +21,8 @@ enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where s
 enum class Textures { Keep, Bake };       // texture coordinates along their seams | painted anew
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
-enum class TooFew { Refuse, Raise };                  // a target below what the surface needs
-// Where even triangles do not keep a bound: those of the original do | the run ends.
+enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
+// If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
 
 struct RemeshOptions {
@@ -43,12 +43,12 @@ struct RemeshOptions {
   std::optional<double> featureAngle;
   Boundary boundary = Boundary::Resample;
   std::optional<double> maxError;                     // percent of the diagonal
-  std::optional<double> weld;                         // the same: nearer places are one
+  std::optional<double> weld;                         // likewise; nearer places become one
   std::vector<float> density;                         // per input vertex, relative; empty: even
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
   bool quads = false;                                 // pure quads instead of triangles
   bool exact = false;                                 // of quads: exactly so many vertices
-  Textures textures = Textures::Keep;                 // of files
+  Textures textures = Textures::Keep;                 // for files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;
   Repair repair = Repair::Off;
@@ -57,11 +57,11 @@ struct RemeshOptions {
   std::vector<double> lods;   // shares of the number of vertices, each > 0
   bool lodFiles = false;      // a file for each level, not one for all
 
-  // Not the caller's: see PartTargets, PartUnions, fewest_vertices.h.
+  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
-  std::vector<Index> bodies;      // per group of the input: several bodies are one surface
-  std::optional<Index> inBodies;  // the exact number of places, each once in every body it is in
+  std::vector<Index> bodies;      // per input group its body; all bodies form one surface
+  std::optional<Index> inBodies;  // exact number of positions, each counted once per body
 };
 
 }  // namespace remesher

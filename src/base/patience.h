@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What keeps rounds towards a number from going on for ever where each does but a little: a mesh
-// that allows one change a round would ask for as many rounds as vertices.
+// Ends rounds towards a target number when each round gains too little: a mesh that allows one
+// change per round would otherwise need as many rounds as it has vertices.
 #pragma once
 
 #include <cstddef>
 
 namespace remesher {
 
-// Every good round leaves at most 99 % of what was missing, so there are at most 100 · ln(missing)
-// of those, and kBadRounds others.
+// A good round leaves at most 99 % of the missing number, so there are at most 100 · ln(missing)
+// good rounds, and kBadRounds others.
 class Patience {
  public:
-  // Whether to go on after a round that did `done` and left `missing`.
+  // Whether to continue after a round that made `done` changes and left `missing` to make.
   bool after(std::size_t done, std::size_t missing) {
     if (done == 0 || missing == 0) return false;
     if (kGoodShare * done < missing && ++badRounds_ >= kBadRounds) return false;

@@ -7,8 +7,8 @@
 namespace remesher {
 namespace {
 
-// Milliseconds, from some moment on. C++'s clock may fail, and brings along a hundred sentences of
-// what else may.
+// Milliseconds since some fixed moment. C++'s clock may fail, and links in a hundred unrelated
+// error messages.
 double clockNow() {
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long each phase of a run takes, for the report: the clock is read once where a phase begins,
-// and nothing that is computed depends on it.
+// How long each phase of a run takes, for the report. The clock is read once where a phase begins,
+// and no result depends on it.
 #pragma once
 
 #include <string_view>
@@ -12,11 +12,11 @@ namespace remesher {
 
 class PhaseClock {
  public:
-  // The phase before ends, this one begins. One of a name that was here before, in an earlier part
-  // of a file, goes on where that one ended.
+  // Ends the phase before and begins this one. A name that was used before, in an earlier part of a
+  // file, continues that phase.
   void enter(std::string_view name);
 
-  // The last phase ends; all of them in the order in which they began, and their sum is the run.
+  // Ends the last phase. Returns all phases in the order in which they began; their sum is the run.
   std::vector<Phase> finish();
 
  private:
@@ -27,7 +27,7 @@ class PhaseClock {
   double entered_ = 0;
 };
 
-// The four times of the report, by the names of the phases.
+// The four times of the report, summed by the phases' names.
 Timings timingsOf(const std::vector<Phase>& phases);
 
 }  // namespace remesher

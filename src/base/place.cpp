@@ -11,7 +11,7 @@ namespace remesher {
 
 namespace {
 
-// Of a place's hash, of which no more is needed than keeps most places apart.
+// The most bits of one digit of a place's hash: two digits are enough to keep most places apart.
 constexpr int kMostDigitBits = 11;
 
 struct Hashed {
@@ -34,7 +34,7 @@ Index hashOf(const Vec3& place) {
   return Index(result);
 }
 
-// By one digit of the hash; those with the same stay in their order.
+// Stable sort by one digit of the hash.
 void sortByDigit(std::vector<Hashed>& vertices, int shift, Index digits) {
   std::vector<Index> begins(digits + 1, 0);
   for (const Hashed& v : vertices) ++begins[(v.hash >> shift) % digits + 1];
@@ -44,7 +44,7 @@ void sortByDigit(std::vector<Hashed>& vertices, int shift, Index digits) {
   vertices.swap(sorted);
 }
 
-// In the order of their hashes: unlike in a table, what is looked at lies side by side.
+// The vertices sorted by hash. Unlike in a hash table, the entries compared lie side by side.
 std::vector<Hashed> byHash(std::span<const Vec3> positions) {
   const int bits = std::min(kMostDigitBits, (int(std::bit_width(positions.size())) + 3) / 2);
   const Index digits = Index{1} << bits;
@@ -64,7 +64,7 @@ std::vector<Index> weld(std::span<const Vec3> positions) {
   for (std::size_t i = 0, begin = 0, end = 0; i < vertices.size(); ++i) {
     const auto [hash, v] = vertices[i];
     if (i == 0 || hash != vertices[i - 1].hash) begin = end = i;
-    // The first at each place of this hash so far are those from begin to end.
+    // Entries begin to end are the first vertices found at each place of this hash.
     std::size_t k = begin;
     while (k < end && canonicalPlace(positions[vertices[k].vertex]) != canonicalPlace(positions[v]))
       ++k;

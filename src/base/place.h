@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What tells places apart: two vertices are at one place if what is here made of them is equal.
-// What programs make of a full turn seldom meets its beginning.
+// When two vertices are at one place: when their canonicalPlace() is equal. Programs that compute a
+// full turn seldom end exactly where the turn began.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace remesher {
 
-// The sine of a whole turn comes out as -2.4e-16: beside the largest coordinate of its place, what
-// is no more than a few such roundings is zero.
+// Rounds tiny coordinates to zero: the sine of a full turn comes out as -2.4e-16. A coordinate is
+// tiny if it is at most a few such roundings of the place's largest coordinate.
 inline Vec3 canonicalPlace(const Vec3& p) {
   constexpr double kRounding = 0x1p-50;
   const double nothing = kRounding * std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
@@ -24,7 +24,7 @@ inline Vec3 canonicalPlace(const Vec3& p) {
 // Per vertex the first vertex at its place. Positions must be finite.
 std::vector<Index> weld(std::span<const Vec3> positions);
 
-// How many places there are.
+// The number of different places.
 std::size_t countPlaces(std::span<const Vec3> positions);
 
 }  // namespace remesher

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Progress of one run, passed down by value: each stage divides its own share among its steps, so
 // that the fraction the caller sees only ever grows. The callback's `false` cancels the run: the
-// stack unwinds through Error{Cancelled}. Where a phase begins the run's clock, if any, is told.
+// stack unwinds through Error{Cancelled}. The run's clock, if any, learns where a phase begins.
 #pragma once
 
 #include <functional>
@@ -20,14 +20,14 @@ class Progress {
   Progress() = default;
   explicit Progress(Callback callback) : callback_(std::move(callback)) {}
 
-  // The same, but phases are timed by this clock, which must outlive it.
+  // The same progress, with phases timed by this clock, which must outlive it.
   Progress timedBy(PhaseClock& clock) const {
     Progress result = *this;
     result.clock_ = &clock;
     return result;
   }
 
-  // A phase of this name begins, and takes the stretch from `from` to `to` (0 to 1) of this one.
+  // Begins a phase of this name, which takes the stretch from `from` to `to` (0 to 1) of this one.
   Progress phase(std::string_view name, double from, double to) const {
     Progress result = part(from, to);
     result.phase_ = name;

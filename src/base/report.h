@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run or an inspection has to say; the names are those of the JSON report.
+// The report of a run or an inspection; the names are those of the JSON report.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// Something the caller should know and need not act on. `code` is stable, `message` is for people.
+// Something the caller should know but need not act on. `code` is stable, `message` is for people.
 struct Warning {
   std::string code;
   std::string message;
@@ -27,9 +27,9 @@ struct AngleStatistics {
   std::array<double, 6> histogram{};
 };
 
-// Of quads. irregular: vertices inside whose valence is not 4; angleDeviation: |angle − 90°| of all
-// corners; scaledJacobian: of each quad's worst corner, 1 in a square, negative in a fold;
-// edgeVariation: the standard deviation of the edges' lengths over their mean.
+// Figures of a mesh of quads. irregular: interior vertices whose valence is not 4. angleDeviation:
+// |angle − 90°| over all corners. scaledJacobian: of each quad's worst corner, 1 in a square,
+// negative in a fold. edgeVariation: standard deviation of the edge lengths over their mean.
 struct QuadReport {
   struct Deviation {
     double mean = 0, p95 = 0, worst = 0;
@@ -55,7 +55,7 @@ struct MeshReport {
   AngleStatistics minAngle;
   double maxAngle = 0;              // the largest angle of any triangle
   double valence6 = 0;              // percent of the interior vertices
-  std::optional<QuadReport> quads;  // of a mesh of quads
+  std::optional<QuadReport> quads;  // only for a mesh of quads
 };
 
 // Two-sided distance between the result and the original, percent of the original's diagonal.
@@ -78,22 +78,22 @@ struct Timings {  // milliseconds
   double write = 0;
 };
 
-// What mending did. Of files of several parts: sums, and the mode that mended most triangles.
+// What repair did. For files of several parts: sums, and the mode that mended most triangles.
 struct RepairReport {
   std::string mode;
   std::size_t holes = 0;    // open loops closed
-  std::size_t islands = 0;  // open scraps taken off
-  std::size_t shells = 0;   // bodies that lay inside of others, taken off
+  std::size_t islands = 0;  // open pieces removed
+  std::size_t shells = 0;   // bodies inside other bodies, removed
   std::size_t turned = 0;   // triangles turned over
-  double lost = 0;          // percent of the area given that the result has not
+  double lost = 0;          // percent of the input's area that the result lacks
   std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
 };
 
-// What is broken, and what would mend it.
+// What is broken, and which repair would mend it.
 struct FaultReport {
   std::vector<double> openLoops;      // lengths in percent of the diagonal, the longest first
   std::size_t selfIntersections = 0;  // triangles that meet others
-  std::size_t innerShells = 0;        // closed pieces within others that are no cavities
+  std::size_t innerShells = 0;        // closed pieces inside others, cavities not counted
   std::size_t insideOut = 0;          // closed pieces that face inwards
   Repair repair = Repair::Off;        // Off: nothing is broken
 };
@@ -102,14 +102,14 @@ struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
-  std::optional<RepairReport> repair;  // where asked for
+  std::optional<RepairReport> repair;  // only if requested
   Timings timings;
-  std::vector<Phase> phases;  // in order; together they are the run
+  std::vector<Phase> phases;  // in order; together they make up the run
   std::uint64_t peakBytes = 0;
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
-  std::vector<Report> lods;    // of the coarser levels of detail, as they were asked for
+  std::vector<Report> lods;    // of the coarser levels of detail, in the order requested
 };
 
 }  // namespace remesher

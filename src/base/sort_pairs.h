@@ -10,7 +10,7 @@
 
 namespace remesher {
 
-// Ascending, by the first and then by the second; a short list by insertion.
+// Ascending by the first number, then by the second; insertion sort for a short list.
 inline void sortPairs(std::span<std::pair<Index, Index>> pairs) {
   constexpr std::size_t kMany = 16;
   if (pairs.size() > kMany) return std::sort(pairs.data(), pairs.data() + pairs.size());

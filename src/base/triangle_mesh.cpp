@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// What is not is no number less itself.
+// x - x is 0 for a finite x only: for NaN and infinity it is NaN.
 bool isFinite(const Vec3& p) {
   const double* const x = p.data();
   return x[0] - x[0] == 0 && x[1] - x[1] == 0 && x[2] - x[2] == 0;

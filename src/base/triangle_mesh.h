@@ -21,8 +21,8 @@ struct Attribute {
   std::vector<float> values;
 };
 
-// The whole numbers as which a file holds coordinates: how many steps of them make one, and how far
-// they reach.
+// The integer steps in which a file stores coordinates: how many steps make one unit, and their
+// range.
 struct WholeSteps {
   double perUnit = 1, lowest = 0, highest = 0;
 
@@ -34,27 +34,28 @@ struct TriangleMesh {
   std::vector<Index> indices;  // three per triangle, counterclockwise seen from outside
   std::vector<Index> groups;   // one per triangle (a glTF primitive, an OBJ material), or empty
   std::vector<Attribute> attributes;
-  bool isSingle = false;  // the coordinates are of single precision, and will be when written
-  double scale = 1;       // of the coordinates, over those that are written
-  std::optional<WholeSteps> steps = {};  // in which the coordinates were given
+  bool isSingle = false;                 // coordinates have single precision, and are written so
+  double scale = 1;                      // a coordinate here over the written one
+  std::optional<WholeSteps> steps = {};  // the integer steps of the given coordinates, if any
   // Triangles 2i and 2i + 1 are a quad each, cut from its first corner: (a, b, c) and (a, c, d).
   bool isQuads = false;
 
   std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
-// A position in single precision, which of the smallest numbers leaves few digits.
+// The position rounded to single precision of the written coordinate p / scale; floats near the
+// smallest have few digits.
 inline Vec3 inSingle(const Vec3& p, double scale) {
   return (p / scale).cast<float>().cast<double>() * scale;
 }
 
-// Four indices for each quad, in the triangles' order; empty if the mesh is none of quads.
+// Four indices per quad, in the triangles' order; empty if the mesh has no quads.
 std::vector<Index> quadsOf(const TriangleMesh& mesh);
 
-// Whether each two triangles are cut from one quad as those of a mesh of quads are.
+// Whether every two consecutive triangles are cut from one quad like those of a mesh of quads.
 bool arePairs(const TriangleMesh& mesh);
 
-// Null if the mesh has none of this semantic.
+// Null if the mesh has no attribute of this semantic.
 const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic);
 
 // One more than the largest group number; one where there are no groups.

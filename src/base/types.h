@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words every layer speaks: vectors, indices, angles.
+// The types that every layer uses: vectors, indices, angles.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Transform = Eigen::Affine3d;
 
 inline constexpr Index kNone = ~Index{0};
 
-// Of the parallelogram that they span: positive where b lies to the left of a.
+// Signed area of the parallelogram that a and b span: positive where b lies to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The least and the greatest of a few doubles for inner loops. WebAssembly has no such instruction
-// for one of them that engines compile without a branch, and where any may be the least every other
-// branch is mispredicted; its vectors have one.
+// The least and the greatest of a few doubles for inner loops. Engines compile WebAssembly's scalar
+// minimum and maximum with a branch; if any value may be the least, every other branch is
+// mispredicted. The vector instructions need no branch.
 #pragma once
 
 #include <algorithm>

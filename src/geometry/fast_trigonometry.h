@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Angles and circles for inner loops: to seven digits, in a fraction of the time that the standard
-// library takes, and the same bits on every engine.
+// Angles and circles for inner loops: to seven digits, in a fraction of the standard library's
+// time, and with the same bits on every engine.
 #pragma once
 
 #include <cmath>

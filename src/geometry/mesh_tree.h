@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tree of boxes over a halfedge mesh's triangles, as they are when it is built: what lies near
-// a place, however far it is along the surface.
+// A tree of boxes over a halfedge mesh's triangles, as they are when the tree is built. Finds what
+// is near in space, however far it is along the surface.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ class MeshTree {
   MeshTree(const MeshTree&) = delete;  // the tree refers to the lists beside it
   MeshTree& operator=(const MeshTree&) = delete;
 
-  // Faster where `start` is a face near p, if any.
+  // start: a face near p makes the search faster; may be none.
   Nearest nearest(const Vec3& p, Face start = {}) const;
 
   // Where the triangle was when the tree was built.
@@ -36,8 +36,8 @@ class MeshTree {
  private:
   const std::vector<Vec3> positions_;
   const std::vector<Index> triangles_;
-  std::vector<Face> faces_;  // by their number in the list
-  FaceData<Index> number_;   // the other way round
+  std::vector<Face> faces_;  // by number in the list
+  FaceData<Index> number_;   // per face its number
   const TriangleTree tree_;
 };
 

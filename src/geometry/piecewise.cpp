@@ -8,8 +8,8 @@ namespace remesher {
 
 namespace {
 
-// A cut adds a corner; rounding in a piece as thin as that could make it one for every side. So
-// what has more corners than half of what there is room for is parted into triangles.
+// A cut adds a corner; in a piece as thin as rounding it may add one per side. So a piece with more
+// than half of the possible corners is first divided into triangles.
 constexpr std::size_t kManyCorners = Piece::kMostCorners / 2;
 
 struct Plane {
@@ -39,7 +39,7 @@ Parts cutAt(const Piece& piece, const Plane& plane) {
   return parts;
 }
 
-// Whether a plane leaves more than `least` of the piece on both its sides.
+// Whether the piece reaches farther than `least` from the plane on both sides.
 bool parts(const Piece& piece, const Plane& plane, double least) {
   double lowest = 0, highest = 0;
   for (const Vec3& p : piece.corners()) {
@@ -55,7 +55,7 @@ Plane acrossSide(const Triangle& t, std::size_t side) {
   return {outwards.normalized(), start};
 }
 
-// Across the way from the centre to the farthest corner.
+// The plane through the centre, at right angles to the direction of the farthest corner.
 Plane across(const Piece& piece) {
   const Vec3 centre = piece.centre();
   Vec3 farthest = Vec3::Zero();

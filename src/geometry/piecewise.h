@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether something holds at every point of a triangle, found by cutting it until each piece can be
-// decided as a whole.
+// Decides whether something holds at every point of a triangle: the triangle is cut into pieces
+// until each piece can be decided as a whole.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class Piece {
   std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
   void add(const Vec3& p) { corners_[count_++] = p; }
   Vec3 centre() const;
-  double radius() const;  // of the ball around the centre that holds it
+  double radius() const;  // of the smallest ball around the centre that holds the piece
 
  private:
   std::array<Vec3, kMostCorners> corners_;
@@ -32,19 +32,19 @@ class Piece {
 
 enum class Finding { Holds, Fails, Unsure };
 
-// What holds of a piece; where that is unsure, over which triangle it had better be cut out.
+// What holds of a piece. If unsure, cutter is the triangle over which to cut the piece.
 struct PieceFinding {
   Finding finding = Finding::Unsure;
   Triangle cutter = {};
 };
 
 struct SearchLimits {
-  double smallest = 0;         // a piece of so small a radius that is still unsure fails
-  std::size_t mostPieces = 0;  // with more than these to look at the search gives up: it fails
+  double smallest = 0;         // an unsure piece of this radius or less fails
+  std::size_t mostPieces = 0;  // after this many pieces the next undecided one fails
 };
 
-// Cuts a piece into what lies over a triangle and what lies beyond its sides, or if there is
-// nothing to cut off that is wider than `least`, into halves.
+// Cuts a piece into the part over a triangle and the parts beyond its sides. If nothing wider than
+// `least` can be cut off, halves the piece.
 void cut(const Piece& piece, const Triangle& over, double least, std::vector<Piece>& parts);
 
 // Whether a piece ends the search.
@@ -53,7 +53,7 @@ inline bool isFailure(const Piece& piece, Finding finding, const SearchLimits& l
          (finding == Finding::Unsure && piece.radius() <= limits.smallest);
 }
 
-// `look` takes a piece and returns a PieceFinding. Returns a piece where it fails.
+// look: takes a piece and returns a PieceFinding. Returns a piece that fails, if any.
 template <class Looking>
 std::optional<Piece> findFailure(const Triangle& whole, const SearchLimits& limits,
                                  Looking&& look) {

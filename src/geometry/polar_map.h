@@ -25,8 +25,8 @@ class PolarMap {
   int after(int i) const { return i + 1 == size() ? 0 : i + 1; }
   double meanSpoke() const;
 
-  // Of the triangles (v, neighbor(i), neighbor(i + 1)) the one that holds `p`, with the weights of
-  // those three corners; none when p lies outside the star.
+  // The triangle (v, neighbor(i), neighbor(i + 1)) that holds `p`, by i, with the weights of these
+  // three corners; none when p lies outside the star.
   struct Location {
     int triangle;
     Vec3 barycentric;
@@ -40,7 +40,7 @@ class PolarMap {
   std::vector<Vec2> rim_;
 };
 
-// The two triangles of an inner edge a-b, turned about it into one plane: a at the origin, b on the
+// The two triangles of an inner edge a-b, unfolded into one plane: a at the origin, b on the
 // positive x axis, c (opposite h) above and d (opposite its twin) below.
 struct UnfoldedEdge {
   Vec2 a, b, c, d;

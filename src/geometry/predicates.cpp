@@ -11,7 +11,7 @@ namespace remesher {
 namespace {
 
 constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
-// How much the rounded determinant can be off, as a share of the sum of its terms' magnitudes.
+// Bound on the rounded determinant's error, as a share of the sum of its terms' magnitudes.
 constexpr double kOrient2dError = (3 + 16 * kHalfUlp) * kHalfUlp;
 constexpr double kOrient3dError = (7 + 56 * kHalfUlp) * kHalfUlp;
 
@@ -39,8 +39,8 @@ TwoTerms exactProduct(double a, double b) {
   return {product, x.low * y.low - error};
 }
 
-// An exact number: the sum of terms of growing magnitude that do not overlap. Zeros are left out.
-// The longest ever needed is a 3×3 determinant of differences: 192 terms.
+// An exact number: a sum of terms that grow in magnitude and do not overlap; zeros are left out.
+// The longest sum needed is a 3×3 determinant of differences: 192 terms.
 class Expansion {
  public:
   static Expansion difference(double a, double b) {

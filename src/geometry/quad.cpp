@@ -17,8 +17,8 @@ std::array<double, 4> cornerSines(const Quad& corners, const Vec3& normal) {
   return sines;
 }
 
-// A quarter turn in the plane of the square takes each corner's way from the centre to the next
-// one's: turned back, the four ways are averaged.
+// In a square a quarter turn maps the vector from the centre to a corner onto the next corner's
+// vector: so the four vectors are turned back to one direction and averaged.
 Quad fittedSquare(const Quad& corners) {
   const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
   const Vec3 normal = areaVector(corners).normalized();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A quad in space, which need not be plane, and what can be asked of it.
+// A quad in space, which need not be planar, and its measures.
 #pragma once
 
 #include <array>
@@ -10,14 +10,15 @@ namespace remesher {
 
 using Quad = std::array<Vec3, 4>;  // counterclockwise
 
-// Half the cross product of the diagonals: the area as seen from where it is largest, as a vector.
+// Half the cross product of the diagonals: as a vector, the area seen from the side where it is
+// largest.
 Vec3 areaVector(const Quad& corners);
 
-// Of each corner the sine of its angle as seen along a unit normal: 1 is a right angle; what folds
-// over, or is reflex, is negative.
+// The sine of the angle at each corner, seen along a unit normal: 1 at a right angle, negative at a
+// folded or reflex corner.
 std::array<double, 4> cornerSines(const Quad& corners, const Vec3& normal);
 
-// The square that is nearest to the corners by least squares, corner by corner.
+// The square nearest to the corners by least squares, corner by corner.
 Quad fittedSquare(const Quad& corners);
 
 }  // namespace remesher

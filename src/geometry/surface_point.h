@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place on the original surface: the currency of projection, attributes and sampling alike.
+// A place on the original surface, as projection, attributes and sampling use it.
 #pragma once
 
 #include "mesh/handles.h"

@@ -37,7 +37,7 @@ std::array<double, 3> angles(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 double minAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Opposite the shortest edge.
+  // The smallest angle lies opposite the shortest edge.
   const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
   const double shortest = least(ab, bc, ca);
   return angleOf(areaVector(a, b, c).norm(), 0.5 * (ab + bc + ca - 2 * shortest));
@@ -67,10 +67,10 @@ Vec3 closestOnAnyEdge(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c
 
 }  // namespace
 
-// A corner, the interior or an edge, in the order of what is cheapest to tell.
+// Tests corners, then the interior, then the edges: cheapest first.
 Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Below this squared sine of the angle at a, the interior's answer may be rounding: it has to be
-  // better than the edges'.
+  // Below this squared sine of the angle at a, the interior answer may be rounding: it is taken
+  // only if it is nearer than the edges' answer.
   constexpr double kThin = 1e-10;
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double abA = ab.dot(ap), acA = ac.dot(ap);
@@ -81,10 +81,10 @@ Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
   const double abC = ab.dot(cp), acC = ac.dot(cp);
   if (acC >= 0 && abC <= acC) return {0, 0, 1};
 
-  // The areas, times that of the whole, by Lagrange's identity from the products at hand.
+  // The sub-areas, times the whole area, from the products above (Lagrange's identity).
   const double wa = abB * acC - abC * acB, wb = abC * acA - abA * acC, wc = abA * acB - abB * acA;
   if (!(wa > 0 && wb > 0 && wc > 0)) {
-    // How far along bc, from either end.
+    // Distances along bc from b and from c, times the length of bc.
     const double bcB = acB - abB, cbC = abC - acC;
     if (wc <= 0 && abA >= 0 && abB <= 0 && abA > abB) return Vec3(-abB, abA, 0) / (abA - abB);
     if (wb <= 0 && acA >= 0 && acC <= 0 && acA > acC) return Vec3(-acC, 0, acA) / (acA - acC);
@@ -93,7 +93,7 @@ Vec3 closestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
   }
   const double sum = wa + wb + wc;
   const Vec3 inside = Vec3(wa, wb, wc) / sum;
-  // |ab|² and |ac|² likewise; their product times the squared sine at a is the sum.
+  // abA - abB is |ab|², acA - acC is |ac|²; the sum is their product times the squared sine at a.
   if (sum > kThin * (abA - abB) * (acA - acC)) return inside;
   const Vec3 outline = closestOnAnyEdge(p, a, b, c);
   return squaredDistance(p, inside, {a, b, c}) < squaredDistance(p, outline, {a, b, c}) ? inside

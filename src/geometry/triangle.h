@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A triangle in space, and what can be asked of it. Angles in radians.
+// A triangle in space and its measures. Angles in radians.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace remesher {
 
 using Triangle = std::array<Vec3, 3>;
 
-// What is compiled for size calls these; in headers, each operator of theirs would be a call there.
+// Out of line for files compiled for size: inlined there, each vector operator would be a call.
 double distance(const Vec3& a, const Vec3& b);
 // Twice the area times the unit normal.
 Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c);
@@ -21,9 +21,9 @@ bool hasTwins(const Vec3& a, const Vec3& b, const Vec3& c);
 // The unit normal; zero for a triangle without area.
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Twice the area over the longest edge squared: 0.87 at most, and of a line 0.
+// Twice the area over the longest edge squared: at most 0.87, and 0 for a line.
 double flatness(const Vec3& a, const Vec3& b, const Vec3& c);
-// Up to this flatness a triangle is a line: a few hundred roundings of double.
+// A triangle of this flatness or less counts as a line: a few hundred roundings of double.
 inline constexpr double kFlattest = 1e-13;
 
 // The angles at a, b and c. A triangle without area has angles 0 and π.

@@ -19,7 +19,7 @@ int TriangleGrid::levelOf(const Box& box) const {
 }
 
 TriangleGrid::Cell TriangleGrid::cellAt(const Vec3& p, int level) const {
-  const double farthest = std::ldexp(1.0, 52);  // whole numbers are exact up to there
+  const double farthest = std::ldexp(1.0, 52);  // integers are exact up to here
   const double width = std::ldexp(cell_, level);
   Cell cell;
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What lies near a place among triangles that change: a grid of cells in a table of fixed size.
+// Finds what is near a place among changing triangles: a grid of cells in a table of fixed size.
 //
-// Each triangle is entered on the level whose cells are as large as its box, so that it is in eight
-// cells at most. Different cells may share a line of the table; whoever asks looks at the triangle.
+// Each triangle is entered on the level whose cells are as large as its box, so it is in at most
+// eight cells. Different cells may share a line of the table, so the caller checks each triangle.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ namespace remesher {
 
 class TriangleGrid {
  public:
-  // cell: the smallest cells' width, about a triangle's; expected: so many triangles, about.
+  // cell: width of the smallest cells, about a triangle's; expected: the approximate number of
+  // triangles.
   TriangleGrid(double cell, std::size_t expected);
 
-  // A triangle that has changed is added again: what it was stays, and costs a look.
+  // Add a changed triangle again: its old entry stays, and costs one extra look.
   void add(Index name, const Box& box);
 
-  // Calls visit(name) once for each triangle whose box, as it was when it was added, may have a
-  // point in common with `box`.
+  // Calls visit(name) once for each triangle whose box, as it was when added, may overlap `box`.
   template <class Visit>
   void visit(const Box& box, Visit&& visit) const;
 
@@ -37,8 +37,8 @@ class TriangleGrid {
 
   double cell_;
   std::array<bool, 64> isUsed_{};             // per level
-  std::vector<std::vector<Index>> lines_;     // as many as a power of two
-  mutable std::vector<std::uint32_t> asked_;  // per name: the last question that it was seen in
+  std::vector<std::vector<Index>> lines_;     // their number is a power of two
+  mutable std::vector<std::uint32_t> asked_;  // per name: the last query that met it
   mutable std::uint32_t question_ = 0;
 };
 

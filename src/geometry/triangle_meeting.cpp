@@ -11,7 +11,7 @@ namespace {
 
 using FlatTriangle = std::array<Vec2, 3>;
 
-// The plane's axes that remain when the one nearest to the normal is dropped.
+// The two axes of the plane that remain when the axis nearest to the normal is dropped.
 std::array<Eigen::Index, 2> widestAxes(const Triangle& t) {
   Eigen::Index dropped = 0;
   areaVector(t[0], t[1], t[2]).cwiseAbs().maxCoeff(&dropped);
@@ -35,7 +35,7 @@ bool segmentsMeet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return isBetween(c, a, b) || isBetween(d, a, b) || isBetween(a, c, d) || isBetween(b, c, d);
 }
 
-// A segment in the plane of a triangle.
+// For a segment in the plane of the triangle.
 bool meetsInPlane(const Vec3& p, const Vec3& q, const Triangle& t) {
   const std::array<Eigen::Index, 2> axes = widestAxes(t);
   const auto flat = [&axes](const Vec3& x) { return Vec2(x[axes[0]], x[axes[1]]); };
@@ -69,12 +69,12 @@ bool disjointTrianglesMeet(const Triangle& s, const Triangle& t) {
   return false;
 }
 
-// s[0] = t[0]. What they share beyond that corner reaches the far edge of one of them.
+// If s[0] = t[0]: what they share beyond that corner reaches the far edge of one of them.
 bool cornersMeet(const Triangle& s, const Triangle& t) {
   return meets(s[1], s[2], t) || meets(t[1], t[2], s);
 }
 
-// s[0] = t[0], s[1] = t[1]. They overlap only when folded flat onto each other.
+// If s[0] = t[0] and s[1] = t[1]: they overlap only when folded flat onto each other.
 bool flapsMeet(const Triangle& s, const Triangle& t) {
   if (orient3d(s[0], s[1], s[2], t[2]) != 0) return false;
   const std::array<Eigen::Index, 2> axes = widestAxes(s);
@@ -83,7 +83,7 @@ bool flapsMeet(const Triangle& s, const Triangle& t) {
          orient2d(flat(s[0]), flat(s[1]), flat(t[2]));
 }
 
-// Turns both triangles so that the vertices they share come first; says how many those are.
+// Reorders both triangles so that the shared vertices come first; returns their number.
 std::size_t alignShared(NamedTriangle& s, NamedTriangle& t) {
   std::size_t shared = 0;
   for (std::size_t i = shared; i < 3; ++i)
@@ -99,9 +99,9 @@ std::size_t alignShared(NamedTriangle& s, NamedTriangle& t) {
   return shared;
 }
 
-// Whether all of t but corners that it shares lies, far above all rounding, beyond an edge of s,
-// seen along the normal of s: then they meet in nothing else. Of neighbours in a plane, about which
-// exact signs are slow to find, most are parted so.
+// Whether t, except for shared corners, lies beyond an edge of s by far more than rounding, seen
+// along the normal of s: then s and t meet nowhere else. Most neighbours in a plane, whose exact
+// signs are slow to find, are separated by this test.
 bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
   const Vec3 normal = areaVector(s.at[0], s.at[1], s.at[2]);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two triangles of a surface meet elsewhere than where they hang together, decided exactly.
+// Decides exactly whether two triangles of a surface meet beyond the vertices and edges they share.
 #pragma once
 
 #include "geometry/triangle.h"
@@ -11,11 +11,11 @@ struct NamedTriangle {
   Triangle at;
 };
 
-// Exactly: the corners do not lie on a line.
+// Whether the corners do not lie on a line, decided exactly.
 bool hasArea(const Triangle& t);
 
-// Whether they have a point in common beyond the vertices and edges that they share. Touching
-// counts, and so do the same three vertices. Both must have an area.
+// Whether two triangles have a common point beyond the vertices and edges they share. Touching
+// counts, and so do the same three vertices. Both triangles must have an area.
 bool trianglesMeet(NamedTriangle s, NamedTriangle t);
 
 }  // namespace remesher

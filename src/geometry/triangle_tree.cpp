@@ -11,7 +11,7 @@ namespace remesher {
 
 namespace {
 
-// Above what rounding to float, and this itself, take or add.
+// An upper bound on the error of rounding to float, including the rounding of this bound itself.
 template <class Lanes>
 Lanes roundings(const Lanes& x) {
   return 0x1p-22f * x.abs().min(std::numeric_limits<float>::max()) + 0x1p-147f;
@@ -28,7 +28,7 @@ std::vector<std::array<float, 3>> centresOf(std::span<const Bounds> bounds) {
   return result;
 }
 
-// The k-th lane of all four.
+// The k-th lane of each of the four rows.
 template <class Lanes>
 Lanes lane(const std::array<const Lanes*, 4>& rows, Eigen::Index k) {
   return {(*rows[0])[k], (*rows[1])[k], (*rows[2])[k], (*rows[3])[k]};
@@ -48,8 +48,8 @@ void TriangleTree::Group::set(Eigen::Index member, const Bounds& box) {
   }
 }
 
-// Four groups side by side: any of a group's four floats may be the least, and in WebAssembly only
-// the vector unit finds it without branches, which cost ten times as much.
+// Handles four groups side by side. Finding the least of one group's four floats takes branches in
+// WebAssembly, which cost ten times as much; across groups the vector unit needs none.
 void TriangleTree::Group::enclose(std::span<const Group> members) {
   const Group none;
   const auto at = [&](std::size_t k) -> const Group& {
@@ -89,11 +89,12 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Inde
   }
 }
 
-// Of the box; or, where that is as large as a spike, of the small part of it that has a quarter of
-// the corners on either side along each axis: floats can tell them apart only from near by.
+// The centre of the box. If most corners lie in a small part of it, as beside a long spike, the
+// centre of the part that has at least a quarter of the corners in either half along each axis:
+// floats separate these corners only relative to a near origin.
 Vec3 TriangleTree::middle() const {
   constexpr int kSmall = 8, kMost = 64;   // halvings of the box
-  constexpr std::size_t kCorners = 1000;  // looked at, about
+  constexpr std::size_t kCorners = 1000;  // sampled, about
   const std::size_t step = std::max<std::size_t>(1, indices_.size() / kCorners);
   Box inner = box_;
   Eigen::Index longest = 0;
@@ -122,7 +123,7 @@ TriangleTree::Bounds TriangleTree::rounded(const Lanes& low, const Lanes& high) 
   return {low - roundings(low), high + roundings(high)};
 }
 
-// By floats, which the vector unit compares four at a time, and without branches.
+// In floats: the vector unit compares four at a time without branches.
 TriangleTree::Bounds TriangleTree::boundsOf(Index triangle) const {
   const Index* const corner = &indices_[std::size_t{3} * triangle];
   const Lanes a = inFloats(positions_[corner[0]]), b = inFloats(positions_[corner[1]]),
@@ -130,7 +131,7 @@ TriangleTree::Bounds TriangleTree::boundsOf(Index triangle) const {
   return rounded(a.min(b).min(c), a.max(b).max(c));
 }
 
-// In the list's order.
+// In the order of the list.
 std::vector<TriangleTree::Bounds> TriangleTree::allBounds() const {
   std::vector<Bounds> bounds;
   bounds.reserve(indices_.size() / 3);
@@ -138,16 +139,16 @@ std::vector<TriangleTree::Bounds> TriangleTree::allBounds() const {
   return bounds;
 }
 
-// A point looking for its nearest triangle. Boxes are ruled out in float, relative to the origin,
-// with a slack for what float arithmetic can overrate a distance by: a few roundings of the point,
-// for boxes are rounded outwards, and what comes after is as exact as the distance is small.
+// A search for the triangle nearest to a point. Boxes are ruled out in float, relative to the
+// origin. The slack covers how much float arithmetic can overestimate a distance: a few roundings
+// of the point. Boxes are rounded outwards, and later rounding errors are relative to the distance.
 struct TriangleTree::Query {
   Vec3 point;
   Eigen::Vector3f place;
   double slack;
   Nearest best;
   float bound = std::numeric_limits<float>::infinity();  // on squared distances to boxes
-  double squaredEnough = 0;                              // so near that none nearer is wanted
+  double squaredEnough = 0;                              // at this distance the search may stop
 
   void take(const Nearest& better) {
     best = better;
@@ -166,7 +167,7 @@ struct TriangleTree::Query {
 TriangleTree::Query TriangleTree::ask(const Vec3& p) const {
   const Vec3 place = p - origin_;
   const double slack = 0x1p-21 * place.norm();
-  // To what is no number, or so far away that its square is none, all triangles are as near.
+  // If p is NaN, or too far away for its squared distance to be finite, any triangle is an answer.
   Nearest any;
   if (!order_.empty()) any.triangle = order_.front();
   return {p, place.cast<float>(), slack, any};
@@ -202,7 +203,7 @@ void TriangleTree::lookEverywhere(Query& query) const {
       if (query.best.squaredDistance <= query.squaredEnough) return;
       continue;
     }
-    // Farthest first: the nearest member is on top of the stack in the end.
+    // Push farthest first, so that the nearest member is on top of the stack.
     const Lanes squaredDistances = query.squaredDistances(group);
     const std::size_t bottom = top;
     for (Index k = 0; k < 4; ++k) {

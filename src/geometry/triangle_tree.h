@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A tree of bounding boxes over a list of triangles: the nearest point of the list, and the
-// triangles near a box. The tree keeps no copy of the mesh: positions and indices must outlive it.
+// A tree of bounding boxes over a list of triangles: finds the nearest point of the list, and the
+// triangles near a box. Positions and indices are not copied and must outlive the tree.
 //
-// The triangles are put in an order along which neighbours are close in space; four consecutive
-// ones make a group, four consecutive groups one of the next level, up to a single one. So no
-// pointers are needed, and the boxes of a group's members lie side by side for the vector unit.
+// The triangles are sorted so that neighbours in the order are close in space. Four consecutive
+// triangles make a group, four consecutive groups a group of the next level, up to a single group.
+// So no pointers are needed, and the boxes of a group's members lie side by side for the vector
+// unit.
 #pragma once
 
 #include <array>
@@ -40,10 +41,10 @@ class TriangleTree {
     Index triangle = kNone;
     Vec3 point = Vec3::Zero();
     double squaredDistance = std::numeric_limits<double>::infinity();
-    Index looked = 0;  // at so many triangles
+    Index looked = 0;  // number of triangles looked at
   };
 
-  // Whether neighbours in a list are close in space, which saves putting them in order.
+  // Whether neighbours in the given list are close in space, so that no sorting is needed.
   enum class Listed { Anyhow, SideBySide };
 
   // indices: three per triangle. Every index must name a position, every coordinate be finite.
@@ -54,24 +55,24 @@ class TriangleTree {
   Nearest nearest(const Vec3& p) const;
 
   // The same, faster when `start` is a triangle near p, such as the answer for a point close by.
-  // The start is kept when no other is nearer.
+  // Returns `start` unless another triangle is nearer.
   Nearest nearest(const Vec3& p, Index start) const;
 
-  // Any triangle within the distance of p, as soon as one is found; the nearest when there is none.
+  // The first triangle found within `distance` of p; if there is none, the nearest.
   Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
 
   // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
   void visitOverlapping(const Box& box, Visit&& visit) const;
 
-  // Of all triangles.
+  // The box of all triangles.
   const Box& box() const { return box_; }
 
-  // The triangles in the tree's order: neighbours in it are close in space.
+  // The triangles in the tree's order; neighbours in this order are close in space.
   std::span<const Index> order() const { return order_; }
 
-  // Whether the boxes of two triangles, named by their places in that order, are the same, as those
-  // of copies are; without a look at the triangles.
+  // Whether two triangles, given by their places in that order, have the same box, as copies do.
+  // Does not look at the triangles.
   bool haveSameBox(std::size_t place, std::size_t other) const {
     const Group &own = levels_[0][place / 4], &its = levels_[0][other / 4];
     const auto k = Eigen::Index(place % 4), l = Eigen::Index(other % 4);
@@ -90,13 +91,13 @@ class TriangleTree {
  private:
   using Lanes = Eigen::Array4f;
 
-  // A box relative to the origin and rounded outwards: the three axes, and a lane of no use.
+  // A box relative to the origin, rounded outwards: three axes and an unused lane.
   struct Bounds {
     Lanes low, high;
   };
 
-  // The boxes of four members, by axis. A missing member's box is inside out: nothing overlaps it
-  // and everything is infinitely far from it.
+  // The boxes of four members, by axis. A missing member has an inverted box: nothing overlaps it
+  // and it is infinitely far from everything.
   struct Group {
     std::array<Lanes, 3> low, high;
 
@@ -104,7 +105,7 @@ class TriangleTree {
     void set(Eigen::Index member, const Bounds& box);
     void enclose(std::span<const Group> members);
   };
-  // Member k of group g of level l is group 4g + k of level l - 1, or of level 0 triangle
+  // Member k of group g of level l is group 4g + k of level l - 1; on level 0 it is triangle
   // order_[4g + k].
   using Level = std::vector<Group>;
   struct Pending {
@@ -134,7 +135,7 @@ class TriangleTree {
   std::vector<Level> levels_;  // the last one is a single group
 };
 
-// A tree with the list that it is of.
+// A tree and the list of its triangles.
 struct ListedTree {
   ListedTree(std::span<const Vec3> positions, std::vector<Index> triangles,
              TriangleTree::Listed listed)

@@ -21,7 +21,7 @@
 namespace remesher::io {
 namespace {
 
-// What files of a format hold.
+// What files of a format can hold.
 enum Holds : unsigned {
   kScenes = 1,  // instances, places of parts, levels of detail
   kImages = 2,  // with the materials
@@ -30,7 +30,7 @@ enum Holds : unsigned {
 
 struct Format {
   std::string_view extension;
-  std::string_view magic;  // the first bytes of every such file; empty: it has none
+  std::string_view magic;  // the first bytes of every such file; empty: none are fixed
   Model (*read)(const File& file, const std::vector<File>& resources);
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
   unsigned holds;
@@ -77,7 +77,7 @@ const Format* findByMagic(const File& file) {
   return found == std::end(kFormats) ? nullptr : &*found;
 }
 
-// Text as shells of Windows may write it: a mark, then two bytes a letter, of which one is zero.
+// Text as Windows shells may write it: a mark, then two bytes per letter, one of which is zero.
 bool isUtf16(const File& file) {
   const auto& b = file.bytes;
   return b.size() >= 4 && ((b[0] == 0xFF && b[1] == 0xFE && b[3] == 0) ||

@@ -11,12 +11,12 @@ namespace remesher {
 namespace {
 
 constexpr double kRelativeTolerance = 2e-3;
-// Pieces of one triangle to look at: no proof needs nearly as many, unless the surfaces are as far
-// apart as rounding.
+// Limit on pieces per triangle: no proof needs nearly as many, unless the surfaces are only a
+// rounding error apart.
 constexpr int kMostPieces = 20'000;
 constexpr std::size_t kMostCorners = 12;
 
-// A convex part of a triangle, and a triangle of the other surface that is near it.
+// A convex part of a triangle, with a near triangle of the other surface.
 struct Piece {
   std::array<Vec3, kMostCorners> corners;
   std::size_t count = 0;
@@ -105,7 +105,7 @@ class Proof {
   }
 
   // The distance to a convex set is a convex function, so over a polygon it is largest at a corner:
-  // one triangle near enough to all corners is near enough to every point between them.
+  // a triangle near enough to all corners is near enough to every point between the corners.
   bool isNear(const Piece& piece, Index target) const {
     const auto [a, b, c] = search_.to.corners(target);
     for (const Vec3& p : piece.points())
@@ -113,8 +113,8 @@ class Proof {
     return true;
   }
 
-  // What lies over the nearest triangle is one piece, what lies beyond its sides are others. Only
-  // where that does not help is the piece halved.
+  // Cuts the piece at the sides of the nearest triangle, into the part over the triangle and the
+  // parts beyond its sides. Halves the piece only if it cannot be cut so.
   void prove(Piece piece) {
     if (isNear(piece, piece.near)) return;
     const Index before = piece.near;

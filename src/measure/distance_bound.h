@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a distance found to a distance proven: no point of one surface is farther from another.
+// Turns a sampled distance into a proven bound: no point of one surface is farther from the other.
 #pragma once
 
 #include <span>
@@ -11,12 +11,12 @@ namespace remesher {
 struct BoundSearch {
   const TriangleTree& from;
   const TriangleTree& to;
-  std::span<const Index> starts;  // per triangle of `from`: one of `to` that is near it
-  double tolerance = 0;           // a maximum larger by so little need not be found
+  std::span<const Index> starts;  // per triangle of `from` a triangle of `to` near it
+  double tolerance = 0;           // the maximum may be too small by this much
 };
 
-// The largest squared distance from a point of `from` to `to`, not below the one already found.
-// Farther points may exist, but only by the tolerance, or by 0.2 %.
+// The largest squared distance from a point of `from` to `to`, at least squaredMaximum, the largest
+// already found. Farther points may exist, but only by the tolerance or by 0.2 %.
 double provenSquaredMaximum(const BoundSearch& search, double squaredMaximum);
 
 }  // namespace remesher

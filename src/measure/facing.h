@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How large a mesh's triangles are, together and by where they face.
+// How large a mesh's triangles are, in sum and by the direction they face.
 #pragma once
 
 #include "base/triangle_mesh.h"
 
 namespace remesher {
 
-// Over all triangles that have an area: its sum, and that of n nᵀ / area over area vectors n.
+// Sums over all triangles with an area: of the areas, and of area × n nᵀ for unit normals n.
 struct Facing {
   double area = 0;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();

@@ -17,8 +17,8 @@ namespace remesher {
 
 namespace {
 
-// Points by area, per side: one for so many triangles, within limits. The rms of N of them is off
-// by about 1/√N of itself.
+// How many points to spread by area per side: one per trianglesEach triangles, within limits. The
+// rms of N points has a relative error of about 1/√N.
 struct Spread {
   std::size_t trianglesEach, fewest, most;
 
@@ -28,14 +28,14 @@ struct Spread {
 };
 constexpr Spread kGlimpsed = {32, 2000, 10'000}, kSampled = {4, 5000, 50'000},
                  kProven = {1, 20'000, 200'000};
-// The triangles with the largest distances found, where points are then set denser: so many, and a
-// grid of so many points along an edge.
+// Points are set denser in the kSearchedTriangles triangles with the largest distances found: a
+// grid of kSearchGrid steps along an edge.
 constexpr std::size_t kSearchedTriangles = 64;
 constexpr int kSearchGrid = 6;
-// What is below this share of the maximum found so far is not measured any further where only the
+// Distances below this share of the maximum found so far are not measured further if only the
 // maximum counts.
 constexpr double kFarBelow = 0.5, kBelow = 0.9;
-// A maximum larger by this share of the diagonal need not be found.
+// The maximum may be too small by this share of the diagonal.
 constexpr double kTolerance = 1e-5;
 
 struct Triangles {
@@ -57,7 +57,8 @@ bool isSame(const Triangle& t, const Triangle& other) {
   return false;
 }
 
-// Without copies of triangles: all are as near to a point, so that no box would rule one out.
+// A surface without copies of triangles: copies are equally near to a point, so no box would rule
+// one out.
 class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh)
@@ -77,7 +78,8 @@ class Surface {
   TriangleTree tree;
 
  private:
-  // Where they are many, they are close to each other in the tree's order. The others are listed.
+  // Looks for copies near each other in the tree's order, where they are if they are many. Lists
+  // the distinct triangles.
   bool hasCopies() {
     constexpr std::size_t kClose = 4;
     const std::span<const Index> order = tree.order();
@@ -103,8 +105,8 @@ double pointsPerArea(const Triangles& triangles, const Spread& spread) {
   return total > 0 ? static_cast<double>(spread.points(triangles.size())) / total : 0;
 }
 
-// The points of the R2 sequence, which fill the unit square evenly whatever their number, folded
-// onto the triangle below its diagonal.
+// Points of the R2 sequence, which fill the unit square evenly for any number of points, folded
+// onto the triangle below the square's diagonal.
 class EvenPoints {
  public:
   Vec3 next() {
@@ -125,8 +127,8 @@ Vec3 at(const Vec3& barycentric, const Triangle& t) {
   return barycentric[0] * t[0] + barycentric[1] * t[1] + barycentric[2] * t[2];
 }
 
-// One direction. Walks `from` in its tree's order, so that the answer for one point is a good start
-// for the next.
+// One direction. Visits `from` in its tree's order, so that the answer for one point is a good
+// start for the next point.
 class Measurement {
  public:
   Measurement(const Surface& from, const Surface& to, double diagonal)
@@ -160,7 +162,8 @@ class Measurement {
     return note(last_ == kNone ? to_.tree.nearest(p) : to_.tree.nearest(p, last_));
   }
 
-  // The same for what may decide the maximum: what cannot comes out too large, but below the share.
+  // The same if only the maximum counts: a distance below share × maximum may come out too large,
+  // but stays below that.
   double lookBeyond(double share, const Vec3& p) {
     if (last_ == kNone) return look(p);
     return note(to_.tree.nearestBeyond(share * std::sqrt(squaredMaximum_), p, last_));
@@ -188,9 +191,9 @@ class Measurement {
     }
   }
 
-  // The distance changes by no more than the way between two points, so the largest one is likely
-  // in a triangle where a large one was found: over a grid there, then over a grid as fine again
-  // around the largest.
+  // Between two points the distance changes by at most their separation, so the largest is likely
+  // in a triangle where a large one was found. Searches a grid over each such triangle, then an
+  // equally fine grid around the grid's largest distance.
   void search() {
     const double worthIt = kFarBelow * kFarBelow * squaredMaximum_;
     std::vector<Index> triangles;
@@ -228,7 +231,7 @@ class Measurement {
   const Surface& to_;
   static constexpr float kUnknown = -1;
   std::vector<float> atVertices_;  // per vertex of `from`: the squared distance
-  std::vector<Index> starts_;      // per triangle of `from`: one of `to` near it
+  std::vector<Index> starts_;      // per triangle of `from`: a near one of `to`
   std::vector<float> largest_;     // per triangle of `from`: the largest squared distance sampled
   double diagonal_;
   Index last_ = kNone;
@@ -239,9 +242,9 @@ class Measurement {
   std::size_t sampleCount_ = 0;
 };
 
-// From a few points, which lie too far apart for a look around to serve several, and from the
-// vertices that stand out most, a quarter as many: the largest distance is mostly at one of them.
-// The surface they are on needs no tree.
+// Measures from a few points, too far apart for one search of the surroundings to serve several,
+// and from the most salient vertices, a quarter as many: the largest distance is mostly at one of
+// them. The surface `from` needs no tree.
 Deviation glimpse(const Triangles& from, const TriangleTree& to) {
   const double perArea = pointsPerArea(from, kGlimpsed);
   EvenPoints points;

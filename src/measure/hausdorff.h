@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How far two surfaces are apart, by looking from points of each to the other: from every vertex,
-// and from points spread evenly by area. Where the distance is largest the points are set denser;
-// where a bound is wanted and not an estimate, triangles are subdivided until it is proven.
+// How far two surfaces are apart, measured from points of each to the other: from every vertex, and
+// from points spread evenly by area. Points are set denser where the distance is largest. If a
+// bound is wanted instead of an estimate, triangles are subdivided until it is proven.
 //
-// Most points are nearer than what is known to be the largest distance, and it costs little to see
-// that: only the points spread by area, which the rms is made of, are measured to the end.
+// Most points are nearer than the largest distance already known, which is cheap to find out. Only
+// the points spread by area, from which the rms is computed, are measured exactly.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@
 
 namespace remesher {
 
-// Glimpsed: from a few thousand points of the original, spread by area, and a quarter as many of
-// its vertices, those that stand out most, and no way back: what the result lacks is seen, what
-// juts out of it is not. Sampled: from all the points above; it is seldom more than a percent too
-// small, and the rms within about two percent. Proven: none is more than 0.2 % larger, or 0.001 %
+// Glimpsed: from a few thousand points of the original, spread by area, and from a quarter as many
+// of its vertices, the most salient; not from the result, so that missing parts are seen but parts
+// that jut out are not. Sampled: from all the points above; seldom more than a percent too small,
+// with an rms within about two percent. Proven: no distance is more than 0.2 % larger, or 0.001 %
 // of the diagonal, at many times the cost, with an rms from four times the points.
 enum class Maximum { Glimpsed, Sampled, Proven };
 
@@ -34,12 +34,12 @@ struct DeviationBothWays {
   double diagonal = 0;   // of the original's bounding box
 };
 
-// Both meshes need a triangle, valid indices and finite coordinates. tree: over the original's
-// positions, of all its triangles that have an area, each once, if one is at hand.
+// Both meshes need a triangle, valid indices and finite coordinates. tree: if at hand, over the
+// original's positions and all its triangles that have an area, each once.
 DeviationBothWays measureDeviation(const TriangleMesh& original, const TriangleMesh& result,
                                    Maximum maximum, std::optional<ListedTree> tree = {});
 
-// The larger of both directions, in percent of the original's diagonal.
+// The larger value of the two directions, in percent of the original's diagonal.
 FidelityReport measureFidelity(const TriangleMesh& original, const TriangleMesh& result,
                                Maximum maximum = Maximum::Sampled,
                                std::optional<ListedTree> tree = {});

@@ -16,22 +16,22 @@ namespace remesher {
 
 namespace {
 
-// How far beyond 180° two opposite angles may go by rounding (radians).
+// Tolerance for rounding of two opposite angles beyond 180° (radians).
 constexpr double kAngleRounding = 1e-7;
 
-// Positions that triangles use.
+// Counts positions that triangles use.
 std::size_t countVertices(const TriangleMesh& mesh, const Welding& welding) {
   std::vector<char> isUsed(mesh.positions.size(), 0);
   for (const Index v : mesh.indices) isUsed[welding.first[v]] = 1;
   return static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), 1));
 }
 
-// Fills in what only connectivity decides. Around all vertices together stand so many fans of
-// triangles, each joined by edges: one per vertex but where the surface is pinched.
+// Fills in what depends on connectivity only. Counts fans of triangles joined by edges around
+// vertices: one per vertex, more where the surface is pinched.
 void reportConnectivity(const Welding& welding, MeshReport& report) {
   const std::vector<Index>& corners = welding.corners;
   const std::size_t faces = corners.size() / 3;
-  // Of both there is one less for each two that are found to be joined.
+  // Fan count and component count fall by one whenever two sets turn out to be joined.
   std::size_t edges = 0, fanCount = corners.size();
   report.components = faces;
   DisjointSets components(faces), fans(corners.size());
@@ -63,7 +63,7 @@ void reportConnectivity(const Welding& welding, MeshReport& report) {
     report.valence6 = 100.0 * static_cast<double>(regular) / static_cast<double>(interior);
 }
 
-// What the angles of a triangle follow from.
+// The measures of a triangle from which its angles are computed.
 struct Sides {
   double shortest, longest, all;  // squared lengths, and their sum
   double twiceArea;
@@ -77,7 +77,7 @@ struct Sides {
   }
 
   double flatness() const { return longest > 0 ? twiceArea / longest : 0; }
-  // The cosine and the sine of an angle, times the same length, are this and twiceArea.
+  // This and twiceArea are the angle's cosine and sine times a common length.
   double cosineOpposite(double side) const { return 0.5 * (all - 2 * side); }
   double angleOpposite(double side) const { return angleOf(twiceArea, cosineOpposite(side)); }
 };
@@ -87,7 +87,7 @@ void reportAngles(const TriangleMesh& mesh, const Welding& welding, MeshReport& 
   if (n == 0) return;
   std::array<std::size_t, 6> counts{};
   double sum = 0, worst = std::numbers::pi, largest = 0;
-  // Above it a cosine is too large, for its sine, for the angle to be the largest yet.
+  // An angle whose cosine exceeds leastRatio × its sine cannot be the largest so far.
   double leastRatio = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < n; ++t) {
     const auto at = [&](std::size_t i) -> const Vec3& {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh is like: its connectivity and the quality of its triangles, whatever its faults.
+// A report on a mesh: its connectivity and the quality of its triangles, whatever its faults.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ inline MeshReport inspectMesh(const TriangleMesh& mesh) { return inspectMesh(mes
 // 180°: a Delaunay mesh has none.
 double nonDelaunayPercentage(const TriangleMesh& mesh);
 
-// The boundary's connected pieces: as many as the surface has holes, where it is manifold.
+// The number of connected pieces of the boundary: on a manifold, the number of holes.
 std::size_t countBoundaryLoops(const TriangleMesh& mesh);
 
 }  // namespace remesher

@@ -11,16 +11,16 @@ namespace remesher {
 
 namespace {
 
-constexpr double kMost = 0.95;  // the share of the angles that the percentile is not below
+constexpr double kMost = 0.95;  // the percentile's share of the angles
 
-// The places of a quad's corners: triangles 2i and 2i + 1 have its corners 0, 1, 2 and 0, 2, 3.
+// The places of a quad's corners; triangles 2i and 2i + 1 have its corners 0, 1, 2 and 0, 2, 3.
 std::array<Index, 4> placesOf(const TriangleMesh& mesh, const Welding& welding, std::size_t quad) {
   const Index* const corners = &mesh.indices[6 * quad];
   return {welding.first[corners[0]], welding.first[corners[1]], welding.first[corners[2]],
           welding.first[corners[5]]};
 }
 
-// Vertices inside whose valence is not 4.
+// Counts interior vertices whose valence is not 4.
 std::size_t countIrregular(const TriangleMesh& mesh, const Welding& welding) {
   const std::size_t places = mesh.positions.size();
   std::vector<std::pair<Index, Index>> sides;
@@ -51,7 +51,7 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / double(values.size());
 }
 
-// The standard deviation over the mean.
+// The standard deviation divided by the mean.
 double variation(const std::vector<double>& values) {
   const double middle = mean(values);
   double squares = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How good quads are: the figures of the report, over any number of meshes.
+// Quality figures of quads for the report, over any number of meshes.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace remesher {
 
 class QuadStatistics {
  public:
-  // A mesh of quads.
+  // mesh: made of quads.
   void add(const TriangleMesh& mesh, const Welding& welding);
   QuadReport report() const;
 

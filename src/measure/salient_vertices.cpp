@@ -12,9 +12,9 @@ namespace remesher {
 namespace {
 
 struct Around {
-  Vec3 normal = Vec3::Zero();   // as long as twice the area of the star
-  Vec3 offsets = Vec3::Zero();  // of the neighbours, summed
-  std::size_t neighbors = 0;    // each counts once a triangle
+  Vec3 normal = Vec3::Zero();   // sum of the star's area vectors
+  Vec3 offsets = Vec3::Zero();  // sum of the vectors to the neighbours
+  std::size_t neighbors = 0;    // a neighbour counts once per triangle
 
   double height() const {
     const double length = normal.norm();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tips and ridges of a surface, which are lost first where it is remeshed.
+// The tips and ridges of a surface, which remeshing loses first.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace remesher {
 
-// The vertices, at most `count` of them, that lie farthest from the middle of their neighbours
-// along their normals: how they lie along the surface says nothing of its shape. Of triangles
-// that share no vertices none does. In no order.
+// The `count` vertices at most that lie farthest, along their normals, from the mean of their
+// neighbours; offsets along the surface say nothing of its shape. Vertices of triangles that share
+// no vertices are never salient. In no order.
 std::vector<Index> salientVertices(std::span<const Vec3> positions, std::span<const Index> indices,
                                    std::size_t count);
 

@@ -71,9 +71,9 @@ class Search {
   }
 
   const std::vector<Vec3>& positions_;
-  const std::vector<Index> corners_;  // each the first vertex at its place
+  const std::vector<Index> corners_;  // the first vertex at each corner's place
   TriangleTree tree_;
-  std::vector<std::uint8_t> counts_;  // whether it has an area
+  std::vector<std::uint8_t> counts_;  // per triangle whether it has an area
   std::vector<std::uint8_t> isHit_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a surface passes through itself, decided exactly.
+// Where a surface intersects itself, decided exactly.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 namespace remesher {
 
-// The triangles that meet another one elsewhere than at the vertices and edges they share (equal
-// positions are one vertex), in ascending order. Touching counts, and so does a triangle given
-// twice. A triangle without area meets nothing.
+// The triangles that meet another triangle beyond shared vertices and edges (equal positions are
+// one vertex), in ascending order. Touching counts, and so does a triangle given twice. A triangle
+// without area meets nothing.
 std::vector<Index> selfIntersections(const TriangleMesh& mesh);
 
-// Those among the triangles from number `first` on, which meet any.
+// The same, but only triangles from number `first` on, which may meet any triangle.
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first);
 
 }  // namespace remesher

@@ -60,7 +60,7 @@ std::string checkEdges(const HalfedgeMesh& mesh) {
          std::to_string(twice->second.index);
 }
 
-// What leaves a vertex, found without a turn around it.
+// The halfedges that leave a vertex, found without turning around it.
 struct Leaving {
   Index halfedges = 0;
   bool boundary = false;

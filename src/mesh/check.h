@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every law of HalfedgeMesh, looked at one by one: for tests, and to find where a mesh first broke.
+// Checks every invariant of HalfedgeMesh one by one: for tests, and to find where a mesh first
+// broke.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace remesher {
 
-// The first broken invariant in words, empty if all hold.
+// The first broken invariant in words; empty if all hold.
 std::string check(const HalfedgeMesh& mesh);
 
 }  // namespace remesher

@@ -30,7 +30,7 @@ struct Buckets {
   std::vector<Entry> entries;
 };
 
-// The edges with the same lower vertex are a list, each named by the first of its halfedges.
+// A list per lower vertex of its edges, each named by its first halfedge.
 struct EdgeLists {
   struct Edge {
     Index upper, halfedge, next;
@@ -40,8 +40,8 @@ struct EdgeLists {
     edges.reserve(halfedges / 2);
   }
 
-  // The first halfedge of the edge, which is the given one if there was none before; kNone if the
-  // list is too long to look through.
+  // The edge's first halfedge: the given one if the edge is new; kNone if the list is too long to
+  // search.
   Index firstOf(Index lower, Index upper, Index halfedge) {
     constexpr int kLong = 200;
     int passed = 0;

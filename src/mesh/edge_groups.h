@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners of a bag of triangles grouped by undirected edge: what twins are paired from, and
-// what shows where a surface is not a manifold.
+// The corners of a bag of triangles grouped by undirected edge. Twins are paired from these groups,
+// and the groups show where a surface is not a manifold.
 #pragma once
 
 #include <span>
@@ -14,19 +14,19 @@ namespace remesher {
 inline Index nextCorner(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline Index prevCorner(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-// Per halfedge the one across, kNone on a boundary. Empty where that is not all that there is to
-// say: where an edge has more than two triangles, or two that run along it the same way, or a
-// vertex too many edges to look through.
+// Per halfedge its twin, kNone on a boundary. Empty if twins do not describe the surface: if an
+// edge has more than two triangles or two that run along it the same way, or if a vertex has too
+// many edges to search.
 std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> corners);
 
 class EdgeGroups {
  public:
-  // corners: three vertices per triangle, all below vertexCount. In time O(n) but for vertices of
-  // huge valence.
+  // corners: three vertices per triangle, all below vertexCount. Takes time O(n), more only for
+  // vertices of huge valence.
   EdgeGroups(std::size_t vertexCount, std::span<const Index> corners);
 
   std::size_t size() const { return starts_.size() - 1; }
-  // The halfedges of one edge, in either direction, ascending.
+  // The halfedges of one edge, in both directions, ascending.
   std::span<const Index> operator[](std::size_t edge) const {
     return std::span(halfedges_).subspan(starts_[edge], starts_[edge + 1] - starts_[edge]);
   }

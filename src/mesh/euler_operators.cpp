@@ -117,7 +117,7 @@ bool EulerOperators::canCollapse(const HalfedgeMesh& mesh, Halfedge h) {
     if (!mesh.hasMoreNeighbors(thirds[i], fewest)) return false;
   }
   if (thirds[0] == thirds[1]) return false;
-  // Every edge of a vertex inside leaves it.
+  // At an interior vertex every edge has a halfedge that leaves the vertex.
   const bool allLeave = !mesh.isBoundary(b);
   bool areApart = true;
   mesh.forEachNeighbor(a, [&](Vertex n) {
@@ -127,7 +127,7 @@ bool EulerOperators::canCollapse(const HalfedgeMesh& mesh, Halfedge h) {
   return areApart;
 }
 
-// The triangle at h is about to go: its two other edges become one.
+// Joins the two other edges of the triangle at h, which is about to vanish.
 void EulerOperators::closeGap(Halfedge h) {
   HalfedgeMesh& mesh = mesh_;
   const Halfedge second = mesh.next(h), third = mesh.prev(h);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The local operators on connectivity. Legality is asked first (canFlip, canCollapse); each
+// The local operators on connectivity. Ask first whether one is legal (canFlip, canCollapse): each
 // operator then always succeeds, keeps every invariant of HalfedgeMesh, and returns what it made.
 #pragma once
 
@@ -18,8 +18,8 @@ class EulerOperators {
   //     \  t  /          \  |  /
   //      \   /            \ | /
   //        d                d
-  // Legal where h is inside and c-d is no edge yet. That leaves out ends of valence 3: there c and
-  // d are neighbours.
+  // Legal if h is an interior edge and c-d is not an edge yet. This excludes ends of valence 3,
+  // where c and d are neighbours.
   static bool canFlip(const HalfedgeMesh& mesh, Halfedge h);
   Halfedge flip(Halfedge h);  // returns c→d, which is prev(h); h itself is then d→b
 

@@ -3,10 +3,10 @@
 //
 // Face f owns the halfedges 3f, 3f+1, 3f+2 in counterclockwise order, so next() is arithmetic and
 // only triangles can exist. Three arrays hold everything: origin, twin, outgoing. Invariant:
-// outgoing(v) is the boundary halfedge leaving v whenever v lies on a boundary. Hence isBoundary(v)
-// is one look, a turn around v starts at its clockwise end, and a boundary is walked by
-// outgoing(tip(h)).
-// Deleted vertices and faces leave holes that later insertions fill; compact() closes them.
+// outgoing(v) is the boundary halfedge leaving v whenever v lies on a boundary. So isBoundary(v) is
+// a single lookup, forEachOutgoing(v) begins at the clockwise end, and outgoing(tip(h)) walks along
+// a boundary. Deleted vertices and faces leave holes that later insertions fill; compact() closes
+// the holes.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ class HalfedgeMesh {
  public:
   HalfedgeMesh() = default;
 
-  // triangles: three vertex indices each, a manifold and consistently oriented surface in which
-  // every vertex's faces form one fan (the mesh builder makes such input). Vertices without a face
+  // triangles: three vertex indices each; a manifold, consistently oriented surface in which the
+  // faces of every vertex form one fan (the mesh builder makes such input). Vertices without a face
   // are dead.
   HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles);
 
-  // The same where it is known which halfedges lie across from which: kNone on a boundary.
+  // The same with known twins: kNone on a boundary.
   HalfedgeMesh(std::size_t vertexCount, std::span<const Index> triangles,
                std::span<const Index> twins);
 
-  // Array sizes, holes included: the bound for loops over indices and the size for per-handle data.
+  // Array sizes, holes included: the limit of loops over indices and the size of per-handle data.
   std::size_t vertexCapacity() const { return outgoing_.size(); }
   std::size_t halfedgeCapacity() const { return origin_.size(); }
   std::size_t faceCapacity() const { return origin_.size() / 3; }
@@ -62,11 +62,10 @@ class HalfedgeMesh {
 
   bool isBoundary(Halfedge h) const { return !twin_[h.index]; }
   bool isBoundary(Vertex v) const { return isBoundary(outgoing(v)); }
-  // An undirected edge is named by the halfedge with the smaller index of its two.
+  // An undirected edge is named by its halfedge with the smaller index.
   bool isEdge(Halfedge h) const { return isAlive(h) && (isBoundary(h) || h < twin(h)); }
 
-  // Counterclockwise around v from outgoing(v); each visits a halfedge leaving v, and with it one
-  // face.
+  // Visits the halfedges that leave v, one per face, counterclockwise from outgoing(v).
   template <class Visit>
   void forEachOutgoing(Vertex v, Visit visit) const {
     const Halfedge first = outgoing(v);
@@ -77,10 +76,11 @@ class HalfedgeMesh {
     } while (h && h != first);
   }
 
-  // Counterclockwise around v; at a boundary one more than there are outgoing halfedges.
+  // Visits the neighbours of v counterclockwise; at a boundary one more than the outgoing
+  // halfedges.
   template <class Visit>
   void forEachNeighbor(Vertex v, Visit visit) const {
-    // The next neighbour is read in the face at hand, which does not wait for the way across.
+    // The next neighbour is read from the current face, which does not wait for the twin's lookup.
     const Halfedge first = outgoing(v);
     Halfedge h = first;
     for (Vertex neighbor = tip(h);;) {
@@ -94,20 +94,20 @@ class HalfedgeMesh {
   }
 
   int valence(Vertex v) const;  // number of neighbours
-  // Whether the valence is more than that, 2 at least, without counting on.
+  // Whether the valence exceeds `than` (2 or more). Stops counting there.
   bool hasMoreNeighbors(Vertex v, int than) const;
   Halfedge find(Vertex from, Vertex to) const;  // the halfedge from → to, or none
   bool adjacent(Vertex a, Vertex b) const { return find(a, b) || find(b, a); }
 
-  // Renumbers so that there are no holes, keeping the order. Old handle → new handle, kNone if
-  // dead.
+  // Renumbers so that there are no holes, in the same order. Maps old handles to new ones, dead
+  // handles to kNone.
   struct Renumbering {
     std::vector<Index> vertex;
     std::vector<Index> face;
   };
   Renumbering compact();
 
-  // The raw triangle list, dead faces left out.
+  // The list of triangles without dead faces.
   std::vector<Index> triangles() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices of a thousand triangles and more, as in the middle of a cap. Whatever looks at a whole
-// star for each of its triangles does not end there.
+// Vertices of a thousand triangles and more, such as the middle of a cap. An algorithm that looks
+// at the whole star for each of its triangles hardly ends there.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ class Hubs {
 
   explicit Hubs(const HalfedgeMesh& mesh, std::size_t fewestSpokes = kFewestSpokes);
 
-  // Where each triangle of a star begins walks that look at all the others, a tenth as many
-  // triangles take as long.
+  // For algorithms that begin a walk over the whole star at each of its triangles: there a tenth as
+  // many triangles take as long.
   static Hubs ofWalks(const HalfedgeMesh& mesh) { return Hubs(mesh, kFewestSpokes / 10); }
 
   bool empty() const { return hubs_.empty(); }

@@ -14,17 +14,18 @@
 namespace remesher {
 namespace {
 
-// Beside the model's size, what programs leave of zero: a few roundings, in the numbers that they
-// computed with.
+// The rounding error that programs leave instead of zero, as a share of the model's size: a few
+// roundings in the precision they computed with.
 constexpr double kSingleNoise = 0x1p-22, kDoubleNoise = 0x1p-50;
 
-// Tried in turn, in percent of the diagonal: from single precision's to what is seen.
+// Distances to try in turn, in percent of the diagonal: from single precision's step to a visible
+// one.
 constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 
-// Finer cells would not be told apart by their numbers.
+// Numbers of finer cells would not be exact.
 constexpr double kMostCells = 0x1p50;
 
-// That of most: a stray vertex does not count.
+// The median of the vertices' largest coordinates, so that a stray vertex does not count.
 double sizeOf(const std::vector<Vec3>& positions) {
   std::vector<double> sizes;
   for (const Vec3& p : positions) sizes.push_back(p.cwiseAbs().maxCoeff());
@@ -44,13 +45,13 @@ struct CellHash {
   }
 };
 
-// The first vertices of all places found so far, by cells as large as they may be apart.
+// The first vertices of all places found so far, in cells as wide as the joining distance.
 class NearPlaces {
  public:
   NearPlaces(const std::vector<Vec3>& positions, double distance, const Vec3& low)
       : positions_(positions), distance_(distance), low_(low) {}
 
-  // The first vertex that is near; the vertex itself, which is found from now on, if there is none.
+  // The first vertex near v. If there is none, v itself, which is then a place for later vertices.
   Index firstNear(Index v) {
     const Cell own = cellOf(positions_[v]);
     Index found = kNone;
@@ -87,7 +88,7 @@ struct Extents {
   Vec3 low, high;
 };
 
-// Of all corners; vertices that no triangle has do not count.
+// The box of all corners; vertices without a triangle do not count.
 Extents extentsOf(const TriangleMesh& mesh) {
   Extents box{mesh.positions[mesh.indices[0]], mesh.positions[mesh.indices[0]]};
   for (const Index v : mesh.indices) {

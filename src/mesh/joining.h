@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places that are meant to be one: what differs by rounding around zero, and what the caller calls
-// near.
+// Joins places that are meant to be one: those that differ by rounding around zero, and those
+// nearer than a distance that the caller gives.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace remesher {
 
-// What programs leave of zero in coordinates of this size, in the mesh's precision: what is no
-// larger may be one to whoever reads them.
+// The rounding error that programs leave instead of zero beside coordinates of this size, in the
+// mesh's precision. A reader may take a number no larger for zero.
 double noiseBeside(double size, const TriangleMesh& mesh);
 
-// Vertices that differ in coordinates which are nothing beside the model's size come to one place,
-// where no triangle loses a corner by it.
+// Sets coordinates to zero that are rounding beside the model's size, so that vertices come to one
+// place; not where a triangle would lose a corner.
 void joinNoise(TriangleMesh& mesh);
 
-// Vertices no farther apart than this come to the place of the first.
+// Moves vertices no farther apart than this to the place of the first.
 void joinNear(TriangleMesh& mesh, double distance);
 
-// Of the box around all corners of triangles.
+// The diagonal of the box around all corners of triangles.
 double diagonalOf(const TriangleMesh& mesh);
 
-// Whether none of several triangles shares an edge with another.
+// Whether there are several triangles and none shares an edge with another.
 bool isLoose(const TriangleMesh& mesh);
 
-// The smallest of a few distances, in percent of the diagonal, that joins most edges of what is
-// loose; the next, as long as that joins more and no triangle goes.
+// The smallest of a few distances, in percent of the diagonal, that joins most edges of a loose
+// mesh; then the next ones, as long as each joins more edges and no triangle vanishes.
 std::optional<double> percentThatJoins(const TriangleMesh& mesh);
 
 }  // namespace remesher

@@ -9,8 +9,7 @@ namespace remesher {
 
 namespace {
 
-// Where a larger share of the edges would be joints that are closed on all sides, sheets lie on
-// each other.
+// If more than one edge in kMostShare is a joint closed on all sides, the sheets coincide.
 constexpr std::size_t kMostShare = 8;
 
 // Per source the number of its copies.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the builder cut the surface apart: edges that lie on each other. Those that stay as they
-// are on all sides are one again for whoever reads the result. Of surfaces that touch in a point
-// nothing is kept: apart they are no worse.
+// Joints: coincident edges where the builder cut the surface apart. If all sides of a joint stay
+// unchanged, a reader of the result sees one edge again. Point contacts are not kept: surfaces that
+// separate there are no worse.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,7 @@
 
 namespace remesher {
 
-// All halfedges of each. Sheets that lie on each other all over are not joined by that, but for
-// their rims.
+// All halfedges of each joint. Sheets that coincide all over are joined only along their rims.
 std::vector<Halfedge> findJoints(const BuiltMesh& built);
 
 // The number of different places of the vertices, copies counted once.

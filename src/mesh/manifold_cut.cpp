@@ -8,17 +8,17 @@ namespace remesher {
 
 namespace {
 
-// Beyond this many triangles an edge has no sensible pairs: all are cut apart.
+// An edge with more triangles than this has no sensible pairs: all are cut apart.
 constexpr std::size_t kMaxTrianglesPaired = 64;
 
-// Triangles by their corners, with what meets at their edges.
+// Triangles by their corners, grouped by edge.
 struct Corners {
   std::span<const Vec3> positions;
   std::span<const Index> corners;
   const EdgeGroups& edges;
 
   bool upward(Index h) const { return corners[h] < corners[nextCorner(h)]; }
-  // Whether two triangles at one edge are the two sides of one.
+  // Whether two triangles at one edge are the two sides of one triangle.
   bool mirrored(Index h, Index other) const {
     return upward(h) != upward(other) && corners[prevCorner(h)] == corners[prevCorner(other)];
   }
@@ -40,8 +40,8 @@ Vec3 normalAt(const Corners& soup, Index h) {
   return (b - a).cross(c - a).stableNormalized();
 }
 
-// 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one is the tighter: two
-// solids that touch along an edge come apart.
+// 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one counts as smaller, so
+// that two solids that touch along an edge are separated.
 double bend(const Corners& soup, Index h, Index other) {
   constexpr double kReflexPenalty = 1e-6;  // beyond rounding, below any angle that matters
   const Vec3 normal = normalAt(soup, h);
@@ -50,8 +50,8 @@ double bend(const Corners& soup, Index h, Index other) {
   return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kReflexPenalty : 0);
 }
 
-// Per triangle whether it belongs to a sheet given with both sides: at one of its edges there are
-// several triangles and each has its mirror image.
+// Per triangle whether it belongs to a sheet given with both sides: one of its edges has several
+// triangles, and each of these has a mirror image.
 std::vector<char> findTwoSided(const Corners& soup) {
   std::vector<char> twoSided(soup.corners.size() / 3, 0);
   for (std::size_t e = 0; e < soup.edges.size(); ++e) {
@@ -65,8 +65,8 @@ std::vector<char> findTwoSided(const Corners& soup) {
   return twoSided;
 }
 
-// The two sides of such a sheet do not join at its rim: they would share every edge between two
-// vertices of the rim.
+// The two sides of such a sheet are not joined at its rim: they would share every edge between two
+// rim vertices.
 bool canJoin(const Corners& soup, const std::vector<char>& twoSided, Index h, Index other) {
   return soup.upward(h) != soup.upward(other) &&
          !(soup.mirrored(h, other) && twoSided[h / 3] && twoSided[other / 3]);
@@ -99,9 +99,9 @@ std::vector<Index> pairHalfedges(const Corners& soup) {
   return mates;
 }
 
-// Two edges cut apart from one another may still share both ends, when fans run from one to the
-// other. Then all pairs there are cut, which parts those fans. One pass suffices: parting fans
-// makes no two vertices one, and a fan has one end in either direction.
+// Two edges cut apart may still share both end vertices, if a fan connects them at each end. Then
+// their pairs are cut too, which separates these fans. One pass suffices: separating fans never
+// merges vertices, and a fan has only one end in each direction.
 bool cutDoubleEdges(const Corners& soup, const ManifoldCut& cut, std::vector<Index>& mates) {
   bool any = false;
   std::vector<Index> doubled;

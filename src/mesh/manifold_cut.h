@@ -12,8 +12,8 @@
 
 namespace remesher {
 
-// corners: vertices of `positions`, three distinct ones per triangle. New vertices are numbered in
-// the order of the given ones, further copies after all of them.
+// corners: vertices of `positions`, three distinct ones per triangle. New vertices keep the order
+// of the given ones; further copies follow after all of them.
 ManifoldCut cutToManifold(std::span<const Vec3> positions, std::span<const Index> corners,
                           const EdgeGroups& edges);
 

@@ -17,8 +17,8 @@ namespace remesher {
 
 namespace {
 
-// Of a mesh with more places than the caches hold, what lies side by side in space is to do so in
-// memory, however the input has it: whatever looks around a vertex waits less.
+// Meshes with more places than the caches hold are put in spatial order, whatever order the input
+// has: then a look around a vertex waits less for memory.
 constexpr std::size_t kManyPlaces = 100'000;
 
 // The triangles still kept: corners by place, wedges by input vertex.
@@ -40,7 +40,7 @@ void warn(std::vector<Warning>& warnings, const char* code, const char* message,
   if (count > 0) warnings.push_back({code, message, count});
 }
 
-// In the order of the places: the first vertex at each.
+// The first vertex at each place, in the order of the places.
 std::vector<Index> sourcesOf(const TriangleMesh& input, const std::vector<Index>& first) {
   std::vector<Index> sources;
   for (Index v = 0; v < first.size(); ++v)
@@ -55,7 +55,7 @@ std::vector<Index> sourcesOf(const TriangleMesh& input, const std::vector<Index>
   return order;
 }
 
-// Per vertex of the input its place.
+// Per input vertex its place.
 std::vector<Index> placesOf(const std::vector<Index>& first, const std::vector<Index>& sources) {
   std::vector<Index> places(first.size());
   for (Index i = 0; i < sources.size(); ++i) places[sources[i]] = i;
@@ -63,7 +63,7 @@ std::vector<Index> placesOf(const std::vector<Index>& first, const std::vector<I
   return places;
 }
 
-// The triangles of the input: where places are put in order, by the first place of each.
+// The triangles of the input in their order, or, if the places are reordered, by their first place.
 std::vector<Index> orderOfTriangles(const TriangleMesh& input, const std::vector<Index>& places,
                                     std::size_t placeCount) {
   std::vector<Index> order(input.triangleCount());
@@ -104,7 +104,7 @@ Soup gather(const TriangleMesh& input, const std::vector<Index>& first) {
   return soup;
 }
 
-// The twins of the triangles as they were given, of which these are those that have three corners.
+// The twins of the given triangles, renumbered for the triangles in `soup`.
 std::vector<Index> twinsOf(const Soup& soup, std::size_t given, std::vector<Index> twins) {
   if (twins.empty() || soup.sources.size() < kManyPlaces) return twins;
   std::vector<Index> numbers(given, kNone);  // of each here
@@ -116,7 +116,7 @@ std::vector<Index> twinsOf(const Soup& soup, std::size_t given, std::vector<Inde
   return result;
 }
 
-// Returns how many there were.
+// Returns the number of removed triangles.
 std::size_t remove(Soup& soup, std::span<const char> unwanted) {
   Index kept = 0;
   for (Index f = 0; f < unwanted.size(); ++f) {
@@ -160,8 +160,8 @@ void turnOver(Soup& soup, std::span<const char> turn) {
   }
 }
 
-// Removes what encloses nothing and cannot be refined: two triangles back to back that, after the
-// cut, have their three vertices to themselves.
+// Removes pairs of triangles that enclose nothing and cannot be refined: two triangles back to back
+// whose three vertices, after the cut, belong to no other triangle.
 std::size_t removeBackToBack(Soup& soup, const ManifoldCut& cut) {
   std::vector<Index> corners(cut.origins.size(), 0);
   for (const Index v : cut.corners) ++corners[v];
@@ -196,7 +196,7 @@ BuiltMesh assemble(const TriangleMesh& input, Soup&& soup, ManifoldCut&& cut) {
   return built;
 }
 
-// Without copies of triangles, and with neighbours that face the same side.
+// Removes copies of triangles and makes neighbours face the same side.
 void makeConsistent(Soup& soup, std::vector<Warning>& warnings) {
   const std::size_t placeCount = soup.sources.size();
   EdgeGroups edges(placeCount, soup.corners);
@@ -241,7 +241,7 @@ BuiltMesh buildMesh(const TriangleMesh& input, Welding welding) {
   }
   ManifoldCut cut = cutApart(input, soup, std::move(twins));
   std::size_t backToBack = 0;
-  // Without some of them the surface is cut elsewhere, which may set others free.
+  // Each removal changes where the surface is cut, which may free further pairs.
   while (const std::size_t removed = removeBackToBack(soup, cut)) {
     backToBack += removed;
     cut = cutApart(input, soup, plainTwins(placeCount, soup.corners));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From a bag of triangles to a manifold: vertices welded by exactly equal position, triangles
-// without three distinct corners dropped, orientation made consistent where it can be, edges with
-// more than two triangles and vertices with more than one fan cut apart, pairs of triangles back to
-// back removed. What was repaired is said in warnings.
+// Makes a manifold of a bag of triangles. Vertices are welded by exactly equal position. Triangles
+// without three distinct corners are dropped. Orientation is made consistent where possible. Edges
+// with more than two triangles and vertices with more than one fan are cut apart. Pairs of
+// triangles back to back are removed. Warnings list the repairs.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct BuiltMesh {
   HalfedgeData<Index> wedges;   // per corner: the input vertex it came from (its attributes)
   FaceData<Index> triangles;    // per face: the input triangle it came from
   VertexData<Index> sources;    // per vertex: the first input vertex at its place
-  bool isInSpaceOrder = false;  // whether what lies side by side in space does so in the lists
+  bool isInSpaceOrder = false;  // whether neighbours in space are neighbours in the lists
   std::size_t lines = 0;        // triangles of the input without three distinct corners, left out
   std::vector<Warning> warnings;
 };
@@ -27,7 +27,7 @@ struct BuiltMesh {
 // Throws Error: NO_TRIANGLES.
 BuiltMesh buildMesh(const TriangleMesh& input, Welding welding);
 
-// Throws as requireValid does as well.
+// Throws what requireValid throws, too.
 inline BuiltMesh buildMesh(const TriangleMesh& input) {
   requireValid(input);
   return buildMesh(input, Welding(input));

@@ -7,7 +7,7 @@ namespace remesher {
 
 namespace {
 
-// Both triangles of an edge that agree run along it in opposite directions.
+// Two triangles at an edge agree if they run along the edge in opposite directions.
 bool agree(std::span<const Index> corners, Index h, Index other) {
   return corners[h] != corners[other];
 }
@@ -18,7 +18,7 @@ bool allAgree(std::span<const Index> corners, const EdgeGroups& edges) {
   return true;
 }
 
-// Per halfedge the one across, where the edge has exactly two triangles.
+// Per halfedge its twin, if the edge has exactly two triangles.
 std::vector<Index> acrossPlainEdges(std::size_t count, const EdgeGroups& edges) {
   std::vector<Index> across(count, kNone);
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -29,7 +29,8 @@ std::vector<Index> acrossPlainEdges(std::size_t count, const EdgeGroups& edges) 
   return across;
 }
 
-// Floods from one triangle, deciding for each it reaches whether to turn it; returns those reached.
+// Floods from one triangle and decides for each triangle reached whether to turn it over. Returns
+// the triangles reached.
 std::vector<Index> flood(std::span<const Index> corners, std::span<const Index> across, Index seed,
                          std::vector<char>& turn) {
   std::vector<Index> reached = {seed};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which triangles to turn over so that neighbours agree which side is out. The flood passes only
-// edges with two triangles; in every region it reaches the majority keeps its orientation.
+// Which triangles to turn over so that neighbours agree on the outer side. The flood crosses only
+// edges with two triangles; in every flooded region the majority keeps its orientation.
 #pragma once
 
 #include <span>

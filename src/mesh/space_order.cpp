@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The curve by tables, after Hamilton: Compact Hilbert Indices, 2006 (entry points, directions and
-// the Gray code, section 2).
+// The curve is walked by tables, after Hamilton: Compact Hilbert Indices, 2006 (section 2: entry
+// points, directions and the Gray code).
 #include "mesh/space_order.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kBits = 10;  // of a cell's coordinate
 constexpr Index kCells = Index{1} << kBits;
-// Runs of points in one cell that are longer are put in order within it.
+// A longer run of points in one cell is ordered within the cell.
 constexpr std::size_t kFewInCell = 8;
 
-// What the eighths of a cube are on the curve, and how the curve runs within each: where it enters,
-// and along which axis it leaves, together one of 24 ways.
+// Per way that the curve runs through a cube (where it enters and along which axis it leaves, 24
+// ways): the place of each eighth along the curve, and the way through that eighth.
 struct Eighths {
   struct Step {
     std::uint8_t place, way;
@@ -56,7 +56,7 @@ struct Placed {
 
 using Points = std::span<const std::array<float, 3>>;
 
-// By place; those of one place stay in their order.
+// By place; stable among points of one place.
 void sortByPlace(std::span<Placed> points, std::vector<Placed>& spare) {
   constexpr std::size_t kFew = 256;
   if (points.size() < kFew)
@@ -78,7 +78,7 @@ void sortByPlace(std::span<Placed> points, std::vector<Placed>& spare) {
   std::copy(from.begin(), from.end(), points.begin());
 }
 
-// Along the curve through their own box; then again what shares a cell there.
+// Orders points along the curve through their box, then those that share a cell, again.
 void order(Points points, std::span<Placed> own, std::vector<Placed>& spare) {
   using Floats = Eigen::Array3f;
   const auto at = [&](const Placed& p) { return Floats(points[p.number].data()); };

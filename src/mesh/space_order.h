@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points put in order along Hilbert's curve, which fills space without leaving any place before all
-// around it has been passed: neighbours in the order are close in space.
+// Orders points along Hilbert's curve. The curve finishes one region of space before it enters the
+// next, so neighbours in the order are close in space.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 
 namespace remesher {
 
-// The place along the curve of a cell of a cube of 2^bits cells along each edge: 0 to 8^bits - 1,
-// and cells next to each other on the curve share a face.
+// The place along the curve of a cell in a cube of 2^bits cells per side: 0 to 8^bits - 1.
+// Consecutive cells of the curve share a face.
 Index placeOnCurve(const std::array<Index, 3>& cell, int bits);
 
-// The points' numbers in that order, those at one place by number. As far as floats tell places
-// apart, so does the order, however small a part of their box most points are in.
+// The points' numbers in the order of the curve; points at one place in the order of their numbers.
+// The order separates all places that floats can separate, even if most points are in a small part
+// of their box.
 std::vector<Index> orderInSpace(std::span<const std::array<float, 3>> points);
 
 }  // namespace remesher

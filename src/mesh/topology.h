@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What no legal operator may change: the numbers that tell one surface from another.
+// The numbers that tell one surface from another; no legal operator may change them.
 #pragma once
 
 #include "mesh/halfedge_mesh.h"

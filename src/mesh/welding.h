@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a bag of triangles hangs together: which vertices are at one place, and which triangles at
-// one edge. Worked out once for whoever asks: for the report as for the mesh builder.
+// How a bag of triangles hangs together: which vertices are at one place, which triangles at one
+// edge. Computed once, for the report and the mesh builder.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 namespace remesher {
 
 struct Welding {
-  // Of a mesh that is valid (see requireValid).
+  // mesh must be valid (see requireValid).
   explicit Welding(const TriangleMesh& mesh);
 
-  // All halfedges of each edge, ascending: of these corners (see EdgeGroups).
+  // Visits each edge: all its halfedges, ascending, numbered as in `corners` (see EdgeGroups).
   template <class Visit>
   void forEachEdge(Visit visit) const {
     if (twins.empty()) {
@@ -30,8 +30,8 @@ struct Welding {
   }
 
   std::vector<Index> first;    // per vertex: the first at its place
-  std::vector<Index> corners;  // by these, of the triangles that have three: others have no edges
-  std::vector<Index> twins;  // of these corners, where that says it all (see plainTwins), or empty
+  std::vector<Index> corners;  // as in `first`; only of triangles with three different ones
+  std::vector<Index> twins;    // of these corners; empty if twins do not suffice (see plainTwins)
 };
 
 }  // namespace remesher

@@ -20,15 +20,15 @@
 namespace remesher {
 namespace {
 
-constexpr Index kSmallest = 64, kLargest = 4096;  // of the sizes that are chosen for the caller
-constexpr double kUse = 0.6;                      // the share of a square that charts cover, about
-// Of the original's texels per area: the next size has four times as many.
+constexpr Index kSmallest = 64, kLargest = 4096;  // limits of automatically chosen sizes
+constexpr double kUse = 0.6;                      // approximate share of a square that charts cover
+// A size suffices with this share of the original's texels: the next size has four times as many.
 constexpr double kNearly = 0.5;
-constexpr double kBareTexels = 4;  // to a triangle of an original without maps
-// To steps between colours of vertices: no more than a small square for their sake.
+constexpr double kBareTexels = 4;  // per triangle of an original without maps
+// Limit on texels for blending vertex colours: they alone justify no more than a small square.
 constexpr double kMostForSteps = kUse * 512 * 512;
-// Texels around a chart: for those that a filter takes at a corner of it, and more in larger
-// squares, whose coarser mip levels are looked at as well.
+// Texels around a chart: enough for a filter at the chart's rim, and more in larger squares, whose
+// coarser mip levels are used as well.
 constexpr Index kLeastPadding = 2, kPaddingShare = 256;
 
 bool isPainted(const std::string& semantic) {
@@ -45,7 +45,7 @@ io::Material lookOf(const io::Part& part, Index group) {
   return group < part.groups.size() ? part.groups[group].look : io::Material();
 }
 
-// The attributes that a group has and keeps.
+// The attributes that a group has and keeps when it is painted.
 std::set<std::string> keptBy(const io::Part& part, Index group) {
   std::set<std::string> kept;
   for (const Attribute& attribute : part.mesh.attributes) kept.insert(attribute.semantic);
@@ -62,7 +62,7 @@ double worldScale(const io::Part& part) {
   return sum > 0 ? sum : 1;
 }
 
-// Triangles that get one set of maps, of all parts.
+// A triangle of an atlas, which is one set of maps for triangles of all parts.
 struct AtlasTriangle {
   Index part, triangle;
 };
@@ -73,7 +73,7 @@ struct Atlas {
   double finer = 1;
 };
 
-// What an image holds: neither alpha nor normals are for JPEG.
+// What an image holds: images with alpha or normals cannot be JPEG.
 enum class Content { Opaque, Alpha, Normals };
 
 // A run of Repaint::paint.
@@ -125,7 +125,7 @@ class Repainting {
   }
 
   void finish() {
-    std::vector<TriangleMesh> meshes;  // surfaces refer to those that were
+    std::vector<TriangleMesh> meshes;  // surfaces_ still refers to the old meshes
     for (const NewSurface& surface : surfaces_) meshes.push_back(surface.painted());
     for (std::size_t i = 0; i < meshes.size(); ++i) model_.parts[i].mesh = std::move(meshes[i]);
   }
@@ -161,15 +161,15 @@ class Repainting {
     return std::max({texels, bare, std::min(steps, kMostForSteps)});
   }
 
-  // All that a class could show once.
+  // The texels that a class's maps hold.
   double storedTexels(Index number) const {
     double texels = 0;
     forEachGroup(number, [&](Index p, Index g) { texels += sources_[p]->largestMap(g); });
     return texels;
   }
 
-  // What the original shows several times, such as a mirrored half, gets texels each time: coarser
-  // ones, lest there be far more than the original has.
+  // A place of a map that the original shows several times, such as a mirrored half, gets texels
+  // each time. These are coarser, so that their number does not far exceed the original's.
   static Index sizeFor(double shown, double stored) {
     const double texels = stored > 0 ? std::sqrt(shown * std::min(shown, stored)) : shown;
     Index size = kSmallest;
@@ -193,8 +193,8 @@ class Repainting {
     return borders;
   }
 
-  // Texture coordinates for all corners of an atlas, and where its charts end; none where a size
-  // that was not asked for is too small.
+  // Sets the texture coordinates of all corners of an atlas. Returns where its charts end, or
+  // nothing if an automatically chosen size is too small.
   std::vector<char> layOut(const Atlas& atlas) {
     std::vector<Vec3> positions;
     std::vector<Index> indices, offsets;
@@ -236,8 +236,8 @@ class Repainting {
     return sum * atlas.size * atlas.size;
   }
 
-  // Tangents of all corners of an atlas, part by part: what is the same place in one is not in
-  // another.
+  // Sets the tangents of all corners of an atlas, part by part: equal positions in two parts are
+  // different places.
   void orient(const Atlas& atlas) {
     for (std::size_t begin = 0; begin < atlas.triangles.size();) {
       const Index part = atlas.triangles[begin].part;
@@ -282,7 +282,7 @@ class Repainting {
     return result;
   }
 
-  // The painted maps as a material; what is the same all over stays a factor.
+  // Adds the painted maps as a material; a value that is the same everywhere stays a factor.
   void remember(Index number, Painting painting) {
     const std::vector<io::Material> looks = looksOf(number);
     const io::Material& first = looks.front();
@@ -335,7 +335,7 @@ class Repainting {
   std::vector<NewSurface> surfaces_;
 };
 
-// A warning for each kind of map that is lost.
+// A warning for each kind of map that cannot be painted.
 std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
   std::map<std::string, std::size_t> counts;
   std::set<std::pair<int, std::string>> seen;

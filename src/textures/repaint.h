@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Textures painted anew. Before remeshing the parts lose what holds their surfaces to the old
-// textures; afterwards they get new texture coordinates, normals and tangents, and the model the
-// maps that belong to them.
+// Paints textures anew. Before remeshing, parts lose all attributes that tie their surfaces to the
+// old textures. Afterwards parts get new texture coordinates, normals and tangents, and the model
+// gets the maps for them.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ class Repaint {
  public:
   Repaint(const io::Model& model, std::vector<io::NamedImage> images);
 
-  // The parts to be remeshed: without textures, colours and normals; groups whose materials can
-  // share their maps are one, called by the first of them.
+  // The parts to be remeshed, without textures, colours and normals. Groups whose materials can
+  // share their maps become one group, with the number of the first.
   std::vector<io::Part> bareParts() const;
 
-  // model: its parts remeshed; places: per part and corner. Throws INVALID_OPTION.
+  // model: with its parts remeshed; places: per part and corner. Throws INVALID_OPTION.
   void paint(io::Model& model, const std::vector<std::vector<InputPlace>>& places,
              const RemeshOptions& options, const Progress& progress) const;
 
@@ -31,7 +31,7 @@ class Repaint {
   std::vector<io::NamedImage> images_;
   Unshaded unshaded_;
   std::size_t classCount_ = 0;
-  std::vector<std::vector<Index>> classes_;  // per part and group: who shares maps
+  std::vector<std::vector<Index>> classes_;  // per part and group: the number of its shared maps
 };
 
 }  // namespace remesher

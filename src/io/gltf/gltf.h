@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0, as text (.gltf) and binary (.glb). Every mesh with triangles is a part; the rest of
-// the document is kept as parsed, and on writing only the accessors of replaced triangles change.
+// glTF 2.0, as text (.gltf) and binary (.glb). Every mesh with triangles is a part. The rest of the
+// document is kept as parsed; writing changes only the accessors of replaced triangles.
 #pragma once
 
 #include <string>

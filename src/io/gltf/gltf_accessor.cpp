@@ -9,7 +9,7 @@
 namespace remesher::io {
 namespace {
 
-// Elements in a buffer, each `stride` bytes after the one before.
+// Elements in a buffer, one every `stride` bytes.
 struct Elements {
   const std::uint8_t* first;
   std::size_t stride;
@@ -122,7 +122,7 @@ Value converted(Component component, bool isNormalized) {
   return static_cast<Value>(component);
 }
 
-// The numbers of all elements, one after the other, whatever they are stored as.
+// The numbers of all elements in order, converted from their stored type.
 template <class Value>
 std::vector<Value> decoded(const Elements& elements, const Encoding& encoding) {
   const auto width = static_cast<std::size_t>(encoding.components);
@@ -154,7 +154,7 @@ std::vector<Value> AccessorReader::values() const {
 template <class Value>
 void AccessorReader::applySparse(std::vector<Value>& values) const {
   const auto& sparse = accessor_.sparse;
-  // Offsets are ints in tinygltf 2.7 and sizes in 2.9, where what is negative wraps around.
+  // Offsets are int in tinygltf 2.7; sizes are size_t in 2.9, where negative numbers wrap around.
   const auto isNegative = [](std::int64_t number) { return number < 0; };
   if (isNegative(sparse.count) || isNegative(sparse.indices.byteOffset) ||
       isNegative(sparse.values.byteOffset))
@@ -231,8 +231,8 @@ std::size_t componentSize(int componentType) {
   }
 }
 
-// An accessor without a buffer view is all zeros, as many as it likes to claim. No real one has
-// more elements than the file has bytes.
+// An accessor without a buffer view is all zeros and may claim any count. No real one has more
+// elements than the file has bytes.
 std::size_t accessorCount(const GltfDocument& document, int accessor) {
   const std::size_t count = accessorAt(document, accessor).count;
   std::size_t bytes = 0;

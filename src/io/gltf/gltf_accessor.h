@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The values of accessors, whatever their component type and layout: interleaved, sparse,
-// normalised, without a buffer view. Every range is checked before a byte is read.
-// Each function throws PARSE_ERROR naming the accessor if it promises what is not there.
+// The values of accessors of any component type and layout: interleaved, sparse, normalised,
+// without a buffer view. Every range is checked before a byte is read. Each function throws
+// PARSE_ERROR with the accessor's number if the accessor promises data that is not there.
 #pragma once
 
 #include <optional>
@@ -22,20 +22,20 @@ struct Encoding {
   bool operator==(const Encoding&) const = default;
 };
 
-// The largest value of an integer type: what 1 becomes when normalised. 0 for floats.
+// The largest value of an integer type, to which 1 is normalised. 0 for floats.
 double largestInteger(int componentType);
 std::size_t componentSize(int componentType);
 
-// None for floats. A normalised integer is never less than minus its largest.
+// None for floats. A signed normalised integer is never below minus its largest value.
 std::optional<WholeSteps> wholeStepsOf(const Encoding& encoding);
 
 std::size_t accessorCount(const GltfDocument& document, int accessor);
 Encoding accessorEncoding(const GltfDocument& document, int accessor);
 
-// `count` is what the accessor's must be. Normalised integers become fractions.
+// `count` must be the accessor's count. Normalised integers become fractions.
 std::vector<float> readFloats(const GltfDocument& document, int accessor, std::size_t count);
 
-// The values of an index accessor; whether the vertices exist is for the caller to check.
+// The values of an index accessor. The caller must check that the vertices exist.
 std::vector<Index> readIndices(const GltfDocument& document, int accessor);
 
 }  // namespace remesher::io

@@ -21,8 +21,8 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
 constexpr std::size_t kGlbHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
 
-// Real files nest about ten deep; the limit keeps the recursion of JSON writers off the stack's
-// end.
+// Real files nest about ten deep; the limit keeps recursive JSON writers from overflowing the
+// stack.
 constexpr int kDeepestNesting = 256;
 
 struct Chunks {
@@ -72,7 +72,7 @@ Chunks splitGlb(const GltfDocument& document) {
   return chunks;
 }
 
-// Strings are passed over, so that brackets in names and base64 do not count.
+// Strings are skipped, so that brackets in names and base64 do not count.
 bool nestsTooDeep(std::span<const std::uint8_t> text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -93,7 +93,7 @@ Json parseTree(const GltfDocument& document, std::span<const std::uint8_t> text)
     document.fail(ErrorCode::ParseError, "the JSON nests deeper than any glTF file does.");
   Json tree;
   try {
-    // As what tinygltf parses: a second type of text would be a second parser.
+    // Parses the same text type as tinygltf: another type would compile a second parser.
     const auto* const first = reinterpret_cast<const char*>(text.data());
     tree = Json::parse(first, first + text.size());
   } catch (const Json::parse_error& error) {
@@ -110,8 +110,8 @@ Json parseTree(const GltfDocument& document, std::span<const std::uint8_t> text)
   return tree;
 }
 
-// What the bindings decode before the core sees the file. A fallback beside compressed data is
-// refused too: the writer could not keep the two in step.
+// Compression that the bindings decode before the core sees the file. A fallback beside compressed
+// data is refused too, because the writer could not keep both consistent.
 void refuseCompression(const GltfDocument& document) {
   constexpr std::array kCompressions = {"EXT_meshopt_compression", "KHR_meshopt_compression",
                                         "KHR_draco_mesh_compression"};
@@ -123,7 +123,7 @@ void refuseCompression(const GltfDocument& document) {
                     "Decompress it first.");
 }
 
-// tinygltf sees only the part of the tree that describes geometry, and no bytes.
+// tinygltf gets only the part of the tree that describes geometry, and no bytes.
 tinygltf::Model typedView(const GltfDocument& document) {
   Json geometry;
   for (const char* member :
@@ -187,8 +187,8 @@ Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& b
   return bytes;
 }
 
-// What the tree says of them is what is copied when it is written back: tinygltf's view of it drops
-// the upper half of long numbers, and takes those with a fraction for 0.
+// Checks the tree's own numbers, because these are copied on writing. tinygltf's view drops the
+// upper half of long numbers and reads numbers with a fraction as 0.
 bool isInside(const Json& view, const std::vector<Bytes>& buffers) {
   const auto member = [&](const char* key) { return view.value(key, Json(0U)); };
   for (const char* key : {"buffer", "byteOffset", "byteLength", "byteStride"})
@@ -228,7 +228,7 @@ void loadBuffers(GltfDocument& document,
 
 }  // namespace
 
-// What looks damaged may be what an extension that is not known here makes of it.
+// Apparent damage may come from an extension that is not known here.
 void GltfDocument::fail(ErrorCode code, const std::string& what, std::string hint) const {
   const std::string unknown = requiredUnknown(tree);
   const bool looksDamaged = code == ErrorCode::ParseError || code == ErrorCode::IndexOutOfRange;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A glTF file taken apart, not yet understood: the JSON tree with every name and extension it
-// has, the bytes of its buffers, and tinygltf's typed view of what describes geometry. Whatever
-// the accessors promise is checked where they are read, not here.
+// A glTF file taken apart but not yet interpreted: the JSON tree with all names and extensions, the
+// bytes of the buffers, and tinygltf's typed view of the geometry's description. The promises of
+// accessors are checked when accessors are read, not here.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-// First, before tinygltf brings the same.
+// Must come before tinygltf includes its own.
 #include "io/gltf/library/tinygltf.h"
 #include "io/gltf/tree/json.h"
 #include "io/model/model.h"
@@ -26,17 +26,17 @@ struct GltfDocument : Source {
   bool isEmbedded = false;  // all buffers of a .gltf are data URIs
   Json tree;                // without the URIs of buffers
   std::vector<Bytes> buffers;
-  std::vector<File> bufferFiles;  // those of them that lay beside the file
+  std::vector<File> bufferFiles;  // buffers that were files of their own
   tinygltf::Model typed;          // accessors, bufferViews, meshes, nodes, scenes, skins
 
-  // "name: what".
+  // Throws an error with the message "name: what".
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;
 };
 
 // Throws PARSE_ERROR, MISSING_RESOURCE, UNSUPPORTED.
 std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>& resources);
 
-// A binary glTF file of these two chunks; without a second one when `data` is empty.
+// A binary glTF file of these two chunks; without the second if `data` is empty.
 Bytes packGlb(const Json& tree, const Bytes& data);
 
 }  // namespace remesher::io

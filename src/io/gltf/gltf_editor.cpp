@@ -32,8 +32,8 @@ Json boundsOf(const std::vector<double>& bounds, int componentType) {
   return list;
 }
 
-// That triangles in a row with one first corner are a polygon: true of new triangles only where
-// they are quads.
+// The extension that makes triangles in a row with the same first corner a polygon: true of new
+// triangles only if they are quads.
 constexpr const char* kPolygons = "FB_ngon_encoding";
 
 void forgetPolygons(Json& primitive) {
@@ -42,7 +42,7 @@ void forgetPolygons(Json& primitive) {
   if (primitive["extensions"].empty()) primitive.erase("extensions");
 }
 
-// The attributes that have a new accessor, in their order.
+// The attributes that have a new accessor, in their order, with its number.
 Json renamed(const Json& attributes, const AccessorsBySemantic& accessors,
              const std::string& prefix) {
   Json result = Json::object();
@@ -60,7 +60,7 @@ Json materialOf(const Json& tree, const Json& primitive) {
   return isThere ? tree["materials"][number.get<std::size_t>()] : Json();
 }
 
-// Whether a texture below the value is looked up by these coordinates, which may be lost.
+// Whether a texture below the value uses these texture coordinates.
 bool looksUp(const Json& value, const std::string& semantic) {
   if (!value.is_structured()) return false;
   if (value.is_object() && value.contains("index") &&
@@ -95,7 +95,7 @@ std::size_t GltfEditor::addAccessor(Json accessor) {
   return tree_["accessors"].size() - 1;
 }
 
-// What the old accessor said of itself, with the new layout.
+// The old accessor's description with the new layout.
 Json GltfEditor::describe(int oldAccessor, const Encoding& encoding, std::size_t count) {
   Json accessor = oldAccessor < 0 ? Json::object() : tree_["accessors"][oldAccessor];
   for (const char* member : {"bufferView", "byteOffset", "sparse", "min", "max", "normalized"})
@@ -146,7 +146,8 @@ void GltfEditor::abandon(const Json& primitive) {
     for (const Json& number : target) insert(number);
 }
 
-// The number of a morph target is counted on where its last attribute has gone: it moves nothing.
+// A morph target that has lost its last attribute stays, because targets are counted: it moves
+// nothing.
 std::size_t GltfEditor::addStill(const Json& positions) {
   const Json zero = Json::array({0, 0, 0});
   return addAccessor({{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT},
@@ -186,7 +187,7 @@ void GltfEditor::rewritePrimitive(Json& primitive, const AccessorsBySemantic& ac
 
 void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
                                  const std::vector<VertexPool>& pools, Texcoords texcoords) {
-  // Taken out: what is added to the document may move all that is in it.
+  // Moved out, because additions to the document may reallocate its contents.
   Json primitives = std::move(tree_["meshes"][meshNumber]["primitives"]);
   std::set<int> emptied;
   for (const VertexPool& pool : pools) {
@@ -218,8 +219,8 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
   dropForeignWeights(meshNumber);
 }
 
-// Weights that are not one for each morph target mean nothing: the targets may have gone with the
-// only primitive that had them.
+// Drops weights whose number differs from the number of morph targets: targets may have gone with
+// the only primitive that had them.
 void GltfEditor::dropForeignWeights(std::size_t meshNumber) {
   Json& mesh = tree_["meshes"][meshNumber];
   std::size_t targets = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF tree being changed: new geometry goes into accessors, buffer views and a buffer of its
-// own behind the existing ones, so that no number in the tree changes its meaning.
+// Edits a glTF tree. New geometry goes into new accessors, buffer views and a new buffer behind the
+// existing ones, so that every number in the tree keeps its meaning.
 #pragma once
 
 #include <set>
@@ -16,22 +16,23 @@ namespace remesher::io {
 
 class GltfEditor {
  public:
-  // document: where the old accessors are; may be null when there are none and every pool names -1
-  // for each accessor.
+  // document: holds the old accessors; null if there are none and every pool names -1 for each
+  // accessor.
   GltfEditor(Json tree, const GltfDocument* document);
 
-  // The primitives of the pools get the triangles of their groups; those left without any go away.
+  // Gives the primitives of the pools the triangles of their groups; removes primitives without
+  // any.
   void replaceGeometry(std::size_t meshNumber, const TriangleMesh& mesh,
                        const std::vector<VertexPool>& pools, Texcoords texcoords = Texcoords::Kept);
 
-  // A file as a buffer view; returns its number.
+  // Adds a file as a buffer view; returns its number.
   std::size_t addFile(const Bytes& bytes);
 
   Json& tree() { return tree_; }
   const Bytes& newData() const { return data_; }
-  // The accessors that replaced primitives named.
+  // The accessors that replaced primitives used.
   const std::set<int>& abandoned() const { return abandoned_; }
-  // What of extensions could not follow.
+  // The parts of extensions that were lost.
   LostExtensions& lost() { return lost_; }
 
  private:

@@ -93,7 +93,7 @@ EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType)
 }
 
 void makeUnitLength(Table& table) {
-  // What is this close to unit length is left as it is, bit for bit.
+  // Vectors this close to unit length stay as they are, bit for bit.
   constexpr double kTolerance = 1e-4;
   if (table.width < 3) return;
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of vertex attributes as the bytes of an accessor: floats become whatever component type
-// the file had, rounded once, and what glTF promises of an attribute is made to hold.
+// Encodes vertex attributes as the bytes of an accessor. Floats are rounded once to the component
+// type that the file had, and glTF's rules for each attribute are enforced.
 #pragma once
 
 #include <span>
@@ -31,19 +31,19 @@ struct EncodedAccessor {
 EncodedAccessor encodeRows(const Table& table, const Encoding& encoding);
 EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType);
 
-// The type as small as the file's own and large enough for `vertexCount` vertices: the largest
-// value of a type is no index. `wanted` is the file's, 0 if it had none.
+// The smallest type that is at least the file's own and can index `vertexCount` vertices; a type's
+// largest value is not an index. `wanted` is the file's type, 0 if it had none.
 int indexType(int wanted, std::size_t vertexCount);
 
-// NORMAL and TANGENT of unit length (a zero one points somewhere), TANGENT's w 1 or -1. Rows of
-// fewer than three numbers are neither, and stay.
+// Makes NORMAL and TANGENT unit vectors (a zero vector gets some direction), and TANGENT's w 1 or
+// -1. Rows of fewer than three numbers stay.
 void makeUnitLength(Table& table);
 
-// WEIGHTS_n of a vertex, all sets together: integers are rounded so that their sum is still exactly
-// one; where all are zero, as they may not be, the first becomes one.
+// Makes the WEIGHTS_n of a vertex, all sets together, sum to one: integers are rounded so that
+// their sum is exact. If all weights are zero, which glTF forbids, the first becomes one.
 void normalizeWeights(std::span<Table> sets, int componentType);
 
-// Whether the numbers are read as they are when they have been written so.
+// Whether the numbers are the same after writing and reading them in this encoding.
 bool holdsExactly(const Table& table, const Encoding& encoding);
 
 }  // namespace remesher::io

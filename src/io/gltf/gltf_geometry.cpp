@@ -31,7 +31,7 @@ AccessorsBySemantic accessorsOf(const tinygltf::Primitive& primitive) {
   return accessors;
 }
 
-// How many numbers glTF allows an attribute to have.
+// The fewest and most components that glTF allows for an attribute.
 std::pair<int, int> componentRange(std::string_view semantic) {
   const bool isTarget = semantic.starts_with("TARGET_");
   if (isTarget) semantic.remove_prefix(semantic.find('/') + 1);
@@ -51,7 +51,7 @@ bool isCarried(const GltfDocument& document, const std::string& semantic, int ac
          (encoding.components <= 4 || componentSize(encoding.componentType) == 4);
 }
 
-// The attribute without which this one means nothing; empty: there is none.
+// The attribute that this one needs to mean anything; empty if none.
 std::string partnerOf(const std::string& semantic) {
   if (semantic.starts_with("JOINTS_")) return "WEIGHTS_" + semantic.substr(7);
   if (semantic.starts_with("WEIGHTS_")) return "JOINTS_" + semantic.substr(8);
@@ -71,7 +71,7 @@ AccessorsBySemantic carriedBy(const GltfDocument& document, const tinygltf::Prim
   return carried;
 }
 
-// Of the smallest skin that the mesh is shown with.
+// The number of joints of the smallest skin that the mesh is shown with.
 std::size_t jointCount(const tinygltf::Model& model, int mesh) {
   std::size_t count = std::numeric_limits<std::size_t>::max();
   for (const tinygltf::Node& node : model.nodes)
@@ -81,7 +81,7 @@ std::size_t jointCount(const tinygltf::Model& model, int mesh) {
   return count;
 }
 
-// The whole steps in which all pools have their positions, if they do.
+// The integer steps of the positions, if all pools have the same.
 std::optional<WholeSteps> stepsOf(const GltfDocument& document,
                                   const std::vector<VertexPool>& pools) {
   std::optional<WholeSteps> common;
@@ -97,7 +97,7 @@ struct Binding {
   float &joint, &weight;
 };
 
-// All that a vertex is bound to, by sets of joints with their weights.
+// All joints with weights that a vertex is bound to, from all sets.
 std::vector<Binding> bindingsOf(std::span<const std::pair<Attribute*, Attribute*>> sets,
                                 std::size_t vertex) {
   std::vector<Binding> bindings;
@@ -109,7 +109,7 @@ std::vector<Binding> bindingsOf(std::span<const std::pair<Attribute*, Attribute*
   return bindings;
 }
 
-// Those to joints that the skin has not; the rest weighs as much as all did.
+// Removes bindings to joints that the skin lacks; the other weights keep the total.
 void dropForeign(std::span<const Binding> bindings, float jointCount) {
   double all = 0, own = 0;
   for (const auto& [joint, weight] : bindings) {
@@ -121,7 +121,7 @@ void dropForeign(std::span<const Binding> bindings, float jointCount) {
   for (const Binding& one : bindings) one.weight = static_cast<float>(one.weight * (all / own));
 }
 
-// A joint that is there twice has both weights once.
+// A joint that is bound twice gets both weights once.
 void mergeTwice(std::span<const Binding> bindings) {
   for (std::size_t i = 1; i < bindings.size(); ++i)
     for (std::size_t k = 0; k < i && bindings[i].weight > 0; ++k) {
@@ -168,7 +168,7 @@ class GeometryReader {
   TriangleMesh result_;
 };
 
-// One warning of each kind and text, counted.
+// Counts one warning per code and text.
 void GeometryReader::warn(const char* code, const std::string& message) {
   for (Warning& warning : warnings_) {
     if (warning.code != code || warning.message != message) continue;
@@ -198,7 +198,7 @@ void GeometryReader::readPositions(const VertexPool& pool) {
   }
 }
 
-// One for triangles; for strips and fans as many as the file has in one.
+// One sequence for triangles; for strips and fans one per run in the file.
 std::vector<std::vector<Index>> GeometryReader::vertexSequences(int primitiveNumber,
                                                                 std::size_t vertexCount) const {
   const tinygltf::Primitive& primitive = mesh_.primitives[primitiveNumber];
@@ -225,8 +225,8 @@ std::vector<std::vector<Index>> GeometryReader::vertexSequences(int primitiveNum
   return runs;
 }
 
-// The sequences that a strip or fan consists of: where the file says so, the largest number of its
-// indices' type ends one.
+// The sequences of a strip or fan. If the file allows restarts, the largest value of the index type
+// ends a sequence.
 std::vector<std::vector<Index>> GeometryReader::runsOf(const tinygltf::Primitive& primitive,
                                                        std::vector<Index> indices) const {
   std::vector<std::vector<Index>> runs(1);
@@ -252,7 +252,7 @@ void GeometryReader::addTriangles(int mode, const std::vector<Index>& sequence, 
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t i : {a, b, c}) result_.indices.push_back(sequence[i] + firstVertex);
   };
-  // Strips are stitched together by triangles that name a vertex twice.
+  // Triangles that name a vertex twice only join strips.
   const auto isStitch = [&](std::size_t a, std::size_t b, std::size_t c) {
     return sequence[a] == sequence[b] || sequence[b] == sequence[c] || sequence[c] == sequence[a];
   };
@@ -278,8 +278,8 @@ void GeometryReader::warnOfLost(const VertexPool& pool) {
     }
 }
 
-// Room for every attribute that any pool has, as wide as the widest, filled with what the
-// vertices of the other pools shall have.
+// Adds every attribute that any pool has, as wide as the widest, filled with the value for vertices
+// of other pools.
 void GeometryReader::layOutAttributes(const std::vector<VertexPool>& pools) {
   std::map<std::string, int> itemSizes;
   for (const VertexPool& pool : pools) {
@@ -340,8 +340,8 @@ void GeometryReader::settleJoints() {
   }
 }
 
-// In FB_ngon_encoding triangles in a row are one polygon as long as they have the same first
-// corner: of quads each two have.
+// In FB_ngon_encoding triangles in a row with the same first corner are one polygon; in quads every
+// two triangles have the same.
 bool GeometryReader::areQuads() const {
   for (const tinygltf::Primitive& primitive : mesh_.primitives)
     if (isTriangles(primitive) && !primitive.extensions.contains("FB_ngon_encoding")) return false;

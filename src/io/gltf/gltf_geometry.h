@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The triangles of one glTF mesh as one triangle mesh. Primitives that name the same accessors
+// Reads the triangles of one glTF mesh as one triangle mesh. Primitives that use the same accessors
 // share their vertices; such a set is a vertex pool. The group of a triangle is its primitive's
-// number. The writer uses the same pools to put vertices back where they came from.
+// number. The writer uses the same pools to put vertices back.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace remesher::io {
 
-// Accessors by semantic, those of morph targets as TARGET_0/POSITION.
+// Accessors by semantic; those of morph targets as TARGET_0/POSITION.
 using AccessorsBySemantic = std::map<std::string, int>;
 
 struct VertexPool {
@@ -23,9 +23,9 @@ struct VertexPool {
 };
 
 // The pools of the primitives that are triangles, strips or fans and have positions. Left out are
-// attributes of another type than glTF asks for, those that mean nothing without another that is
-// not there (JOINTS_n, WEIGHTS_n, what morphs an attribute), and small integers in the columns of a
-// matrix, which are padded; no file is known to have them.
+// attributes whose type glTF does not allow, attributes that need another one that is missing
+// (JOINTS_n, WEIGHTS_n, targets of an attribute), and matrices of small integers, whose columns are
+// padded; no file is known to have them.
 std::vector<VertexPool> vertexPools(const GltfDocument& document, std::size_t mesh);
 
 // Throws PARSE_ERROR, INDEX_OUT_OF_RANGE, NON_FINITE.

@@ -17,7 +17,7 @@ void rename(Json& named, std::size_t level) {
     named["name"] = named["name"].get<std::string>() + " LOD " + std::to_string(level);
 }
 
-// Stands where the node does; what hangs below the node stays there.
+// A copy of the node for a level, at the same place, without the node's children.
 Json nodeOfLevel(Json node, std::size_t mesh, std::size_t level) {
   Json instances;
   if (node.contains("extensions") && node["extensions"].contains(kInstances))
@@ -29,7 +29,7 @@ Json nodeOfLevel(Json node, std::size_t mesh, std::size_t level) {
   return node;
 }
 
-// What moves one node moves the other.
+// Makes animations of one node move the other as well.
 void moveAlike(Json& animations, std::size_t node, std::size_t other) {
   for (Json& animation : animations) {
     const Json channels = animation["channels"];

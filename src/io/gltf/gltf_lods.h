@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coarser levels of detail in a glTF tree, as the extension MSFT_lod has them: meshes and nodes of
-// their own, which name the same materials.
+// Writes coarser levels of detail into a glTF tree with the extension MSFT_lod: as meshes and nodes
+// of their own that use the same materials.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,16 @@
 
 namespace remesher::io {
 
-// A mesh of the tree as it was before its geometry was replaced.
+// A mesh of the tree before its geometry is replaced.
 struct FinestLevel {
   std::size_t number;
   Json mesh;
   std::vector<VertexPool> pools;
 };
 
-// Each level becomes a copy of the mesh with its geometry; each node that shows the mesh is told of
-// nodes that stand where it does, move as it does, and show the levels. Levels: the finest first.
+// Each level becomes a copy of the mesh with the level's geometry. Each node that shows the mesh
+// gets level nodes, which have the same transform and animation and show the levels. levels: the
+// finest first.
 void addLods(GltfEditor& editor, const FinestLevel& finest,
              const std::vector<TriangleMesh>& levels);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kWebp = "EXT_texture_webp";
 constexpr const char* kTransform = "KHR_texture_transform";
 
-// A member of a material that may be anything: null unless it is an object.
+// A member of a material, which may be of any type: null unless it is an object.
 const Json& objectIn(const Json& parent, const char* key) {
   static const Json kNothing = Json::object();
   const auto found = parent.find(key);
@@ -54,7 +54,7 @@ Wrap wrapOf(const Json& sampler, const char* key) {
   return code == kClamp ? Wrap::Clamp : code == kMirror ? Wrap::Mirror : Wrap::Repeat;
 }
 
-// [KHR_texture_transform]: scaled, turned, moved.
+// The transform of KHR_texture_transform: scale, then rotation, then offset.
 Eigen::Matrix<double, 2, 3> transformOf(const Json& extension) {
   const Vec2 offset = vectorIn<2>(extension, "offset", Vec2::Zero());
   const Vec2 scale = vectorIn<2>(extension, "scale", Vec2::Ones());
@@ -65,7 +65,7 @@ Eigen::Matrix<double, 2, 3> transformOf(const Json& extension) {
   return result;
 }
 
-// parent: what has the reference to a texture as its member `key`.
+// parent: the object whose member `key` is the reference to a texture.
 Map mapIn(const Json& tree, const Json& parent, const char* key) {
   const Json& info = objectIn(parent, key);
   if (!info.contains("index")) return {};
@@ -85,7 +85,7 @@ Map mapIn(const Json& tree, const Json& parent, const char* key) {
 
 bool isTextureInfo(const Json& value) { return value.is_object() && value.contains("index"); }
 
-// The maps of extensions: what has a texture's number in it is called by its key.
+// Collects the maps of extensions: the key of every object with a texture's number.
 void collectMaps(const Json& value, std::vector<std::string>& names) {
   if (!value.is_structured()) return;
   for (const auto& [key, member] : value.items())
@@ -106,7 +106,7 @@ void removeMaps(Json& value) {
   for (const std::string& key : keys) value.erase(key);
 }
 
-// Without what can be painted.
+// The material without its name and everything that can be painted.
 Json restOf(Json material) {
   for (const char* key : {"name", "pbrMetallicRoughness", "normalTexture", "occlusionTexture",
                           "emissiveTexture", "emissiveFactor"})
@@ -119,7 +119,7 @@ Json listOf(const Eigen::Matrix<double, n, 1>& vector) {
   return std::vector<double>(vector.data(), vector.data() + n);
 }
 
-// Adds the texture of a painted map and returns the reference to it.
+// Adds the texture of a painted map; returns the reference to it.
 Json textureInfo(Json& tree, const Model& model, const Map& map) {
   const std::size_t number = std::stoul(map.image);
   const PaintedImage& painted = model.images[number];
@@ -143,7 +143,7 @@ Json textureInfo(Json& tree, const Model& model, const Map& map) {
   return {{"index", textures.size() - 1}};
 }
 
-// Materials for a distance, which have the old textures.
+// Drops MSFT_lod's materials for a distance, which use the old textures.
 void dropLevels(Json& material) {
   if (!material.contains("extensions") || !material["extensions"].is_object()) return;
   material["extensions"].erase("MSFT_lod");
@@ -221,7 +221,7 @@ void forEachSamplerNumber(Json& tree, const Visitor& visit) {
     if (texture.contains("sampler")) visit(texture["sampler"]);
 }
 
-// Removes what `forEach` does not find in a list of the tree; returns what went.
+// Removes the elements of a list that `forEach` does not visit; returns the removed ones.
 std::vector<Json> keepUsed(Json& tree, const char* list,
                            const std::function<void(const Visitor&)>& forEach) {
   if (!tree.contains(list)) return {};

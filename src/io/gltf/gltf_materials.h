@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Materials of a glTF tree: read to be painted anew, and what was painted put in their place.
+// Materials of a glTF tree: read as sources for painting, and replaced by painted ones.
 #pragma once
 
 #include <set>
@@ -10,17 +10,17 @@
 
 namespace remesher::io {
 
-// The material of this number; glTF's default where there is none. Its maps' images are called by
-// their number in the tree.
+// The material of this number, or glTF's default if there is none. Its maps name images by their
+// number in the tree.
 Material readMaterial(const Json& tree, int number);
 
-// The model's paintings behind the tree's materials; returns the first one's number. Their images
-// refer to the model's as `painting:n`.
+// Appends the model's paintings to the tree's materials; returns the first one's number. Their
+// images refer to the model's images as `painting:n`.
 std::size_t addPaintings(Json& tree, const Model& model);
 
-// Drops the materials, textures and images that nothing uses any more; where an unknown extension
-// might name one by number, all stay, at their numbers. Returns the buffer views that only images
-// used which went.
+// Drops the materials, textures and images that nothing uses any more. If an unknown extension
+// might name one by number, all stay, with their numbers. Returns the buffer views that only
+// dropped images used.
 std::set<int> dropUnusedImages(Json& tree);
 
 }  // namespace remesher::io

@@ -10,8 +10,8 @@ namespace {
 
 int asIndex(const Json& number) { return number.is_number_integer() ? number.get<int>() : -1; }
 
-// Removes the elements of tree[list] that are in `candidates` and that `forEach` does not find.
-// Returns those removed, and renumbers what `forEach` finds.
+// Removes the elements of tree[list] that are in `candidates` and that `forEach` does not visit.
+// Returns the removed elements; renumbers the numbers that `forEach` visits.
 std::vector<Json> removeUnused(Json& tree, const char* list, const std::set<int>& candidates,
                                void (*forEach)(Json&, const NumberVisitor&)) {
   std::set<int> unused = candidates;
@@ -48,7 +48,7 @@ void dropAbandoned(Json& tree, const Abandoned& abandoned) {
   removeUnused(tree, "bufferViews", bufferViews, forEachBufferViewNumber);
 }
 
-// Bytes of an old buffer that some buffer view shows, and where they go.
+// Bytes of an old buffer that some buffer view shows, with their new place.
 struct Range {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -78,7 +78,7 @@ std::vector<Range> shownRanges(const Json& bufferViews, std::size_t buffer) {
   return merged;
 }
 
-// Copies the ranges behind `data`, each as aligned as it was.
+// Appends the ranges to `data`, with their alignment kept.
 void copyRanges(std::vector<Range>& ranges, const Bytes& buffer, Bytes& data) {
   constexpr std::size_t kAlignment = 8;
   for (Range& range : ranges) {

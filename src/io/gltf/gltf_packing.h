@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The last step of writing glTF: what replaced accessors have left behind is dropped, and all
-// buffers become one. Everything else keeps its bytes.
+// The last step of writing glTF: drops the data of replaced accessors and joins all buffers into
+// one. All other data keeps its bytes.
 #pragma once
 
 #include <set>
@@ -15,14 +15,14 @@ struct PackedGltf {
   Bytes data;
 };
 
-// What may go: accessors that replaced primitives named, buffer views of images that were replaced.
+// Data that may be dropped: accessors of replaced primitives, buffer views of replaced images.
 struct Abandoned {
   std::set<int> accessors, bufferViews;
 };
 
-// What is abandoned and nothing names any more goes, and with accessors the buffer views that only
-// they used. Where an unknown extension might name accessors
-// or buffer views by number, all stay, at their numbers.
+// Drops abandoned data that nothing uses any more, and the buffer views that only dropped accessors
+// used. If an unknown extension might name accessors or buffer views by number, all stay, with
+// their numbers.
 PackedGltf packGltf(Json tree, const std::vector<Bytes>& buffers, const Abandoned& abandoned);
 
 }  // namespace remesher::io

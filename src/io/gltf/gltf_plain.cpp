@@ -16,8 +16,8 @@
 namespace remesher::io {
 namespace {
 
-// One primitive per group; those that lack the same attributes share a pool, its accessors yet to
-// come.
+// One primitive per group. Groups that lack the same attributes share a pool, whose accessors are
+// added later.
 std::vector<VertexPool> poolsOfGroups(const Part& part) {
   std::vector<VertexPool> pools;
   for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
@@ -36,7 +36,7 @@ std::vector<VertexPool> poolsOfGroups(const Part& part) {
   return pools;
 }
 
-// The number of the material of this name, which is added if it is new.
+// The number of the material of this name; adds a new one if there is none.
 std::size_t materialNumber(Json& tree, const std::string& name) {
   Json& materials = tree["materials"];
   const auto same = std::find_if(materials.begin(), materials.end(),
@@ -46,7 +46,7 @@ std::size_t materialNumber(Json& tree, const std::string& name) {
   return number;
 }
 
-// The part's mesh, its primitives without accessors.
+// The part's mesh; its primitives have no accessors yet.
 Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
   Json primitives = Json::array();
   primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));

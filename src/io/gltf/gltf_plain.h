@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A model that did not come from glTF as a new, plain document: a mesh for each part, a node for
-// each place.
+// Makes a new, plain glTF document from a model of another format: a mesh for each part, a node for
+// each instance.
 #pragma once
 
 #include "io/gltf/gltf_packing.h"

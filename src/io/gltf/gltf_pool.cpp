@@ -12,14 +12,15 @@
 namespace remesher::io {
 namespace {
 
-// The weights of a set that rounding left nothing of.
+// The weights of a set that rounding made zero.
 struct Lost {
   int width = 0;
   std::vector<bool> places;
 };
 
-// In FB_ngon_encoding triangles in a row with the same first corner are one polygon: a quad at the
-// end of the list that begins where the one before it does begins across from there instead.
+// In FB_ngon_encoding triangles in a row with the same first corner are one polygon. If the last
+// quad of the list begins at the corner where the quad before it begins, the last one is turned to
+// begin at its opposite corner.
 void keepApart(std::vector<Index>& list) {
   if (list.size() < 12) return;
   Index* const quad = &list[list.size() - 6];
@@ -49,7 +50,7 @@ class PoolEncoder {
   const VertexPool& pool_;
   const GltfDocument* document_;
   std::vector<Index> vertices_;       // numbers in the mesh, ascending
-  std::map<std::string, Lost> lost_;  // by the number of the set: "_0"
+  std::map<std::string, Lost> lost_;  // by the set's suffix: "_0"
   EncodedPool result_;
 };
 
@@ -120,7 +121,7 @@ Table PoolEncoder::tableOf(const Attribute& attribute, int width) const {
   return table;
 }
 
-// Shares of one are floating point or parts of the largest integer, whatever a broken file has.
+// Weights are floats or normalised integers, whatever a broken file had.
 Encoding fitForWeights(Encoding encoding) {
   const bool isInteger = encoding.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                          encoding.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
@@ -152,7 +153,7 @@ void PoolEncoder::encodeWeights() {
   }
 }
 
-// A joint whose weight has been rounded to nothing is none.
+// A joint whose weight was rounded to zero becomes joint 0.
 void PoolEncoder::releaseJoints(const std::string& semantic, Table& joints) const {
   const auto lost = lost_.find(semantic.substr(semantic.find('_')));
   if (lost == lost_.end() || lost->second.width != joints.width) return;
@@ -170,7 +171,7 @@ void PoolEncoder::encodeAttribute(const std::string& semantic) {
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
   Table table = tableOf(*attribute, encoding.components);
   if (semantic == "NORMAL" || semantic == "TANGENT") makeUnitLength(table);
-  // Other formats have colours of any size, and so have broken files.
+  // Colours from other formats and from broken files may have any size.
   if (semantic.starts_with("COLOR_"))
     for (float& value : table.values) value = std::clamp(value, 0.0F, 1.0F);
   if (semantic.starts_with("JOINTS_")) releaseJoints(semantic, table);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A vertex pool ready to be written: which vertices of a mesh it needs, and their attributes and
-// triangles in the encodings that the file had.
+// A vertex pool ready to be written: the vertices of a mesh that it needs, with their attributes
+// and triangles in the encodings of the file.
 #pragma once
 
 #include <map>
@@ -24,9 +24,9 @@ struct EncodedPool {
   std::map<int, std::vector<Index>> triangles;         // per primitive that has any
 };
 
-// document: where the pool's accessors are; null if there are none and the pool names -1 for each.
-// Semantics that the mesh lacks are left out, but morph targets are zero instead, since animations
-// count them.
+// document: holds the pool's accessors; null if there are none and the pool names -1 for each.
+// Semantics that the mesh lacks are left out, except morph targets, which become zeros because
+// animations count them.
 EncodedPool encodePool(const TriangleMesh& mesh, const VertexPool& pool,
                        const GltfDocument* document);
 

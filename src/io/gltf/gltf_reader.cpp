@@ -16,7 +16,8 @@
 namespace remesher::io {
 namespace {
 
-// Instances of all meshes; where the file shows none at all, each mesh once where it is.
+// Instances of all meshes. If the file shows no mesh at all, each mesh is shown once,
+// untransformed.
 std::vector<MeshInstances> placedMeshes(const GltfDocument& document) {
   std::vector<MeshInstances> instances = meshInstances(document);
   const bool isEmpty = std::all_of(instances.begin(), instances.end(),
@@ -32,7 +33,7 @@ std::size_t trianglePrimitives(const GltfDocument& document, std::size_t mesh) {
   return count;
 }
 
-// By primitive number. Semantics of some primitives only are those the others lack.
+// Per primitive its group. A primitive lacks the semantics that only other primitives have.
 std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t number,
                                   const TriangleMesh& triangles) {
   const tinygltf::Mesh& mesh = document.typed.meshes[number];
@@ -52,8 +53,8 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t numb
   return infos;
 }
 
-// Which parts are levels of others. Of a level that is shown by itself as well it is the size of
-// its own.
+// Finds which parts are levels of others. By MSFT_lod only levels that no node shows by itself
+// count: the others keep their own size.
 void tellLevels(const Json& tree, std::vector<Part>& parts) {
   std::map<int, std::size_t> partOf;
   for (std::size_t i = 0; i < parts.size(); ++i) partOf[parts[i].source] = i;
@@ -71,7 +72,7 @@ void tellLevels(const Json& tree, std::vector<Part>& parts) {
   }
 }
 
-// A node may scale beyond all numbers. Every place lies between those of the corners of the box.
+// The transforms of nodes may overflow. Every place lies between the places of the box's corners.
 void requireFinitePlaces(const GltfDocument& document, const Part& part) {
   Eigen::AlignedBox3d box;
   for (const Vec3& position : part.mesh.positions) box.extend(position);

@@ -11,7 +11,7 @@
 namespace remesher::io {
 namespace {
 
-// Calls the visitor with object[key] if it is there, for every element of an array or member.
+// Calls the visitor with object[key], if present.
 void visitMember(Json& object, const char* key, const NumberVisitor& visit) {
   if (object.is_object() && object.contains(key)) visit(object[key]);
 }
@@ -41,7 +41,7 @@ bool hasInteger(const Json& value) {
   return value.is_structured() && std::any_of(value.begin(), value.end(), hasInteger);
 }
 
-// Where a material, a texture or an image is, in the spelling of a JSON pointer.
+// Whether the value is a JSON pointer to a material, a texture, an image or a sampler.
 bool isPointerToLook(const Json& value) {
   if (!value.is_string()) return false;
   const auto& text = value.get_ref<const std::string&>();
@@ -81,8 +81,8 @@ bool areObjects(const Json& list) {
                                         [](const Json& element) { return element.is_object(); });
 }
 
-// tinygltf passes over primitives and targets that are none, and counts those behind them
-// differently.
+// Requires valid primitives and targets, because tinygltf skips invalid ones and so numbers the
+// following ones differently.
 void requirePrimitives(GltfDocument& document) {
   const auto require = [&](bool isSo, const char* message) {
     if (!isSo)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a glTF tree names accessors and buffer views by number; new ones are added behind those
-// that are there, so that a number which names nothing would come to name one of them. And whether
-// it may name anything by a number that we do not understand.
+// Visits the numbers by which a glTF tree names accessors and buffer views. New ones are added
+// behind the existing ones, so a number that names nothing would come to name one of these. Also
+// tells whether numbers that we do not understand may name something.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,13 @@ void forEachAccessorNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumber(Json& tree, const NumberVisitor& visit);
 void forEachBufferViewNumberOf(Json& accessor, const NumberVisitor& visit);
 
-// What numbers name: accessors and buffer views; or materials, textures and images.
+// What a number names: accessors and buffer views, or materials, textures and images.
 enum class Named { Data, Look };
 
-// Whether there is a whole number in an extension below the value that may be one of these without
-// being found.
+// Whether an extension below the value holds an integer that may name one of these unnoticed.
 bool mayHideReferences(const Json& value, Named what);
 
-// Throws PARSE_ERROR unless every such number is one of what is there.
+// Throws PARSE_ERROR unless every such number names something that exists.
 void requireReferences(GltfDocument& document);
 
 }  // namespace remesher::io

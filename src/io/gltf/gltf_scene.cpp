@@ -10,7 +10,7 @@
 namespace remesher::io {
 namespace {
 
-// By a quaternion, its real part last; one without a length turns nothing.
+// The rotation of a quaternion whose real part is last; none if its length is zero.
 template <class Number>
 void turn(Transform& transform, const Number* q) {
   const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
@@ -30,15 +30,15 @@ Transform localTransform(const tinygltf::Node& node) {
   return transform;
 }
 
-// What EXT_mesh_gpu_instancing says of a node: transforms within it, of those that are to be shown;
-// none said is one.
+// The instances of a node by EXT_mesh_gpu_instancing: transforms within the node; a single one, the
+// node itself, without the extension.
 class NodeInstances {
  public:
   explicit NodeInstances(const GltfDocument& document) : document_(document) {}
   std::vector<Transform> of(std::size_t node) const;
 
  private:
-  // Rows of `width` numbers; none if the extension has none such.
+  // Rows of `width` numbers; empty if the extension has none of this width.
   std::vector<float> read(const Json& attributes, const char* semantic, int width) const;
 
   const GltfDocument& document_;
@@ -75,7 +75,7 @@ std::vector<Transform> NodeInstances::of(std::size_t node) const {
   return instances;
 }
 
-// Whether a node hides itself and all below it.
+// Whether a node hides itself and its descendants.
 bool hides(const Json& node) {
   const Json::json_pointer path("/extensions/KHR_node_visibility/visible");
   return node.contains(path) && node[path] == false;
@@ -102,7 +102,7 @@ class SceneWalk {
   std::vector<char> hidden_;      // per node
 };
 
-// Parents before children, without recursion: a chain of nodes may be long.
+// Visits parents before children, without recursion: a chain of nodes may be long.
 void SceneWalk::visitTree(int root) {
   std::vector<std::pair<int, int>> open = {{root, -1}};  // a node and its parent
   while (!open.empty()) {
@@ -139,8 +139,8 @@ std::vector<int> SceneWalk::roots() const {
   return roots;
 }
 
-// A skinned mesh stands where its joints carry it, not where its node is. At rest they usually
-// all carry it alike, so the first one speaks for all.
+// A skinned mesh is placed by its joints, not by its node. At rest all joints usually place it
+// alike, so the first joint is taken.
 Transform SceneWalk::skinTransform(const tinygltf::Skin& skin) const {
   if (skin.joints.empty()) return Transform::Identity();
   const int joint = skin.joints[0];

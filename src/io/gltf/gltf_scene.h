@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a glTF scene shows its meshes.
+// The places at which a glTF scene shows its meshes.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace remesher::io {
 // The local-to-world transforms of a mesh.
 struct MeshInstances {
   std::vector<Transform> places;
-  std::size_t hidden = 0;  // the last ones, which KHR_node_visibility hides
+  std::size_t hidden = 0;  // number of the last ones, which KHR_node_visibility hides
 };
 
-// Per mesh: of the nodes of the default scene that have it; of all nodes where the file has no
-// scene. Throws PARSE_ERROR for nodes that are not there or not a tree.
+// Per mesh the transforms of the nodes that show it: of the default scene, or of all nodes if the
+// file has no scene. Throws PARSE_ERROR for nodes that do not exist or form no tree.
 std::vector<MeshInstances> meshInstances(const GltfDocument& document);
 
 }  // namespace remesher::io

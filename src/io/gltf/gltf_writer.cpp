@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A model that came from glTF goes back into its own tree, parts that were not replaced being left
-// alone; any other model becomes a new, plain document.
+// A model that came from glTF is written into its own tree, where unchanged parts stay untouched.
+// Any other model becomes a new, plain document.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -30,17 +30,17 @@ namespace {
 
 enum class Container { Text, Binary };
 
-// What refers to an image that is yet to be encoded.
+// The prefix of references to images that are encoded later.
 constexpr std::string_view kPainting = "painting:";
 
-// Whether the mesh is the one in the file, which itself is the only record of it.
+// Whether the mesh equals the one in the file, which is read again, as its only record.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
   std::vector<Warning> alreadyKnown;
   const TriangleMesh read = readGeometry(document, mesh, alreadyKnown);
   return !isMended(alreadyKnown) && isSame(part.mesh, read);
 }
 
-// The numbers of the parts that were replaced.
+// The numbers of the replaced parts.
 std::vector<std::size_t> replacedParts(const GltfDocument& document, const Model& model) {
   std::vector<std::size_t> replaced;
   for (std::size_t i = 0; i < model.parts.size(); ++i)
@@ -73,8 +73,8 @@ std::optional<Bytes> imageBytes(const GltfDocument& document, const std::string&
   return file->bytes;
 }
 
-// A text file becoming a binary one takes its images along inside; a file that several of them
-// name is taken once.
+// Embeds the images of a text file that becomes binary; a file used by several images is embedded
+// once.
 void embedImages(GltfEditor& editor, const GltfDocument& document) {
   if (!editor.tree().contains("images")) return;
   std::map<const File*, std::size_t> views;
@@ -97,15 +97,15 @@ void embedImages(GltfEditor& editor, const GltfDocument& document) {
   }
 }
 
-// What the result refers to besides its own data.
+// The files that the result refers to besides its own data.
 struct Companions {
   std::vector<File> files;
-  std::vector<std::string> missing;  // as the tree names them
-  bool isRenamed = false;            // some are not called as the file that came called them
+  std::vector<std::string> missing;  // names of missing files, as in the tree
+  bool isRenamed = false;            // some files got a new name
 };
 
-// The images that the tree refers to, as far as they were given, under plain names; the tree says
-// these instead.
+// Collects the given images that the tree refers to, under plain names, and puts these names into
+// the tree.
 Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionNames& names) {
   Companions companions;
   if (!tree.contains("images")) return companions;
@@ -131,7 +131,7 @@ Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionN
   return companions;
 }
 
-// A file may name thousands: the first few are said one by one.
+// A file may name thousands of images: only the first few missing ones are listed by name.
 void passOn(Companions companions, WrittenFiles& written) {
   for (File& file : companions.files) written.files.push_back(std::move(file));
   constexpr std::size_t kNamed = 8;
@@ -152,7 +152,7 @@ std::string dataName(const std::string& outputName, CompanionNames& names) {
   return names.nameForFile(outputName.substr(0, outputName.rfind('.')) + ".bin");
 }
 
-// dataFile: the name of the file that holds the data; empty: they are within.
+// dataFile: the name of the file for the data; empty: the data is embedded.
 WrittenFiles serialized(PackedGltf packed, const std::string& outputName, Container container,
                         const std::string& dataFile) {
   WrittenFiles written;
@@ -171,7 +171,7 @@ WrittenFiles serialized(PackedGltf packed, const std::string& outputName, Contai
   return written;
 }
 
-// The file as it came, with what lay beside it; none if something there cannot keep its name.
+// The file as it came, with its companions; none if a companion cannot keep its name.
 std::optional<WrittenFiles> asItCame(const GltfDocument& document, const std::string& outputName) {
   CompanionNames names(outputName);
   WrittenFiles written;
@@ -197,7 +197,8 @@ bool hasAny(const Part& part, const VertexPool& pool, const char* semantic) {
   });
 }
 
-// The pools of a part that was painted: what was, goes; what is painted comes anew.
+// The pools of a painted part, with new accessors for the painted attributes instead of the old
+// ones.
 std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> pools) {
   for (VertexPool& pool : pools) {
     std::erase_if(pool.accessors, [](const auto& entry) {
@@ -210,8 +211,8 @@ std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> p
   return pools;
 }
 
-// The paintings' numbers in place of the materials that they stand for. Returns of how many
-// primitives the variants are lost.
+// Replaces materials by the paintings made of them. Returns the number of primitives that lose
+// their material variants.
 std::size_t usePaintings(Json& primitives, const Part& part, std::size_t firstPainting) {
   std::size_t lost = 0;
   for (std::size_t g = 0; g < part.groups.size() && g < primitives.size(); ++g) {
@@ -231,14 +232,14 @@ bool isSkinned(const Json& tree, std::size_t mesh) {
   });
 }
 
-// What has lost its joints has no use for a skin.
+// Removes the skin from nodes of a mesh that has lost its joints.
 void dropSkins(Json& tree, std::size_t mesh) {
   if (!tree.contains("nodes")) return;
   for (Json& node : tree["nodes"])
     if (node.contains("mesh") && node["mesh"] == mesh) node.erase("skin");
 }
 
-// What replaced primitives named, and what only a lost extension may have.
+// The accessors that replaced primitives used, and those that only a lost extension may have used.
 Abandoned abandonedBy(GltfEditor& editor, const GltfDocument& document) {
   Abandoned abandoned{editor.abandoned(), {}};
   if (!document.tree.contains("accessors")) return abandoned;

@@ -27,7 +27,7 @@ const Attribute* find(const TriangleMesh& mesh, const Attribute& like) {
   return found == mesh.attributes.end() ? nullptr : &*found;
 }
 
-// Whether anything is to be seen of what is shown so: not of what is shown as a line or a point.
+// Whether the instance shows areas, not just lines or points.
 bool showsAreas(const Transform& instance) {
   const Eigen::Matrix3d m = instance.linear();
   return !m.col(0).cross(m.col(1)).isZero(0) || !m.col(1).cross(m.col(2)).isZero(0) ||
@@ -42,8 +42,8 @@ bool isWhereItIs(const Transform& instance) {
 
 void transformMesh(TriangleMesh& mesh, const Transform& transform) {
   for (Vec3& position : mesh.positions) position = transform * position;
-  // Only directions matter, which have no size: that of the matrix could be beyond its
-  // determinant's.
+  // Directions do not depend on the matrix's size, so it is scaled first: otherwise its determinant
+  // could overflow or vanish.
   const double size = transform.linear().cwiseAbs().maxCoeff();
   const Eigen::Matrix3d linear = transform.linear() / (size > 0 ? size : 1.0);
   for (Attribute& attribute : mesh.attributes) {
@@ -54,7 +54,7 @@ void transformMesh(TriangleMesh& mesh, const Transform& transform) {
   if (linear.determinant() >= 0) return;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
     std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  // Of a quad turned over the second triangle comes first.
+  // In a quad turned over the second triangle comes first.
   for (std::size_t i = 0; mesh.isQuads && i + 5 < mesh.indices.size(); i += 6)
     std::swap_ranges(&mesh.indices[i], &mesh.indices[i] + 3, &mesh.indices[i] + 3);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene flattened for formats that know no scene: every instance of every part as a mesh of its
+// Flattens a scene for formats without scenes: every instance of every part becomes a mesh of its
 // own, in world space and under the classic conventions.
 #pragma once
 
@@ -9,21 +9,22 @@
 
 namespace remesher::io {
 
-// Normals stay perpendicular, and a mirroring transform turns the triangles around, so that outside
-// stays outside.
+// Normals stay perpendicular to the surface. A mirroring transform reverses the triangles, so that
+// outside stays outside.
 void transformMesh(TriangleMesh& mesh, const Transform& transform);
 
-// Makes the parts one per instance that is shown and at which anything is to be seen, but for
-// coarser levels of detail, its only instance the identity; named as the part it came from. Its
-// coordinates are those of the world, in double precision. HIDDEN_LEFT_OUT says what is not shown.
+// Makes each shown instance a part of its own, except of coarser levels of detail and of instances
+// flattened to lines or points. The new part has the old part's name, the identity as its only
+// instance, and world coordinates, in double precision unless the instance was the identity.
+// HIDDEN_LEFT_OUT counts what is not shown.
 void makeBodies(Model& model);
 
-// The same for writing. One part per instance, but for coarser levels of detail, its only instance
-// the identity; named as the part it came from. Throws NO_TRIANGLES when there is nothing to bake.
+// The same for writing, for every instance of all but coarser levels of detail. Throws NO_TRIANGLES
+// if there is nothing to bake.
 std::vector<Part> bakeInstances(const Model& model);
 
-// All parts as one mesh; the group of a triangle is the number of its part. Attributes that not
-// all parts have are left out.
+// All parts as one mesh; a triangle's group is the number of its part. Attributes that some parts
+// lack are left out.
 TriangleMesh mergeParts(const std::vector<Part>& parts);
 
 }  // namespace remesher::io

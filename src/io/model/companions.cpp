@@ -11,7 +11,7 @@
 namespace remesher::io {
 namespace {
 
-// Folders and a name together; what Windows and most others take.
+// Of folders and name together: Windows and most other systems accept this length.
 constexpr std::size_t kLongestName = 200;
 
 std::string lowerCase(std::string_view text) {
@@ -21,7 +21,7 @@ std::string lowerCase(std::string_view text) {
   return result;
 }
 
-// Windows finds a device by these names in every folder, whatever their extension.
+// Windows reserves these names for devices in every folder, with any extension.
 bool isDeviceName(std::string_view part) {
   constexpr std::array<std::string_view, 4> kDevices = {"con", "prn", "aux", "nul"};
   const std::string stem = lowerCase(part.substr(0, part.find('.')));
@@ -30,7 +30,7 @@ bool isDeviceName(std::string_view part) {
   return isPort || std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end();
 }
 
-// legible() spells out what shows nothing, and replaces what is not UTF-8.
+// legible() changes invisible characters and invalid UTF-8, so an unchanged part has none.
 bool isPlainPart(std::string_view part) {
   return !part.empty() && part.front() != '.' && part.back() != '.' && part.front() != ' ' &&
          part.back() != ' ' && !isDeviceName(part) && legible(part) == part &&
@@ -69,7 +69,7 @@ std::string plainName(std::string_view path) {
   const std::string_view base = baseName(path);
   if (isPlainName(base)) return std::string(base);
   std::string name;
-  // The end of a long name has the extension.
+  // The end of a long name is kept, because it has the extension.
   for (const char c : base.substr(base.size() - std::min<std::size_t>(base.size(), 100))) {
     const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                           (c >= '0' && c <= '9') || c == '-' || c == '.' || c == '_';
@@ -97,7 +97,7 @@ std::string CompanionNames::nameForFile(std::string_view name) {
 
 std::string CompanionNames::nameFor(std::string_view reference) {
   if (isPlainName(reference)) return distinct(percentDecoded(reference));
-  // What is hidden behind further encodings must not come out as the name.
+  // Decodes until nothing changes, so that a name hidden by repeated encoding does not come out.
   const std::size_t size = std::min<std::size_t>(reference.size(), 5 * kLongestName);
   std::string spelling(reference.substr(reference.size() - size));
   std::string decoded = percentDecoded(spelling);

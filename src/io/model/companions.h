@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the files that go with a result are called. A model may call its images anything,
-// ../../.profile too: whoever writes `files` into a folder as they are named must be safe, so each
-// name here is plain, leads nowhere but below that folder, and is there once.
+// Names for the files that go with a result. A model may name its images anything, even
+// ../../.profile, and callers may write `files` into a folder under their names. So each name here
+// is plain, leads only below that folder, and is unique.
 #pragma once
 
 #include <map>
@@ -10,23 +10,23 @@
 
 namespace remesher::io {
 
-// Whether a name leads to one place below the folder it is used in, on any system: parts between
-// slashes, none of them empty, hidden, or kept for a device; no backslash, colon or control
-// character; and nothing else after any number of percent-decodings.
+// Whether a name leads to one place below the folder where it is used, on any system. Its parts
+// between slashes are not empty, hidden or reserved for devices. It has no backslash, colon or
+// control character. All this also holds after any number of percent-decodings.
 bool isPlainName(std::string_view name);
 
-// The last part of a path as a plain name without folders: what no system takes becomes _.
+// The last part of a path as a plain name without folders; forbidden characters become _.
 std::string plainName(std::string_view path);
 
 class CompanionNames {
  public:
-  // `result`: the file they go with, whose name is taken.
+  // `result`: the file that the companions go with; its name is taken.
   explicit CompanionNames(std::string_view result);
 
-  // As `reference` says, once percent-decoded, where that is plain; else what plainName makes of
-  // it. A name given out before, in whatever case, gets a number.
+  // The percent-decoded `reference` if that is plain, else its plainName. A name given out before,
+  // in any case, gets a number.
   std::string nameFor(std::string_view reference);
-  // For a name that was not decoded from anything, like an OBJ's mtllib.
+  // For a name that is not percent-encoded, such as an OBJ's mtllib.
   std::string nameForFile(std::string_view name);
 
  private:

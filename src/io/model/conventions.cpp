@@ -18,7 +18,8 @@ void turnOver(Attribute& texcoords) {
     texcoords.values[i] = 1 - texcoords.values[i];
 }
 
-// Alpha, the fourth, is linear everywhere. What is no colour any more may become too large.
+// Alpha, the fourth channel, is linear everywhere. Values far outside of colours are clamped,
+// because they may overflow.
 void recode(Attribute& colors, double (*transfer)(double)) {
   constexpr auto kLargest = double{std::numeric_limits<float>::max()};
   for (std::size_t i = 0; i < colors.values.size(); ++i)

@@ -7,8 +7,8 @@
 namespace remesher::io {
 namespace {
 
-// Mixes the bits of the coordinates so that all of them reach the lowest: the finalizer of
-// SplitMix64 [Steele, Lea & Flood 2014] after each.
+// Mixes the coordinates' bits so that all bits affect the lowest: the finalizer of SplitMix64
+// [Steele, Lea & Flood 2014] after each coordinate.
 std::uint64_t hashOf(const Vec3& position) {
   std::uint64_t hash = 0;
   for (const double coordinate : position) {
@@ -24,7 +24,7 @@ std::uint64_t hashOf(const Vec3& position) {
 
 }  // namespace
 
-// Where the position is, or where it belongs.
+// The slot that holds the position, or the free slot where it belongs.
 std::size_t CornerWeld::slotOf(const Vec3& position) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t slot = static_cast<std::size_t>(hashOf(position)) & mask;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One vertex for all corners at one place: equal bit by bit, but that -0 is 0.
+// Gives all corners at one place one vertex. Places are equal bit by bit, except that -0 equals 0.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace remesher::io {
 
 class CornerWeld {
  public:
-  // The vertex there, numbered in the order of first mention.
+  // The vertex at a position; vertices are numbered in the order of first mention.
   Index vertexAt(const Vec3& position);
 
   std::vector<Vec3>& positions() { return positions_; }

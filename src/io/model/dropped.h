@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a format has no place for, said once.
+// Warns once of the attributes that a format cannot hold.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace remesher::io {
 
-// ATTRIBUTE_NOT_CARRIED for all attributes of the model but those in `kept`; or no warning.
+// ATTRIBUTE_NOT_CARRIED for all attributes of the model except those in `kept`; no warning if none.
 std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
                                        const std::string& format);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The faces that formats of polygons write: the quads of a mesh of quads, else its triangles.
+// The faces that polygon formats write: quads if the mesh is made of quads, else triangles.
 #pragma once
 
 #include "base/triangle_mesh.h"
@@ -13,7 +13,8 @@ class Faces {
   std::size_t count() const { return mesh_.triangleCount() / triangles(); }
   std::size_t corners() const { return mesh_.isQuads ? 4 : 3; }
 
-  // Where a corner of a face stands in the mesh's indices: the fourth is the last of two triangles.
+  // The place of a face's corner in the mesh's indices; a quad's fourth corner is the last of its
+  // two triangles.
   std::size_t place(std::size_t face, std::size_t corner) const {
     return 3 * triangle(face) + (corner == 3 ? 5 : corner);
   }

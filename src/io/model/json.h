@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The JSON library, as all of our files see it: it spells characters by their numbers with
-// snprintf, which brings along all that printf can print, an eightieth of our module.
+// The JSON library as all our files include it. It writes characters by number with snprintf, which
+// links in all of printf, an eightieth of our module.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-// What the library calls std: the same, but for that function.
+// Replaces std inside the library: the same, except for snprintf.
 namespace nlohmann::std {
 
 using namespace ::std;
 
-// %x and %X as four digits, or as two after `hh`: what the library writes of integers. Floating
-// point numbers it writes by itself, unless they are none of IEEE's.
+// Supports %x and %X as four digits, or as two after `hh`, which the library uses for integers. The
+// library writes IEEE floating point numbers by itself.
 template <class... Parts>
 int snprintf(char* out, size_t size, string_view format, Parts... parts) {
   const unsigned values[] = {static_cast<unsigned>(parts)...};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Levels of detail that a file came with.
+// The levels of detail that a file came with.
 #pragma once
 
 #include "io/model/model.h"
 
 namespace remesher::io {
 
-// The coarser levels go, for others are asked for; LEVELS_REPLACED says so.
+// Drops the coarser levels, because new ones are requested; LEVELS_REPLACED reports it.
 void replaceLevels(Model& model);
 
 }  // namespace remesher::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a surface looks, as glTF says it: factors, and maps that they are multiplied with. What no
-// file says is that of a dull surface that is no metal.
+// How a surface looks, in glTF's terms: factors, and maps that are multiplied with them. The
+// defaults are a dull surface without metal.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct Image {
   std::vector<std::uint8_t> texels;
 };
 
-// An image of a model that somebody else has decoded; glTF's are called by their number.
+// A decoded image of a model (decoding happens outside of the core); glTF's are named by number.
 struct NamedImage {
   std::string name;
   Image image;
@@ -27,7 +27,7 @@ struct NamedImage {
 
 enum class Wrap { Repeat, Clamp, Mirror };
 
-// A map: where it is looked up for a vertex with texture coordinates.
+// A map: its image, and where the image is looked up for texture coordinates.
 struct Map {
   std::string image;  // its name; empty: there is no map
   int texcoord = 0;   // TEXCOORD_n
@@ -39,7 +39,7 @@ struct Map {
 
 struct Material {
   std::string name;
-  int number = -1;                                      // in its file
+  int number = -1;                                      // in its file; -1: none
   Eigen::Vector4d baseColor = Eigen::Vector4d::Ones();  // linear, and alpha
   double metallic = 0, roughness = 1;
   Vec3 emissive = Vec3::Zero();
@@ -47,9 +47,9 @@ struct Material {
   Map baseColorMap, metalRoughMap, occlusionMap, emissiveMap, normalMap;
   bool isOpaque = true;
   bool isUnlit = false;  // shown in its colours, whatever the light
-  // What cannot be painted, in some spelling: materials that agree in it can share their maps.
+  // Properties that cannot be painted, as text: materials with equal text can share their maps.
   std::string rest;
-  std::vector<std::string> unpaintable;  // maps of extensions, by their names
+  std::vector<std::string> unpaintable;  // maps of extensions, by name
 };
 
 }  // namespace remesher::io

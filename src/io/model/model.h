@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a file holds: its surfaces as plain triangle meshes, each where the file puts it in the
-// world, and whatever else the file says, kept unseen for the writer of the same format to put
-// back. Between reading and writing a part's `mesh` may be replaced by another one with the same
-// attribute semantics and group numbers; a part left as it was is written as it was.
+// The content of a file: its surfaces as plain triangle meshes, each at its places in the world,
+// and everything else in the file, which is kept unread for the writer of the same format. Between
+// reading and writing a part's `mesh` may be replaced by a mesh with the same attribute semantics
+// and group numbers; an unchanged part is written as it was.
 #pragma once
 
 #include <memory>
@@ -17,21 +17,21 @@
 
 namespace remesher::io {
 
-// One glTF mesh with all its triangle primitives, or all of a file of another format.
+// One glTF mesh with all its triangle primitives, or the whole of a file of another format.
 //
 // The groups of the mesh are the glTF primitives, the OBJ runs of equal object, group, material
 // and smoothing, the textures of a PLY, the solids of an STL. An attribute that only some groups
 // have is zero (COLOR_n: one) at the vertices of the others, and the writer leaves it out there.
 // This is sound because no triangle mixes vertices of two groups' attributes: a group border is a
 // feature curve.
-//
-// `groups` is for writing another format than the one read: by group number, and empty where the
+// `groups` serves the writers of other formats: by group number, empty where the format has nothing
+// to say.
 // format has nothing to say.
 struct GroupInfo {
   std::string material;            // its name
-  std::vector<std::string> lacks;  // semantics that the mesh has and this group has not
+  std::vector<std::string> lacks;  // semantics of the mesh that this group lacks
   Material look = {};
-  int painted = -1;  // which of the model's paintings it has instead, if any
+  int painted = -1;  // number of the painting that replaces its material; -1: none
 };
 
 struct Part {
@@ -40,14 +40,14 @@ struct Part {
   std::vector<Transform> instances;  // local to world, one per place where the file shows it
   std::vector<GroupInfo> groups = {};
   std::vector<TriangleMesh> lods = {};  // coarser levels of detail, each like `mesh`; for glTF
-  int source = -1;                      // the number of its mesh in its file, where that has some
-  // The parts, by number, that this one stands for from afar; none: it is no level of detail.
+  int source = -1;                      // the number of its mesh in the file, if numbered
+  // The parts, by number, of which this one is a coarser level of detail; empty if it is none.
   std::vector<std::size_t> finer = {};
-  std::size_t hidden = 0;  // how many of the instances, the last ones, the file hides
+  std::size_t hidden = 0;  // number of hidden instances, the last ones
 };
 
-// Everything a format's writer needs to put back what the parts do not hold. Each format derives
-// its own; the model owns it, nobody changes it.
+// Everything that a format's writer needs beside the parts. Each format derives its own class. The
+// model owns the object, which never changes.
 class Source {
  public:
   Source() = default;
@@ -56,7 +56,7 @@ class Source {
   virtual ~Source() = default;
 };
 
-// A map that was painted, to be encoded by somebody else.
+// A painted map, to be encoded outside of the core.
 struct PaintedImage {
   std::string name;
   std::string type;  // image/png, image/jpeg or image/webp
@@ -67,9 +67,9 @@ struct Model {
   std::vector<Part> parts;
   Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
-  std::shared_ptr<const Source> source;  // none where the parts hold everything
-  bool replacesLevels = false;           // the levels of detail that the source has are to go
-  std::vector<Material> paintings;       // their maps are called by the number of the image below
+  std::shared_ptr<const Source> source;  // null if the parts hold everything
+  bool replacesLevels = false;           // drop the source's levels of detail
+  std::vector<Material> paintings;       // their maps name images below by number
   std::vector<PaintedImage> images;
 };
 

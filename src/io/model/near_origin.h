@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models far from the origin, as maps and surveys have them: single precision would cost their
+// Handles models far from the origin, such as maps and surveys: single precision would lose their
 // shape.
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace remesher::io {
 
-// Whether single precision moves vertices by a visible part of the model.
+// Whether single precision moves vertices by a visible share of the model's size.
 bool isFarFromOrigin(const TriangleMesh& mesh);
 
-// The part at the origin, its instances taking it back. Their translation has few digits: viewers
-// round it to single precision.
+// Moves a part to the origin; its instances move it back. Their translation has few digits, because
+// viewers round it to single precision.
 void moveToOrigin(Part& part);
 
 }  // namespace remesher::io

@@ -11,8 +11,8 @@ namespace {
 
 using Triangles = std::vector<std::array<Index, 3>>;
 
-// The polygon's first corner at the origin, and its size, whatever it was, about 1: products of its
-// coordinates are finite. The factor is a power of two, which changes no digit.
+// The polygon moved to have its first corner at the origin and scaled to a size of about 1, so that
+// products of coordinates are finite. The factor is a power of two, which changes no digit.
 std::vector<Vec3> ofUsualSize(std::span<const Vec3> polygon) {
   constexpr int kFarthest = 1022;
   std::vector<Vec3> points;
@@ -27,7 +27,7 @@ std::vector<Vec3> ofUsualSize(std::span<const Vec3> polygon) {
   return points;
 }
 
-// The polygon seen against its normal (Newell's: the sum over its edges), so that a convex corner
+// The polygon seen against its normal (Newell's normal: the sum over its edges). A convex corner
 // turns left.
 std::vector<Vec2> flattened(std::span<const Vec3> corners) {
   const std::vector<Vec3> polygon = ofUsualSize(corners);
@@ -54,10 +54,10 @@ bool isStrictlyConvex(const std::vector<Vec2>& points) {
   return true;
 }
 
-// Cuts ears off one by one. Only a corner that turns right can lie in another's triangle, and only
-// the two beside a cut change: a polygon of n corners with r such takes n (r + log n) steps. Where
-// one that crosses itself or has collapsed has no ear left, its widest corner goes; so do all in
-// the end of a polygon that would take more than kMostTests.
+// Cuts off ears one by one. Only a corner that turns right can lie in an ear's triangle, and a cut
+// changes only its two neighbours, so a polygon of n corners, r of them turning right, takes n (r +
+// log n) steps. If a crossing or collapsed polygon has no ear left, its widest corner is cut off.
+// Beyond kMostTests all remaining corners are cut off this way.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Vec2>& points);
@@ -77,9 +77,9 @@ class EarCutter {
   std::vector<Index> previous_;
   std::vector<Index> next_;
   std::vector<double> turns_;
-  std::vector<Index> reflex_;  // and some that no longer are
+  std::vector<Index> reflex_;  // corners that turn right, and some that no longer do
   std::set<Index> ears_;
-  std::set<std::pair<double, Index>> widest_;  // by the turn to the right
+  std::set<std::pair<double, Index>> widest_;  // by the turn, leftmost first
   std::size_t tests_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a part is still as it was read, so that its file can be written as it came.
+// Whether a part is still as it was read, so that its file can be written unchanged.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace remesher::io {
 
-// Whether all numbers are equal, one by one.
+// Whether all numbers are equal.
 bool isSame(const TriangleMesh& a, const TriangleMesh& b);
 
-// Whether reading, which warned of this, put others in the place of values that mean nothing: the
-// file still holds those.
+// Whether reading, which gave these warnings, replaced meaningless values: the file still holds
+// these values.
 bool isMended(const std::vector<Warning>& warnings);
 
 }  // namespace remesher::io

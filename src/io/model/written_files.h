@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every writer makes of a model.
+// The result of every writer.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 namespace remesher::io {
 
 struct WrittenFiles {
-  // The one asked for first. The names are plain (companions.h), and relative to one folder.
+  // The requested file first. Names are plain (companions.h) and relative to one folder.
   std::vector<File> files;
   std::vector<Warning> warnings;
-  // Files refer to their n-th as `painting:n` until it is encoded.
+  // Until image n is encoded, files refer to it as `painting:n`.
   std::vector<PaintedImage> images = {};
 };
 

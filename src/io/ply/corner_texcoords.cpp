@@ -16,7 +16,7 @@ Texcoord texcoordAt(const std::vector<float>& values, std::size_t i) {
   return {values[2 * i], values[2 * i + 1]};
 }
 
-// Vertices `chosen` of the mesh, in this order, with all their attributes; no triangles.
+// The vertices `chosen` of the mesh, in this order, with all attributes but without triangles.
 TriangleMesh gathered(const TriangleMesh& mesh, const std::vector<Index>& chosen) {
   TriangleMesh result;
   result.groups = mesh.groups;
@@ -35,7 +35,7 @@ TriangleMesh gathered(const TriangleMesh& mesh, const std::vector<Index>& chosen
   return result;
 }
 
-// -1, 0 or 1 by all that two vertices have.
+// Compares all values of two vertices: -1, 0 or 1.
 int order(const TriangleMesh& mesh, Index a, Index b) {
   const auto byNumbers = [](auto x, auto y, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
@@ -51,7 +51,7 @@ int order(const TriangleMesh& mesh, Index a, Index b) {
   return 0;
 }
 
-// Of each vertex the first that is equal to it.
+// Per vertex the first vertex that is equal to it.
 std::vector<Index> leaders(const TriangleMesh& mesh) {
   std::vector<Index> sorted(mesh.positions.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
@@ -70,7 +70,8 @@ std::vector<Index> leaders(const TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh splitByTexcoord(const TriangleMesh& mesh, const std::vector<float>& perCorner) {
-  // The distinct corners of a vertex form a chain from first[vertex] through next.
+  // The distinct corners of a vertex are a chain that starts at first[vertex] and continues by
+  // next.
   std::vector<Index> first(mesh.positions.size(), kNone), next, ofCorner;
   std::vector<Texcoord> found;
   for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {

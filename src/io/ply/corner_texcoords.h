@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texture coordinates that belong to the corners of faces, as MeshLab writes them, and the same as
-// vertices know them: where corners of one vertex differ, there are several vertices.
+// Converts texture coordinates between corners of faces, as MeshLab writes them, and vertices. A
+// vertex whose corners differ becomes several vertices.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace remesher::io {
 
-// The mesh with TEXCOORD_0 from two numbers per corner of its triangles. Vertices keep their
-// order, those made of one standing together.
+// The mesh with TEXCOORD_0 from two numbers per triangle corner. Vertices keep their order; copies
+// of a vertex stand together.
 TriangleMesh splitByTexcoord(const TriangleMesh& mesh, const std::vector<float>& perCorner);
 
 struct WeldedMesh {
@@ -18,7 +18,7 @@ struct WeldedMesh {
   std::vector<float> perCorner;  // 2 each
 };
 
-// The way back: vertices that differ in nothing but TEXCOORD_0 become one.
+// The inverse: merges vertices that differ in nothing but TEXCOORD_0.
 WeldedMesh weldedAcrossTexcoords(const TriangleMesh& mesh);
 
 }  // namespace remesher::io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// PLY, the Stanford Polygon format: text and both orders of bytes. Read: vertices with all their
-// properties (see ply_layout.h), faces of any size, triangle strips, MeshLab's texture coordinates
-// per corner of a face. What was not changed is written as it came; a new mesh in the same
+// PLY, the Stanford Polygon format, as text and in both byte orders. Reads vertices with all their
+// properties (see ply_layout.h), faces of any size, triangle strips, and MeshLab's texture
+// coordinates per face corner. An unchanged mesh is written as it came; a new mesh in the same
 // encoding, with the same properties in the same types.
 #pragma once
 

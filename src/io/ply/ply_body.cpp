@@ -40,7 +40,7 @@ std::uint64_t PlyBody::left() const {
   return encoding_ == PlyEncoding::Ascii ? scanner_.left() : file_.bytes.size() - at_;
 }
 
-// A number of a text takes a digit and what parts it from the next.
+// In text a number takes at least a digit and a separator.
 std::uint64_t PlyBody::smallestRow(const PlyElement& element) const {
   std::uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties)

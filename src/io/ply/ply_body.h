@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What follows the header of a PLY file, value after value, whichever way they are encoded. That
-// the file is long enough for what it promises is known before anything is made for it.
+// The values behind the header of a PLY file, in any encoding. Before memory is allocated for
+// promised data, the file is known to be long enough.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ class PlyBody {
   // `file` must outlive the body.
   PlyBody(const File& file, const ParsedPlyHeader& parsed);
 
-  // How many bytes follow.
+  // The number of bytes that follow.
   std::uint64_t left() const;
-  // Throws PARSE_ERROR unless as many bytes follow as the element's rows take at the least.
+  // Throws PARSE_ERROR if fewer bytes follow than the element's rows take at least.
   void requireRows(const PlyElement& element) const;
 
-  // Throws PARSE_ERROR where the file ends. `what` names the value for the message.
+  // Throws PARSE_ERROR at the end of the file. `what` names the value for the message.
   double next(PlyType type, std::string_view what);
-  // The length of a list, its items yet to come. Throws PARSE_ERROR where they cannot all follow.
+  // The length of a list; its items are not read yet. Throws PARSE_ERROR if they cannot all follow.
   Index nextCount(const PlyProperty& list, std::string_view what);
-  // Passes over a value or a list.
+  // Skips a value or a list.
   void skip(const PlyProperty& property);
 
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;

@@ -11,10 +11,10 @@
 namespace remesher::io {
 namespace {
 
-// Of what is no number of a vertex: all that a double is sure to hold.
+// Digits of an invalid vertex number in a message: as many as every double holds.
 constexpr int kIndexDigits = 15;
 
-// What a property of a face says.
+// The meaning of a face's property.
 enum class Role { Corners, Texcoords, TextureNumber, Ignored };
 
 Role roleOf(const PlyProperty& property) {
@@ -36,7 +36,7 @@ std::vector<Role> rolesOf(PlyBody& body, const PlyElement& element) {
   return roles;
 }
 
-// The vertex that a number names.
+// The vertex that a number means.
 Index vertexAt(PlyBody& body, double number, Index vertexCount) {
   if (number >= 0 && number < vertexCount && number == static_cast<Index>(number))
     return static_cast<Index>(number);
@@ -46,14 +46,14 @@ Index vertexAt(PlyBody& body, double number, Index vertexCount) {
             "Repair the file: every face may name only vertices that are there.");
 }
 
-// One row of the element.
+// One row of an element.
 struct Face {
   std::vector<Index> corners;
   std::vector<float> texcoords;
   double textureNumber = 0;
   std::size_t notFinite = 0;  // of this row and those before
 
-  // What no float can hold is no number to compare with either.
+  // Values beyond float's range are not finite as floats: they are counted and read as 0.
   double finite(double value) {
     if (std::abs(value) <= double{std::numeric_limits<float>::max()}) return value;
     ++notFinite;
@@ -95,8 +95,8 @@ void append(PlyFaces& faces, const Face& face) {
   faces.textureNumbers.push_back(face.textureNumber);
 }
 
-// A strip turns its triangles by turns; -1 begins another; a vertex named twice in a triangle
-// stitches two together.
+// A strip alternates the orientation of its triangles. -1 begins another strip. A triangle that
+// names a vertex twice only joins strips.
 void readStrip(PlyBody& body, const PlyProperty& list, Index vertexCount, PlyFaces& faces) {
   const Index count = body.nextCount(list, "the length of a triangle strip");
   std::array<Index, 3> last{};
@@ -116,7 +116,7 @@ void readStrip(PlyBody& body, const PlyProperty& list, Index vertexCount, PlyFac
   }
 }
 
-// Texture coordinates that not every corner has are none.
+// Texture coordinates are dropped unless every corner has them.
 void settle(PlyFaces& faces, const PlyElement& element, const std::vector<Role>& roles) {
   const auto has = [&](Role role) {
     return std::find(roles.begin(), roles.end(), role) != roles.end();
@@ -135,7 +135,7 @@ PlyFaces readFaces(PlyBody& body, const PlyElement& element, Index vertexCount) 
   body.requireRows(element);
   const std::vector<Role> roles = rolesOf(body, element);
   PlyFaces faces;
-  // A triangle of a text takes eight bytes, and few of a binary file take less.
+  // A triangle takes at least eight bytes in text, and rarely less in a binary file.
   const auto expected =
       static_cast<std::size_t>(std::min<std::uint64_t>(element.count, body.left() / 8));
   faces.sizes.reserve(expected);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of a PLY file, from its elements `face` and `tristrips`, as polygons: what they are
-// cut into is known only when the vertices are.
+// The faces of a PLY file, from its elements `face` and `tristrips`, as polygons: cutting these
+// into triangles needs the vertices.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct PlyFaces {
   std::vector<float> cornerTexcoords;  // 2 per corner, or none at all
   std::vector<double> textureNumbers;  // 1 per face, or none at all
   std::size_t degenerate = 0;          // faces of fewer than three corners, left out
-  std::size_t notFinite = 0;           // values that are no numbers, read as 0
+  std::size_t notFinite = 0;           // values that are not finite, read as 0
   std::vector<std::string> ignored;    // properties that are not carried
 };
 

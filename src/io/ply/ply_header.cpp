@@ -11,7 +11,7 @@
 namespace remesher::io {
 namespace {
 
-// By PlyType. Either name may stand in a file; the first is written.
+// Indexed by PlyType. A file may use either name; the first is written.
 struct TypeTraits {
   std::string_view name;
   std::string_view alias;
@@ -36,8 +36,8 @@ const TypeTraits& traits(PlyType type) { return kTypes[static_cast<std::size_t>(
 constexpr std::array<std::string_view, 3> kEncodings = {"ascii", "binary_little_endian",
                                                         "binary_big_endian"};
 
-// Behind the line of end_header. The first line tells how lines end: after a lone \r a binary body
-// may well begin with the byte of \n.
+// The size up to the end of the end_header line. The first line tells the line ending: a binary
+// body behind a lone \r may begin with the byte of \n.
 std::size_t headerSize(std::string_view file, const std::string& fileName) {
   const std::size_t firstEnd = file.find_first_of("\r\n");
   if (firstEnd != std::string_view::npos) {
@@ -56,8 +56,8 @@ std::size_t headerSize(std::string_view file, const std::string& fileName) {
               "Was it copied completely?");
 }
 
-// Elements of a file, and properties of an element. Names are compared with all before them, and
-// sought again by every step of reading.
+// Limit on elements of a file and on properties of an element: each name is compared with all names
+// before it and searched again by every step of reading.
 constexpr std::size_t kMostNames = 1000;
 
 class HeaderParser {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The header of a PLY file: which elements follow, how many of each, and what each is made of.
-// [Turk 1994] The PLY polygon file format.
+// The header of a PLY file: its elements, their counts, and their properties. [Turk 1994] The PLY
+// polygon file format.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ double smallestOf(PlyType type);  // likewise
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::Float32;
-  std::optional<PlyType> countType = {};  // of a list: of its length
+  std::optional<PlyType> countType = {};  // of a list's length; none: not a list
 };
 
 struct PlyElement {
@@ -34,17 +34,17 @@ struct PlyElement {
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::LittleEndian;
-  std::vector<std::string> remarks;  // whole lines, from `comment` or `obj_info` on
+  std::vector<std::string> remarks;  // whole lines, beginning with `comment` or `obj_info`
   std::vector<PlyElement> elements;
 };
 
 struct ParsedPlyHeader {
   PlyHeader header;
   std::size_t size = 0;   // bytes
-  std::size_t lines = 0;  // with that of end_header
+  std::size_t lines = 0;  // the line of end_header included
 };
 
-// Throws PARSE_ERROR with the line.
+// Throws PARSE_ERROR with the line's number.
 ParsedPlyHeader parsePlyHeader(std::string_view file, const std::string& fileName);
 
 std::string writtenHeader(const PlyHeader& header);

@@ -10,8 +10,8 @@
 namespace remesher::io {
 namespace {
 
-// Names that mean a semantic when all of them are there. Of those of one semantic the first in this
-// list counts; what is written has the first names of all.
+// Names that mean a semantic if all of them are present. For each semantic the first matching row
+// counts; the names of its first row are written.
 struct KnownNames {
   std::string_view semantic;
   std::array<std::string_view, 4> names;  // one per component
@@ -41,7 +41,7 @@ PlyField* find(std::vector<PlyField>& fields, std::string_view name) {
   return found == fields.end() ? nullptr : &*found;
 }
 
-// Colours are bytes whatever integer holds them, unless that has another range by its nature.
+// Integer colours range to 255, whatever type holds them, except for 16-bit unsigned ones.
 double oneOf(std::string_view semantic, PlyType type) {
   if (semantic != "COLOR_0" || isFloating(type)) return 1;
   return type == PlyType::UInt16 ? 65535 : 255;
@@ -73,14 +73,14 @@ std::string turned(std::string text, char from, char to) {
   return text;
 }
 
-// glTF's custom attributes begin with an underscore and are customarily in capitals.
+// glTF's custom attributes begin with an underscore and are usually in capitals.
 std::string customSemantic(const std::vector<PlyField>& fields, const std::string& name) {
   std::string semantic = "_" + (hasUpper(name) ? name : turned(name, 'a', 'A'));
   while (widthOf(fields, semantic) > 0) semantic.insert(0, "_");
   return semantic;
 }
 
-// The way back, in one word.
+// The inverse, as a single word.
 std::string customName(const std::string& semantic) {
   std::string name = semantic.substr(1);
   if (!hasLower(name)) name = turned(name, 'A', 'a');
@@ -89,7 +89,7 @@ std::string customName(const std::string& semantic) {
   return name;
 }
 
-// Single precision serves where it can hold them, and their shape.
+// Single precision, if it can hold the positions and their shape.
 PlyType positionType(const TriangleMesh& mesh) {
   const bool areSmall = std::all_of(mesh.positions.begin(), mesh.positions.end(),
                                     [](const Vec3& p) { return p.cast<float>().allFinite(); });
@@ -104,7 +104,7 @@ void append(std::vector<PlyField>& fields, const KnownNames& known, PlyType type
                       oneOf(known.semantic, type)});
 }
 
-// A name that is taken keeps its underscore: _X is not x.
+// A name that is taken keeps its underscore: _X is not the coordinate x.
 void appendCustom(std::vector<PlyField>& fields, const Attribute& attribute) {
   const std::string bare = customName(attribute.semantic);
   for (int i = 0; i < attribute.itemSize; ++i) {

@@ -15,7 +15,7 @@
 namespace remesher::io {
 namespace {
 
-// What the file holds, element by element.
+// The content of the file, element by element.
 struct PlyContent {
   PlyVertices vertices;
   std::vector<PlyFaces> faces;
@@ -29,7 +29,7 @@ void skipElement(PlyBody& body, const PlyElement& element) {
     for (const PlyProperty& property : element.properties) body.skip(property);
 }
 
-// The elements may stand in any order.
+// Elements may come in any order.
 PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
   const std::vector<PlyElement>& elements = parsed.header.elements;
   const auto vertices = std::find_if(elements.begin(), elements.end(),
@@ -53,7 +53,7 @@ PlyContent readContent(const File& file, const ParsedPlyHeader& parsed) {
   return content;
 }
 
-// The triangles of faces, and per corner of a triangle: which corner of a face it is.
+// The triangles of faces. Per triangle corner its number among the corners of all faces.
 struct Triangulation {
   std::vector<std::size_t> corners;
   std::vector<std::size_t> faces;  // per triangle
@@ -83,7 +83,8 @@ Triangulation triangulated(const PlyFaces& faces, const std::vector<Vec3>& posit
   return result;
 }
 
-// Triangles of one texture are a group; PlySource::textureNumbers says which group is which.
+// Triangles with the same texture form a group; PlySource::textureNumbers holds each group's
+// texture.
 std::vector<Index> groupsByTexture(const PlyFaces& faces, const Triangulation& triangulation,
                                    std::vector<double>& textureNumbers) {
   std::map<double, Index> groupOf;
@@ -152,7 +153,7 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
   return warnings;
 }
 
-// MeshLab names the images in remarks, in the order of their numbers.
+// MeshLab names the images in remarks, ordered by texture number.
 std::vector<GroupInfo> groupInfos(const PlySource& source) {
   constexpr std::string_view kImage = "comment TextureFile ";
   std::vector<std::string> images;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The body of a PLY file in the making, value after value, in any encoding.
+// Builds the body of a PLY file, value after value, in any encoding.
 #pragma once
 
 #include <cstdint>

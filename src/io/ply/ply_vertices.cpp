@@ -10,13 +10,13 @@
 namespace remesher::io {
 namespace {
 
-// Where the values of a field go: into an attribute, or else into the positions.
+// The destination of a field's values: an attribute, or the positions.
 struct Column {
   const PlyField* field;
   Attribute* attribute;  // null: the positions, or nowhere
 };
 
-// Room for all attributes, and which field fills which.
+// Allocates all attributes and assigns each field to one.
 std::vector<Column> layOut(PlyVertices& vertices, Index count) {
   std::vector<Attribute>& attributes = vertices.mesh.attributes;
   vertices.mesh.positions.resize(count);
@@ -45,7 +45,7 @@ double nextCoordinate(PlyBody& body, const PlyField& field, Index vertex) {
             "Repair the file: every coordinate must be a finite number.");
 }
 
-// Colours in floats may count to 1 or to 255: nothing but the numbers tells.
+// Float colours may range to 1 or to 255: only the values show it.
 void settleColors(PlyVertices& vertices) {
   for (Attribute& attribute : vertices.mesh.attributes) {
     const bool countsFarther = std::any_of(attribute.values.begin(), attribute.values.end(),

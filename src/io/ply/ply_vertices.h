@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The vertices of a PLY file with everything that they carry.
+// The vertices of a PLY file with all their attributes.
 #pragma once
 
 #include <vector>

@@ -15,7 +15,7 @@
 namespace remesher::io {
 namespace {
 
-// Whether the mesh is the one in the file, which itself is the only record of it.
+// Whether the mesh equals the one in the file, which is read again, as its only record.
 bool isUntouched(const PlySource& source, const Model& model) {
   if (model.parts.size() != 1) return false;
   const TriangleMesh& mesh = model.parts[0].mesh;
@@ -25,7 +25,7 @@ bool isUntouched(const PlySource& source, const Model& model) {
   return !isMended(read.warnings) && isSame(mesh, read.parts[0].mesh);
 }
 
-// All that a row of the file is made of.
+// The parts of a row of the file.
 struct Layout {
   PlyEncoding encoding = PlyEncoding::LittleEndian;
   std::vector<std::string> remarks = {"comment written by remesher"};
@@ -35,7 +35,7 @@ struct Layout {
   std::vector<double> textureNumbers;
 };
 
-// A float in the file may not hold what another model's mesh was given since.
+// Widens float positions to double if the mesh has coordinates beyond float's range.
 void widenPositions(std::vector<PlyField>& fields, const TriangleMesh& mesh) {
   constexpr auto kLargest = double{std::numeric_limits<float>::max()};
   const bool isWide = std::any_of(
@@ -45,7 +45,7 @@ void widenPositions(std::vector<PlyField>& fields, const TriangleMesh& mesh) {
     if (isWide && field.semantic == "POSITION") field.property.type = PlyType::Float64;
 }
 
-// As the file was that the mesh comes from.
+// The layout of the file that the mesh comes from.
 Layout layoutLike(const PlySource& source, const TriangleMesh& mesh) {
   Layout layout;
   layout.encoding = source.header.encoding;

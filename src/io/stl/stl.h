@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// STL, facets and nothing else, binary and as text. Corners at one place are one vertex; the solids
-// of a text are groups of triangles, their names those of materials. Written is the binary kind.
+// STL, binary and text: facets and nothing else. Corners at one place are one vertex. The solids of
+// a text are groups of triangles, with their names as materials. The binary kind is written.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace remesher::io {
 
-// Of a binary file: a header, how many facets there are in 32 bits, the facets.
+// Layout of a binary file: a header, the number of facets in 32 bits, the facets.
 inline constexpr std::size_t kHeaderBytes = 80, kFacetsAt = 84, kFacetBytes = 50;
 
 Model readStl(const File& file, const std::vector<File>& resources);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which of the two kinds a file is: binary if it is as long as the count of its facets says, even
-// if it begins with `solid`, as many do; text if it begins so and has no byte that text has not.
+// Tells the two kinds apart. A file is binary if its length matches its facet count, even if it
+// begins with `solid`, as many do. It is text if it begins with `solid` and its first 512 bytes
+// have no zero.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -21,7 +22,7 @@ std::string_view textOf(const File& file) {
   return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
 }
 
-// Numbers lie anywhere in the file, little-endian.
+// Reads a little-endian number at any place of the file.
 template <class Number>
 Number load(const File& file, std::size_t at) {
   static_assert(std::endian::native == std::endian::little);
@@ -65,7 +66,7 @@ class StlText {
   std::map<std::string, Index, std::less<>> solidNumbers_;
   Index solid_ = 0;
   std::array<Index, 3> loop_{};
-  std::size_t corners_ = 0;  // of the loop
+  std::size_t corners_ = 0;  // read in this loop
 };
 
 void StlText::beginSolid() {
@@ -108,7 +109,7 @@ Facets StlText::read() {
       endLoop();
     } else if (keyword == "solid") {
       beginSolid();
-    } else if (keyword == "normal") {  // whatever it says: it follows from the corners
+    } else if (keyword == "normal") {  // ignored: it follows from the corners
       for (int i = 0; i < 3; ++i) scanner_.word();
     } else if (keyword == "endsolid") {
       scanner_.rest();
@@ -153,8 +154,8 @@ Facets readBinary(const File& file) {
                 "Was it copied completely?");
   const std::uint64_t count = load<std::uint32_t>(file, kHeaderBytes);
   if (file.bytes.size() < kFacetsAt + kFacetBytes * count) failShort(file, count);
-  // Two conventions for colours: VisCAM and SolidView set the highest bit where a facet has one,
-  // Magics announces them in the header and clears it there.
+  // Two conventions for colours: VisCAM and SolidView set the highest bit of a coloured facet;
+  // Magics announces colours in the header and clears the bit.
   const bool isMagics =
       textOf(file).substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos;
   Facets facets;

@@ -14,7 +14,7 @@
 namespace remesher::io {
 namespace {
 
-// Not `solid`: readers take that for the other kind.
+// Must not begin with `solid`, which readers take for text.
 constexpr std::string_view kHeader = "binary STL written by remesher";
 
 using Corners = std::array<Eigen::Vector3f, 3>;
@@ -27,7 +27,7 @@ Eigen::Vector3f single(const Vec3& position) {
               "Write OBJ or OFF, or scale the model down.");
 }
 
-// Of the corners as they are written; of a facet without area, zero. Edges are scaled to unit
+// The normal of the corners as written; zero for a facet without area. Edges are scaled to unit
 // length first, so that no product overflows or vanishes.
 Eigen::Vector3f normalOf(const Corners& corners) {
   const Vec3 first = (corners[1].cast<double>() - corners[0].cast<double>()).stableNormalized();
@@ -63,7 +63,7 @@ std::vector<std::uint8_t> stlBytes(const TriangleMesh& mesh) {
   return bytes;
 }
 
-// Materials, and the solids of an STL in text.
+// The number of groups: materials, or the solids of an STL in text.
 std::size_t groupsOf(const Model& model) {
   std::size_t groups = 0;
   for (const Part& part : model.parts) groups += std::max<std::size_t>(part.groups.size(), 1);

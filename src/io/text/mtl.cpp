@@ -15,14 +15,14 @@
 namespace remesher::io {
 namespace {
 
-// map_Kd, map_Bump, …; and those without the prefix. map_aat is a switch, not an image.
+// map_Kd, map_Bump and so on, and the names without the prefix. map_aat is a switch, not an image.
 bool namesImage(std::string_view keyword) {
   constexpr std::array<std::string_view, 5> kOthers = {"bump", "disp", "decal", "refl", "norm"};
   return (keyword.starts_with("map_") && keyword != "map_aat") ||
          std::find(kOthers.begin(), kOthers.end(), keyword) != kOthers.end();
 }
 
-// -0.5 does, and -clamp does not.
+// True for -0.5, false for -clamp.
 bool beginsNumber(std::string_view word) {
   const std::size_t first = word.find_first_not_of("+-");
   return first < word.size() && std::string_view(".0123456789").find(word[first]) != word.npos;
@@ -33,7 +33,7 @@ std::optional<double> numberIn(std::string_view word) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-// One to three numbers; those that are missing are as they were.
+// Reads one to three numbers; missing ones keep their value.
 Vec3 vectorIn(TextScanner& line, Vec3 value) {
   for (double& coordinate : value) {
     TextScanner ahead = line;
@@ -45,10 +45,10 @@ Vec3 vectorIn(TextScanner& line, Vec3 value) {
   return value;
 }
 
-// As light; what is missing, or in another spelling, is white.
+// A colour in linear light; white if it is missing or in another notation.
 Vec3 colorIn(TextScanner& line) { return vectorIn(line, Vec3::Ones()).unaryExpr(&linearFromSrgb); }
 
-// What follows a map's statement: its options, then the image's name, blanks and all. Offset, scale
+// The rest of a map's statement: its options, then the image's name, blanks included. Offset, scale
 // and turbulence take one to three numbers, -mm two, the other options one word.
 Map mapIn(TextScanner& line) {
   Map map;
@@ -74,7 +74,7 @@ Map mapIn(TextScanner& line) {
   return map;
 }
 
-// The gloss of Phong's model, 0 to 1000, as exporters translate it.
+// Exporters translate Phong's shininess, 0 to 1000, in this way.
 double roughnessOf(double shininess) {
   constexpr double kMost = 1000;
   return 1 - std::sqrt(std::clamp(shininess / kMost, 0.0, 1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Material libraries of OBJ. They are passed on as they come; what is read of them is the names of
-// their images, which lie beside them, and what new textures can be painted from.
+// Material libraries of OBJ. They are passed on unchanged. Read are only the names of their images,
+// which lie beside them, and the values from which new textures can be painted.
 #pragma once
 
 #include <map>
@@ -12,12 +12,11 @@
 
 namespace remesher::io {
 
-// As the library spells them, each once, in the order of their first use.
+// The images' names as spelled in the library, each once, in the order of first use.
 std::vector<std::string> imagesOf(const File& library);
 
-// The materials by their names, as glTF would say them; what has no number where one should be says
-// nothing. Maps are for texture coordinates that begin at the top;
-// their images are called as the library spells them.
+// The materials by name, in glTF's terms; malformed numbers are ignored. Maps are for texture
+// coordinates that begin at the top; their images are named as in the library.
 std::map<std::string, Material> materialsOf(const File& library);
 
 }  // namespace remesher::io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ. Read: v (with colours as x y z r g b), vt, vn, f with polygons of any size and
-// negative numbers, o, g, s, usemtl, mtllib. Written back: the same statements, the material
-// library unread and as it came.
+// Wavefront OBJ. Reads v (with colours as x y z r g b), vt, vn, f with polygons of any size and
+// negative numbers, o, g, s, usemtl, mtllib. Writes the same statements, and passes the material
+// library on unchanged.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ namespace remesher::io {
 Model readObj(const File& file, const std::vector<File>& resources);
 WrittenFiles writeObj(const Model& model, const std::string& outputName);
 
-// The state in which a run of faces was read, one per triangle group: every group number is an
-// index into ObjSource::groups.
+// The state in which a run of faces was read. A triangle's group number is an index into
+// ObjSource::groups.
 struct ObjGroup {
   std::string object;
   std::string groups;
@@ -37,7 +37,7 @@ struct ObjGroup {
 struct ObjSource : Source {
   std::vector<ObjGroup> groups;
   std::vector<std::string> libraries;  // the operands of mtllib
-  std::vector<File> libraryFiles;      // those of them that were given
+  std::vector<File> libraryFiles;      // the libraries that were given
 };
 
 }  // namespace remesher::io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// OBJ keeps positions, texture coordinates and normals in three lists, and a face's corner names
-// one of each. A mesh vertex is made for each combination that occurs, in the order of positions,
-// so that a file without vt and vn keeps the numbers of its vertices.
+// OBJ keeps positions, texture coordinates and normals in three lists; a face's corner names one of
+// each. Each combination that occurs becomes a mesh vertex, in the order of positions, so that a
+// file without vt and vn keeps its vertex numbers.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -31,7 +31,7 @@ using CornerField = Index Corner::*;
 
 struct ObjContent {
   std::vector<Vec3> positions;
-  std::vector<float> colors;     // 3 per position, or fewer when some have none
+  std::vector<float> colors;     // 3 per position; fewer if the last positions have none
   std::vector<float> texcoords;  // 2 each
   std::vector<float> normals;    // 3 each
   std::vector<Corner> corners;   // 3 per triangle
@@ -61,7 +61,7 @@ class ObjReader {
   std::shared_ptr<ObjSource> source_;
   ObjContent content_;
   ObjGroup state_;
-  std::optional<Index> group_;  // of state_, once looked up
+  std::optional<Index> group_;  // the number of state_, once looked up
   std::map<ObjGroup, Index> groupNumbers_;
   std::vector<Corner> polygon_;
   std::vector<Vec3> polygonPoints_;
@@ -75,7 +75,7 @@ void ObjReader::readPosition() {
   std::size_t extras = 0;
   while (extras < extra.size() && !scanner_.atLineEnd())
     extra[extras++] = scanner_.singleNumber("the colour of a vertex");
-  // A single extra number is the weight of a rational curve, which triangles have no use for.
+  // A single extra number is the weight of a rational curve, which triangles do not need.
   if (extras < 3) return;
   content_.colors.resize(3 * (content_.positions.size() - 1), kUncolored);
   content_.colors.insert(content_.colors.end(), extra.begin(), extra.begin() + 3);
@@ -88,7 +88,7 @@ void ObjReader::readNumbers(std::vector<float>& list, int count, std::string_vie
   }
 }
 
-// OBJ counts from one, and back from the end with negative numbers.
+// OBJ numbers from one; negative numbers count back from the end.
 Index ObjReader::resolve(std::string_view& word, std::size_t listed, std::string_view what) {
   const auto [number, rest] = TextScanner::leadingInteger(word);
   if (rest.size() == word.size())
@@ -144,7 +144,7 @@ void ObjReader::readFace() {
   while (!scanner_.atLineEnd()) polygon_.push_back(readCorner(scanner_.word()));
   if (polygon_.size() < 3)
     scanner_.fail(ErrorCode::ParseError, "a face has fewer than three corners.");
-  // A face whose corners disagree in what they name has none of it.
+  // If any corner of a face lacks a texture coordinate or normal, the whole face has none.
   const auto lacks = [&](CornerField field) {
     return std::any_of(polygon_.begin(), polygon_.end(),
                        [&](const Corner& corner) { return corner.*field == kNone; });
@@ -203,7 +203,7 @@ ObjContent ObjReader::read() {
   return std::move(content_);
 }
 
-// The distinct corners: those of one position form a chain from first[position] through next.
+// The distinct corners. Those of one position are a chain from first[position] on, by next.
 struct Wedges {
   std::vector<Corner> corners;
   std::vector<Index> ofCorner;  // per corner of the content: its wedge
@@ -226,7 +226,7 @@ Wedges distinctCorners(const ObjContent& content) {
     ofCorner.push_back(wedge);
   }
 
-  // Renumbered in the order of positions; a position no face uses keeps a vertex too.
+  // Renumbered in the order of positions; a position without a face gets a vertex, too.
   Wedges wedges;
   std::vector<Index> renumbered(found.size());
   for (Index position = 0; position < first.size(); ++position) {
@@ -241,7 +241,7 @@ Wedges distinctCorners(const ObjContent& content) {
   return wedges;
 }
 
-// One of the file's lists as an attribute: its values by the number that `field` of a corner names.
+// One of the file's lists as an attribute; `field` of a corner gives the number of its value.
 struct ListedValues {
   const char* semantic;
   int itemSize;
@@ -305,7 +305,7 @@ std::vector<GroupInfo> groupInfos(const TriangleMesh& mesh, const ObjSource& sou
   return infos;
 }
 
-// They stay where they are: whoever moves the result moves them too.
+// Images are not passed on: the user moves them along with the result.
 void warnOfImages(const File& library, std::vector<Warning>& warnings) {
   const std::vector<std::string> images = imagesOf(library);
   if (images.empty()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Each list is written without repetitions: vertices that share a position share a v, whatever
-// texture coordinates and normals they have, so that the surface is as closed in the file as it
-// is in the mesh.
+// Each list is written without repetitions: vertices at one position share a v, even if their
+// texture coordinates or normals differ, so that the surface is as closed in the file as in the
+// mesh.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -16,16 +16,17 @@
 namespace remesher::io {
 namespace {
 
-// What one part says before its faces of group g.
+// A part, and the state that is written before its faces of group g.
 struct ObjPart {
   const TriangleMesh* mesh;
   std::vector<ObjGroup> groups;
 };
 
-// Per vertex: the number, counted from one, of its value in a list of the file.
+// Per vertex the number, from one, of its value in a list of the file.
 using Numbers = std::vector<std::size_t>;
 
-// A list without repetitions: which vertices' values it has, and where each vertex finds its own.
+// A list without repetitions: the vertices whose values it holds, and per vertex its value's
+// number.
 struct DistinctValues {
   std::vector<Index> representatives;
   Numbers numbers;
@@ -56,7 +57,7 @@ DistinctValues findDistinct(const std::vector<Value>& values, std::size_t firstN
   return distinct;
 }
 
-// Names from other formats may hold anything; after the end of a line they would be statements.
+// Names from other formats may contain line ends, behind which the rest would be a statement.
 std::string inOneLine(std::string name) {
   for (char& letter : name)
     if (static_cast<unsigned char>(letter) < ' ') letter = '_';
@@ -90,7 +91,7 @@ void ObjWriter::writeLibrary(const std::string& library) {
   out_.text("mtllib ").text(library).text("\n");
 }
 
-// A position's colour is that of the first vertex there: OBJ has no colour seams.
+// A position's colour is the colour of the first vertex there: OBJ has no colour seams.
 Numbers ObjWriter::writePositions(const TriangleMesh& mesh) {
   std::vector<std::array<double, 3>> values(mesh.positions.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -138,7 +139,7 @@ Numbers ObjWriter::writeNormals(const TriangleMesh& mesh) {
   return numbers;
 }
 
-// Says what differs from the state before.
+// Writes the differences from the state before.
 void ObjWriter::writeState(const ObjGroup& group) {
   const ObjGroup before = state_.value_or(ObjGroup{});
   const auto say = [&](std::string_view keyword, const std::string& now, const std::string& then) {
@@ -204,8 +205,7 @@ std::vector<ObjGroup> groupsFor(const Part& part, const ObjSource* source) {
   return groups;
 }
 
-// Those of the libraries that were given, under the names that the result says instead of theirs.
-// The others are named as they were.
+// The given libraries, under the names that the result uses. Libraries not given keep their names.
 std::vector<File> passLibrariesOn(const ObjSource& source, const std::string& outputName,
                                   ObjWriter& writer) {
   CompanionNames names(outputName);

@@ -20,14 +20,14 @@
 namespace remesher::io {
 namespace {
 
-// What the first word promises of each vertex: [ST][C][N][4][n]OFF, in whatever order.
+// The vertex data that the first word promises: [ST][C][N][4][n]OFF, in any order.
 struct OffHeader {
   bool hasTexcoords = false;
   bool hasColors = false;
   bool hasNormals = false;
   bool isHomogeneous = false;  // a fourth coordinate divides the others
-  bool saysDimension = false;  // how many coordinates there are is told
-  bool isNormalFirst = true;   // by the letters: MeshLab's `NC` puts colours first
+  bool saysDimension = false;  // the number of coordinates is given
+  bool isNormalFirst = true;   // by the letters; MeshLab's `NC` puts colours first
 };
 
 std::optional<OffHeader> parseKeyword(std::string_view word) {
@@ -104,7 +104,7 @@ std::size_t OffReader::nextCount(std::string_view what) {
   return static_cast<std::size_t>(value);
 }
 
-// The keyword may be missing: then the first number is the first count.
+// The keyword may be missing: then the first word is the first count.
 OffHeader OffReader::readKeyword() {
   if (!scanner_.nextLine() || !scanner_.skipEmptyLines())
     scanner_.fail(ErrorCode::ParseError, "there is nothing but comments.");
@@ -135,7 +135,7 @@ void OffReader::readDimension() {
   dimension_ = static_cast<int>(dimension);
 }
 
-// Returns the number of vertices; the number of edges, which nobody keeps right, is passed over.
+// Returns the number of vertices; the number of edges is skipped, because it is often wrong.
 std::size_t OffReader::readHeader() {
   header_ = readKeyword();
   readDimension();
@@ -153,8 +153,8 @@ std::size_t OffReader::wordsInLine() const {
   return words;
 }
 
-// Some programs write colours without a word of it. Then each vertex has a line, and three or four
-// numbers more than it needs; without, several vertices may share a line.
+// Some programs write colours without announcing them. Then each vertex has its own line with three
+// or four extra numbers; otherwise several vertices may share a line.
 bool OffReader::hasPlainColors(std::size_t vertexCount) const {
   TextScanner ahead = scanner_;
   if (vertexCount == 0 || !ahead.skipEmptyLines()) return false;
@@ -181,8 +181,7 @@ Vec3 OffReader::readPosition() {
   return position / weight;
 }
 
-// As many numbers as are left in the line, but for texture coordinates: red, green, blue, and
-// alpha.
+// Reads red, green, blue and alpha: all numbers left in the line except texture coordinates.
 void OffReader::readColor() {
   const std::size_t left = wordsInLine(), others = header_.hasTexcoords ? 2 : 0;
   const int count = left == 3 + others ? 3 : 4;
@@ -207,7 +206,7 @@ void OffReader::readVertex() {
 }
 
 bool OffReader::areDirections(const std::vector<float>& rows) const {
-  constexpr double kDigits = 0.01;  // of normals written with two digits
+  constexpr double kDigits = 0.01;  // tolerance for normals written with two digits
   for (std::size_t i = 0; i + 2 < rows.size(); i += 3) {
     const double length = Vec3(rows[i], rows[i + 1], rows[i + 2]).norm();
     if (std::abs(length - 1) > kDigits && length > 0) return false;
@@ -215,7 +214,7 @@ bool OffReader::areDirections(const std::vector<float>& rows) const {
   return true;
 }
 
-// `NC`: seven numbers of which the first three are normals, or the first four a colour.
+// For `NC`: decides whether the normal or the colour comes first, by which numbers are directions.
 void OffReader::settleOrder() {
   if (header_.isNormalFirst || !header_.hasColors || areDirections(normals_)) return;
   for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
@@ -269,7 +268,7 @@ TriangleMesh OffReader::read() {
   return std::move(mesh_);
 }
 
-// In the order in which OFF lists them.
+// The attributes in OFF's order.
 std::vector<const Attribute*> writableAttributes(const TriangleMesh& mesh) {
   std::vector<const Attribute*> found;
   for (const std::string_view semantic : {"NORMAL", "COLOR_0", "TEXCOORD_0"})

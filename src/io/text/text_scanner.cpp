@@ -16,7 +16,7 @@ namespace {
 constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-// Behind the line ending at `at`, which may be \n, \r or \r\n.
+// The place behind the line ending at `at`, which may be \n, \r or \r\n.
 const char* afterLineEnd(const char* at, const char* end) {
   const bool isPair = *at == '\r' && at + 1 < end && at[1] == '\n';
   return at + (isPair ? 2 : 1);
@@ -117,7 +117,8 @@ std::optional<double> TextScanner::numberIn(std::string_view text) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, problem] = fast_float::from_chars(text.data(), end, value);
-  // Of what no double holds, newer versions say so; all versions give infinity or zero for it.
+  // Newer versions report numbers beyond double's range; all versions return infinity or zero for
+  // them.
   const bool isRead = problem == std::errc() || problem == std::errc::result_out_of_range;
   if (!isRead || stop != end) return {};
   return value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text files in the making. Numbers are written with as few digits as read back to the same
-// value: a number that is a float as the same float, any other as the same double.
+// Builds text files. Numbers get the fewest digits that read back as the same value: as the same
+// float if the number is a float, otherwise as the same double.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ class TextWriter {
   std::string text_;
 };
 
-// The single that TextWriter writes as this number; the number itself where there is none.
+// The float that TextWriter writes as this number; the number itself if there is none.
 double singleWrittenAs(double value);
 
 }  // namespace remesher::io

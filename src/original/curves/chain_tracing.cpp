@@ -11,7 +11,7 @@ namespace remesher {
 
 namespace {
 
-// A curve that turns by more than this has a corner there; a regular octagon (45°) has none.
+// A curve has a corner where it turns by more than this; a regular octagon (45°) has none.
 constexpr double kCornerTurn = radians(50);
 
 double turn(const Vec3& before, const Vec3& at, const Vec3& after) {
@@ -24,7 +24,7 @@ struct CurveEdge {
   Vertex other;
 };
 
-// Finds chains by walking over marked edges; corners may be added between two walks.
+// Finds chains by walking along marked edges; corners may be added between two walks.
 class ChainTracer {
  public:
   ChainTracer(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, const CurveRules& rules)
@@ -86,7 +86,7 @@ class ChainTracer {
       }
   }
 
-  // Every maximal path between corners, then the loops without any.
+  // All maximal paths between corners, then the loops without a corner.
   std::vector<Chain> walkAll() {
     walked_.assign(mesh_.halfedgeCapacity(), 0);
     std::vector<Chain> chains;
@@ -120,16 +120,16 @@ class ChainTracer {
     }
   }
 
-  // The first vertex at least `reach` along the path from i, in any case the next one whose place
-  // is another; around the start of a loop if need be. Found by bisection: a rim of a hundred
-  // thousand edges may be shorter than the reach.
+  // The first vertex at least `reach` along the path from i, and at least the next vertex at
+  // another place; in a loop the search continues past the loop's start. Bisection, because a rim
+  // of a hundred thousand edges may be shorter than the reach.
   std::size_t reachFrom(const Chain& path, std::size_t i, int direction, double reach) const {
     const std::size_t last = path.vertices.size() - 1;
     const bool loop = path.vertices.front() == path.vertices.back() && !corner_[path.vertices[0]];
     const std::size_t straight = direction > 0 ? ahead(path, i, reach) : behind(path, i, reach);
     const double gone = std::abs(path.arcs[straight] - path.arcs[i]);
     if (!loop || (gone > 0 && gone >= reach)) return straight;
-    // Once around is as far as there is.
+    // The search goes around the loop once at most.
     const double rest = std::min(reach, path.length()) - gone;
     return direction > 0 ? std::min(ahead(path, 0, rest), i)
                          : std::max(behind(path, last, rest), i);
@@ -157,9 +157,9 @@ class ChainTracer {
                 positions_[path.vertices[reachFrom(path, i, +1, reach)]]);
   }
 
-  // A corner turns sharply both from edge to edge and over half a target length: scan noise does
-  // only the first, a round arc neither. Of several within that reach the sharpest is it, and where
-  // curves meet there is one already.
+  // A corner turns sharply both from edge to edge and over half a target length. Scan noise does
+  // only the first, a round arc neither. Of several bends within that reach only the sharpest
+  // becomes a corner; where curves meet there is one already.
   void markBends(const Chain& path) {
     const double reach = 0.5 * rules_.size;
     std::vector<std::pair<double, std::size_t>> bends;
@@ -183,11 +183,12 @@ class ChainTracer {
     }
   }
 
-  // Three corners in all, about evenly spaced. Of a hole so wide a hexagon is worth its edges:
-  // three would hold no more than a triangle, and what lies close around it lets no more come in.
+  // The number of corners to set, about evenly spaced: three on a boundary loop, up to six on a
+  // wide hole's rim. With three such a rim would stay a triangle, because the mesh close around it
+  // lets no more vertices in.
   std::size_t cornersOf(const Chain& loop) const {
     constexpr double kShortest = 0.5;             // target edge lengths
-    constexpr std::size_t kMost = 6, kEdges = 4;  // of the original, to a corner
+    constexpr std::size_t kMost = 6, kEdges = 4;  // original edges per corner
     if (loop.boundary || !(rules_.size > 0)) return 3;
     const double fit = loop.length() / (kShortest * rules_.size);
     const std::size_t most = std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);

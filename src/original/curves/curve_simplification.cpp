@@ -13,23 +13,24 @@ namespace remesher {
 
 namespace {
 
-// Both in target edge lengths. Between two curves nearer than this a row of triangles is worth less
-// than what it would show; a chain shorter than this cannot be one edge of a good one.
+// Both in target edge lengths. A row of triangles in a narrower region costs more than it shows; a
+// shorter chain cannot be one edge of a good triangle.
 constexpr double kNarrow = 0.5;
 constexpr double kShort = 0.7;
-// A curve that bends the surface is worth thinner triangles, for the surface leaves its place with
-// it: where it bends by 90° what counts as narrow is less by half of this share.
+// A curve that bends the surface is worth thinner triangles, because without it the surface moves.
+// At a bend of 90° the narrowest width shrinks by half of this share.
 constexpr double kWorthOfBends = 0.8;
-// And more where it is a wall, as of sheet metal, between surfaces so wide: one without walls is
-// dented all along its rim.
+// A wall, as of sheet metal, between surfaces at least kWide target lengths wide may be thinner
+// still: a surface that loses its walls is dented all along its rim.
 constexpr double kWorthOfWalls = 1.6, kWide = 1.5;
-// Where a chain bends by 90° or more, walls as high as it is long stay, and so does what is between
-// them. More than that is worth no more.
+// The bend of 90°; sharper bends count no more. A chain that bends so much may be as short as a
+// wall is narrow, so that a wall as high as the chain is long stays, with the region between such
+// walls.
 constexpr double kRight = 0.5;
-// Neighbours that share this much of the longest border are as near as any.
+// Neighbours whose border is at least this share of the longest border are equally good partners.
 constexpr double kAlike = 0.8;
 
-// A chain may become short when one beside it goes, and so on; each time all are looked at.
+// Releasing a chain may make the chain beside it short, so all chains are checked again.
 constexpr int kMostReleases = 32;
 
 double narrowestWall(double size, double bend) {
@@ -67,7 +68,7 @@ class Simplification {
     double area = 0;
     double flat = 0;                    // area that lies in planes
     double rim = 0;                     // length of its border
-    std::map<Index, Border> neighbors;  // the free border shared with each
+    std::map<Index, Border> neighbors;  // per region the free border shared with it
     double width() const { return rim > 0 ? 2 * area / rim : 0; }
   };
 
@@ -80,7 +81,7 @@ class Simplification {
     return (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).norm();
   }
 
-  // Numbers the parts into which the curves divide the surface.
+  // Numbers the regions into which the curves divide the surface.
   Index labelRegions() {
     region_.assign(mesh_.faceCapacity(), kNone);
     Index count = 0;
@@ -129,7 +130,7 @@ class Simplification {
     return longest;
   }
 
-  // Whether what is beside it along its length is wide.
+  // Whether the regions along its sides are wide.
   bool isWall(const Region& region, const std::vector<Region>& regions) const {
     const double along = kAlike * longestBorder(region);
     return std::all_of(region.neighbors.begin(), region.neighbors.end(), [&](const auto& shared) {
@@ -146,7 +147,7 @@ class Simplification {
     return region.width() < narrowest;
   }
 
-  // The narrowest first, each into a neighbour.
+  // Merges narrow regions, narrowest first, each into a neighbour.
   void mergeNarrowRegions(const FlatRegions& flats) {
     std::vector<Region> regions = measureRegions(flats);
     std::vector<double> areas;
@@ -175,7 +176,7 @@ class Simplification {
     releaseWithin(into);
   }
 
-  // Of the regions that became one, all but the largest.
+  // Marks the faces of merged regions, except those of the largest region of each merger.
   void absorb(const std::vector<Index>& into, const std::vector<double>& areas) {
     std::vector<Index> largest = into;
     for (Index r = 0; r < into.size(); ++r)
@@ -195,9 +196,9 @@ class Simplification {
     }
   }
 
-  // The neighbour with the longest border to it; of several alike the one that is least flat, for
-  // it bends already, and else the narrowest, so that strips side by side join each other before
-  // what is wide swallows one after the other.
+  // The neighbour with the longest border to r. Among similar borders the least flat neighbour,
+  // because it bends already. Then the narrowest, so that strips side by side join each other
+  // before a wide region swallows them one by one.
   static Index partnerOf(const std::vector<Region>& regions, Index r) {
     const double along = kAlike * longestBorder(regions[r]);
     Index best = kNone;
@@ -233,7 +234,7 @@ class Simplification {
     return edges;
   }
 
-  // From a junction or a loose end to the next; empty if the chain is fixed or long enough.
+  // The chain from a junction or loose end to the next; empty if it is fixed or long enough.
   std::vector<Halfedge> shortChain(Halfedge first) const {
     std::vector<Halfedge> chain;
     Border sum;

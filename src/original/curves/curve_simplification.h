@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which curves a mesh of a given edge length can follow. Real files are full of seams much closer
-// together than that: bevels between two hard edges, texture islands of a few triangles, short
-// bridges from seam to seam. Where two curves pin vertices nearer than an edge is long, nothing can
-// make good triangles, so such curves are let go. What lies between them is taken over by a larger
-// neighbour, whose attributes extend over it (see ChartKeeper).
+// Decides which curves a mesh of a given edge length can follow. Real files are full of seams much
+// closer together than that: bevels between two hard edges, texture islands of a few triangles,
+// short bridges from seam to seam. Where two curves pin vertices nearer than an edge is long, good
+// triangles are impossible, so such curves are released. A region between released curves is taken
+// over by a larger neighbour, whose attributes extend over it (see ChartKeeper).
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@
 namespace remesher {
 
 struct CurveEdges {
-  std::vector<Halfedge> free;   // may be let go; one halfedge of each, or both
+  std::vector<Halfedge> free;   // may be released; one halfedge of each, or both
   std::vector<Halfedge> fixed;  // stay: given by the caller, borders of materials
-  FlatRegions flats = {};       // what takes over others last, the larger the later
+  FlatRegions flats = {};       // flat regions take over others last, the largest at the very end
 };
 
 struct SimplifiedCurves {
-  std::vector<Halfedge> edges;  // the free ones that stay, one halfedge of each
+  std::vector<Halfedge> edges;  // the free edges that stay, one halfedge of each
   FaceData<char> absorbed;      // faces in regions that a larger one has taken over
 };
 
@@ -36,15 +36,15 @@ struct Border {
   double meanBend() const { return length > 0 ? bend / length : 0; }
 };
 
-// An edge with a face on both sides as a border between them.
+// The border along one edge, which must have a face on both sides.
 Border borderAlong(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Halfedge h);
 
-// What lies between curves is let go if it is narrower than this; a wall between wide surfaces may
-// be narrower still. All in model units; size: the target edge length; bend: the mean one of its
-// border.
+// A region narrower than this is merged into a neighbour; a wall between wide surfaces may be
+// narrower still. Result and size (the target edge length) in model units; bend: mean bend of the
+// region's border.
 double narrowestWidth(double size, double bend);
 
-// And so is a chain between junctions that is shorter than this; bend: its mean.
+// A chain between junctions is released if shorter than this; bend: the chain's mean bend.
 double shortestChain(double size, double bend);
 
 // size: the target edge length, model units.

@@ -42,7 +42,7 @@ void FeatureCurves::nameChains(const HalfedgeMesh& mesh) {
     }
 }
 
-// The edge of the chain at a point; where two meet, the one that leads `towards` that arc.
+// The chain's edge at a point; where two edges meet, the edge in the direction `towards`.
 FeatureCurves::Step FeatureCurves::step(const CurvePoint& point, double towards) const {
   const Chain& chain = chains_[point.chain];
   const auto first = chain.arcs.begin() + 1, last = chain.arcs.end() - 1;
@@ -84,8 +84,8 @@ SurfacePoint FeatureCurves::leftOf(const HalfedgeMesh& mesh, const CurvePoint& h
   const auto [edge, t, i] = step(here, there.arc);
   const bool isBack = there.arc < here.arc;
   const Vertex start = chains_[here.chain].vertices[isBack ? i + 1 : i];
-  // Beside a far longer edge a short one may add nothing to the arc, which then does not tell which
-  // way leads on; a boundary has a face on one side only.
+  // Compares vertices, not arcs: beside a far longer edge a short one may add nothing to the arc. A
+  // boundary edge has a face on one side only.
   const bool isLeft = mesh.origin(edge) == start || mesh.isBoundary(edge);
   const Halfedge left = isLeft ? edge : mesh.twin(edge);
   const double atStart = isBack ? t : 1 - t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The curves that a remeshed surface must follow: sharp edges, open boundaries, seams. They form a
-// graph on the original: chains of edges that run from corner to corner. A closed curve is divided
-// at three to six of its vertices, which become corners; so every chain is an open path between two
+// graph on the original: chains of edges from corner to corner. A closed curve is divided at three
+// to six of its vertices, which become corners. So every chain is an open path between two
 // different corners, a place on it is one number, and no loop ever shrinks below a triangle.
 #pragma once
 
@@ -23,8 +23,8 @@ class FeatureCurves {
   FeatureCurves(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                 const CurveRules& rules);
 
-  // The same curves on a mesh that has taken the place of another: it keeps all their vertices and
-  // edges, and `heirs` says which those are. Places on them stay the same.
+  // The same curves on a mesh that replaces the old one and keeps all curve vertices and edges.
+  // heirs: per old vertex the new one. Places on the curves stay the same.
   FeatureCurves(const HalfedgeMesh& mesh, const FeatureCurves& other,
                 const VertexData<Vertex>& heirs);
 
@@ -35,17 +35,17 @@ class FeatureCurves {
 
   struct Place {
     Vec3 position;
-    SurfacePoint at;  // in the face left or right of the edge, whichever the chain names
+    SurfacePoint at;  // in the face of the halfedge that the chain names
     Halfedge edge;    // the original edge it lies on
   };
   Place locate(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                const CurvePoint& point) const;
 
-  // `here` as a point of the face to the left of the way from it to `there` on the same chain.
+  // `here` as a point of the face to the left of the path from `here` to `there` on the same chain.
   SurfacePoint leftOf(const HalfedgeMesh& mesh, const CurvePoint& here,
                       const CurvePoint& there) const;
 
-  // The end of a chain that is its corner `v`.
+  // The end of the chain at corner `v`.
   CurvePoint atCorner(Index chain, Vertex v) const;
 
  private:

@@ -11,28 +11,28 @@ namespace remesher {
 namespace {
 
 // Measured on scans and sculptures (cow, horse, hand, nicolo, bunny): networks of sharp edges have
-// a loose end for every ten vertices or so and are at most 12 × as sharp as the edges beside them;
-// on a machine part (fandisk) it is one in 350, and 148 ×.
+// about one loose end per ten vertices and are at most 12 × as sharp as the edges beside them. A
+// machine part (fandisk) has one loose end in 350 vertices and is 148 × as sharp.
 constexpr double kLooseEnds = 0.02;
 constexpr double kSharper = 3;
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
-// A crease that fades is followed from where it was sharp for as long as it is at least so sharp
-// (times the angle), stands out from the edges beside it by so much, and goes on straight.
+// A fading crease is followed from its sharp part as long as it has this share of the angle, is
+// this many times sharper than the edges beside it, and goes on straight.
 constexpr double kFaded = 0.25;
 constexpr double kStandsOut = 5;
 constexpr double kTipAngle = radians(60);
 const double kStraight = std::cos(radians(45));
 
-// Sharp edges that hang together.
+// A connected set of sharp edges.
 struct Network {
   std::vector<Halfedge> edges;
   double length = 0;
   double sharpness = 0;  // sum of the dihedral angles
-  double beside = 0;     // of the edges of the same faces that are not sharp
+  double beside = 0;     // the same sum over the other edges of their faces
   std::size_t besides = 0;
   std::size_t vertices = 0;
-  std::vector<Halfedge> ends;  // the loose ones: halfedges that lead there
+  std::vector<Halfedge> ends;  // halfedges that lead to the loose ends
 };
 
 class Detection {
@@ -83,7 +83,7 @@ class Detection {
         stack.push_back(mesh_.tip(h));
       });
       ++network.vertices;
-      // Where a sharp edge runs into a boundary it is not loose.
+      // A sharp edge that ends at a boundary has no loose end there.
       if (degree == 1 && !mesh_.isBoundary(v)) network.ends.push_back(mesh_.twin(sharp));
     }
     return network;
@@ -112,12 +112,12 @@ class Detection {
   bool isFeature(const Network& network) const {
     if (network.length < kLongEnough * size_) return false;
     if (isMuchSharper(network)) return true;
-    // A ring of three is the rim of one odd triangle.
+    // A ring of three edges is the rim of one odd triangle.
     return isSharper(network, kSharper) && network.edges.size() > 3 &&
            double(network.ends.size()) <= kLooseEnds * double(network.vertices);
   }
 
-  // From a loose end on, until the crease has faded or meets another.
+  // Extends a feature from a loose end until the crease has faded or meets another.
   void follow(Halfedge last, std::vector<Halfedge>& features) {
     while (const Halfedge next = continuation(last)) {
       features.push_back(next);
@@ -165,7 +165,7 @@ std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>&
                                const std::vector<Halfedge>& features) {
   VertexData<char> isOnFeature(mesh.vertexCapacity(), 0);
   for (const Halfedge h : features) isOnFeature[mesh.origin(h)] = isOnFeature[mesh.tip(h)] = 1;
-  // Along features angles are missing as they must.
+  // Along features a missing angle is normal and does not count.
   const auto missingAt = [&](Vertex v) {
     return isOnFeature[v] ? 0 : missingAngle(mesh, positions, v);
   };

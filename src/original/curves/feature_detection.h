@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which sharp edges are a feature: a curve that was meant, and is worth keeping at the target size.
-// An eyelid or scan noise is sharp here and there; the edges of a machine part form a network with
-// hardly a loose end, between faces that are smooth.
+// Decides which sharp edges are features: curves that are intended and worth keeping at the target
+// size. An eyelid or scan noise is sharp here and there. The edges of a machine part form a network
+// with hardly a loose end, between smooth faces.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ struct FeatureRules {
 std::vector<Halfedge> detectFeatures(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                      const FeatureRules& rules);
 
-// Vertices off the given features that are a corner by themselves, as the apex of a cone is: around
-// them a large angle is missing, and hardly any around their neighbours.
+// Vertices off the given features that are corners by themselves, such as the apex of a cone: a
+// large angle is missing around them, and hardly any around their neighbours.
 std::vector<Vertex> detectTips(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                                const std::vector<Halfedge>& features);
 

@@ -13,9 +13,9 @@ namespace remesher {
 
 namespace {
 
-// Above this share of all edges there are no charts to preserve.
+// An attribute that jumps at more than this share of all edges has no charts to preserve.
 constexpr double kNoCharts = 0.5;
-// Bends of less are none, whatever the normals say.
+// A surface that bends by less counts as smooth, whatever the normals say.
 const double kBlunt = std::cos(radians(5));
 // Values closer than this are one value: the step of a 16-bit normalised integer.
 constexpr float kQuantum = 1.0F / 65535;
@@ -44,7 +44,7 @@ bool bends(const BuiltMesh& built, Halfedge h, double cosAngle) {
   return normal(mesh.face(h)).dot(normal(mesh.face(mesh.twin(h)))) < cosAngle;
 }
 
-// Whether the attribute has another value on the other side, at either end of the edge.
+// Whether the attribute has different values on the two sides, at either end of the edge.
 bool jumps(const BuiltMesh& built, const Attribute& attribute, Halfedge h) {
   const HalfedgeMesh& mesh = built.mesh;
   const Halfedge t = mesh.twin(h);
@@ -56,7 +56,7 @@ bool isTexture(const Attribute& attribute) {
   return attribute.itemSize == 2 && attribute.semantic.rfind("TEXCOORD_", 0) == 0;
 }
 
-// Twice the signed area of a face in the plane of a texture.
+// Twice the signed area of a face in texture coordinates.
 double areaIn(const BuiltMesh& built, const Attribute& texture, Face f) {
   std::array<Vec2, 3> at;
   for (int i = 0; i < 3; ++i) {
@@ -67,16 +67,16 @@ double areaIn(const BuiltMesh& built, const Attribute& texture, Face f) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Whether the texture turns back at the edge, as where the two halves of a model share one: a
-// triangle across it would skip what lies between its corners.
+// Whether the texture turns back at the edge, as where both halves of a model share one texture. A
+// triangle across such an edge would skip the texture between its corners.
 bool mirrors(const BuiltMesh& built, const Attribute& texture, Halfedge h) {
   return areaIn(built, texture, built.mesh.face(h)) *
              areaIn(built, texture, built.mesh.face(built.mesh.twin(h))) <
          0;
 }
 
-// Of edges at which the shading jumps, those at one end of which most do not: lines that were
-// meant, and not facets.
+// The edges where the shading jumps, but at one end of which most edges do not jump: these are
+// intended lines, not facets.
 std::vector<Halfedge> linesAmong(const HalfedgeMesh& mesh, const std::vector<Halfedge>& edges) {
   VertexData<Index> jumping(mesh.vertexCapacity(), 0);
   for (const Halfedge h : edges)
@@ -101,7 +101,7 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
   const bool shading = followsShading(attribute.semantic);
   if (double(found.size()) > kNoCharts * double(edges.inner.size())) {
     seams.chartless.push_back(attribute.semantic);
-    // A flat-shaded file says nothing that the surface does not.
+    // Normals that jump everywhere (flat shading) say no more than the surface itself.
     if (shading) return;
     seams.warnings.push_back({"ATTRIBUTE_HAS_NO_CHARTS",
                               legible(attribute.semantic) +

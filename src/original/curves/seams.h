@@ -14,14 +14,14 @@ namespace remesher {
 
 struct Seams {
   std::vector<Halfedge> edges;         // one halfedge of each
-  std::vector<Halfedge> jumps;         // those of them where more jumps than the shading
-  std::vector<Halfedge> borders;       // of groups, likewise
-  std::vector<std::string> chartless;  // semantics that jump across most edges: no curves for them
+  std::vector<Halfedge> jumps;         // those where an attribute other than the shading jumps
+  std::vector<Halfedge> borders;       // between groups, one halfedge of each
+  std::vector<std::string> chartless;  // semantics that jump across most edges and get no curves
   std::vector<Warning> warnings;       // ATTRIBUTE_HAS_NO_CHARTS for each of those
 };
 
-// hardNormalAngle: degrees; a jump of NORMAL or TANGENT counts only where the surface itself bends
-// so much, for elsewhere the file is merely flat-shaded.
+// hardNormalAngle: degrees. A jump of NORMAL or TANGENT counts only where the surface itself bends
+// by this angle, or along lines by 5°; elsewhere the file is merely flat-shaded.
 Seams findSeams(const BuiltMesh& built, const TriangleMesh& input, double hardNormalAngle);
 
 }  // namespace remesher

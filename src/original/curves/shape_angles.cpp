@@ -52,7 +52,8 @@ FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& po
     beyond[f] = HalfedgeMesh::face(mesh.twin(side));
     flat.push_back(f);
   }
-  // Two that lie against each other lead nowhere; of a fan of them few lie on each other.
+  // Two flat faces that lead to each other have no bearer. A chain of flat faces is short, so the
+  // steps are bounded.
   constexpr int kMostSteps = 64;
   FaceData<Face> bearers = beyond;
   for (const Face f : flat)
@@ -79,7 +80,7 @@ double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Ha
   return angleOf(n.cross(m).norm(), n.dot(m));
 }
 
-// Angles are worked out for the few edges that may be sharp.
+// Angles are computed only for the few edges that may be sharp.
 HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
                               double angle) {
   constexpr double kRounding = 1e-6;

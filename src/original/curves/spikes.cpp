@@ -13,22 +13,23 @@ namespace remesher {
 
 namespace {
 
-// A spike is longer than its foot is wide, by the way around that, around which so few edges fit.
+// A spike is longer than kSlender × the way around its foot, which is shorter than kFewAround
+// edges.
 constexpr double kSlender = 0.5;
 constexpr double kFewAround = 8;
-// Tips are a few vertices most of whose edges are so much longer than most of the surface's.
+// Tips are at most kMostTips vertices, most of whose edges are kFar × as long as the median edge.
 constexpr double kFar = 4;
 constexpr std::size_t kMostTips = 16;
-// An outline may come to a point as slender as that: on a boundary a spike is so many times as long
-// as all the rest is wide.
+// On a boundary a spike must be this many times as long as all the rest is wide, because an outline
+// may come to a slender point.
 constexpr double kWild = 10;
-// Where more than half of the vertices belong to spikes, before or after, they are what the surface
-// is.
+// If more than half of the vertices, before or after, would belong to spikes, the spikes are the
+// surface itself.
 constexpr double kMostOfAll = 2;
-// Spikes with less than this share of the area harm nobody.
+// Spikes with less than this share of the area do no harm.
 constexpr double kWorthAWord = 0.05;
 
-// Found among those that share its bucket: there are few.
+// Sorts only the bucket that holds the median, which few lengths share.
 double median(const std::vector<double>& lengths, double longest) {
   constexpr std::size_t kBuckets = 1024;
   if (!(longest > 0)) return 0;
@@ -78,7 +79,8 @@ class Search {
     return remesher::distance(positions_[a], positions_[b]);
   }
 
-  // Those at whose ends most edges, on a boundary all, are far longer than usual. Whether any are.
+  // Marks vertices most of whose edges (on a boundary all) are far longer than usual. Returns
+  // whether there are any.
   bool markFar() {
     const std::vector<double> lengths = edgeLengths(mesh_, positions_);
     const double longest = *std::max_element(lengths.begin(), lengths.end());
@@ -105,7 +107,7 @@ class Search {
     return anyFar;
   }
 
-  // Those that hang together with v; each is taken once.
+  // Takes the marked vertices connected to v; each is taken once.
   std::vector<Vertex> takeTips(Vertex v) {
     std::vector<Vertex> tips = {v};
     isFar_[v] = 0;
@@ -118,7 +120,7 @@ class Search {
     return tips;
   }
 
-  // From the foot to the tips, the shortest way; 0 if that is no spike.
+  // The shortest way from the foot to the tips; 0 if the tips are no spike.
   double lengthOf(const std::vector<Vertex>& tips) const {
     if (tips.size() > kMostTips) return 0;
     const auto isTip = [&](Vertex v) {
@@ -163,7 +165,7 @@ class Search {
   const VertexData<Vec3>& positions_;
   const SpikeRules rules_;
   VertexData<char> isFar_;
-  Eigen::AlignedBox3d rest_;  // of what is not far
+  Eigen::AlignedBox3d rest_;  // box of the vertices that are not marked
   double whole_ = 0;
 };
 

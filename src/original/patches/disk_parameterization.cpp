@@ -13,12 +13,12 @@
 namespace remesher {
 namespace {
 
-// No rim step is shorter than this share of the mean step: a degenerate side must keep the corners
-// of its face apart in float.
+// No rim step is shorter than this share of the mean step, so that the corners of a degenerate side
+// stay apart in float.
 constexpr float kMinRimStep = 0.02f;
 
-// Half-angle tangents and lengths of nearly degenerate faces are kept within these bounds (lengths
-// relative to the face's longest side), so that no weight outgrows float's precision.
+// Half-angle tangents and lengths of nearly degenerate faces are clamped to these bounds (lengths
+// relative to the face's longest side), so that no weight exceeds float's precision.
 constexpr float kMinHalfAngleTangent = 1e-3f;
 constexpr float kMaxHalfAngleTangent = 1e3f;
 constexpr float kMinSideRatio = 1e-3f;
@@ -28,13 +28,13 @@ constexpr LocalIndex kUnnumbered = kNoLocal - 1;
 
 using Vec3f = Eigen::Vector3f;
 
-// For each corner i, the two mean value weights its angle gives: toward corner i + 1 and toward
-// corner i + 2.
+// For each corner i, the two mean value weights of its angle: toward corner i + 1 and toward corner
+// i + 2.
 std::array<std::array<float, 2>, 3> cornerWeights(const std::array<Vec3f, 3>& p) {
   const std::array<Vec3f, 3> side = {p[1] - p[0], p[2] - p[1], p[0] - p[2]};  // from corner i
   std::array<float, 3> length = {side[0].norm(), side[1].norm(), side[2].norm()};
   const float longest = std::max({length[0], length[1], length[2]});
-  // A face shrunk to a point says nothing about angles: take it for equilateral.
+  // A face shrunk to a point has no angles: it counts as equilateral.
   if (!(longest > 0)) return {{{1, 1}, {1, 1}, {1, 1}}};
   const float doubleArea = side[0].cross(side[1]).norm();
   std::array<std::array<float, 2>, 3> weights;
@@ -145,7 +145,7 @@ void DiskParameterizer::assemble(const DiskPatch& patch, const VertexData<Vec3>&
                                  Weights weights) {
   matrix_.assign(vertex_.size() * (2 * band_ + 1), 0);
   right_.assign(vertex_.size(), Uv::Zero());
-  const Vec3& origin = positions[patch.vertices[0]];  // keeps float's precision far from zero
+  const Vec3& origin = positions[patch.vertices[0]];  // preserves float's precision far from zero
   for (const LocalFace& f : patch.faces) {
     std::array<std::array<float, 2>, 3> corner = {{{1, 1}, {1, 1}, {1, 1}}};
     if (weights == Weights::MeanValue) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Maps a disk patch one to one onto the unit disk: its rim to the circle by arc length, each inner
-// vertex to a weighted mean of its neighbours, the weights being mean value coordinates.
-// [Floater, Mean value coordinates, 2003]. Positive weights and a strictly convex rim give a
-// one-to-one map [Tutte 1963; Floater, One-to-one piecewise linear mappings, 2003]; that it holds
-// after rounding is checked face by face, always.
+// Maps a disk patch one to one onto the unit disk: the rim to the circle by arc length, each inner
+// vertex to a mean of its neighbours with mean value weights [Floater, Mean value coordinates,
+// 2003]. Positive weights and a strictly convex rim give a one-to-one map [Tutte 1963; Floater,
+// One-to-one piecewise linear mappings, 2003]. Rounding may break this, so every result is checked
+// face by face.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace remesher {
 
-// Coordinates are kept in float: patches are many, and their unit is the disk.
+// Coordinates are floats: there are many patches, and all coordinates lie in the unit disk.
 using Uv = Eigen::Vector2f;
 
 // Twice the signed area of a triangle in the plane, exact to double rounding.
@@ -22,7 +22,7 @@ inline double orientation(const Uv& a, const Uv& b, const Uv& c) {
          (double(c.x()) - a.x()) * (double(b.y()) - a.y());
 }
 
-// Maps one patch after another; its memory is kept from patch to patch.
+// Maps patches one after another; keeps its memory from patch to patch.
 class DiskParameterizer {
  public:
   // One point for each vertex of the patch, valid until the next call; empty if no one-to-one map

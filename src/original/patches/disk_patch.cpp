@@ -21,7 +21,7 @@ DiskGrower::DiskGrower(const HalfedgeMesh& mesh, std::span<const char> barriers)
 
 void DiskGrower::renewStamp() {
   if (++stamp_ != 0) return;
-  // The stamps have run through all numbers: none may be left from the first round.
+  // The stamps have wrapped around: no stamp of the first round may remain.
   std::fill(faceStamp_.begin(), faceStamp_.end(), 0);
   std::fill(vertexStamp_.begin(), vertexStamp_.end(), 0);
   stamp_ = 1;
@@ -45,7 +45,7 @@ bool DiskGrower::staysDisk(Face f) const {
     const Halfedge side = HalfedgeMesh::halfedge(f, i);
     const Halfedge t = mesh_.twin(side);
     if (!t || !holds(HalfedgeMesh::face(t))) continue;
-    // A held face beyond a barrier: the barrier's two sides would both lie on the rim.
+    // If the face across a barrier is held, both sides of the barrier would lie on the rim.
     if (!neighbor(side)) return false;
     ++shared;
     lastShared = side;
@@ -79,8 +79,8 @@ void DiskGrower::removeEar(Face f) {
     const Halfedge side = HalfedgeMesh::halfedge(f, i);
     const Face g = neighbor(side);
     if (!g || !holds(g)) continue;
-    vertexStamp_[mesh_.opposite(side).index] = 0;  // the tip belonged to this face alone
-    earCandidates_.push_back(g);                   // which may have become an ear itself
+    vertexStamp_[mesh_.opposite(side).index] = 0;  // no other held face had the tip
+    earCandidates_.push_back(g);                   // g may have become an ear itself
   }
 }
 

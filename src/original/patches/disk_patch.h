@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A set of faces that stays a topological disk while it grows [report, "Projection on the Initial
-// Surface", Figure 2], and that disk cut out with numbers of its own.
-// A patch ends at mesh boundaries and at barriers; its rim is one loop that meets no vertex twice.
+// Surface", Figure 2], and the finished disk with local numbers. A patch ends at mesh boundaries
+// and at barriers; its rim is one loop that meets no vertex twice.
 #pragma once
 
 #include <array>
@@ -31,10 +31,10 @@ struct DiskPatch {
   std::vector<LocalIndex> rim;   // counterclockwise
 };
 
-// Grows one patch after another; its memory is kept from patch to patch.
+// Grows patches one after another; keeps its memory from patch to patch.
 class DiskGrower {
  public:
-  // Above this a patch refuses to grow, so that local numbers suffice.
+  // A patch does not grow beyond this number of faces, so that local numbers suffice.
   static constexpr std::size_t kMaxFaces = 32000;
 
   // mesh and barriers must outlive the grower. barriers: by halfedge, both of each barrier edge
@@ -43,7 +43,7 @@ class DiskGrower {
 
   void clear();
 
-  // Adds a face if what is held stays a disk; the first face always. Says whether it did.
+  // Adds a face if the set stays a disk; always adds the first face. Returns whether it was added.
   bool add(Face f);
   bool holds(Face f) const { return faceStamp_[f.index] == stamp_; }
 
@@ -53,9 +53,9 @@ class DiskGrower {
   // In the order they were added.
   std::span<const Face> faces() const { return faces_; }
 
-  // Removes ears: faces that hang on the patch by one side only, again and again until none is
-  // left. Spared are the faces in `kept`, and ears whose two free sides both lie on boundaries or
-  // barriers, for no patch could hold those otherwise.
+  // Removes ears, faces that hang on the patch by one side only, until none is left. Keeps the
+  // faces in `kept`, and ears whose two free sides both lie on boundaries or barriers: in
+  // every patch such faces are ears.
   void trimEars(std::span<const Face> kept);
 
   // The held faces as a patch, valid until the next call; null if they are not a disk.
@@ -73,7 +73,7 @@ class DiskGrower {
   const HalfedgeMesh& mesh_;
   std::span<const char> barriers_;
   std::vector<Face> faces_;
-  // A face or vertex is held if its stamp is the present one; its number is then valid.
+  // A face or vertex is held if its stamp equals stamp_; its number is then valid.
   Index stamp_ = 1;
   std::vector<Index> faceStamp_, vertexStamp_;
   std::vector<Index> faceNumber_, vertexNumber_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two rounds of growth by distance from seeds. In the first, cells fill up one after another and
-// leave crumbs between them. In the second all large enough cells grow at once from their middles,
-// which shares the crumbs out and evens the cells; what a cell's cone keeps out is filled up again
-// one cell after another.
+// Two rounds of growth by distance from seeds. In the first round cells fill up one after another
+// and leave crumbs between them. In the second round all large enough cells grow at once from their
+// middles, which distributes the crumbs and evens the cells. Faces outside every cone are then
+// filled up one cell after another again.
 #include "original/patches/face_cells.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace remesher {
 
 namespace {
 
-// The normals of a cell lie within acos(0.3) = 72° of its seed's: a cell must not wrap a limb like
-// a sock, or its image in the disk would be squeezed beyond use.
+// The normals of a cell lie within acos(0.3) = 72° of its seed's normal: a cell that wraps a limb
+// like a sock would have a useless, squeezed image in the disk.
 constexpr float kCellCone = 0.3f;
 
 // Cells of the first round below this share of the wanted size are crumbs.
@@ -27,14 +27,14 @@ struct Candidate {
   Index cell;
 };
 
-// Nearest first, to within 5 %: a bucket for each eighth of an octave of the squared distance, read
-// off the float's bits (std::bit_cast is not everywhere). Much faster than a heap.
+// A queue, nearest first to within 6 %: one bucket per eighth of an octave of the squared distance,
+// read from the float's bits (std::bit_cast is not everywhere). Much faster than a heap.
 class NearestFirst {
  public:
   void push(float squaredDistance, const Candidate& candidate) {
     std::uint32_t bits = 0;
     std::memcpy(&bits, &squaredDistance, sizeof bits);
-    // What is nearer than the bucket being emptied comes next as well.
+    // A candidate nearer than the current bucket joins the current bucket.
     const std::size_t bucket = std::min<std::size_t>(bits >> 20, buckets_.size() - 1);
     buckets_[std::max(bucket, current_)].push_back(candidate);
     ++count_;
@@ -48,14 +48,14 @@ class NearestFirst {
     return buckets_[current_][next_++];
   }
 
-  // To be called when the queue is empty, before it is filled anew.
+  // Call when the queue is empty, before filling it anew.
   void rewind() {
     buckets_[current_].clear();
     current_ = next_ = 0;
   }
 
  private:
-  // One for each value of the first 11 bits of a float without its sign.
+  // One bucket for each value of the first 11 bits of a float without its sign.
   std::vector<std::vector<Candidate>> buckets_ = std::vector<std::vector<Candidate>>(2048);
   std::size_t current_ = 0, next_ = 0, count_ = 0;
 };
@@ -102,7 +102,8 @@ class CellGrowth {
     taken_.clear();
   }
 
-  // A face's distance does not depend on the side it is reached from: one offer per cell will do.
+  // A face's distance does not depend on the side from which it is reached: one offer per cell is
+  // enough.
   void push(Face f, Index cell) {
     if (offered_[f] == cell) return;
     offered_[f] = cell;
@@ -125,7 +126,7 @@ class CellGrowth {
     }
   }
 
-  // One cell from one seed; the faces it leaves at its rim are handed on as the next seeds.
+  // Fills one cell from one seed; the faces left at its rim become the next seeds.
   void fill(Face seed) {
     const Index cell = Index(seeds_.size());
     seeds_.push_back({seed, frames_[seed].normal});
@@ -207,9 +208,9 @@ class CellGrowth {
   std::span<const char> barriers_;
   const std::size_t size_;
   FaceData<Index> cell_;
-  FaceData<Index> offered_;  // the cell that reached the face last, whether it took it or not
+  FaceData<Index> offered_;  // the last cell that reached the face, taken or not
   std::vector<Seed> seeds_;
-  std::vector<Face> taken_;  // in order; of one cell after another while filling up
+  std::vector<Face> taken_;  // in order; while filling up, cell after cell
   NearestFirst queue_;
   std::vector<Face> frontier_;
 };

@@ -9,8 +9,8 @@
 
 namespace remesher {
 
-// Centroid and unit normal (zero for a face without area) of every face, in float: they steer
-// growth and decide nothing else.
+// Centroid and unit normal (zero for a face without area) of every face. In float, because they
+// only steer growth.
 struct FaceFrame {
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
@@ -21,7 +21,7 @@ class FaceCells {
  public:
   std::size_t count() const { return firstFace_.size() - 1; }
   Index cellOf(Face f) const { return cell_[f]; }  // kNone if the face is dead
-  // Each face after the first has a neighbour before it.
+  // The cell's faces, in an order in which each face but the first has a neighbour before it.
   std::span<const Face> faces(Index cell) const {
     return std::span(faces_).subspan(firstFace_[cell], firstFace_[cell + 1] - firstFace_[cell]);
   }
@@ -34,7 +34,8 @@ class FaceCells {
   std::vector<Face> faces_;
 };
 
-// Cells of about `size` faces whose normals lie within a cone, and which barriers do not cross.
+// Makes cells of about `size` faces. A cell's normals lie within a cone, and no cell crosses a
+// barrier.
 FaceCells partitionFaces(const HalfedgeMesh& mesh, const FaceData<FaceFrame>& frames,
                          std::span<const char> barriers, std::size_t size);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A query looks into the patch of its heaviest corner's cell, then into those of the other corners'
-// cells, and last, where none holds all corners or serves them well, into patches made for three
-// faces; these are kept and shared, and the work spent on them is bounded.
+// A query tries the patch of its heaviest corner's cell, then the patches of the other corners'
+// cells. If none holds all corners or maps them well, it tries a patch made for the three faces.
+// These patches are kept and shared, and the work spent on them is bounded.
 #include "original/patches/patch_atlas.h"
 
 #include <algorithm>
@@ -13,21 +13,22 @@
 namespace remesher {
 namespace {
 
-// Where a map is too distorted it throws points along the surface. Refused is a point farther from
-// the flat triangle than these shares of its longest side: along the triangle, where there is no
-// reason to move, and in all, where the surface may well bulge.
+// A distorted map throws points along the surface. A point is refused if its distance from the flat
+// triangle exceeds these shares of the longest side: kMaxSlide along the triangle, where there is
+// no reason to move, kMaxThrow in all, where the surface may bulge.
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
-// The same for rounding, a share of the bounding box's diagonal: corners may fall together.
+// Tolerance for rounding, a share of the bounding box's diagonal: corners may coincide.
 constexpr double kRounding = 1e-9;
 
-// Faces that all patches made on demand may visit: per face of the mesh, and at least.
+// Limit on the faces that all on-demand patches together may visit: per face of the mesh, and at
+// least.
 constexpr std::size_t kOnDemandShare = 1, kMinOnDemandFaces = 100000;
 
 // A patch on demand reaches this many times its triangle's longest side from the centroid.
 constexpr double kOnDemandReach = 1.3;
 
-// It is shared by triangles with a corner this near to the middle of its disk: farther out, it may
+// Triangles with a corner this near to the middle of its disk share the patch: farther out it may
 // hold the corners and yet be of little use.
 constexpr double kCentral = 0.6;
 
@@ -73,11 +74,11 @@ struct PatchAtlas::Impl {
   const HalfedgeData<char> barriers;
   const double squaredRounding;
   PatchBuilder builder;
-  std::vector<PlanarPatch> patches;  // of the cells; empty where no usable one was found
+  std::vector<PlanarPatch> patches;  // per cell; empty if no usable one was found
   std::vector<char> isBuilt;
-  FaceData<LocalIndex> ownNumber;  // of a face in the patch of its own cell, once that is built
+  FaceData<LocalIndex> ownNumber;  // per face its number in the patch of its cell, once built
   std::vector<PlanarPatch> extraPatches;  // on demand
-  FaceData<Index> extraPatch;             // the last of them about the face, or kNone
+  FaceData<Index> extraPatch;             // per face the last of these around it, or kNone
   const std::size_t onDemandBudget;
 };
 
@@ -123,7 +124,7 @@ const PlanarPatch& PatchAtlas::Impl::patchAt(Face f) {
   return patches[cell];
 }
 
-// Most triangles lie inside one cell.
+// A fast look-up for the usual triangle, which lies inside one cell.
 LocalCorners PatchAtlas::Impl::findIn(Index cell,
                                       const std::array<SurfacePoint, 3>& corners) const {
   LocalCorners local;
@@ -135,7 +136,7 @@ LocalCorners PatchAtlas::Impl::findIn(Index cell,
   return local;
 }
 
-// A failed attempt costs as much as a good one: both are charged to the budget.
+// A failed attempt costs as much as a successful one: both are charged to the budget.
 const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint, 3>& corners,
                                                    const Triangle& triangle) {
   if (extraPatch.size() == 0) extraPatch.resize(mesh.faceCapacity(), kNone);
@@ -147,7 +148,7 @@ const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint
   if (builder.visitedFaces() >= onDemandBudget) return nullptr;
   const Vec3 centre = (triangle[0] + triangle[1] + triangle[2]) / 3;
   const double reach = kOnDemandReach * std::sqrt(squaredLongestSide(triangle));
-  // Where the faces lie around a thin tube, the ways from one of them may close a ring.
+  // If the faces lie around a thin tube, the ways from one of them may close a ring: try each face.
   PlanarPatch patch;
   for (std::size_t i = 0; i < 3 && patch.isEmpty(); ++i)
     patch =
@@ -168,7 +169,7 @@ bool PatchAtlas::Impl::isThrown(const Vec3& point, const Triangle& triangle,
   const Vec3 move =
       point - (weights[0] * triangle[0] + weights[1] * triangle[1] + weights[2] * triangle[2]);
   const double moved = move.squaredNorm();
-  // Most points have hardly moved, whichever side is the longest.
+  // A quick test for most points, which have hardly moved; any side serves as the measure.
   if (moved <= kMaxSlide * kMaxSlide * (triangle[1] - triangle[0]).squaredNorm()) return false;
   const double side = squaredLongestSide(triangle);
   if (moved > kMaxThrow * kMaxThrow * side + squaredRounding) return true;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The original surface covered by overlapping disk patches, each mapped to the unit disk
-// [report, "Projection on the Initial Surface"]: a partition into small cells, each grown by a
-// margin. A point given by barycentric weights between three surface points is found by mixing
-// their images in a patch that holds all three. Patches are built when first asked for.
+// The original surface covered by overlapping disk patches, each mapped to the unit disk [report,
+// "Projection on the Initial Surface"]. A partition into small cells is made, and each cell is
+// grown by a margin to a patch. A point with barycentric weights between three surface points is
+// found by mixing their images in a patch that holds all three. Patches are built when first
+// needed.
 #pragma once
 
 #include <array>
@@ -31,8 +32,8 @@ class PatchAtlas {
   std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
                                           const Vec3& weights);
 
-  // The same where the caller has the corners' places at hand. They may lie somewhat off the
-  // original; what is too far is judged from them.
+  // The same with the corners' positions given. They may lie slightly off the original; the limits
+  // on the distance are measured from them.
   std::optional<SurfacePoint> interpolate(const std::array<SurfacePoint, 3>& corners,
                                           const Triangle& places, const Vec3& weights);
 

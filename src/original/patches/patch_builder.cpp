@@ -8,22 +8,22 @@
 namespace remesher {
 namespace {
 
-// Faces of a cell. Where the margin is wide, larger cells keep the patches from being little else:
-// 2.5 more for every face that a square of the margin's side could hold, up to a limit above which
-// a patch's map would be too distorted.
+// Number of faces of a cell. With a wide margin a patch would be mostly margin, so cells are
+// larger: 2.5 more faces for every face that a square of the margin's side could hold, up to a
+// limit above which a patch's map would be too distorted.
 constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.5;
 
-// However small the margin, a patch reaches this many faces beyond its cell, so that it holds the
+// A patch reaches this many faces beyond its cell, however small the margin, so that it holds the
 // star of each of the cell's vertices.
 constexpr int kMinReach = 3;
 
-// Beyond that it takes no face that points this far back (cosine to the cell's mean normal).
+// Farther out it takes no face that points this far back (cosine to the cell's mean normal).
 constexpr float kMarginCone = -0.7f;
 
-// Faces a search for ways visits whether they are near or not: large faces have far centroids.
+// A search for ways visits this many faces whether near or not: large faces have far centroids.
 constexpr Index kAlwaysNear = 30;
 
-// A patch this large has outgrown its use; growth by breadth first keeps what is nearest.
+// A larger patch is of no use; breadth-first growth keeps the nearest faces.
 constexpr std::size_t kMaxPatchFaces = 3000;
 
 std::size_t cellSize(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin) {
@@ -59,8 +59,8 @@ void PatchBuilder::growCore(Index cell) {
   }
 }
 
-// From the faces there are, breadth first: over the first few faces in any case, then over those
-// that isWanted(face it came from, face) says.
+// Grows breadth first from the held faces: first over kMinReach faces in any case, then over those
+// for which isWanted(face of origin, face) holds.
 template <class IsWanted>
 void PatchBuilder::growOutwards(IsWanted isWanted) {
   reaches_.clear();
@@ -103,8 +103,8 @@ PlanarPatch PatchBuilder::aroundCell(Index cell) {
   return finish(grower_.faces().first(coreCount));
 }
 
-// Breadth first from one face until all are met, within the ball; then their shortest ways back are
-// what the patch begins with. Growing blindly could wall one of them in.
+// Searches breadth first from one face, within the ball, until all three faces are met. The patch
+// then begins with their shortest ways back: blind growth could wall one of them in.
 bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) {
   if (visited_.size() == 0) visited_.resize(frames_.size(), 0);
   ++visit_;
@@ -126,7 +126,7 @@ bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) 
   return isMet(faces[1]) && isMet(faces[2]) && addWay(faces[1]) && addWay(faces[2]);
 }
 
-// From where the way to f leaves what is held already, face by face.
+// Adds the way to f face by face, from where it leaves the held faces.
 bool PatchBuilder::addWay(Face f) {
   std::vector<Face> way;
   Index at = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the patches of an atlas: around a cell of the partition with a margin, or, as the report
-// does for every query, around three faces.
+// Makes the patches of an atlas: around a cell of the partition with a margin, or around three
+// faces, as the report does for every query.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class PatchBuilder {
   // Empty if no one-to-one map was found.
   PlanarPatch aroundCell(Index cell);
 
-  // Holds the three faces and what lies within the ball around them, or is empty.
+  // The patch holds the three faces and the faces within the ball around them, or is empty.
   struct Ball {
     Eigen::Vector3f centre;
     float radius;
@@ -54,15 +54,15 @@ class PatchBuilder {
   DiskParameterizer parameterizer_;
   struct Reach {
     Face source;  // the cell's face that growth came from
-    int steps;    // faces between
+    int steps;    // number of faces between
   };
-  std::vector<Reach> reaches_;  // of the grower's faces
+  std::vector<Reach> reaches_;  // per face of the grower
   struct Way {
     Face face;
     Index from;  // in ways_: the face before it
   };
   std::vector<Way> ways_;
-  FaceData<Index> visited_;  // the last search that met the face
+  FaceData<Index> visited_;  // per face the last search that met it
   Index visit_ = 0;
   std::size_t visitedFaces_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The walk crosses the side beyond which the point lies farthest. Every face is positively oriented
-// and the patch is convex, so it arrives; were it ever to circle, all faces are looked at.
+// The walk crosses the side beyond which the point lies farthest. It arrives, because every face is
+// positively oriented and the patch is convex; if it ever circles, all faces are searched.
 #include "original/patches/point_location.h"
 
 #include <limits>
@@ -8,14 +8,14 @@
 namespace remesher {
 namespace {
 
-// An area above this, of the unit disk's, counts as inside: rounding must not send the walk to and
-// fro. Corners are rounded to 6e-8, so that nothing is lost.
+// An area above this (of the unit disk) counts as inside, so that rounding does not send the walk
+// back and forth. Corners are rounded to 6e-8, so nothing is lost.
 constexpr double kInside = -1e-15;
 
-// Walks are a handful of steps; one this long is a circle.
+// Walks take a handful of steps; a walk this long is circling.
 constexpr int kMaxSteps = 200;
 
-// Lifts what rounding or the rim left below zero, so that the weights are a point of the face.
+// Raises weights that rounding or the rim left below zero, so that they name a point of the face.
 Vec3 weightsOf(const Vec3& areas) {
   const Vec3 lifted = areas.cwiseMax(0);
   return lifted / lifted.sum();
@@ -35,8 +35,8 @@ PlanarPatch::PlanarPatch(const DiskPatch& patch, std::span<const Uv> uv)
   }
 }
 
-// Twice the signed areas of the triangles that the point makes with the sides opposite the corners:
-// the point's weights but for a common factor.
+// Twice the signed areas of the triangles between the point and the sides opposite the corners: the
+// point's weights times a common factor.
 Vec3 PlanarPatch::areasIn(const LocalFace& f, const Vec2& point) const {
   const Uv &a = uv_[f.corners[0]], &b = uv_[f.corners[1]], &c = uv_[f.corners[2]];
   const double ax = a.x() - point.x(), ay = a.y() - point.y();

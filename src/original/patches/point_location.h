@@ -18,8 +18,8 @@ class PlanarPatch {
   std::span<const LocalFace> faces() const { return faces_; }
   std::span<const Uv> uv() const { return uv_; }
 
-  // The local number of a face of the mesh; kNoLocal if the patch, which must not be empty, does
-  // not hold it.
+  // The local number of a face of the mesh; kNoLocal if the patch does not hold the face. The patch
+  // must not be empty.
   LocalIndex find(Index face) const {
     std::size_t slot = firstSlot(face);
     while (slots_[slot] != kNoLocal && faces_[slots_[slot]].face != face)
@@ -35,8 +35,8 @@ class PlanarPatch {
            barycentric[2] * uv_[f.corners[2]].cast<double>();
   }
 
-  // The face under a point of the plane and the point's weights there, each at least 0. A point
-  // outside the patch goes to a face at the rim. start: the face to walk from.
+  // The face under a point of the plane and the point's weights in that face, each at least 0. A
+  // point outside the patch goes to a face at the rim. start: the face from which the walk begins.
   struct Location {
     LocalIndex face = kNoLocal;
     Vec3 barycentric;
@@ -53,7 +53,8 @@ class PlanarPatch {
 
   std::vector<LocalFace> faces_;
   std::vector<Uv> uv_;
-  // Open addressing from a mesh's face to its local number: a power of two, at most half full.
+  // Hash table from a mesh face to its local number: open addressing, size a power of two, at most
+  // half full.
   std::vector<LocalIndex> slots_;
   int shift_ = 31;
 };

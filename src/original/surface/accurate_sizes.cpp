@@ -13,20 +13,21 @@ namespace remesher {
 
 namespace {
 
-// At full adaptivity sizes range over these factors of the even one.
+// Bounds on sizes, as factors of the even size, before the power that adaptivity sets (sizesFor).
 constexpr double kSmallest = 0.0625, kLargest = 2.25;
-// The distance that is the same everywhere is sought between this share of the even length and all
-// of it, by so many halvings of the ratio.
+// The common distance is searched between this share of the even length and the even length itself,
+// by this many bisections of the ratio.
 constexpr double kLeastError = 1e-4;
 constexpr int kHalvings = 10;
 
-// Edges along a strip, in units of its width: longer ones make needles across it.
+// Longest edge along a strip, in units of the strip's width: longer edges make needles across it.
 constexpr double kLongestAcross = 2.5;
-// Edges around a circle, in units of its radius: eight, for some come out a third longer.
+// Longest edge around a circle, in units of its radius: eight edges, since some come out a third
+// longer.
 constexpr double kLongestAround = 0.75;
 
-// Per face how wide the region between curves is in which it lies: twice the area over the length
-// of its border.
+// Per face the width of the region between curves that holds the face: twice the region's area over
+// the length of its border.
 FaceData<double> widthsBetweenCurves(const OriginalSurface& surface) {
   const HalfedgeMesh& mesh = surface.mesh();
   const VertexData<Vec3>& p = surface.positions();
@@ -62,7 +63,8 @@ class Accuracy {
         widths_(faces.leastAround(widthsBetweenCurves(surface))) {
     const VertexData<double> own = sharpestBends(surface);
     for (Index i = 0; i < own.size(); ++i) bends_[Vertex(i)] = own[Vertex(i)];
-    // Along a strip that bends across it is as bent as at its ends; within a plane not at all.
+    // A middle on a strip that is curved lengthwise bends like the ends of its edge; inside a plane
+    // not at all.
     Vertex middle(Index(own.size()));
     for (const RefinedFaces::Middle& at : faces.middles()) {
       if (!at.isInFlat) bends_[middle] = 0.5 * (bends_[at.ends[0]] + bends_[at.ends[1]]);
@@ -70,7 +72,8 @@ class Accuracy {
     }
   }
 
-  // The distance at which as many vertices are needed as there are, or what is asked for.
+  // Finds the distance that takes as many vertices as wanted, or uses the requested error if that
+  // is smaller.
   VertexData<double> run() const {
     const double wanted = countOf(VertexData<double>(bends_.size(), rules_.mean));
     double low = kLeastError * rules_.mean, high = rules_.mean;
@@ -87,7 +90,7 @@ class Accuracy {
 
  private:
   // A chord of length h leaves a circle of radius r by e = r - √(r² - h²/4). A circle that is small
-  // against e is to remain one all the same.
+  // against e keeps kLongestAround, so that it remains a circle.
   static double chordFor(double radius, double error) {
     const double most = kLongestAround * radius;
     return error < radius ? std::min(most, 2 * std::sqrt(error * (2 * radius - error))) : most;
@@ -123,7 +126,7 @@ class Accuracy {
     }
   }
 
-  // In proportion to the vertices of a mesh of these sizes.
+  // Proportional to the number of vertices of a mesh of these sizes.
   double countOf(const VertexData<double>& sizes) const {
     double count = 0;
     for (Index i = 0; i < sizes.size(); ++i)
@@ -134,7 +137,7 @@ class Accuracy {
   const RefinedFaces& faces_;
   const AccuracyRules& rules_;
   VertexData<double> bends_;
-  VertexData<double> widths_;  // of the narrowest strip
+  VertexData<double> widths_;  // of the narrowest region at each place
 };
 
 }  // namespace

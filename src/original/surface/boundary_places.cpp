@@ -10,16 +10,16 @@ namespace remesher {
 
 namespace {
 
-// Places tried for a vertex: so many between its neighbours, and about so many bends there.
+// Places tried for a vertex: kSteps evenly between its neighbours, and about kBends bends there.
 constexpr int kSteps = 24;
 constexpr std::size_t kBends = 24;
-// Costs beside those of uneven edges and of moves: a chord that is too far is the worst of all.
+// Costs of a chord beyond the tolerance, far above the costs of uneven edges and of moves.
 constexpr double kTooFar = 100, kFarther = 10;
 
 struct Site {
   double arc;
   Vec3 position;
-  std::size_t bend, next;  // the chain's first vertices there or beyond it, and beyond it
+  std::size_t bend, next;  // the chain's first vertices at or beyond arc, and beyond arc
 };
 
 double squaredDistanceToChord(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -42,7 +42,7 @@ class Curve {
             std::size_t(next - arcs.begin())};
   }
 
-  // Of the bends between two places every one, or, where they are dense, about `most`.
+  // Visits the bends between two places: all, or, where they are dense, about `most` of them.
   template <class Visit>
   void forEachBend(const Site& from, const Site& to, std::size_t most, Visit visit) const {
     const std::size_t last = std::max(from.next, to.bend), stride = 1 + (last - from.next) / most;
@@ -64,7 +64,7 @@ class Curve {
   const Chain& chain_;
 };
 
-// Dynamic programming over the places that each vertex may take, from the first vertex on.
+// Dynamic programming, from the first vertex on, over the places that each vertex may take.
 class Placing {
  public:
   Placing(const Curve& curve, std::span<const double> arcs, double tolerance)
@@ -86,8 +86,8 @@ class Placing {
  private:
   struct Choice {
     Site site;
-    double cost;         // of the best way here
-    std::size_t before;  // what the vertex before chose on that way
+    double cost;         // of the best placement up to here
+    std::size_t before;  // the choice of the vertex before in that placement
   };
 
   std::vector<double> candidates(std::size_t i) const {
@@ -100,7 +100,7 @@ class Placing {
     return places;
   }
 
-  // Of an edge's length, and of its chord's distance from the curve.
+  // Cost of an edge's length; farness() is the cost of its chord's distance from the curve.
   double unevenness(const Site& from, const Site& to) const {
     const double uneven = std::log((to.arc - from.arc) / even_);
     return uneven * uneven;
@@ -127,7 +127,7 @@ class Placing {
     return costs;
   }
 
-  // Of ways that cost the same the one over the first choice before.
+  // Among placements of equal cost the first choice of the vertex before wins.
   Choice bestWayTo(double arc, std::size_t i, const Costs& cheapest) const {
     Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
     const double move = (arc - arcs_[i]) / even_;

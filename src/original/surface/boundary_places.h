@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the vertices of a boundary lie best for the chords between them to follow its bends.
+// Places the vertices of a boundary so that the chords between them follow its bends best.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 
 namespace remesher {
 
-// A place of a chain in space.
+// The point of a chain at `arc`.
 Vec3 positionAt(const OriginalSurface& surface, Index chain, double arc);
 
-// How far a chain is from the chord between two of its places.
+// The largest distance of a chain from the chord between two of its places.
 double chordDistance(const OriginalSurface& surface, Index chain, double from, double to);
 
-// New places for vertices that lie at `arcs` along a chain, in rising order; the first and the last
-// stay. No chord is farther from the curve than the tolerance where so many vertices can do it; so
-// far as that leaves a choice the edges are even and the moves short.
+// New places for vertices at `arcs` along a chain, in ascending order; the first and the last stay.
+// Chords stay within the tolerance of the curve if this number of vertices can do so. Within that
+// choice edges are even and moves short.
 std::vector<double> placesAlong(const OriginalSurface& surface, Index chain,
                                 std::span<const double> arcs, double tolerance);
 

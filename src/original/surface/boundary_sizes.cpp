@@ -15,7 +15,7 @@ class Chords {
   Chords(const OriginalSurface& surface, const Chain& chain, const ChordRules& rules)
       : surface_(surface), chain_(chain), rules_(rules) {}
 
-  // The longest from the i-th vertex, towards the end (way = 1) or the beginning (−1).
+  // The longest chord from the i-th vertex, towards the end (way = 1) or the beginning (−1).
   double reach(std::size_t i, int way) const {
     const std::size_t most = way > 0 ? chain_.vertices.size() - 1 - i : i;
     std::size_t good = 0, step = 1;
@@ -42,7 +42,7 @@ class Chords {
     return std::abs(chain_.arcs[way > 0 ? i + steps : i - steps] - chain_.arcs[i]);
   }
 
-  // Of many vertices between, some.
+  // Checks only about kMost of many vertices between.
   bool isNear(std::size_t i, int way, std::size_t steps) const {
     constexpr std::size_t kMost = 64;
     const Vec3 &from = at(i, way, 0), &to = at(i, way, steps);

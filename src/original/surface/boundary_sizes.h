@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long the edges of an open boundary may be for its bends to survive.
+// How long the edges of an open boundary may be without losing its bends.
 #pragma once
 
 #include "original/surface/original_surface.h"
@@ -9,11 +9,11 @@ namespace remesher {
 struct ChordRules {
   double tolerance = 0;  // how far a chord may be from the curve, model units
   double shortest = 0;   // no size is below this, however sharp the bends
-  double longest = 0;    // longer chords need not be looked for
+  double longest = 0;    // longer chords are not searched for
 };
 
-// Per vertex of the original the length of the longest chord from it, either way along its
-// boundary, that stays near the curve; `longest` elsewhere. Empty where no boundary is resampled.
+// Per vertex of the original the length of the longest chord, either way along its boundary, that
+// stays near the curve; `longest` elsewhere. Empty if no boundary is resampled.
 VertexData<double> boundarySizes(const OriginalSurface& surface, const ChordRules& rules);
 
 }  // namespace remesher

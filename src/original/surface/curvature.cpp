@@ -22,7 +22,7 @@ VertexData<double> sharpestTurns(const OriginalSurface& surface) {
   VertexData<double> result(mesh.vertexCapacity(), 0);  // squared, at first
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
-    // Both sides of an edge have the same ends, and the same normals there, except at a curve.
+    // Both halfedges of an edge have the same ends, and the same normals there except at a curve.
     if (!mesh.isEdge(h) && !surface.curves().isCurve(h)) continue;
     const Vertex a = mesh.origin(h), b = mesh.tip(h);
     const double length2 = (surface.positions()[b] - surface.positions()[a]).squaredNorm();
@@ -35,8 +35,8 @@ VertexData<double> sharpestTurns(const OriginalSurface& surface) {
   return result;
 }
 
-// Each the mean of itself and its neighbours, so many times. Edge after edge: a turn around each
-// vertex would wait for every step.
+// Replaces each value by the mean of itself and its neighbours, kSmoothing times. Loops over edges,
+// because turning around each vertex would wait for memory at every step.
 VertexData<double> smoothed(const HalfedgeMesh& mesh, VertexData<double> values) {
   std::vector<std::array<Vertex, 2>> edges;
   edges.reserve(mesh.halfedgeCapacity() / 2);
@@ -59,10 +59,10 @@ VertexData<double> smoothed(const HalfedgeMesh& mesh, VertexData<double> values)
   return values;
 }
 
-// A curve bends too, where the surfaces on both its sides may be flat.
+// A curve itself bends, even if the surfaces on both sides are flat.
 void addCurves(const OriginalSurface& surface, VertexData<double>& result) {
   for (const Chain& chain : surface.curves().chains()) {
-    if (chain.boundary) continue;  // beside it lies but one surface, whose own bend counts
+    if (chain.boundary) continue;  // only one surface lies beside it; its bend is counted already
     for (std::size_t i = 1; i + 1 < chain.vertices.size(); ++i) {
       const Vec3 at = surface.positions()[chain.vertices[i]];
       const Vec3 in = at - surface.positions()[chain.vertices[i - 1]];

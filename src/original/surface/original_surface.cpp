@@ -33,7 +33,7 @@ void OriginalSurface::computeNormals() {
   normals_.reserve(m.vertexCapacity());
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     if (normalOf_[Halfedge(i)] != kNone) continue;
-    // On a curve the side begins clockwise; where there is none, all around is one side.
+    // At a curve a side begins at its clockwise end; without a curve the whole star is one side.
     Halfedge first(i);
     if (isOnCurve[m.origin(first)])
       while (!barriers_[first]) first = m.next(m.twin(first));
@@ -53,7 +53,8 @@ void OriginalSurface::computeNormals() {
 
 Vec3 OriginalSurface::position(const SurfacePoint& p) const {
   const auto [a, b, c] = mesh().vertices(p.face);
-  // Weights may add up to a little more or less than one: what all corners share is not to change.
+  // Weights may sum to slightly more or less than one; a coordinate shared by all corners must not
+  // change.
   if (isFlat(p.face))
     return positions()[a] + p.barycentric[1] * (positions()[b] - positions()[a]) +
            p.barycentric[2] * (positions()[c] - positions()[a]);

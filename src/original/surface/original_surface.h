@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The original surface: built once, then const. Everything that is carried as a SurfacePoint is
-// read off here.
+// The original surface: built once, then const. Positions and normals of every SurfacePoint are
+// read from it.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace remesher {
 
 class OriginalSurface {
  public:
-  // flats: what is to stay flat, or nothing.
+  // flats: the regions that are to stay flat, if any.
   OriginalSurface(BuiltMesh built, FeatureCurves curves, FlatRegions flats = {});
 
   const HalfedgeMesh& mesh() const { return built_.mesh; }
@@ -23,16 +23,16 @@ class OriginalSurface {
   const FeatureCurves& curves() const { return curves_; }
   bool hasFlats() const { return !flats_.empty(); }
   bool isFlat(Face f) const { return flats_.at(f) != kNone; }
-  // Whether p lies in a plane, which vertices there may not leave.
+  // Whether p lies in a plane, which vertices at p may not leave.
   bool isFlatAt(const SurfacePoint& p) const { return isFlat(p.face); }
-  // Both halfedges of every curve edge: what projection must not cross.
+  // Both halfedges of every curve edge; projection must not cross these.
   const HalfedgeData<char>& barriers() const { return barriers_; }
   double diagonal() const { return diagonal_; }  // of the bounding box
   double area() const { return area_; }
 
   Vec3 position(const SurfacePoint& p) const;
-  // The mix of the corners' normals, each area-weighted over the faces on its side of the curves
-  // [report, "Controlling Mesh Fidelity"]; not renormalised.
+  // The corners' normals mixed by the weights of p; each is area-weighted over the faces on its
+  // side of the curves [report, "Controlling Mesh Fidelity"]. Not renormalised.
   Vec3 normal(const SurfacePoint& p) const;
   const Vec3& cornerNormal(Halfedge h) const { return normals_[normalOf_[h]]; }
 

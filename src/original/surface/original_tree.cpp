@@ -6,7 +6,7 @@
 
 namespace remesher {
 
-// By the order of the faces, which keep their numbers.
+// Triangles are listed in the order of the faces, so that they have the faces' numbers.
 void OriginalTree::build() {
   const BuiltMesh& built = surface_.built();
   const auto listed =

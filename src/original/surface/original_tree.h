@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest point of all of the original, for where a walk to it may end in a valley (see
-// surface_walk.h). The tree is built when it is first asked.
+// The nearest point on the whole original, for places where a walk may end in a local minimum (see
+// surface_walk.h). The tree is built at the first query.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,18 @@ class OriginalTree {
  public:
   struct Nearest {
     double distance;
-    Index looked;  // at so many triangles
+    Index looked;  // number of triangles looked at
   };
 
-  // input: what the surface was built of, if that is at hand. Both must outlive the tree.
+  // input: the mesh the surface was built from, if at hand. Both must outlive the tree.
   explicit OriginalTree(const OriginalSurface& surface, const TriangleMesh* input = nullptr)
       : surface_(surface), input_(input) {}
 
-  // Faster where `start` is a face near p.
+  // Faster when `start` is a face near p.
   Nearest nearest(const Vec3& p, Face start);
 
-  // The tree over the input's positions, which is gone from here, for whoever measures the input:
-  // if it was asked for, and the surface has all of the input's triangles that are no lines.
+  // Hands over the tree over the input's positions, for measuring the input. Empty if the tree was
+  // never built, or if the surface lacks triangles of the input other than `lines`.
   std::optional<ListedTree> ofInput();
 
  private:

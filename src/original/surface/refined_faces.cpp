@@ -18,7 +18,7 @@ class RefinedFaces::Builder {
   void run() {
     faces_.positions_ = surface_.positions();
     for (Index f = 0; f < surface_.mesh().faceCapacity(); ++f) addFace(Face(f));
-    // The list grows as it is gone through.
+    // The list grows during the loop.
     for (Index i = 0; i < faces_.nodes_.size(); ++i) halve(i);
     collect();
   }
@@ -44,7 +44,8 @@ class RefinedFaces::Builder {
                     faces_.positions_[node.corners[(side + 1) % 3]]);
   }
 
-  // Both faces of an edge that is too long halve it sooner or later, so that all fits together.
+  // Both faces of an edge that is too long halve it sooner or later, so the result has no
+  // T-junctions.
   void halve(Index i) {
     Node node = faces_.nodes_[i];
     double longest = longest_;
@@ -85,7 +86,7 @@ class RefinedFaces::Builder {
     return found->second;
   }
 
-  // Edges and areas of what is not halved.
+  // Edges and areas of the triangles that are not halved.
   void collect() {
     faces_.areas_.assign(faces_.positions_.size(), 0);
     for (const Node& node : faces_.nodes_) {
@@ -128,7 +129,7 @@ double RefinedFaces::interpolate(const SurfacePoint& p, const VertexData<double>
     const int side = node->side, next = (side + 1) % 3;
     const bool isBefore = weights[side] >= weights[next];
     const int kept = isBefore ? side : next, other = isBefore ? next : side;
-    // As much of the middle as of the farther end, twice.
+    // The middle replaces the farther end, with twice that end's weight.
     weights[kept] -= weights[other];
     weights[other] *= 2;
     node = &nodes_[node->first + (isBefore ? 0 : 1)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flat faces divided for values that change within them. A flat side of a machine part is a few
-// large triangles from rim to rim: what is known at their corners says nothing of the middle.
+// Flat faces divided for values that change within them. A flat side of a machine part consists of
+// a few large triangles from rim to rim: values at their corners say nothing of the middle.
 #pragma once
 
 #include <array>
@@ -13,36 +13,36 @@ namespace remesher {
 
 class RefinedFaces {
  public:
-  // Until no edge of a flat face is longer (model units): its longest is halved, again and again,
-  // with what lies on the other side.
+  // Halves the longest edge of flat faces, in both faces of the edge, until none is longer than
+  // `longest` (model units).
   RefinedFaces(const OriginalSurface& surface, double longest);
 
   // The original's vertices first, then the middles.
   const VertexData<Vec3>& positions() const { return positions_; }
   const std::vector<std::pair<Vertex, Vertex>>& edges() const { return edges_; }
-  const VertexData<double>& areas() const { return areas_; }  // a third of that of each face around
+  const VertexData<double>& areas() const { return areas_; }  // a third of the areas around each
 
-  // Middles in the order in which they were made: the ends of the edge that each has halved.
+  // Middles in the order in which they were made: the ends of the halved edge.
   struct Middle {
     std::array<Vertex, 2> ends;
-    bool isInFlat;  // on all its sides
+    bool isInFlat;  // all faces at the edge are flat
   };
   const std::vector<Middle>& middles() const { return middles_; }
 
-  // Per place the least value of the surface's faces that meet there.
+  // Per place the least value of the original faces that meet there.
   VertexData<double> leastAround(const FaceData<double>& values) const;
 
-  // `values` at p, linear between the places known.
+  // `values` at p, interpolated linearly between the places.
   double interpolate(const SurfacePoint& p, const VertexData<double>& values) const;
 
  private:
-  // A triangle, halved at the middle of the side from corner `side` to the next, or not: its halves
-  // are then nodes first and first + 1, with the corner before and after the middle.
+  // A triangle. Unless first is kNone it is halved at the middle of the side from corner `side` to
+  // the next: node `first` keeps the corner before the middle, node first + 1 the corner after it.
   struct Node {
     std::array<Vertex, 3> corners;
     std::array<char, 3> isFlat =
         {};  // per side from corner i to the next: whether it may be halved
-    std::array<char, 3> isInner = {};  // and whether nothing but flat faces meets there
+    std::array<char, 3> isInner = {};  // and whether all faces there are flat
     Index first = kNone;
     int side = 0;
     Vertex middle;
@@ -54,7 +54,7 @@ class RefinedFaces {
   std::vector<std::pair<Vertex, Vertex>> edges_;
   std::vector<Middle> middles_;
   std::vector<Node> nodes_;   // the original's faces first
-  std::vector<Face> owners_;  // of each node the face that it is part of
+  std::vector<Face> owners_;  // per node the face that holds it
 };
 
 }  // namespace remesher

@@ -18,26 +18,27 @@ namespace remesher {
 
 namespace {
 
-// At full adaptivity sizes range over this factor on either side of the even one.
+// Bounds on k^-1/2 relative to the median, before the power that adaptivity sets (applyCurvature).
 constexpr double kFinest = 0.25;
 constexpr double kCoarsest = 2.25;
 constexpr int kNormalizations = 3;
-constexpr double kNormalEnough = 1e-3;  // so far from being normal sizes are as good
-// Longer edges, in units of the mean of the sizes at their ends, do not outlast a run.
+constexpr double kNormalEnough = 1e-3;  // a scale this near to 1 is good enough
+// Edges longer than this, in units of the mean size at their ends, do not survive a run.
 constexpr double kLongestEdge = 5.0 / 3;
-// Flat faces are divided into parts with edges of so many mean ones.
+// Flat faces are divided into parts with edges of at most this many mean lengths.
 constexpr double kFinestPart = 1.5;
-// Beside kept edges, in units of the smaller size: the sooner sizes are back to what they should
-// be, the more of the count is left for the rest.
+// Beside kept edges, in units of the smaller size. The sooner sizes return to their proper value,
+// the more vertices are left for the rest.
 constexpr double kLongestBesideKept = 4.0 / 3;
 
-// Sizes that follow curvature follow the bends of boundaries as well, so far: the tolerance
-// of the diagonal, or, in coarse meshes, of the square of the size, as chords are from arcs.
+// Sizes that follow curvature also follow the bends of boundaries. Chord tolerance, in units of the
+// diagonal: the first factor, or, in coarse meshes, the second times size² / diagonal², since
+// chords leave arcs by the square of the size.
 constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
 constexpr double kShortestChord = 0.75, kLongestChord = 4;
 
-// Of values that are not negative, which rise as their bits do: 16 bits after the other, by how
-// much area lies below.
+// The median by area of values that are not negative, whose bits rise with the values. Finds 16
+// bits after the other.
 double medianByArea(const VertexData<double>& values, const VertexData<double>& areas) {
   constexpr int kBits = 16;
   constexpr std::size_t kDigits = 1 << kBits;
@@ -66,7 +67,7 @@ double medianByArea(const VertexData<double>& values, const VertexData<double>& 
   return result;
 }
 
-// Relative sizes by curvature, 1 where it is the median (by area).
+// Multiplies sizes by a factor for curvature, 1 at the median curvature (by area).
 void applyCurvature(const OriginalSurface& surface, double adaptivity,
                     const VertexData<double>& areas, VertexData<double>& sizes) {
   const VertexData<double> k = curvatures(surface);
@@ -81,8 +82,8 @@ void applyCurvature(const OriginalSurface& surface, double adaptivity,
   }
 }
 
-// By what to scale the sizes so that a mesh of them has as many vertices as an even one of edge
-// length `mean`.
+// The factor for the sizes that makes a mesh of these sizes have as many vertices as an even mesh
+// of edge length `mean`.
 double normalScale(const VertexData<double>& areas, double mean, const VertexData<double>& sizes) {
   double total = 0, weighted = 0;
   for (Index i = 0; i < sizes.size(); ++i) {
@@ -92,7 +93,7 @@ double normalScale(const VertexData<double>& areas, double mean, const VertexDat
   return mean * std::sqrt(weighted / total);
 }
 
-// Edges lie as densely as vertices: in proportion to area / size².
+// Edges are as dense as vertices: proportional to area / size².
 double meanOverEdges(const VertexData<double>& areas, const VertexData<double>& sizes) {
   double edges = 0, lengths = 0;
   for (Index i = 0; i < sizes.size(); ++i) {
@@ -118,14 +119,14 @@ double verticesOf(const VertexData<double>& areas, const VertexData<double>& siz
   return count;
 }
 
-// How fast sizes may change along the surface for the ratio at the two ends of an edge to stay
-// below the gradation: from size a to b over a way of c·(a + b)/2, with c the longest edge.
+// How fast sizes may change along the surface so that the ratio at the two ends of an edge stays
+// below the gradation: from size a to b along c·(a + b)/2, where c is kLongestEdge.
 double steepestSlope(double gradation) {
   return 2 * (gradation - 1) / (kLongestEdge * (gradation + 1));
 }
 
-// Whether the size at w, the larger one, had to be lowered to what that at v allows: along a way of
-// length d it may grow by slope·d. From several places: one copy is enough.
+// Lowers the larger size, at w, to what the size at v allows: over a length d it may grow by
+// slope·d. Returns whether it was lowered. Not inlined: one copy is enough for all callers.
 [[gnu::noinline]] bool limitBy(const OriginalSurface& surface, double slope,
                                const std::array<Vertex, 2>& edge, VertexData<double>& sizes) {
   const auto [v, w] = edge;
@@ -138,9 +139,9 @@ double steepestSlope(double gradation) {
   return true;
 }
 
-// No size exceeds what the nearest smaller one allows. Over all edges once, then in rounds, each
-// over those that the last one has lowered: limits reach a few edges only, and a queue by size
-// would cost more than the few vertices that are lowered twice.
+// Limits every size by the smaller sizes around it. Loops over all edges once, then in rounds over
+// the vertices just lowered: limits reach a few edges only, and a queue by size would cost more
+// than the few vertices that are lowered twice.
 void limitGradation(const OriginalSurface& surface, double slope, VertexData<double>& sizes) {
   const HalfedgeMesh& mesh = surface.mesh();
   std::vector<Vertex> lowered, next;
@@ -165,8 +166,8 @@ void limitGradation(const OriginalSurface& surface, double slope, VertexData<dou
     }
 }
 
-// Along boundaries that are kept the edges are as long as they are: per vertex the mean of its two,
-// 0 elsewhere; empty where nothing is kept.
+// Lengths of kept boundary edges: per vertex the mean of its two edges, 0 elsewhere; empty where
+// nothing is kept.
 VertexData<double> keptLengths(const OriginalSurface& surface) {
   VertexData<double> lengths;
   for (const Chain& chain : surface.curves().chains()) {
@@ -189,8 +190,8 @@ void limit(const VertexData<double>& limits, VertexData<double>& sizes) {
     sizes[Vertex(v)] = std::min(sizes[Vertex(v)], limits[Vertex(v)]);
 }
 
-// No size is below what the way from a kept edge allows: such an edge needs triangles to match,
-// even where all others are much smaller. Settled from the largest down.
+// Raises sizes around kept edges: a long kept edge needs triangles to match, even if all others are
+// much smaller. Processed from the largest size down.
 void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept, double slope,
                  VertexData<double>& sizes) {
   std::priority_queue<std::pair<double, Index>> queue;
@@ -211,7 +212,7 @@ void raiseAround(const OriginalSurface& surface, const VertexData<double>& kept,
   }
 }
 
-// The skin of spikes counts for nothing: what is to be shared out among the vertices is the rest.
+// The area without the skin of spikes; the vertices are shared out over this area.
 double areaToShare(const OriginalSurface& surface, const Spikes* spikes) {
   return spikes ? spikes->restOfArea : surface.area();
 }
@@ -229,8 +230,8 @@ VertexData<double> areasToShare(const OriginalSurface& surface, const Spikes* sp
   return areas;
 }
 
-// Of the size at a tip and that at its foot, which is small, the mean is so much shorter than the
-// edges between them that these are neither split nor collapsed.
+// Tip size 2.2 L, with L the spike's length, makes the target of its edges about 1.1 L (the size at
+// the foot is small), so that they are neither split nor collapsed.
 void stretchSpikes(const Spikes& spikes, VertexData<double>& sizes) {
   constexpr double kTipSize = 2.2;
   for (Index i = 0; i < sizes.size(); ++i)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How long the edges of the result should be at each place of the original. With adaptivity the
-// size follows curvature: the error of a flat triangle with edges h over a surface of curvature k
-// goes with k·h². For a given number of vertices h ∝ k^-1/2 makes the largest error smallest, and
-// h ∝ k^-1/3 the mean square; full adaptivity lies between.
+// The target edge length at each place of the original. With adaptivity the size follows curvature:
+// a flat triangle with edges h over a surface of curvature k has an error proportional to k·h². For
+// a given number of vertices h ∝ k^-1/2 minimises the largest error, and h ∝ k^-1/3 the mean
+// square; full adaptivity lies between.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ struct SizeRules {
   double adaptivity = 0;   // 0: even, 1: fully by curvature
   double gradation = 1.5;  // largest ratio between the sizes at the two ends of an edge
   std::span<const float> density = {};  // per original vertex (as BuiltMesh::sources), or empty
-  double error = 0;  // if above 0: sizes are small enough for about this distance, model units
-  const Spikes* spikes = nullptr;  // whose skin is to take few vertices, or none
+  double error = 0;                     // if above 0: sizes keep about this distance, model units
+  const Spikes* spikes = nullptr;       // spikes whose skin gets few vertices, or null
 };
 
 class SizeField {
@@ -31,25 +31,26 @@ class SizeField {
   double at(const SurfacePoint& p) const;
   double at(Vertex original) const { return sizes_[original]; }
 
-  // The same sizes on a finer surface, each vertex of which takes that of its heir on this one.
+  // The same sizes on a finer surface. heirs: per vertex of the finer surface the vertex here whose
+  // size it takes.
   void moveOnto(const OriginalSurface& finer, const VertexData<Vertex>& heirs);
 
-  // Whether it is the same everywhere.
+  // Whether the size is the same everywhere.
   bool isEven() const { return even_; }
-  // Whether the caller's own density is in it.
+  // Whether the sizes include the caller's own density.
   bool isWished() const { return wished_; }
-  // Whether spikes are left out of them: edges there are as long as the spikes.
+  // Whether sizes leave out spikes, whose edges are as long as the spikes.
   bool isSpiked() const { return spiked_; }
-  // The edge length of an even mesh with that many vertices.
+  // The edge length of an even mesh with the wanted number of vertices.
   double mean() const { return mean_; }
-  // The mean over the edges of a mesh of these sizes: shorter than mean() where they are graded.
+  // The mean over the edges of a mesh of these sizes; shorter than mean() where sizes are graded.
   double meanEdge() const { return meanEdge_; }
-  // How many vertices a mesh of these sizes has: what was asked for, or more to keep an error.
+  // The number of vertices of a mesh of these sizes: the wanted number, or more to keep an error.
   double vertices() const { return vertices_; }
 
  private:
   const HalfedgeMesh* mesh_;
-  std::shared_ptr<const RefinedFaces> refined_;  // what the sizes are for, if not just vertices
+  std::shared_ptr<const RefinedFaces> refined_;  // if set, sizes are per place of these faces
   VertexData<double> sizes_;
   double mean_ = 0;
   double meanEdge_ = 0;

@@ -9,16 +9,15 @@ namespace remesher {
 
 namespace {
 
-// A walk that has not ended after this many faces is not a local one any more; where it stands is
-// the answer.
+// A walk of more steps is no longer local; the point reached is then the answer.
 constexpr int kMaxSteps = 4096;
-// A barycentric coordinate below this is of a point on the opposite edge, which rounding has put
-// beside it: over an edge of 90° a wall stands upon that very point.
+// A barycentric coordinate below this means a point on the opposite edge, moved off it by rounding:
+// at a wall of 90° over an edge exactly this point counts.
 constexpr double kOnEdge = 1e-9;
 
 class Walk {
  public:
-  // barriers: none where null.
+  // barriers: null if there are none.
   struct Ground {
     const HalfedgeMesh& mesh;
     const VertexData<Vec3>& positions;
@@ -32,11 +31,11 @@ class Walk {
         target_(target),
         squaredEnough_(enough * enough) {}
 
-  // Where the walk from a face ends.
+  // The end of the walk from a face.
   SurfacePoint from(Face start) const { return from(closestOn(start)); }
 
-  // From a vertex all faces around it are looked at first: where a curve ends there, that of the
-  // start may lie on its other side.
+  // If the start is a vertex, all faces around it are tried first: at the end of a curve the
+  // start's face may lie on the wrong side of the curve.
   SurfacePoint from(const SurfacePoint& start) const {
     const Vec3& w = start.barycentric;
     Found best = closestOn(start.face);
@@ -75,7 +74,7 @@ class Walk {
     return found;
   }
 
-  // The best point on the faces that touch the one found; infinitely far where none is nearer.
+  // The best point on the faces that touch the point found; infinitely far if none can be nearer.
   Found closestAround(const Found& found) const {
     const Vec3& w = found.point.barycentric;
     const bool on[] = {w[0] < kOnEdge, w[1] < kOnEdge, w[2] < kOnEdge};
@@ -89,8 +88,8 @@ class Walk {
     return barriers_ && (*barriers_)[h] ? Halfedge() : mesh_.twin(h);
   }
 
-  // From inside the edge at `corner` only the face beyond can be nearer, and only if it runs
-  // towards the target.
+  // From a point inside the edge at `corner` only the face beyond the edge can be nearer, and only
+  // if that face runs towards the target.
   Found closestAcross(const Found& found, int corner) const {
     const Halfedge h = across(HalfedgeMesh::halfedge(found.point.face, corner));
     if (!h || !ascends(found, mesh_.origin(h), mesh_.opposite(h))) return {};
@@ -110,8 +109,8 @@ class Walk {
     return best;
   }
 
-  // The point found is the origin of h. Where neither edge there runs towards the target, nothing
-  // between them does.
+  // The point found is the origin of h. If neither edge of the face there runs towards the target,
+  // no point of the face is nearer.
   void improve(const Found& found, Halfedge h, Found& best) const {
     const Vertex v = mesh_.origin(h);
     if (!ascends(found, v, mesh_.tip(h)) && !ascends(found, v, mesh_.opposite(h))) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Closest points found by walking over the faces of the original from a near start: cheap, never
-// jumps to another sheet, and the fallback where no patch serves.
+// Closest points found by walking over the faces of the original from a near start. The walk is
+// cheap, never jumps to another sheet, and is the fallback where no patch serves.
 #pragma once
 
 #include "original/surface/original_surface.h"
@@ -14,7 +14,7 @@ SurfacePoint closestPointFrom(const OriginalSurface& surface, const SurfacePoint
 
 struct Target {
   Vec3 position;
-  double enough = 0;  // the walk ends where it is nearer than this
+  double enough = 0;  // the walk ends when it is nearer than this
 };
 
 // The same on any mesh, without barriers.

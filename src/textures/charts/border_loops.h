@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The border of some triangles as loops, the triangles on the left.
+// The border of a set of triangles as loops, with the triangles on the left.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace remesher {
 
-// Each loop as the corners of its edges. edges: the corners that are `isBorder`, in any order;
-// twins: per corner that of the edge from it.
+// Each loop is a list of corners whose edges follow each other. edges: the corners that are
+// `isBorder`, in any order; twins: per corner the corner across the edge that begins at it.
 template <class IsBorder>
 std::vector<std::vector<Index>> borderLoops(std::vector<Index> edges, std::span<const Index> twins,
                                             const IsBorder& isBorder) {

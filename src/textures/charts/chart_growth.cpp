@@ -23,17 +23,17 @@ const double kLeastCosine = std::cos(kMostTilt);
 // How much more a bent union costs than a flat one.
 constexpr double kBending = 8;
 
-// A set of triangles on its way to a chart.
+// A set of triangles that grows to a chart.
 struct Cluster {
   std::vector<Index> triangles;
   Vec3 areaVector = Vec3::Zero();  // twice the sum of the areas times the normals
   double area = 0;
   double perimeter = 0;
-  std::map<Index, double> neighbours;  // by their number: length of the common border
+  std::map<Index, double> neighbours;  // by number: length of the common border
   Index version = 0;
 };
 
-// A pair of clusters that could be one; stale when either has changed since.
+// A pair of clusters that could be merged; stale if either has changed since.
 struct Proposal {
   double cost;
   Index a, b;
@@ -113,7 +113,7 @@ class Growth {
     return !coversTwice(border({a, b}, isOurs, PlaneFrame(axis)));
   }
 
-  // The loops of the border of a union.
+  // The border loops of a union.
   template <class IsOurs>
   std::vector<std::vector<PlaneEdge>> border(std::array<Index, 2> clusters, const IsOurs& isOurs,
                                              const PlaneFrame& frame) {

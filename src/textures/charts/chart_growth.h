@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A mesh cut into charts, each of which lies so flat that it can be laid into the plane as it is
-// seen from straight above. Triangles are merged pair by pair, the most compact and flattest union
-// first [Garland, Willmott, Heckbert 2001, Hierarchical Face Clustering], as long as no triangle is
-// tilted by more than kMostTilt and nothing lies over anything else. So no triangle is turned over,
-// none covers another, and areas in the plane are even to within 1 / cos(kMostTilt).
+// Cuts a mesh into charts, each flat enough to be projected to a plane from straight above.
+// Triangles are merged pair by pair, the most compact and flattest union first [Garland, Willmott,
+// Heckbert 2001, Hierarchical Face Clustering], as long as no triangle is tilted by more than
+// kMostTilt and nothing lies over anything else. So no triangle is turned over, none covers
+// another, and areas in the plane are even to within 1 / cos(kMostTilt).
 #pragma once
 
 #include <span>
@@ -18,15 +18,15 @@ inline constexpr double kMostTilt = radians(44);
 struct ChartSurface {
   std::span<const Vec3> positions;
   std::span<const Index> indices;  // three per triangle
-  std::span<const Index> twins;    // per corner that of the edge from it; kNone: charts end there
+  std::span<const Index> twins;  // per corner the twin of the edge from it; kNone: charts end there
 };
 
 struct Chart {
   std::vector<Index> triangles;
-  Vec3 axis;  // unit: from where it is seen
+  Vec3 axis;  // unit: the direction to look from
 };
 
-// Every triangle is in one chart; those of a chart hang together by edges.
+// Every triangle is in one chart; the triangles of a chart are connected by edges.
 std::vector<Chart> growCharts(const ChartSurface& surface);
 
 }  // namespace remesher

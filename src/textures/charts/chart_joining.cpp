@@ -17,13 +17,13 @@ namespace remesher {
 
 namespace {
 
-// Of a union: each join goes over all of them, and a chart of so many has little border.
+// Limit on a union's triangles: each join visits all of them, and larger charts have little border.
 constexpr std::size_t kMostTriangles = 512;
 
 struct Offer {
   Index from, into;
   std::vector<Index> seam;  // corners of `from`
-  Index versions;           // of both
+  Index versions;           // sum of both charts' versions
 };
 
 class Joining {
@@ -67,8 +67,8 @@ class Joining {
   Vec3 position(Index h) const { return surface_.positions[surface_.indices[h]]; }
   double edgeLength(Index h) const { return (position(nextCorner(h)) - position(h)).norm(); }
 
-  // As seen from above, enlarged so that areas are as far above as below what they should be;
-  // relaxed, if that is true to the surface.
+  // Lays a chart down as seen from above, enlarged so that areas are as far above their true size
+  // as below. Relaxes it if the relaxed chart is true to the surface.
   void layDown(Index chart, const PlaneFrame& frame) {
     const double enlarged = std::sqrt(std::sqrt(1 / std::cos(kMostTilt)));
     for (const Index t : triangles_[chart])
@@ -85,7 +85,7 @@ class Joining {
         corners_[3 * triangles[i] + k] = mesh.vertices[mesh.triangles[i][k]];
   }
 
-  // What is glued has one place, the mean of those that its corners have.
+  // The chart's triangles with glued corners as one vertex, at the mean of the corners' places.
   PlaneMesh meshOf(const std::vector<Index>& triangles) {
     place_.resize(chartOf_.size());
     for (Index i = 0; i < triangles.size(); ++i) place_[triangles[i]] = i;
@@ -119,7 +119,7 @@ class Joining {
     return mesh;
   }
 
-  // Of the border, each as the corners of its edges.
+  // The border loops, each as the corners of its edges.
   std::vector<std::vector<Index>> loopsOf(const std::vector<Index>& triangles) const {
     const auto isBorder = [&](Index h) { return !isGlued_[h]; };
     std::vector<Index> edges;
@@ -154,7 +154,7 @@ class Joining {
     return sum;
   }
 
-  // What a chart has in common with its neighbours, piece by piece.
+  // Offers every piece of border that a chart shares with a neighbour.
   void offer(Index chart) {
     const double own = perimeter(chart);
     for (std::vector<Index>& loop : loopsOf(triangles_[chart])) {
@@ -176,7 +176,7 @@ class Joining {
     }
   }
 
-  // The larger one takes the smaller one in.
+  // The larger chart takes in the smaller one.
   void add(Index chart, Index other, std::vector<Index> seam, double shared) {
     if (triangles_[chart].size() + triangles_[other].size() > kMostTriangles) return;
     const bool isSmaller = triangles_[chart].size() < triangles_[other].size();
@@ -216,7 +216,7 @@ class Joining {
     return true;
   }
 
-  // Moves them; returns where they were.
+  // Moves the triangles; returns where their corners were.
   std::vector<Vec2> moved(const std::vector<Index>& triangles, const PlaneMotion& motion) {
     std::vector<Vec2> before;
     for (const Index t : triangles)
@@ -233,13 +233,13 @@ class Joining {
 
   const ChartSurface& surface_;
   std::vector<Vec2> corners_;   // in the plane of their chart
-  std::vector<char> isGlued_;   // per corner: whether the plane goes on across the edge from it
+  std::vector<char> isGlued_;   // per corner: whether the chart continues across the edge from it
   std::vector<Index> chartOf_;  // per triangle
   std::vector<Index> versions_;
   std::vector<std::vector<Index>> triangles_;  // per chart
-  std::vector<Index> place_;                   // per triangle, in the chart that is looked at
+  std::vector<Index> place_;                   // per triangle its number in the current chart
   std::vector<Offer> offers_;
-  // By the share of the smaller chart's border.
+  // By the shared length, as a share of the shorter border of the two charts.
   std::priority_queue<std::pair<double, Index>> queue_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Charts that lie flat, joined with their neighbours along common borders as long as the union can
-// be laid into the plane with little stretch: a tube becomes a strip, a bevel goes with its panel.
+// Joins flat charts with their neighbours along common borders, as long as the union can be laid
+// into the plane with little stretch: a tube becomes a strip, a bevel joins its panel.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct FlatChart {
   PlaneChart plane;  // the same triangles, about as large as on the surface
 };
 
-// In the plane no triangle is turned over and none covers another; areas are even to within
-// 1 / cos(kMostTilt).
+// In the plane no triangle is turned over and none covers another. Areas are even to within 1 /
+// cos(kMostTilt).
 std::vector<FlatChart> layFlat(const ChartSurface& surface, std::vector<Chart> charts);
 
 }  // namespace remesher

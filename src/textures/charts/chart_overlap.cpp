@@ -19,8 +19,8 @@ struct Extent {
   }
 };
 
-// Of two edges with a common vertex: whether one lies along the other. `p` is common, q and r are
-// the other ends.
+// Whether one of two edges with a common vertex lies along the other. `p` is the common vertex, q
+// and r are the other ends.
 bool liesAlong(const Vec2& p, const Vec2& q, const Vec2& r) {
   return orient2d(p, q, r) == 0 && (q - p).dot(r - p) > 0;
 }
@@ -49,7 +49,7 @@ bool coversTwice(std::span<const std::vector<PlaneEdge>> border) {
     return true;
   std::vector<PlaneEdge> edges;
   for (const auto& loop : border) edges.insert(edges.end(), loop.begin(), loop.end());
-  // Swept from left to right: only edges that are there at the same time can meet.
+  // Sweeps from left to right: only edges that overlap in x can meet.
   std::vector<std::pair<double, Index>> order;
   for (const PlaneEdge& e : edges)
     order.push_back({std::min(e.a.x(), e.b.x()), Index(order.size())});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether a chart, laid into the plane, covers any place twice. Where all triangles keep their
-// orientation it does not if its border crosses itself nowhere and has one outer loop: the winding
-// number about a place says how often it is covered.
+// Whether a chart, laid into the plane, covers any place twice. If all triangles keep their
+// orientation, it does not if its border never crosses itself and has one outer loop: the winding
+// number around a place says how often the place is covered.
 #pragma once
 
 #include <span>

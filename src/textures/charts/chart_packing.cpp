@@ -16,9 +16,9 @@ namespace remesher {
 
 namespace {
 
-constexpr int kTurns = 32;       // of a right angle, that are tried
-constexpr Index kCells = 512;    // of the square along a side, at most
-constexpr double kShrink = 0.9;  // from one scale to the next, until one fits
+constexpr int kTurns = 32;       // tried angles within a right angle
+constexpr Index kCells = 512;    // most cells along a side of the square
+constexpr double kShrink = 0.9;  // from one scale to the next until all fits
 constexpr int kTries = 4, kMostTries = 90;
 
 struct Bounds {
@@ -43,7 +43,7 @@ PlaneChart turned(const PlaneChart& chart, double angle) {
   return result;
 }
 
-// Turned to its smallest box, wider than high, the box's corner at the origin.
+// The chart turned to its smallest box, wider than high, with the box's corner at the origin.
 PlaneChart laidOut(const PlaneChart& chart) {
   double least = std::numeric_limits<double>::infinity(), best = 0;
   for (int i = 0; i < kTurns; ++i) {
@@ -60,7 +60,7 @@ PlaneChart laidOut(const PlaneChart& chart) {
   return result;
 }
 
-// Turned by a right angle.
+// The chart turned by a right angle.
 PlaneChart upright(const PlaneChart& chart) {
   PlaneChart result = chart;
   const double height = Bounds(chart).high.y();
@@ -69,7 +69,7 @@ PlaneChart upright(const PlaneChart& chart) {
   return result;
 }
 
-// Cells of a row, side by side; the shortest comes first.
+// A run of adjacent cells in a row; shorter runs sort first.
 struct CellRun {
   int length = 0, row = 0, begin = 0;
 
@@ -77,13 +77,13 @@ struct CellRun {
   int end() const { return begin + length; }
 };
 
-// The cells that a chart comes into, padding included.
+// The cells that a chart touches, padding included.
 struct Mask {
-  std::vector<CellRun> runs;  // the longest first: most places are refused for that
+  std::vector<CellRun> runs;  // the longest first: it rules out most places
   int width = 0, height = 0, cells = 0;
 };
 
-// A row of the square, a bit to a cell.
+// A row of the square, one bit per cell.
 class Row {
  public:
   void fill(const CellRun& run) {
@@ -94,7 +94,8 @@ class Row {
     }
   }
 
-  // Sets those whose bit in another row, so much farther on, is set; from a cell on at least.
+  // Sets the bits whose cell, moved by `distance`, is set in another row; at least from cell `from`
+  // on.
   void add(const Row& other, int distance, int from) {
     const std::size_t whole = distance / kBits;
     const int rest = distance % kBits;
@@ -105,11 +106,11 @@ class Row {
     }
   }
 
-  // The first cell from this one on whose bit is set, or is not; kCells: there is none.
+  // The first cell from `from` on whose bit is set, or not set; kCells if there is none.
   int firstSet(int from) const { return first(from, 0); }
   int firstFree(int from) const { return first(from, kAll); }
 
-  // How many cells without a bit lie side by side at most.
+  // The length of the longest run of cells without a bit.
   int longestFree(int cells) const {
     int longest = 0;
     for (int begin = firstFree(0); begin < cells;) {
@@ -136,7 +137,7 @@ class Row {
   std::array<std::uint64_t, kWords> words_{};
 };
 
-// What is taken of a row of the square. It is asked far more often than it changes.
+// The taken cells of a row of the square. It is queried far more often than it changes.
 class TakenRow {
  public:
   explicit TakenRow(int cells) : cells_(cells), longestFree_(cells) {}
@@ -149,11 +150,11 @@ class TakenRow {
     longestFree_ = blocked_[0].longestFree(cells_);
   }
 
-  // How many cells are free side by side at most.
+  // The length of the longest free run.
   int longestFree() const { return longestFree_; }
 
-  // Adds, from a cell on, where a mask cannot begin, for this run of it would come upon what is
-  // taken.
+  // Adds, from cell `from` on, the places where a mask cannot begin because its run would meet
+  // taken cells.
   void addBlocked(Row& to, const CellRun& run, int from) const {
     const int power = std::bit_width(unsigned(run.length)) - 1, rest = run.length - (1 << power);
     to.add(blocked_[power], run.begin, from);
@@ -165,12 +166,12 @@ class TakenRow {
   std::array<Row, std::bit_width(kCells)> blocked_;  // for runs of 1, 2, 4 … cells
 };
 
-// From where to where something comes into a row.
+// The range of cells that something touches in a row.
 struct Reach {
   int begin = kCells, end = 0;
 };
 
-// Where a chart has come to lie: turned by a quarter or not, its box's corner in cells.
+// The place of a chart: turned by a quarter or not, and its box's corner in cells.
 struct Berth {
   int x = 0, y = 0;
   std::size_t turn = 0;
@@ -209,7 +210,7 @@ class Packer {
   }
 
  private:
-  // By area, and by the longest chart.
+  // An upper bound on the scale, by total area and by the longest chart.
   double largestThinkable() const {
     double area = 0;
     for (const auto& [chart, turned] : charts_)
@@ -248,7 +249,7 @@ class Packer {
     return mask;
   }
 
-  // The rows that a padded edge comes into, each with how far the edge reaches there.
+  // Extends the rows that a padded edge touches by the edge's range in each.
   void addEdge(std::vector<Reach>& rows, Vec2 a, Vec2 b) const {
     if (a.y() > b.y()) std::swap(a, b);
     const double pad = rules_.padding;
@@ -268,7 +269,7 @@ class Packer {
     }
   }
 
-  // The charts as they are and turned, as long as all of them have fewer cells than the square.
+  // Masks of all charts, unturned and turned; none if the charts have more cells than the square.
   std::optional<std::vector<std::array<Mask, 2>>> masksAt(double scale) const {
     std::vector<std::array<Mask, 2>> masks;
     int free = cells_ * cells_;
@@ -280,7 +281,7 @@ class Packer {
     return masks;
   }
 
-  // The lowest place that is free, of two as low the leftmost.
+  // The lowest free place; among equally low places the leftmost.
   std::optional<Berth> berthFor(const Mask& mask, const std::vector<TakenRow>& square,
                                 int top) const {
     for (int y = 0; y + mask.height <= top; ++y) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Charts put into a square of texels, as large as they can all be at one scale. Each is turned to
-// where its box is smallest, or by a right angle from there; the largest is placed first, and each
-// as low as there is a free place for it, in the holes of others, too: not by boxes but by the
-// cells that they cover.
+// Packs charts into a square of texels, as large as all can be at one scale. Each chart is turned
+// to its smallest box, or by a right angle from there. The largest chart is placed first, and each
+// as low as it fits, also in the holes of others: cells are compared, not boxes.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@ using PlaneChart = std::vector<PlaneTriangle>;
 
 struct PackingRules {
   Index size;     // of the square, texels
-  Index padding;  // texels around each chart that no other comes into, and the rim keeps free
+  Index padding;  // free texels around each chart and along the square's rim
 };
 
 struct Packing {
@@ -26,8 +25,8 @@ struct Packing {
   double scale;                    // texels per unit of length
 };
 
-// No more than `rules.size` squared texels are asked for by any chart; scale 0: they do not fit,
-// however small they are.
+// All charts together cover at most `rules.size` squared texels. scale 0: the charts do not fit,
+// however small.
 Packing packCharts(std::span<const PlaneChart> charts, const PackingRules& rules);
 
 }  // namespace remesher

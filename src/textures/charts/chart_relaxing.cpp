@@ -10,9 +10,9 @@ namespace remesher {
 namespace {
 
 constexpr int kRounds = 10;
-// Longest to shortest: of a circle drawn on the surface.
+// Largest ratio of the longest to the shortest axis of a circle drawn on the surface.
 constexpr double kMostStretch = 1.5;
-// Areas are between these shares of what they should be: even to within 1 / cos(kMostTilt).
+// Bounds on an area's ratio to its true size: areas are even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
 
 double twiceArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
@@ -22,8 +22,8 @@ PlaneTriangle placed(const PlaneMesh& mesh, std::size_t t) {
   return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
 }
 
-// By the singular values of the map: their product is the ratio of areas, and the sum of their
-// squares that of what edges come to.
+// Uses the singular values of the map: their product is the ratio of areas, and the sum of their
+// squares is the squared norm of the map.
 bool isTrue(const PlaneTriangle& wanted, const PlaneTriangle& t) {
   const double area = twiceArea(wanted);
   if (!(area > 0)) return false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A chart in the plane, its triangles brought nearer to what they are on the surface: each is laid
-// as it is there onto where it lies, and each vertex goes to the mean of the places that its
-// triangles ask for [Liu et al. 2008, A Local/Global Approach to Mesh Parameterization; Bouaziz et
-// al. 2012, Shape-Up].
+// Relaxes a chart in the plane, so that its triangles come closer to their shape on the surface.
+// Each round fits every triangle's true shape onto its place, then moves each vertex to the mean of
+// the places that its triangles ask for [Liu et al. 2008, A Local/Global Approach to Mesh
+// Parameterization; Bouaziz et al. 2012, Shape-Up].
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace remesher {
 
-// The motion that brings one row of points nearest to another.
+// The rigid motion that brings one list of points nearest to another.
 class PlaneMotion {
  public:
   PlaneMotion(std::span<const Vec2> from, std::span<const Vec2> to);
@@ -25,7 +25,7 @@ class PlaneMotion {
   Vec2 turn_ = Vec2::UnitX();  // cosine and sine
 };
 
-// A triangle as it is on the surface, laid into the plane.
+// A triangle of the surface, laid into the plane in its true shape.
 PlaneTriangle laidDown(const Vec3& a, const Vec3& b, const Vec3& c);
 
 struct PlaneMesh {
@@ -36,8 +36,7 @@ struct PlaneMesh {
 
 void relax(PlaneMesh& mesh);
 
-// Whether no triangle is turned over, all are about as large as they should be, and none is
-// stretched much.
+// Whether no triangle is turned over, all areas are about right, and no triangle is stretched much.
 bool isTrue(const PlaneMesh& mesh);
 
 }  // namespace remesher

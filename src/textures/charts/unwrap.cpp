@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// Per corner the one across the edge from it, where two triangles share it and nothing cuts it.
+// Per corner the twin of the edge from it, if two triangles share the edge and it is not cut.
 std::vector<Index> twinsOf(const UnwrapInput& mesh) {
   std::vector<Index> twins(mesh.indices.size(), kNone);
   const EdgeGroups groups(mesh.positions.size(), mesh.indices);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// New texture coordinates for a mesh: charts, laid into the plane and packed into a square.
+// New texture coordinates for a mesh: charts laid into the plane and packed into a square.
 #pragma once
 
 #include <span>
@@ -17,14 +17,14 @@ struct UnwrapInput {
 
 struct Unwrapped {
   std::vector<Vec2> corners;  // per corner, in texels from the square's corner
-  std::vector<char> rims;     // per corner: whether no chart may go on across the edge from it
+  std::vector<char> rims;     // per corner: whether no chart may continue across the edge from it
   std::vector<Index> charts;  // per triangle its chart's number
   std::size_t chartCount = 0;
   double scale = 0;  // texels per unit of length; 0: the square is too small for so many charts
 };
 
-// Texels per area are the same all over to within 1 / cos(kMostTilt), no triangle is turned over
-// and no two lie over each other.
+// Texels per area are even to within 1 / cos(kMostTilt). No triangle is turned over and no two
+// overlap.
 Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules);
 
 }  // namespace remesher

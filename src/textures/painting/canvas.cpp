@@ -19,10 +19,10 @@ double distanceToEdge(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * (b - a)).norm();
 }
 
-// Texels over a triangle's middle or no farther from it than this belong to it.
+// A texel belongs to a triangle that covers its middle or is no farther from its middle than this.
 constexpr double kReach = 1;
 
-// A triangle to measure distances from.
+// A triangle prepared for measuring distances.
 class Outline {
  public:
   explicit Outline(const TexelTriangle& triangle) : corners_(triangle) {
@@ -32,7 +32,7 @@ class Outline {
       beyond_[k] = isFlat ? -kFar : -kReach * 1.001 * edges_[k].norm();
   }
 
-  // Infinite where the line of an edge tells that it is beyond the reach.
+  // Infinite if the line of an edge already shows that p is beyond the reach.
   double distanceTo(const Vec2& p) const {
     bool isInside = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -50,10 +50,10 @@ class Outline {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   TexelTriangle corners_, edges_;
-  std::array<double, 3> beyond_;  // on the far side of an edge nothing is near
+  std::array<double, 3> beyond_;  // per edge: nothing beyond this is within reach
 };
 
-// The eight texels beside one, by number: what to add to it for each.
+// The eight texels around one, by number: the index steps to them.
 class Beside {
  public:
   explicit Beside(Index size) : size_(size) {
@@ -62,7 +62,7 @@ class Beside {
 
   Index operator()(Index texel, unsigned number) const { return texel + steps_[number]; }
 
-  // Those that there are, and that are meant.
+  // A bit for each of them that exists and that isMeant accepts.
   template <class IsMeant>
   unsigned those(Index texel, const IsMeant& isMeant) const {
     const Index x = texel % size_, y = texel / size_;
@@ -82,10 +82,10 @@ class Beside {
   std::array<Index, 8> steps_;
 };
 
-// A texel to be filled with the mean of some beside it.
+// A texel to fill with the mean of some of its neighbours.
 struct Gap {
   Index texel;
-  std::uint8_t others;  // by number: see Beside
+  std::uint8_t others;  // a bit per neighbour: see Beside
 };
 
 void setToMean(io::Image& image, const Gap& gap, const Beside& beside) {
@@ -100,7 +100,7 @@ void setToMean(io::Image& image, const Gap& gap, const Beside& beside) {
     sums[1] += bytes >> 8 & kPair;
   }
   const unsigned count = unsigned(std::popcount(gap.others));
-  // Eight bytes at most: of them this is as good as the division.
+  // For sums of at most eight bytes the multiplication gives the same result as the division.
   const unsigned inverse = 65536 / count + 1;
   const auto mean = [&](std::uint32_t sum) { return (sum + count / 2) * inverse >> 16; };
   const auto means = [&](std::uint32_t pair) {
@@ -110,7 +110,7 @@ void setToMean(io::Image& image, const Gap& gap, const Beside& beside) {
   std::memcpy(&image.texels[4 * std::size_t{gap.texel}], &bytes, sizeof bytes);
 }
 
-// Ring after ring, each beside what is covered or filled by then.
+// The gaps ring after ring; each ring lies beside texels that are covered or filled by then.
 std::vector<Gap> gapsInRings(std::span<const Index> owners, const Beside& beside) {
   enum State : std::uint8_t { Empty, Done, Waiting };
   std::vector<std::uint8_t> states(owners.size());
@@ -165,7 +165,8 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
 }
 
 RimmedTriangle::RimmedTriangle(const TexelTriangle& t, const std::array<char, 3>& rims) {
-  // In texels, for the edge is not quite where the original's is; and of the triangle's height.
+  // The inset in texels, because the edge is not exactly the original's; at most this share of the
+  // height.
   constexpr double kInset = 0.25, kMostInset = 0.25;
   const double area = cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -182,7 +183,7 @@ Vec2 RimmedTriangle::kept(const Vec2& point, const Rim& rim) {
   return point + missing / rim.length * Vec2(-rim.edge.y(), rim.edge.x());
 }
 
-// One image after the other: all of them do not fit into a cache.
+// Image after image, because they do not all fit into a cache.
 void fillGutters(std::span<io::Image* const> images, std::span<const Index> owners) {
   const Beside beside(images.front()->width);
   const std::vector<Gap> gaps = gapsInRings(owners, beside);

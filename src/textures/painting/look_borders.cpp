@@ -12,19 +12,19 @@ namespace remesher {
 
 namespace {
 
-// In levels of what a map says, 0 to 1: what jumps by less may be mixed.
+// In levels of a map, 0 to 1: smaller jumps may be mixed.
 constexpr double kLeastJump = 0.1;
-// In texels: how nearly the place of a jump is found, and how far from the edge it may be.
+// In texels: the precision with which a jump is located, and its largest distance from the edge.
 constexpr double kNarrow = 1.0 / 64, kAt = 0.5;
-// Of a jump: what is left of it between places so near to each other.
+// The share of a jump that must remain between places kNarrow apart.
 constexpr double kMostOfIt = 0.6;
-// Of a triangle above an edge, in texels: below that a chart's rim would be all of it.
+// The least height of a triangle above an edge, in texels: a lower triangle would be all rim.
 constexpr double kLowest = 1.5;
-constexpr double kDeepest = 0.2;  // of the triangle's height: where it is looked at
-// Where along an edge.
+constexpr double kDeepest = 0.2;  // deepest place looked at, of the triangle's height
+// Places along an edge.
 constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
 
-// What is seen at a place: about as bytes say it.
+// What is visible at a place, in levels about as bytes have them.
 using Shown = Eigen::Array<float, 8, 1>;
 using Row = std::array<Shown, kPlaces.size()>;
 
@@ -77,7 +77,7 @@ class Borders {
     return parts(a, nextCorner(b)) || parts(nextCorner(a), b) || jumps(a, b);
   }
 
-  // The two sides run along their edge in opposite directions.
+  // The two corners' edges run in opposite directions.
   bool jumps(Index a, Index b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < kPlaces.size(); ++i)
@@ -90,8 +90,7 @@ class Borders {
     double along;
   };
 
-  // Between two places on either side there is one where what is seen is not continuous, and it is
-  // at the edge.
+  // Whether what is visible jumps at the edge: bisects between a place on either side for the jump.
   bool jumpsAt(const Across& where, std::array<Shown, 2> seen) {
     const double before = apart(seen[0], seen[1]);
     if (!(before > kLeastJump)) return false;
@@ -114,7 +113,8 @@ class Borders {
     return row;
   }
 
-  // One that has entered the triangle, which is dear: the two beside an edge take turns.
+  // A finder that has entered the triangle. Entering is slow, so the two triangles at an edge have
+  // a finder each.
   SideFinder& finderFor(Index triangle) {
     latest_ = triangle == entered_[latest_] ? latest_ : 1 - latest_;
     if (triangle != entered_[latest_]) finders_[latest_].enter(surface_.onSource(triangle));
@@ -122,7 +122,7 @@ class Borders {
     return finders_[latest_];
   }
 
-  // What is seen beside an edge, so many texels away from it.
+  // What is visible at this many texels from a corner's edge.
   Shown shownAt(Index h, double along, double texels) {
     SideFinder& finder = finderFor(h / 3);
     const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
@@ -141,7 +141,7 @@ class Borders {
   const PaintSource& source_;
   double texel_;
   std::vector<SideFinder> finders_;                // two
-  std::array<Index, 2> entered_ = {kNone, kNone};  // which triangle each looks at
+  std::array<Index, 2> entered_ = {kNone, kNone};  // the triangle that each has entered
   std::size_t latest_ = 0;                         // the finder that was used last
   std::vector<Row> near_;                          // per corner: a texel away from the edge from it
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Edges at which the original's look ends: it has another colour, say, on the other side, or its
-// normals part. Where such an edge is within a chart every filter mixes the two, the more so the
-// coarser the mip level; where charts end there each keeps its own.
+// Edges at which the original's look ends: beyond the edge it has another colour, say, or other
+// normals. Inside a chart every filter mixes the two looks across such an edge, more so at coarser
+// mip levels; if charts end there, each look stays pure.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace remesher {
 
-// Per corner, whether the look ends at the edge from it. texel: how large texels will be, about;
-// triangles of no more than a few of them are not worth it.
+// Per corner, whether the look ends at the edge from it. texel: approximate size of the future
+// texels; triangles of only a few texels are skipped.
 std::vector<char> lookBorders(const NewSurface& surface, const PaintSource& source, double texel);
 
 }  // namespace remesher

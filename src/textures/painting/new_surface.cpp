@@ -15,11 +15,11 @@ namespace {
 
 Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
 
-// What tells the copies of a vertex apart.
+// The values by which copies of a vertex differ.
 using CopyKey = std::array<double, 10>;
 
-// The triangles as the original draws what they lie on: where one can be seen through, what comes
-// later lies over what came before.
+// The triangles in the drawing order of the original triangles they lie on: with transparency later
+// triangles lie over earlier ones.
 std::vector<Index> drawingOrder(std::span<const InputPlace> places) {
   std::vector<Index> middles, order(places.size() / 3);
   for (std::size_t h = 0; h < places.size(); h += 3) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What remeshing has made of a part, on its way to being painted: its corners with all that is to
-// be written of them, in the single precision that files have.
+// A remeshed part before painting: its corners with everything to be written for them, in the
+// single precision of files.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace remesher {
 
 class NewSurface {
  public:
-  // places: per corner, on the source. Both must outlive the object, and the mesh, too.
+  // places: per corner, on the source. mesh, places and source must outlive the object.
   NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> places,
              const PaintSource& source);
 
@@ -22,14 +22,14 @@ class NewSurface {
   std::span<const Vec3> positions() const { return positions_; }  // per vertex
   Index welded(Index corner) const { return welded_[corner]; }
 
-  // A triangle, with where its corners are on the source.
+  // A triangle with its corners' places on the source.
   NewTriangle onSource(Index triangle) const {
     const Index h = 3 * triangle;
     return {{position(h), position(h + 1), position(h + 2)},
             {places_[h], places_[h + 1], places_[h + 2]}};
   }
 
-  // texel: from the corner of a square of so many.
+  // texel: relative to the corner of a square of `size` texels.
   void setTexcoord(Index corner, const Vec2& texel, Index size);
   void setTangent(Index corner, const Eigen::Vector4d& tangent) {
     tangents_[corner] = tangent;
@@ -41,8 +41,8 @@ class NewSurface {
   const Vec2& texcoord(Index corner) const { return texcoords_[corner]; }
   CanvasCorner canvasCorner(Index corner, Index size) const;
 
-  // The mesh with normals, texture coordinates and, if any were set, tangents; a vertex in as many
-  // copies as they need.
+  // The mesh with normals, texture coordinates and, if any were set, tangents. Vertices are copied
+  // where corners differ.
   TriangleMesh painted() const;
 
  private:

@@ -111,7 +111,7 @@ Eigen::Vector4d PaintSource::vertexColor(const InputPlace& place) const {
   return sum;
 }
 
-// The normal as the normal map bends it.
+// The normal as bent by the normal map.
 Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place,
                        const Eigen::Vector4d& texel) const {
   if (!mapsOf(place.triangle).textures[NormalMap]) return normal;

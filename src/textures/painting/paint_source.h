@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The original as a painter sees it: at any place its colours, its roughness and so on, and the
-// direction that light takes for its normal.
+// normal that light takes.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 namespace remesher {
 
 struct Look {
-  Eigen::Vector4d baseColor = Eigen::Vector4d::Zero();  // light, and alpha
-  Vec3 emissive = Vec3::Zero();                         // light
+  Eigen::Vector4d baseColor = Eigen::Vector4d::Zero();  // linear light, and alpha
+  Vec3 emissive = Vec3::Zero();                         // linear light
   Vec3 surface = Vec3::Zero();                          // occlusion, roughness, metal
   Vec3 normal = Vec3::Zero();                           // unit
 };
 
-// What a mesh without normals is shaded like.
+// How a mesh without normals is shaded.
 enum class Unshaded { Flat, Smooth };
 
 struct SourceInput {
@@ -31,9 +31,9 @@ struct SourceInput {
   Unshaded unshaded;
 };
 
-Vec3 unitOr(const Vec3& v, const Vec3& otherwise);  // otherwise: where it has no direction
+Vec3 unitOr(const Vec3& v, const Vec3& otherwise);  // otherwise: returned if v has no direction
 
-// Of places on one triangle.
+// The mean of places on one triangle.
 InputPlace middleOf(std::span<const InputPlace> places);
 
 class PaintSource {
@@ -46,21 +46,21 @@ class PaintSource {
   const TriangleMesh& mesh() const { return *input_.mesh; }
   Triangle corners(Index triangle) const;
   const Vec3& faceNormal(Index triangle) const { return faceNormals_[triangle]; }
-  // The triangles with a corner at the same place as one of this one's corners.
+  // The triangles around the place of a corner.
   std::span<const Index> around(Index corner) const;
 
   Vec3 position(const InputPlace& place) const;
   Vec3 shadingNormal(const InputPlace& place) const;  // without the normal map; unit
-  // The mean over places on one triangle, of which the maps are looked up at each, and all else in
-  // the middle.
+  // The mean look over places on one triangle. Maps are looked up at each place, all else in the
+  // middle of the places.
   Look at(std::span<const InputPlace> places) const;
 
-  // Texels of the finest map of a triangle that lie on it.
+  // The number of texels of a triangle's finest map that lie on it.
   double texels(Index triangle) const;
-  // Texels that a triangle takes for the colours of its corners to go over into each other in steps
-  // that hardly show.
+  // The number of texels in which the colours of a triangle's corners blend in hardly visible
+  // steps.
   double colorTexels(Index triangle) const;
-  // Texels of the largest map of a group.
+  // The number of texels of a group's largest map.
   double largestMap(Index group) const;
 
  private:
@@ -73,12 +73,12 @@ class PaintSource {
     MapKinds
   };
 
-  // A material's maps, and for each the first that it lies like.
+  // A material's maps, and for each the first map with the same texels (see liesLike).
   struct Maps {
     std::array<Texture, MapKinds> textures;
     std::array<std::size_t, MapKinds> like;
   };
-  // What the maps say; 1 where there is none.
+  // The values of the maps; 1 where there is no map.
   using Texels = std::array<Eigen::Vector4d, MapKinds>;
 
   Maps mapsFor(const io::Material& material) const;
@@ -97,7 +97,7 @@ class PaintSource {
   SourceInput input_;
   io::Material plain_;
   std::vector<Maps> maps_;                   // per group
-  std::vector<const Attribute*> texcoords_;  // by their number; null: there are none
+  std::vector<const Attribute*> texcoords_;  // by set number; null: the mesh has none
   const Attribute* colors_ = nullptr;
   std::vector<Vec3> faceNormals_;
   std::vector<Vec3> normals_;              // per corner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a painter's source works out once: from its maps, its triangles, and how fine it is.
+// What a painter's source computes once: its maps, its links between triangles, its texel counts.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -124,7 +124,7 @@ double PaintSource::texels(Index triangle) const {
 }
 
 double PaintSource::colorTexels(Index triangle) const {
-  constexpr double kStep = 1.0 / 32;  // about eight of a byte's levels, from a texel to the next
+  constexpr double kStep = 1.0 / 32;  // about eight of a byte's levels per texel
   double most = 0;
   std::array<Eigen::Vector4d, 3> shown;
   for (Index k = 0; k < 3; ++k)

@@ -11,17 +11,17 @@ namespace remesher {
 
 namespace {
 
-// Points of a texel along a side.
+// Points per texel along a side.
 constexpr double kFewest = 2, kMost = 8;
-// Texels of the original up to so much finer, two to one of ours, are mixed well enough by looking
-// up once, for that is between four of them.
+// If the original's texels are finer by at most this factor (two per new texel), one look-up mixes
+// them well enough, because it interpolates between four texels.
 constexpr double kAlike = std::numbers::sqrt2;
-// Up to here two looks on a texel's diagonal are no farther apart, for those of all texels are the
-// corners and the middles of squares. With twice as many texels they would see one half of a
-// chequerboard only.
+// Up to this factor two looks on a texel's diagonal suffice: over all texels they are the corners
+// and middles of squares, no farther apart than kAlike allows. With a factor of 2 they would see
+// only one colour of a chequerboard.
 constexpr double kDiagonal = 1.9;
 
-// What the points of a texel come to.
+// The sum of the looks at the points of a texel.
 struct Mixture {
   Eigen::Vector4d baseColor = Eigen::Vector4d::Zero();
   Vec3 weighted = Vec3::Zero();  // colours times alpha
@@ -38,7 +38,7 @@ struct Mixture {
   }
 };
 
-// A vector that is linear on the plane of texels.
+// A vector that depends linearly on the texel coordinates.
 struct Sheet {
   Vec2 from;
   Vec3 there, perX, perY;
@@ -49,7 +49,7 @@ struct Sheet {
   }
 };
 
-// By the values at the corners.
+// The sheet with these values at the corners.
 Sheet sheetOf(const TexelTriangle& plane, const std::array<Vec3, 3>& values) {
   const auto at = [&](const Vec2& texel) -> Vec3 {
     const Vec3 weights = weightsAt(plane, texel);
@@ -60,8 +60,8 @@ Sheet sheetOf(const TexelTriangle& plane, const std::array<Vec3, 3>& values) {
           at(plane[0] + Vec2::UnitY()) - there};
 }
 
-// A direction in the frame that whoever draws the triangle will have there. The tangent has any
-// length, the side is that of the bitangent.
+// A direction in the tangent frame that a renderer will have there. The tangent may have any
+// length; side is the side of the bitangent.
 Vec3 inFrame(const Vec3& tangent, double side, const Vec3& normal, const Vec3& direction) {
   const double length = tangent.norm();
   if (!(length > 0)) return Vec3::UnitZ();
@@ -72,7 +72,7 @@ Vec3 inFrame(const Vec3& tangent, double side, const Vec3& normal, const Vec3& d
   Vec3 result =
       Vec3(facing.dot(direction), across.dot(direction), along.cross(bitangent).dot(direction)) /
       volume;
-  // What faces away cannot be said: it lies along the surface.
+  // A normal map cannot hold a direction that faces away: it is bent to just above the surface.
   constexpr double kLowest = 0.05;
   result.z() = std::max(result.z(), kLowest);
   return result.normalized();
@@ -120,7 +120,7 @@ class Painter {
   }
 
  private:
-  // Triangle after triangle, for each has its own part of the original.
+  // The texels by triangle, because each triangle has its own part of the original.
   std::vector<std::size_t> texelsByOwner() const {
     std::vector<std::size_t> starts(triangles_.size() + 1);
     for (const Index owner : owners_)
@@ -163,7 +163,8 @@ class Painter {
     return mixture;
   }
 
-  // Behind the place there and all on its triangle, which are brought together.
+  // Groups the places on the same triangle as places_[first] behind it; returns the end of the
+  // group.
   std::size_t endOfTriangle(std::size_t first) {
     std::size_t end = first + 1;
     for (std::size_t k = end; k < places_.size(); ++k)
@@ -171,8 +172,8 @@ class Painter {
     return end;
   }
 
-  // Those of the points of a texel. What lies beyond a rim is another's: only where nothing else is
-  // in it does the rim go on.
+  // The places of a texel's points. Points beyond a rim belong to another chart: they are used,
+  // moved inside, only if the texel has no other point.
   void findPlaces(const Vec2& corner) {
     if (findTogether(corner)) return;
     places_.clear();
@@ -186,8 +187,8 @@ class Painter {
     }
   }
 
-  // The same from the place of the texel's middle, if all points are within the rims and on one
-  // triangle: most are, and a search is dear.
+  // The same, computed from the place of the texel's middle, if all points are inside the rims and
+  // on one triangle. Most texels are, and a search is slow.
   bool findTogether(const Vec2& corner) {
     const auto isCutOff = [&](const Vec2& offset) {
       const Vec2 point = corner + offset;
@@ -212,7 +213,7 @@ class Painter {
     return {double(column), double(row)};
   }
 
-  // A direction as it is written at the middle of the texel.
+  // A direction as the normal map stores it at the middle of the texel.
   Vec3 written(const Vec3& direction) const {
     return inFrame(tangents_.at(middle_), triangle_->corners[0].tangent[3],
                    normals_.at(middle_).normalized(), direction);
@@ -242,13 +243,13 @@ class Painter {
   std::vector<TexelTriangle> plane_;
   std::vector<Index> owners_;
   Painting result_;
-  // The triangle that is painted.
+  // The triangle being painted.
   const CanvasTriangle* triangle_ = nullptr;
   const PaintSource* source_ = nullptr;
   SideFinder* finder_ = nullptr;
   RimmedTriangle outline_;
   Sheet points_, facings_, normals_, tangents_;
-  // The texel that is painted.
+  // The texel being painted.
   Vec2 middle_ = Vec2::Zero();
   std::vector<InputPlace> places_;
 };

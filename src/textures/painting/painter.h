@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Maps painted anew: for each texel the point of the new triangle, from there the place on the
-// original, there all that its material says; the mean, in light, over several points of the texel.
+// Paints maps anew. For each texel: the point of the new triangle, from there the place on the
+// original, and there everything that its material says, averaged in linear light over several
+// points of the texel.
 #pragma once
 
 #include <memory>
@@ -16,21 +17,21 @@ namespace remesher {
 struct CanvasCorner {
   Vec3 position;
   Vec3 facing, normal;      // unit: of the shape, and for light
-  Eigen::Vector4d tangent;  // and its side, as computeTangents says it
+  Eigen::Vector4d tangent;  // with its side, as from computeTangents
   Vec2 texel;
   InputPlace place;
 };
 
 struct CanvasTriangle {
   std::array<CanvasCorner, 3> corners;
-  Index source;                          // the number of the original that it stands for
-  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether its look ends at the edge from it
+  Index source;                          // the number of its original
+  std::array<char, 3> rims = {1, 1, 1};  // per corner: whether the look ends at the edge from it
 };
 
 struct PaintRules {
   Index size;     // texels
   bool isOpaque;  // alpha means nothing
-  double finer;   // how many texels of the original lie on one of the new ones, along a side
+  double finer;   // texels of the original per new texel, along a side
 };
 
 // The four maps; the channels of `surface` are occlusion, roughness, metal.

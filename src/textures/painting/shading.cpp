@@ -11,12 +11,13 @@ namespace remesher {
 
 namespace {
 
-// Normals on the two sides of a curve that are farther apart were meant to be two.
+// Normals on the two sides of a curve that differ by more are intended to be two.
 const double kHard = std::cos(radians(30));
-// Normals farther than this from their own shape were meant to be: a cube's, rounded, are 55° off.
+// Normals that differ from their own shape by more are intended: those of a rounded cube are 55°
+// off.
 const double kForeign = std::cos(radians(60));
-// Where so many of a piece's corners have such normals all were meant to be as they are: triangles
-// between the two kinds are streaked, for over them normals turn too far.
+// If more than this share of a piece's corners has such normals, the whole piece keeps its given
+// normals: a triangle between both kinds would be streaked, because normals turn too far over it.
 constexpr double kMostlyForeign = 0.2;
 
 class Shader {
@@ -54,7 +55,7 @@ class Shader {
             positions_[indices_[3 * t + 2]]};
   }
 
-  // The mean over the triangles that share them, weighted by their angles.
+  // The mean normal of the triangles at each shared corner, weighted by angle.
   std::vector<Vec3> sharedNormals() {
     std::vector<Vec3> sums(indices_.size(), Vec3::Zero()), result;
     for (Index t = 0; 3 * t < indices_.size(); ++t) {
@@ -73,7 +74,7 @@ class Shader {
     return result;
   }
 
-  // Per corner, the direction of the mean over those that share it.
+  // Per corner the direction of the mean over the corners shared with it.
   std::vector<Vec3> means(std::span<const Vec3> normals) {
     std::vector<Vec3> sums(normals.size(), Vec3::Zero()), result;
     for (Index h = 0; h < normals.size(); ++h) sums[shared_.find(h)] += normals[h];
@@ -82,9 +83,9 @@ class Shader {
     return result;
   }
 
-  // Whether a corner takes the given normal, which is neither that of the original's shape nor of
-  // the new one there, or mostly so all over its piece. agreements: of the original's normals with
-  // its shape.
+  // Whether a corner takes the given normal: because this is far from the normals of the original's
+  // shape and of the new shape there, or because most of its piece does. agreements: cosines
+  // between the original's normals and its shape.
   std::vector<char> foreignCorners(std::span<const double> agreements, std::span<const Vec3> shapes,
                                    std::span<const Vec3> given) {
     std::vector<double> beyond(indices_.size(), 0);

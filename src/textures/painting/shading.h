@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Normals for a new mesh: smooth where the original's are, apart where they part. Where a file's
-// normals are not those of its shape, as a leaf's that is lit like the whole crown, light takes the
-// file's: a normal map cannot say what lies behind the surface.
+// Normals for a new mesh: smooth where the original's are smooth, split where those are split. If a
+// file's normals are not those of its shape, such as a leaf's that is lit like the whole crown,
+// light takes the file's normals: a normal map cannot hold directions behind the surface.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-// Unit normals of a corner: that of the shape, and that which light takes; mostly the same.
+// Unit normals of a corner: the shape's normal and the normal that light takes; mostly the same.
 struct CornerNormals {
   Vec3 shape, light;
 };

@@ -8,15 +8,17 @@ namespace remesher {
 
 namespace {
 
-// The ball is so much larger than the triangle: what lies beside it is asked for, too.
+// The ball's radius relative to the triangle's: points beside the triangle are queried, too.
 constexpr double kBallMargin = 1.5;
-// Surfaces face the same way up to here.
+// Surfaces face the same way if the cosine between their normals exceeds this.
 constexpr double kLeastAgreement = 0.1;
-// A line through an edge between two triangles meets one of them, whatever is lost to rounding.
+// Tolerance on weights, so that a line through an edge between two triangles meets one of them in
+// spite of rounding.
 constexpr double kEdge = 1e-7;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// Whether a triangle comes into a ball; most do with a corner, which is told soonest.
+// Whether a triangle touches a ball; tests corners first, since most triangles are inside with a
+// corner.
 bool comesWithin(const Triangle& t, const Vec3& center, double radius) {
   const auto isInside = [&](const Vec3& p) { return (p - center).norm() <= radius; };
   return std::any_of(t.begin(), t.end(), isInside) ||

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From a point of a new triangle to the place of the original that it stands for: along the normal,
-// both ways, the nearest that faces the same way; where there is none, the nearest of those that
-// do. Looked at is only what hangs together, within a ball about the triangle, with the places that
-// its corners remember: of sheets that touch, or a thin wall's two sides, each finds its own.
+// From a point of a new triangle to its place on the original: the nearest place along the normal,
+// in both directions, that faces the same way; if there is none, the nearest place in space that
+// does. Only triangles within a ball around the new triangle and connected there to the places of
+// its corners are searched. So on touching sheets, and on the two sides of a thin wall, each side
+// finds its own.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ struct NewTriangle {
   std::array<InputPlace, 3> places;  // of the corners on the original
 };
 
-// A place, and how its weights change where the point that it is the place of moves two ways.
+// A place, and the change of its weights per step of its point in two directions.
 struct MovingPlace {
   InputPlace place;
   Vec3 perX, perY;
@@ -30,19 +31,19 @@ class SideFinder {
  public:
   explicit SideFinder(const PaintSource& source);
 
-  // The triangle that is asked about from now on.
+  // The triangle for all following queries.
   void enter(const NewTriangle& triangle);
 
-  // The place for a point of it, or a little beside it; normal: unit.
+  // The place for a point on the triangle or slightly beside it; normal: unit.
   InputPlace find(const Vec3& point, const Vec3& normal);
 
-  // The same, if it is along the normal, for a point that may move two ways: as long as no weight
-  // falls below zero, the place is on the same triangle.
+  // The same for a point that may move in two directions, if the place is along the normal. As long
+  // as no weight falls below zero the place stays on the same triangle.
   std::optional<MovingPlace> findMoving(const Vec3& point, const Vec3& normal,
                                         const std::array<Vec3, 2>& ways);
 
  private:
-  // A triangle looked at, with what a line is met by.
+  // A searched triangle, prepared for intersection with a line.
   struct Facet {
     Index triangle;
     Vec3 origin, normal;
@@ -54,20 +55,20 @@ class SideFinder {
   };
 
   Facet facetOf(Index triangle) const;
-  // Puts a facet before all others that were met, of which so many come behind it.
+  // Moves a facet to the front of last_, from position `before`.
   void remember(std::size_t facet, std::size_t before);
-  // Where the line meets the facet, if that faces the same way; the distance is infinite if the
-  // line does not, or no nearer than `limit`.
+  // Where the line meets the facet, if the facet faces the same way. The distance is infinite if
+  // they do not meet, or not nearer than `limit`.
   static Hit meet(const Facet& facet, const Vec3& point, const Vec3& normal, double limit);
   InputPlace nearest(const Vec3& point, const Vec3& normal) const;
 
   const PaintSource& source_;
-  std::vector<Index> near_;    // the triangles looked at
+  std::vector<Index> near_;    // the searched triangles
   std::vector<Facet> facets_;  // the same
   std::vector<Index> stamps_;  // by triangle: when it was last entered
   Index stamp_ = 0;
   double reach_ = 0;
-  // The facets that were met last, the latest first: most often one of them is the next one's.
+  // The facets that were met last, latest first: the next query mostly meets one of them.
   std::array<std::size_t, 4> last_{};
 };
 

@@ -13,7 +13,7 @@ namespace remesher {
 
 namespace {
 
-// What a triangle says of the directions of its texture.
+// The direction of a triangle's texture.
 struct Gradient {
   Vec3 u = Vec3::Zero();  // where u grows, unit or zero
   bool isMirrored = false;
@@ -67,7 +67,8 @@ class Tangents {
     return {unit(twiceArea > 0 ? u : Vec3(-u)), twiceArea < 0};
   }
 
-  // The direction of a corner's triangle in the plane of its normal, times the angle there.
+  // The u direction of a corner's triangle, projected to the plane of the corner's normal, times
+  // the corner's angle.
   Vec3 weighted(Index h) const {
     const Vec3& normal = corners_.normals[h];
     const Vec3& p = corners_.positions[h];
@@ -82,7 +83,8 @@ class Tangents {
     return {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), t.x(), t.y()};
   }
 
-  // Equal corners get one number; corners of neighbours with equal ends of their edge, one group.
+  // Equal corners get one number. Corners of neighbours form one group if both ends of their edge
+  // are equal.
   void group() {
     const Index count = Index(corners_.positions.size());
     std::vector<Index> order(count), number(count);

@@ -13,11 +13,11 @@ namespace remesher {
 namespace {
 
 struct Tables {
-  static constexpr int kSteps = 4096;  // of light; a byte is wider than one nearly everywhere
+  static constexpr int kSteps = 4096;  // of light; nearly every byte spans more than one step
   std::array<double, 256> light;
-  std::array<float, 256> lights, fractions;    // what a byte of a texel means
-  std::array<double, 256> bounds;              // from which light on the next byte is nearer
-  std::array<std::uint8_t, kSteps + 1> bytes;  // for the light at which a step begins
+  std::array<float, 256> lights, fractions;    // the value of each byte
+  std::array<double, 256> bounds;              // the light from which the next byte is nearer
+  std::array<std::uint8_t, kSteps + 1> bytes;  // the byte for the light at the start of each step
 
   Tables() {
     for (int i = 0; i < 256; ++i) {
@@ -40,7 +40,7 @@ const Tables& tables() {
 
 double clamped(double x) { return x > 0 ? std::min(x, 1.0) : 0; }
 
-// Coordinates that are huge or no number are somewhere, too.
+// Huge coordinates and NaN count as 0.
 double wrapped(double x, io::Wrap wrap) {
   if (!(std::abs(x) < 1e9)) return 0;
   if (wrap == io::Wrap::Clamp) return std::clamp(x, 0.0, 1.0);
@@ -49,7 +49,7 @@ double wrapped(double x, io::Wrap wrap) {
   return twice > 1 ? 2 - twice : twice;
 }
 
-// i: at most one too small or too large.
+// i may be one too small or too large at most.
 long neighbour(long i, long size, io::Wrap wrap) {
   if (wrap == io::Wrap::Repeat) return i < 0 ? i + size : i < size ? i : i - size;
   return std::clamp(i, 0L, size - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texels between which there is none: a map as a function on the plane of texture coordinates.
+// A map as a continuous function of texture coordinates, interpolated between texels.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace remesher {
 
-// What the bytes of colours mean: sRGB as light; others are fractions.
+// How colour bytes are read: as light encoded in sRGB, or as fractions.
 enum class Coding { Light, Fraction };
 
 double lightOf(std::uint8_t srgb);     // 0 to 1
-std::uint8_t srgbOf(double light);     // the nearest, after clamping
-std::uint8_t byteOf(double fraction);  // the same for what is no colour
+std::uint8_t srgbOf(double light);     // the nearest byte, after clamping
+std::uint8_t byteOf(double fraction);  // the same for a fraction
 
 class Texture {
  public:
@@ -25,19 +25,19 @@ class Texture {
   explicit operator bool() const { return image_ != nullptr; }
   int texcoord() const { return map_->texcoord; }
   double size() const { return double(image_->width) * image_->height; }  // texels
-  // To a unit of texture coordinates squared.
+  // Texels per squared unit of texture coordinates.
   double texels() const { return size() * std::abs(map_->transform.leftCols<2>().determinant()); }
 
-  // The four texels around a point, and how much each of them counts there.
+  // The four texels around a point and their weights.
   struct Spot {
     std::array<std::size_t, 4> texels;
     std::array<float, 4> weights;
   };
   Spot spotAt(const Vec2& texcoord) const;
-  // Whether the spots of one are those of the other; neither may be empty.
+  // Whether every spot on one map is the same on the other; neither map may be empty.
   bool liesLike(const Texture& other) const;
 
-  // What is there, mixed from the four texels around; alpha is a fraction always.
+  // The value at a spot, mixed from its four texels; alpha is always a fraction.
   Eigen::Vector4f at(const Spot& spot) const {
     Eigen::Vector4f sum = Eigen::Vector4f::Zero();
     for (std::size_t k = 0; k < 4; ++k) {
@@ -51,7 +51,7 @@ class Texture {
  private:
   const io::Image* image_ = nullptr;
   const io::Map* map_ = nullptr;
-  const float* values_ = nullptr;  // what a byte of a colour means
+  const float* values_ = nullptr;  // the value of each colour byte
   const float* alphas_ = nullptr;
 };
 

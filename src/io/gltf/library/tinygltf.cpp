@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// tinygltf's implementation, which is compiled here, with the type of JSON that keeps the order of
-// names, which is ours: a second one is large. Of the headers two are those that it forgets to
-// include, or includes hidden.
+// Compiles tinygltf's implementation with our type of JSON, which keeps the order of names, since a
+// second JSON type would be large. Two of the headers are there because tinygltf does not include
+// them, or includes them hidden.
 #include <fstream>
 #include <string>
 #include <type_traits>
 
 #include "io/model/json.h"
 
-// What tinygltf calls std: the same, but for the streams that it puts its messages together in.
-// Those of the library bring its locales along, a fourteenth of our module.
+// Replaces std inside tinygltf: the same, except for the streams that build its messages. The
+// library's streams link in its locales, a fourteenth of our module.
 namespace tinygltf::std {
 
 using namespace ::std;

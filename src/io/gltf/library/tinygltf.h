@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// tinygltf as all of our files see it: without images and files, of which it reads some without
-// looking whether they are all there.
+// tinygltf as all our files include it: without images and file access, where it may read without
+// checking that all bytes exist.
 #pragma once
 
 #define TINYGLTF_NO_STB_IMAGE

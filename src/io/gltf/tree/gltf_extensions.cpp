@@ -16,16 +16,16 @@ constexpr std::string_view kRestart = "KHR_mesh_primitive_restart";
 constexpr std::string_view kQuantization = "KHR_mesh_quantization";
 constexpr const char* kVariants = "KHR_materials_variants";
 
-// Where what an extension hangs on, a primitive, its mesh or an accessor, is made anew.
+// The fate of an extension when its primitive, mesh or accessor is made anew.
 enum class Fate {
-  Untouched,  // it says nothing of vertices and triangles
-  Followed,   // it names attributes, or textures and sets of coordinates: it stays where these do
-  Dropped,    // it counts vertices or triangles
-  Judged,     // not known: dropped if it holds a number
+  Untouched,  // says nothing of vertices and triangles
+  Followed,   // names attributes, or textures and texture coordinates: stays if these do
+  Dropped,    // refers to vertices or triangles by number
+  Judged,     // unknown: dropped if it holds an integer
 };
 
 struct Row {
-  std::string_view beginning;  // of its name; the first row counts
+  std::string_view beginning;  // of the name; the first matching row counts
   Fate fate;
   Hidden hidden;
 };
@@ -84,8 +84,8 @@ bool holdsWholeNumber(const Json& value) {
   return holds;
 }
 
-// The element of a list in the tree's own extension, which a primitive's refers to by number or by
-// name.
+// The element of a list in the tree's root extension that a primitive's extension refers to, by
+// number or by name.
 const Json* inRoot(const Json& tree, const std::string& extension, const std::string& list,
                    const Json& reference) {
   const Json::json_pointer path("/extensions/" + extension + "/" + list);
@@ -98,13 +98,13 @@ const Json* inRoot(const Json& tree, const std::string& extension, const std::st
   return nullptr;
 }
 
-// Whether something that a value names is not there any more.
+// Finds references to attributes and textures that no longer exist.
 class StaleFinder {
  public:
   StaleFinder(const Json& tree, const Json& primitive, Texcoords texcoords)
       : tree_(tree), attributes_(primitive["attributes"]), texcoords_(texcoords) {}
 
-  // value: of the key, or one of the list that the key has.
+  // value: the key's value, or one element of the key's list.
   bool isStale(const std::string& extension, const std::string& key, const Json& value) const {
     if (key == "propertyTextures" || key == "propertyAttributes" || key == "featureTextures") {
       const Json* const named = inRoot(tree_, extension, key, value);
@@ -114,7 +114,7 @@ class StaleFinder {
   }
 
  private:
-  // Identifiers without a place are those of vertices by their number.
+  // Identifiers without a source number the vertices in order.
   static bool countsVertices(const Json& ids) {
     return ids.is_object() && !ids.contains("attribute") && !ids.contains("texture");
   }
@@ -123,7 +123,7 @@ class StaleFinder {
     if (!value.is_structured()) return false;
     if (value.is_object()) {
       if (value.contains("index") && isWholeNumber(value["index"])) return isStaleTexture(value);
-      if (value.contains("divisor") && value["divisor"] != 0) return true;  // by vertices' numbers
+      if (value.contains("divisor") && value["divisor"] != 0) return true;  // by vertex number
       if (value.contains("attribute") && isStaleAttribute(value["attribute"])) return true;
     }
     return std::any_of(value.begin(), value.end(), [&](const Json& m) { return isStale(m); });
@@ -153,7 +153,7 @@ void lose(const std::string& name, const Json& extension, LostExtensions& lost) 
   });
 }
 
-// Calls for each extension of the holder; those of which `keep` leaves nothing go.
+// Calls keep(name, extension) for each extension of the holder; drops it if the result is false.
 template <class Keep>
 void settle(Json& holder, LostExtensions& lost, const Keep& keep) {
   if (!holder.contains("extensions") || !holder["extensions"].is_object()) return;
@@ -173,7 +173,7 @@ bool isKept(const std::string& name, const Json& extension) {
   return fate != Fate::Dropped;
 }
 
-// The value of a key, or those of its list, without what is stale; null: nothing is left.
+// The value without its stale elements; null if nothing is left.
 Json freshIn(const Json& value, const std::function<bool(const Json&)>& isStale) {
   if (!value.is_array()) return isStale(value) ? Json() : value;
   Json fresh = Json::array();
@@ -182,7 +182,7 @@ Json freshIn(const Json& value, const std::function<bool(const Json&)>& isStale)
   return fresh.empty() && !value.empty() ? Json() : fresh;
 }
 
-// Takes out what is stale; whether anything is left.
+// Removes stale references; returns whether anything is left.
 bool follow(const StaleFinder& finder, const std::string& name, Json& extension,
             LostExtensions& lost) {
   if (!extension.is_object()) return false;
@@ -198,7 +198,7 @@ bool follow(const StaleFinder& finder, const std::string& name, Json& extension,
   return true;
 }
 
-// The names of all extensions that something below the value has.
+// The names of all extensions below the value.
 void collectNames(const Json& value, std::set<std::string>& names) {
   if (!value.is_structured()) return;
   if (value.is_object() && value.contains("extensions") && value["extensions"].is_object())
@@ -214,7 +214,7 @@ void forEachPrimitive(const Json& tree, const Visit& visit) {
       for (const Json& primitive : mesh["primitives"]) visit(primitive);
 }
 
-// Whether the core of glTF has no such type for the attribute.
+// Whether core glTF does not allow this attribute the accessor's component type.
 bool isQuantized(const Json& tree, const std::string& semantic, const Json& number) {
   constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126;
   if (!isWholeNumber(number) || number.get<std::uint64_t>() >= tree["accessors"].size())
@@ -313,7 +313,7 @@ void settleDeclarations(const Json& before, Json& tree) {
     else
       tree[list] = std::move(needed);
   }
-  // What is required is used, whatever a broken file says.
+  // A required extension is also used, even if a broken file does not say so.
   if (tree.contains("extensionsRequired") && !tree.contains("extensionsUsed"))
     tree["extensionsUsed"] = tree["extensionsRequired"];
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What becomes of extensions where triangles or textures are made anew: one table says of each
-// whether it follows, goes, or cannot be affected; what it does not know goes if it holds any
-// number, for that may be one of a vertex, a triangle or an accessor that were.
+// What becomes of extensions when triangles or textures are made anew. One table says of each
+// extension whether it follows, is dropped, or cannot be affected. An extension that the table does
+// not know is dropped if it holds any integer, which may number an old vertex, triangle or
+// accessor.
 #pragma once
 
 #include <map>
@@ -15,39 +16,39 @@
 
 namespace remesher::io {
 
-// What of an extension went.
+// The parts of extensions that were lost.
 struct LostExtensions {
-  std::map<std::string, std::size_t> count;  // by its name
-  std::set<int> accessors;                   // that it may have named
+  std::map<std::string, std::size_t> count;  // by extension name
+  std::set<int> accessors;                   // accessors that these parts may have named
 };
 
-// Whether texture coordinates still mean what they did.
+// Whether texture coordinates keep their meaning.
 enum class Texcoords { Kept, Painted };
 
-// A primitive that has its new attributes.
+// Settles the extensions of a primitive that already has its new attributes.
 void settlePrimitive(const Json& tree, Json& primitive, Texcoords texcoords, LostExtensions& lost);
-// A mesh or an accessor whose content is made anew.
+// Settles the extensions of a mesh or an accessor whose content is new.
 void settleHolder(Json& holder, LostExtensions& lost);
 
-// EXTENSION_NOT_CARRIED, if anything went.
+// EXTENSION_NOT_CARRIED, if anything was lost.
 std::vector<Warning> warningsOf(const LostExtensions& lost);
 
-// Variants that no primitive has any more go.
+// Drops the list of variants if no primitive has variants any more.
 void dropUnusedVariants(Json& tree);
 
-// `extensionsUsed` and `extensionsRequired` name no more than the tree needs; what is never seen,
-// and so may be needed unseen, stays.
+// Reduces `extensionsUsed` and `extensionsRequired` to what the tree needs. A declared extension
+// that never appears in the tree may be needed unseen, and stays.
 void settleDeclarations(const Json& before, Json& tree);
 
-// What an extension names by number beside what is found in it: nothing; materials, textures or
-// images; or anything at all.
+// What an extension may name by number without being found here: nothing; materials, textures or
+// images; or anything.
 enum class Hidden { Nothing, Looks, Anything };
 Hidden hiddenIn(std::string_view extension);
 
-// The first extension that the tree requires and the table does not know; empty: there is none.
+// The first extension that the tree requires and the table does not know; empty if none.
 std::string requiredUnknown(const Json& tree);
 
-// Whether the file says that its indices may begin a strip or fan anew.
+// Whether the file says that its indices may restart strips and fans.
 bool restartsPrimitives(const Json& tree);
 
 }  // namespace remesher::io

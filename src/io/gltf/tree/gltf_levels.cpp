@@ -24,7 +24,7 @@ const Json* nodeAt(const Json& tree, std::size_t number) {
   return number < tree["nodes"].size() ? &tree["nodes"][number] : nullptr;
 }
 
-// The numbers in a list of the node: children, or its levels.
+// The numbers in a list of the node: its children, or its levels.
 std::vector<std::size_t> numbersIn(const Json& node, const Json::json_pointer& path) {
   std::vector<std::size_t> numbers;
   if (!node.is_object() || !node.contains(path) || !node[path].is_array()) return numbers;
@@ -37,7 +37,7 @@ std::vector<std::size_t> levelsOf(const Json& node) {
   return numbersIn(node, Json::json_pointer("/extensions/MSFT_lod/ids"));
 }
 
-// A node and all below it; a file may have circles.
+// A node and its descendants; a broken file may have cycles.
 std::set<std::size_t> family(const Json& tree, std::size_t root) {
   std::set<std::size_t> found;
   std::vector<std::size_t> open = {root};
@@ -73,7 +73,7 @@ void visitMembers(Json& tree, const char* list, const std::function<void(Json& m
     if (member.is_object()) visit(member);
 }
 
-// A level by its name: `rock_LOD1` is level 1 of `rock_`.
+// A level told by its name: `rock_LOD1` is level 1 of `rock_`.
 struct NamedLevel {
   std::string stem;
   std::size_t level;
@@ -93,12 +93,12 @@ std::optional<NamedLevel> namedLevel(const Json& node) {
     if (std::tolower(static_cast<unsigned char>(last())) != letter) return std::nullopt;
     stem.pop_back();
   }
-  // `melod1` is none.
+  // `melod1` is no level.
   if (std::isalpha(static_cast<unsigned char>(last()))) return std::nullopt;
   return NamedLevel{stem, std::stoul(digits)};
 }
 
-// The levels of one thing, side by side, each a list of nodes; the finest first.
+// The levels of one object among siblings, each a list of nodes; the finest first.
 using NamedFamily = std::map<std::size_t, std::vector<std::size_t>>;
 
 std::vector<NamedFamily> familiesAmong(const Json& tree, const std::vector<std::size_t>& siblings) {
@@ -112,7 +112,7 @@ std::vector<NamedFamily> familiesAmong(const Json& tree, const std::vector<std::
   return families;
 }
 
-// Of all that hangs on one node, or stands in one scene, side by side.
+// The families among the children of each node and among the nodes of each scene.
 std::vector<NamedFamily> namedFamilies(const Json& tree) {
   std::vector<NamedFamily> all;
   const auto add = [&](const char* list, const char* key) {
@@ -127,7 +127,7 @@ std::vector<NamedFamily> namedFamilies(const Json& tree) {
   return all;
 }
 
-// Where the tree names nodes from outside of them: scenes, skins, animations.
+// The places outside of nodes where the tree names nodes: scenes, skins, animations.
 void forEachOuterNode(Json& tree, const Visitor& visit) {
   visitMembers(tree, "scenes", [&](Json& scene) { visitList(scene, "nodes", visit); });
   visitMembers(tree, "skins", [&](Json& skin) {
@@ -157,7 +157,7 @@ void forEachMesh(Json& tree, const Visitor& visit) {
   });
 }
 
-// Takes elements out of a list, and tells where the others are.
+// Removes elements from a list; returns the new numbers of the others.
 std::vector<std::size_t> takeOut(Json& tree, const char* list, const std::set<std::size_t>& gone) {
   std::vector<std::size_t> numbers;
   Json kept = Json::array();
@@ -176,7 +176,7 @@ Visitor renumbering(const std::vector<std::size_t>& numbers) {
   };
 }
 
-// What names nodes or meshes beside what is looked at here; and pointers to them.
+// Whether anything may name nodes or meshes that is not visited here, pointers included.
 bool mayNameNodes(const Json& value) {
   if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();
@@ -191,7 +191,7 @@ bool mayNameNodes(const Json& value) {
   return false;
 }
 
-// Where a mesh names accessors.
+// Collects the accessors that a mesh names.
 void collectAccessors(const Json& mesh, std::set<int>& accessors) {
   const auto insert = [&](const Json& number) {
     if (isWholeNumber(number)) accessors.insert(number.get<int>());
@@ -204,7 +204,7 @@ void collectAccessors(const Json& mesh, std::set<int>& accessors) {
   }
 }
 
-// The channels that move them go too; an animation that moved nothing else would be none.
+// Drops the channels that move dropped nodes, and animations without any other channel.
 void stopAnimations(Json& tree, const std::set<std::size_t>& gone) {
   if (!tree.contains("animations")) return;
   Json animations = Json::array();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Levels of detail of nodes, by MSFT_lod or by names, `rock_LOD0` beside `rock_LOD1`: which meshes
-// stand for which from afar; and how they go.
+// Levels of detail of nodes, by MSFT_lod or by names such as `rock_LOD0` beside `rock_LOD1`: tells
+// which meshes are coarser levels of which, and removes levels.
 #pragma once
 
 #include <map>
@@ -10,17 +10,17 @@
 
 namespace remesher::io {
 
-// By the number of the mesh of a coarser level: those of the finest that it is one of. What is in a
-// finest level itself is no other's.
+// Per mesh of a coarser MSFT_lod level the meshes of the finest level. A mesh that is in a finest
+// level itself is left out.
 std::map<int, std::set<int>> meshLevels(const Json& tree);
-// The same of those that are told by names, all of which the scene shows.
+// The same for levels told by names, all of which the scene shows.
 std::map<int, std::set<int>> meshLevelsByName(const Json& tree);
 
-// Takes the levels from nodes and returns the nodes that were those.
+// Removes the levels from the nodes that have them; returns the nodes of the levels.
 std::set<std::size_t> takeLevels(Json& tree);
 
-// Nodes that nothing else names go, with what hangs below them and their meshes; all stay where an
-// unknown extension may name one by its number. Returns the accessors that the meshes named.
+// Drops the nodes that nothing else names, with their descendants and meshes. If an unknown
+// extension may name a node by number, all stay. Returns the accessors of the dropped meshes.
 std::set<int> dropNodes(Json& tree, const std::set<std::size_t>& nodes);
 
 }  // namespace remesher::io

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kPointer = "KHR_animation_pointer";
 constexpr const char* kWeights = "animations of morph targets";
 
-// The beginning of a pointer: `/list/number`, and what follows.
+// The beginning of a pointer, `/list/number`, and the rest.
 struct Pointed {
   std::string list;
   std::size_t number = 0;
@@ -85,7 +85,7 @@ class StaleChannels {
   StaleChannels(const Json& before, const Json& tree)
       : tree_(tree), was_(shownBy(before)), is_(shownBy(tree)) {}
 
-  // What a stale channel is lost with, or null.
+  // The name under which a stale channel is reported as lost; null if it is not stale.
   const char* reasonFor(Json& channel) const {
     if (const Json* const pointer = pointerOf(channel)) {
       const std::optional<Pointed> to = parsePointer(*pointer);
@@ -119,7 +119,7 @@ class StaleChannels {
   Shown was_, is_;
 };
 
-// Samplers that no channel names go.
+// Drops samplers that no channel uses.
 void dropUnusedSamplers(Json& animation, LostExtensions& lost) {
   std::set<std::size_t> used;
   for (const Json& channel : animation["channels"])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What animations move: a member that a JSON pointer names (KHR_animation_pointer), or the weights
-// of morph targets.
+// Animations of other things than nodes' transforms: of members named by a JSON pointer
+// (KHR_animation_pointer), and of the weights of morph targets.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace remesher::io {
 
-// Calls with the number of each material that an animation names, and writes back what becomes of
-// it.
+// Calls visit with the number of each material that an animation names, and writes the visited
+// number back.
 void forEachMaterialPointer(Json& tree, const std::function<void(Json& number)>& visit);
 
-// Channels go, and their animation with the last, whose material no primitive shows any more, or
-// whose mesh has lost its morph targets. before: the tree as it was.
+// Drops channels whose material no primitive shows any more, or whose mesh has lost its morph
+// targets, and animations that lose their last channel. before: the original tree.
 void settlePointers(const Json& before, Json& tree, LostExtensions& lost);
 
 }  // namespace remesher::io
