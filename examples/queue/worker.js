@@ -29,7 +29,8 @@ async function remeshOne({ data: { input, output, options } }) {
   return { vertices: report.output.vertices, hausdorff: report.fidelity.hausdorff };
 }
 
-// A file that cannot be remeshed fails the same way every time; what has died gets three tries.
+// A file that cannot be remeshed fails the same way every time, so it is not tried again. A job
+// whose worker has died is tried again, three times.
 const worker = new Worker('remesh', remeshOne,
   { connection, concurrency: 1, lockDuration, stalledInterval: lockDuration, maxStalledCount: 3 });
 worker.on('failed', (job, error) => console.error(`fails ${job?.data.input}: ${error.message}`));
