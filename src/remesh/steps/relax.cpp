@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kNeighbors = 6;  // of most vertices
 // A share of a vertex's way to the mean of its neighbours, which follow it: waves of many edges'
-// length settle in far fewer passes (successive over-relaxation). Only where vertices are many: a
-// few of them never quite come to rest.
+// length settle in far fewer passes (successive over-relaxation). Only for many vertices: few of
+// them would never quite come to rest.
 constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
