@@ -11,8 +11,8 @@ namespace remesher {
 
 namespace {
 
-// Lengths in units of the spacing. A vertex that rises kFlat above the plane of a triangle around
-// it is a tip or on a ridge, and stays. No edge may become as long as kTooLong.
+// Lengths in units of the spacing. A vertex that rises more than kFlat above the plane of a
+// triangle around it is a tip or on a ridge, and stays. No edge may become longer than kTooLong.
 constexpr double kFlat = 0.07;
 constexpr double kTooLong = 1.7;
 constexpr double kStep = 1.2;  // from pass to pass; this removes a third of the vertices

@@ -88,8 +88,8 @@ class WorkingMesh {
   Placement onSurface(const SurfacePoint& point) const;
   Placement onCurve(const CurvePoint& point) const;
 
-  // The original's unit normal under a corner of a triangle with normal `n`: on a curve and at a
-  // corner the normal, of those of all sides, that is closest to `n`.
+  // The original's unit normal under a corner of a triangle with normal `n`: of a vertex on a curve
+  // or of a corner, the one closest to `n` of the normals on all sides.
   Vec3 normalFacing(Vertex v, const Vec3& n) const;
   Vec3 normalFacing(const Placement& place, const Vec3& n) const;
 
