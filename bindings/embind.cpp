@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What both WebAssembly modules have, and all that the one for arrays does: free functions from
-// plain objects to plain objects; no handle has to be freed.
+// The functions that both WebAssembly modules have; the module for arrays has no others. All are
+// free functions from plain objects to plain objects; no handle has to be freed.
 #include <emscripten/bind.h>
 
 #include "from_js.h"

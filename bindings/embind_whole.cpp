@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the whole WebAssembly module has besides: repair and files. What is reached from here only,
-// as readers and writers, is not linked into the other.
+// The further functions of the whole WebAssembly module: repair and files. Code that is reached
+// only from here, such as readers and writers, is not linked into the other module.
 #include <emscripten/bind.h>
 
 #include "choice_names.h"
@@ -93,7 +93,7 @@ val inspectBytes(const val& request, bool areFaultsSought) {
   });
 }
 
-// For the tests that hold the lists of both languages together.
+// For the tests that compare the lists of both languages.
 val errorCodes() {
   val result = val::array();
   for (std::string_view code : kErrorCodeNames) result.call<void>("push", std::string(code));

@@ -35,8 +35,8 @@ File fileFrom(const val& object) {
   return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
 }
 
-// The options that are set, read into what has the same name. What is of another type ('off' where
-// a number could be) leaves its field as it is.
+// Reads each option that is set into the field of the same name. A value of another type ('off'
+// where a number could be) leaves its field as it is.
 struct OptionReader {
   val options;
 
@@ -125,7 +125,7 @@ RemeshOptions optionsFrom(const val& object) {
   return options;
 }
 
-// The callback is asked at most every 50 ms, and at the start of every phase: asking takes longer
+// The callback is called at most every 50 ms, and at the start of every phase: a call takes longer
 // than many a step.
 Progress progressFrom(const val& callback) {
   if (callback.isUndefined()) return Progress();

@@ -24,7 +24,7 @@ inline emscripten::val failure(ErrorCode code, const std::string& message,
   return result;
 }
 
-// body: what a function of the module does, to a plain object.
+// body: the work of a function of the module; it returns a plain object.
 template <class Body>
 emscripten::val guarded(Body body) {
   try {

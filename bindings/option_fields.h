@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options by their names in JavaScript: reading them and telling their defaults follow from
-// this list. A test compares it with the table in package/base/options.js.
+// The options by their names in JavaScript. Reading options and reporting defaults both use this
+// list. A test compares it with the table in package/base/options.js.
 #pragma once
 
 #include "remesher.h"

@@ -135,7 +135,7 @@ val objectFrom(const Warning& warning) {
   return result;
 }
 
-// Of what there is an object of, each.
+// A list of the objects of all values.
 template <class T>
 val listFrom(const std::vector<T>& values) {
   val result = val::array();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// remesher/arrays in browsers, and what is said of it for every platform: the functions of arrays,
+// remesher/arrays in browsers, and its documentation for every platform: the functions of arrays,
 // for programs without files. Nothing here leads to the whole engine.
 
 import { ArraysApi } from './api/arrays_api.js';
 import * as platform from './platform_browser.js';
 
 /**
- * All that goes in and comes out.
+ * The types of all inputs and results.
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
  * @typedef {import('./api/arrays_api.js').RemeshSceneResult} RemeshSceneResult
  * @typedef {import('./api/arrays_api.js').WasmSource} WasmSource
@@ -63,8 +63,8 @@ export function remesh(mesh, options) {
 }
 
 /**
- * Remeshes the meshes of a scene, which share what is asked for as those of one file do: vertices
- * by what charts need, then by area in the world.
+ * Remeshes the meshes of a scene, which share the targets as the meshes of one file do: vertices by
+ * what charts need, then by area in the world.
  *
  * @example
  * const { meshes } = await remeshScene([{ mesh: body }, { mesh: lid, places: [matrix] }],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// remesher/arrays in Node. What its functions do is said in arrays.js, whose types are theirs too.
+// remesher/arrays in Node. arrays.js documents its functions, and their types.
 
 import { ArraysApi } from './api/arrays_api.js';
 import * as platform from './platform_node.js';

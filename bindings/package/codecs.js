@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// remesher/codecs, for browsers: a worker whose codecs of images bundlers see and put beside it.
-// Node finds them by itself. The `new URL(…, import.meta.url)` is written out for bundlers.
+// remesher/codecs, for browsers: a worker whose image codecs bundlers find and put beside it. Node
+// finds them by itself. The `new URL(…, import.meta.url)` is written out for bundlers.
 
 import { loadPackage } from './textures/bundled_packages.js';
 

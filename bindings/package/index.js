@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The package in browsers; and what is said of its functions, for every platform. The
+// The package in browsers, and the documentation of its functions for every platform. The
 // `new URL(…, import.meta.url)` is written out so that bundlers see it.
 
 import { Api } from './api/api.js';
 import * as platform from './platform_browser.js';
 
 /**
- * All that goes in and comes out.
+ * The types of all inputs and results.
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').InspectOptions} InspectOptions
@@ -53,8 +53,8 @@ const api = new Api({ ...platform, compileWhole }, platform.client);
 
 /**
  * Loads the whole engine, which serves files and arrays, and starts the worker ahead of time; with
- * `arrays` the small one, until there is a file. Optional, and cheap to repeat: the first call
- * decides where an engine comes from.
+ * `arrays` it loads the small engine, which serves until the first file. Optional, and cheap to
+ * repeat: the first call decides where an engine comes from.
  *
  * @param {InitOptions} [options] Where the WebAssembly is; where bundlers put it, if not given.
  * @returns {Promise<void>} Once the next run can begin at once.
@@ -78,8 +78,8 @@ export function remesh(mesh, options) {
 }
 
 /**
- * Remeshes the meshes of a scene, which share what is asked for as those of one file do: vertices
- * by what charts need, then by area in the world.
+ * Remeshes the meshes of a scene, which share the targets as the meshes of one file do: vertices by
+ * what charts need, then by area in the world.
  *
  * @example
  * const { meshes } = await remeshScene([{ mesh: body }, { mesh: lid, places: [matrix] }],
@@ -158,7 +158,7 @@ export function convertFile(bytes, options) {
 }
 
 /**
- * Reports on a file or a mesh; changes nothing. With `faults` it tells as well what is broken and
+ * Reports on a file or a mesh; changes nothing. With `faults` it also reports what is broken and
  * what would mend it.
  *
  * @example

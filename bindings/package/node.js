@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package in Node. What its functions do is said in index.js, whose types are theirs too.
+// The package in Node. index.js documents its functions, and their types.
 
 import { Api } from './api/api.js';
 import * as platform from './platform_node.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What differs in browsers: where the small engine is and how a worker is started; the whole engine
-// is known to those who read files. The `new URL(…, import.meta.url)` is written out so that
+// What differs in browsers: where the small engine is and how a worker is started. Only the entries
+// that read files know the whole engine. The `new URL(…, import.meta.url)` is written out so that
 // bundlers see it.
 
 import { Client } from './api/client.js';
@@ -28,5 +28,5 @@ export function spawn(codecs) {
 
 export const cores = () => globalThis.navigator?.hardwareConcurrency || 1;
 
-/** Who runs what the package's functions are asked for, whichever entry they come from. */
+/** Runs the jobs of all the package's functions, whichever entry they come from. */
 export const client = new Client({ compileArrays, compileUrl, spawn, cores });

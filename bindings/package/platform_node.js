@@ -38,7 +38,7 @@ export function compileWhole() {
 }
 
 /**
- * The file of another package, which cannot fetch it by itself here.
+ * A file of another package, whose own code cannot fetch it here.
  * @param {string} path
  */
 export async function compileCodec(path) {
@@ -59,7 +59,7 @@ function start(script) {
       /** @type {(why: string) => void} */ onFailure) {
       worker.on('message', onMessage);
       worker.on('error', (error) => onFailure(error.message));
-      // Without an error before it, or a job would never settle.
+      // An exit may come without an error before it: a job would never settle.
       worker.on('exit', (status) => onFailure(`it ended with status ${status}`));
     },
     terminate: () => void worker.terminate(),
@@ -79,5 +79,5 @@ export function spawnForImages() {
 
 export const cores = availableParallelism;
 
-/** Who runs what the package's functions are asked for, whichever entry they come from. */
+/** Runs the jobs of all the package's functions, whichever entry they come from. */
 export const client = new Client({ compileArrays, compileUrl, spawn, cores, compileCodec });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// remesher/pool in browsers; and what is said of it, for every platform. The
+// remesher/pool in browsers, and its documentation for every platform. The
 // `new URL(…, import.meta.url)` is written out so that bundlers see it.
 
 import { PoolOf } from './api/pool_of.js';
 import * as platform from './platform_browser.js';
 
 /**
- * What goes in and comes out.
+ * The types of the options.
  * @typedef {import('./api/pool_of.js').PoolOptions} PoolOptions
  */
 /** @import * as Package from './index.js' */
@@ -133,8 +133,8 @@ export class Pool {
   }
 
   /**
-   * Ends the workers. What runs or waits, and what is asked for afterwards, rejects with an
-   * `AbortError`. Cheap to repeat.
+   * Ends the workers. Jobs that run or wait, and later ones, reject with an `AbortError`. Cheap to
+   * repeat.
    */
   close() {
     this.#pool.close();

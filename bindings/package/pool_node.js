@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// remesher/pool in Node. What it does is said in pool.js, whose types are its too.
+// remesher/pool in Node. pool.js documents it, and its types.
 
 import { PoolOf } from './api/pool_of.js';
 import * as platform from './platform_node.js';

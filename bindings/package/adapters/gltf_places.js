@@ -16,7 +16,7 @@ function product(a, b) {
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** The nodes of the scene shown first; of all, if there is none. @param {Document} document */
+/** The nodes of the scene shown first; all if there is no scene. @param {Document} document */
 function shownNodes(document) {
   const root = document.getRoot();
   const scene = root.getDefaultScene() ?? root.listScenes()[0];
@@ -27,7 +27,7 @@ function shownNodes(document) {
   return nodes;
 }
 
-/** Where its joints carry a skinned mesh at rest: usually all alike.
+/** Where the first joint carries a skinned mesh at rest; usually all joints agree.
  * @param {import('@gltf-transform/core').Skin} skin @param {Set<Node>} shown */
 function skinnedPlace(skin, shown) {
   const [joint] = skin.listJoints();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh of glTF-Transform as one mesh in groups, a group for each primitive of triangles, and back
-// into its primitives. Primitives on the same accessors stay on the same ones.
+// Makes one mesh in groups of a mesh of glTF-Transform, a group for each primitive of triangles,
+// and makes primitives of it again. Primitives that share accessors still do.
 
 import { Primitive } from '@gltf-transform/core';
 
@@ -119,7 +119,7 @@ export function readPart(mesh) {
   return part;
 }
 
-/** What the old accessor says of itself, with other values. @param {Document} document
+/** An accessor like the old one, with other values. @param {Document} document
  * @param {Accessor} old @param {NumberArray} array */
 function accessorLike(document, old, array) {
   return document.createAccessor(old.getName()).setType(old.getType())
@@ -128,7 +128,7 @@ function accessorLike(document, old, array) {
     .setSparse(old.getSparse()).setExtras(old.getExtras());
 }
 
-/** Positions in integers stay so where these can tell them apart. @param {Mesh} mesh
+/** Integer positions stay so where integers are fine enough. @param {Mesh} mesh
  * @param {Uint32Array} vertices @param {Accessor} old @returns {NumberArray} */
 function newPositions(mesh, vertices, old) {
   const values = Float32Array.from(pickedPositions(mesh.positions, vertices));
@@ -164,7 +164,7 @@ function newAccessors(document, mesh, vertices, olds) {
   }));
 }
 
-/** As short as the old ones where that suffices. @param {Document} document
+/** Indices, as short as the old ones if possible. @param {Document} document
  * @param {Primitive} primitive @param {Uint32Array} triangles @param {number} vertexCount */
 function newIndices(document, primitive, triangles, vertexCount) {
   const old = primitive.getIndices();

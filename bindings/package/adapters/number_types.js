@@ -5,13 +5,13 @@
 
 /** @import { Mesh, NumberArray } from '../base/messages.js' */
 
-// What a normalised integer divides by; types that are not here are no integers.
+// The divisor of each type's normalised integers; types that are not here are no integers.
 const largestOf = new Map(/** @type {[Function, number][]} */ ([
   [Int8Array, 127], [Uint8Array, 255], [Uint8ClampedArray, 255], [Int16Array, 32767],
   [Uint16Array, 65535], [Int32Array, 2 ** 31 - 1], [Uint32Array, 2 ** 32 - 1]]));
 const signed = new Set(/** @type {Function[]} */ ([Int8Array, Int16Array, Int32Array]));
 
-// An edge of this many integer steps is bent by rounding its ends by less than a degree.
+// Rounding its ends turns an edge of this many integer steps by less than a degree.
 const shortestEdgeInSteps = 64;
 
 // A direction this close to unit length is left as it is, bit for bit.
@@ -70,8 +70,8 @@ export function makeUnitLength(semantic, { values, itemSize }) {
  *   Typed */
 
 /**
- * Weights become multiples of the smallest that their type has and sum to one, in place; of none
- * at all the first becomes one.
+ * Rounds weights in place to multiples of the smallest step of their type, so that they sum to one.
+ * If all are zero, the first becomes one.
  * @param {Map<string, Typed>} attributes those of one mesh, by semantic
  */
 export function normalizeWeights(attributes) {

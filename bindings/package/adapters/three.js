@@ -26,9 +26,9 @@ export { quadEdges, quadsOf } from './three_quads.js';
  */
 
 /**
- * Remeshes a geometry. Every attribute comes back in its type, morph targets too; groups,
- * name, `userData` and what is instanced stay. Only triangles in its draw range count. What was
- * interleaved is not any more, and positions in integers become floats where they would be too
+ * Remeshes a geometry. Every attribute comes back in its type, morph targets too; groups, name,
+ * `userData` and what is instanced stay. Only triangles in its draw range count. Interleaved
+ * attributes come back separate, and positions in integers become floats where they would be too
  * coarse. With `quads: true` two triangles in a row are a quad, and `userData.quads` is true:
  * `quadsOf` tells their corners, `quadEdges` draws their edges. Quads and repair are in the whole
  * engine: import 'remesher' as well.

@@ -18,7 +18,7 @@ const semantics = {
 };
 
 /**
- * What glTF calls an attribute; in three.js's own names or those of its GLTFLoader.
+ * The glTF semantic of an attribute, from three.js's own name or that of its GLTFLoader.
  * @param {string} name
  */
 export function semanticOf(name) {

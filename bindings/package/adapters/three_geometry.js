@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Geometries of three.js as one mesh in groups, and new ones of the mesh that comes back. Those on
-// the same attributes (primitives of a glTF mesh, for instance) are on the same new ones.
+// Joins geometries of three.js to one mesh in groups, and makes new ones of the remeshed mesh.
+// Geometries that share attributes (primitives of a glTF mesh, for instance) share the new ones.
 
 import { BufferAttribute, BufferGeometry, InstancedBufferGeometry } from 'three';
 
@@ -47,7 +47,7 @@ function slotsOf({ attributes, morphAttributes }) {
   return [...own, ...morphs];
 }
 
-/** Geometries with the same are on the same vertices. @param {BufferGeometry} geometry */
+/** Geometries with the same data share vertices. @param {BufferGeometry} geometry */
 const vertexData = (geometry) => [geometry.morphTargetsRelative, geometry.attributes.position,
   ...slotsOf(geometry).flatMap(({ semantic, attribute }) => [semantic, attribute])];
 
@@ -129,7 +129,7 @@ export function readPart(geometries) {
  * @typedef {Map<string, BufferAttribute>} NewAttributes
  */
 
-/** Positions in integers stay so where these can tell them apart. @param {Mesh} mesh
+/** Integer positions stay so where integers are fine enough. @param {Mesh} mesh
  * @param {Uint32Array} vertices @param {AnyAttribute} model */
 function newPositions(mesh, vertices, model) {
   const values = pickedPositions(mesh.positions, vertices);
@@ -142,7 +142,7 @@ function newPositions(mesh, vertices, model) {
   return attribute;
 }
 
-/** Numbers of the pool's, still floats. @param {Mesh} mesh @param {Uint32Array} vertices
+/** The pool's attributes, still as floats. @param {Mesh} mesh @param {Uint32Array} vertices
  * @param {Slot[]} slots */
 function floatsOn({ attributes = {} }, vertices, slots) {
   const floats = new Map(slots.map(({ semantic, attribute }) => {
@@ -189,7 +189,7 @@ function copyTheRest(from, to) {
   if (from.boundingSphere) to.computeBoundingSphere();
 }
 
-/** Of 32 bits where they were, or where it takes them. @param {BufferGeometry} model
+/** An index of 32 bits if the model's is, or if needed. @param {BufferGeometry} model
  * @param {Uint32Array} index @param {number} vertexCount */
 function newIndex(model, index, vertexCount) {
   const isLong = model.index?.array instanceof Uint32Array || vertexCount > 65535;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The meshes of a scene in three.js, in parts that are remeshed as one each. GLTFLoader makes
 // siblings of the primitives of one mesh: meshes of one parent at one place, which share borders.
-// They are one part, lest these crack; a geometry is in one part only, so that meshes that share it
-// still do.
+// They are one part, so that the borders do not crack. A geometry is in one part only, so that
+// meshes that share it still do.
 
 import { Matrix4 } from 'three';
 
@@ -42,8 +42,7 @@ export function batchesIn(object) {
 }
 
 /**
- * The LOD that shows the mesh, and as which level; none where it is no level, or one of several
- * LODs at once.
+ * The LOD that shows the mesh, and the level it is; undefined if it is in no LOD or in several.
  * @param {Mesh} mesh @returns {{ lod: any, level: number } | undefined}
  */
 function levelOf(mesh) {
@@ -58,8 +57,8 @@ function levelOf(mesh) {
 }
 
 /**
- * For each part the parts that it is a coarser level of: those of the first level, where all its
- * meshes are of one LOD and no first level has its geometry.
+ * For each part the first-level parts that it is a coarser level of; none unless all meshes with
+ * its geometries are coarser levels of one LOD.
  * @param {Mesh[]} surfaces @param {{ geometries: BufferGeometry[] }[]} parts
  */
 function finerParts(surfaces, parts) {
@@ -80,7 +79,7 @@ function affine({ elements }) {
   return elements.map((value, i) => (i % 4 === 3 ? Number(i === 15) : value));
 }
 
-/** Where its joints carry a skinned mesh at rest: usually all alike. @param {SkinnedMesh} mesh */
+/** Where the first bone carries a skinned mesh at rest; most agree. @param {SkinnedMesh} mesh */
 function skinnedPlace(mesh) {
   const { bones: [bone], boneInverses: [inverse] } = mesh.skeleton;
   if (!bone || !inverse) return mesh.matrixWorld;
@@ -102,7 +101,7 @@ function placesOf(mesh) {
   });
 }
 
-/** Meshes of the same are seen as one surface, but not the levels of a LOD. @param {any} mesh */
+/** Meshes with the same key are one surface; levels of a LOD are not. @param {any} mesh */
 function siblingKey(mesh) {
   const isByItself = mesh.isInstancedMesh || 'isInstancedBufferGeometry' in mesh.geometry;
   if (isByItself || !mesh.parent || mesh.parent.isLOD) return mesh.uuid;
@@ -126,7 +125,7 @@ const keyOfSet = (geometries) => [...geometries].map(({ uuid }) => uuid).sort().
 
 /** @typedef {{ geometries: BufferGeometry[], mesh: Mesh }} Cluster */
 
-/** A geometry that is in company of several kinds is on its own. @param {Cluster[]} clusters */
+/** Separates geometries that have different companions. @param {Cluster[]} clusters */
 function withoutConflicts(clusters) {
   /** @type {Map<BufferGeometry, string>} */
   const companyOf = new Map();

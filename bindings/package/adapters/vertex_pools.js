@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Several lists of vertices, each with attributes of its own, as one mesh in groups, and apart
-// again: so borders between materials are remeshed as what they are, curves inside one surface. An
-// attribute that only some pools have is zero (a colour: one) at the vertices of the others, and is
-// left out there afterwards; no triangle mixes the vertices of two groups.
+// Joins several lists of vertices, each with attributes of its own, to one mesh in groups, and
+// separates them again. So borders between materials are remeshed as what they are: curves inside
+// one surface. An attribute that only some pools have is zero (a colour: one) at the vertices of
+// the others, and is left out there afterwards; no triangle mixes the vertices of two groups.
 
 import { RemeshError } from '../base/errors.js';
 
@@ -37,7 +37,7 @@ function layout(pools) {
       widths.set(semantic, Math.max(itemSize, widths.get(semantic) ?? least));
     }
   }
-  // By code units, as files are read: the same vertices come out.
+  // Sorted by code units, as in reading files, so that the same vertices come out.
   return [...widths].sort(([a], [b]) => (a < b ? -1 : 1));
 }
 
@@ -135,7 +135,7 @@ export function separated({ positions, indices, groups = new Uint32Array() }, po
 }
 
 /**
- * The first numbers of each vertex; what the mesh does not have is zero.
+ * The first `itemSize` numbers of each vertex; numbers that the mesh does not have are zero.
  * @param {{ array: ArrayLike<number>, itemSize: number }} attribute of the mesh
  * @param {Uint32Array} vertices
  * @param {number} itemSize

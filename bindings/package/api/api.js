@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All public functions, of arrays and of files, for whichever platform they are made.
+// All public functions, of arrays and of files, for any platform.
 
 import { RemeshError } from '../base/errors.js';
 import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
@@ -62,7 +62,7 @@ import { checkOptions, checkRepair } from '../base/options.js';
 
 const fileNames = /** @type {const} */ (['name', 'resources']);
 
-/** What each function does is said where it is exported, in index.js. */
+/** Each function is documented where it is exported, in index.js. */
 export class Api extends ArraysApi {
   #platform;
   #client;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The public functions of arrays, for whichever platform they are made: each has what the caller
-// gave checked and copied, and hands a job to the client.
+// The public functions of arrays, for any platform. Each checks and copies what the caller gave and
+// hands a job to the client.
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -39,7 +39,7 @@ import { compileBinary } from './wasm_source.js';
 export const runNames =
   /** @type {const} */ (['signal', 'onProgress', 'worker']);
 
-/** What each function does is said where it is exported, in arrays.js and index.js. */
+/** Each function is documented where it is exported, in arrays.js and index.js. */
 export class ArraysApi {
   #platform;
   #client;
@@ -116,7 +116,7 @@ function checkSource(wasmUrl, wasmBinary) {
 }
 
 /**
- * What gets a module from where it is said to be, if that is said.
+ * A function that compiles the module of a source; undefined if the source names none.
  * @param {WasmSource} source
  * @param {Platform} platform
  * @returns {Compile | undefined}

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Who runs a job: one worker, kept warm, one job at a time in the order of asking; or an engine in
-// the calling thread where there are no workers or none is wanted. Aborting a running job
-// terminates its worker, which frees all it held; the next job starts another from the module
-// compiled already. Arrays make do with the small engine until the whole one is there: then that
-// takes its place. Every promise settles.
+// Runs jobs: in one worker, kept warm, one job at a time in the order of asking; or in the calling
+// thread if there are no workers or none is wanted. Aborting a running job terminates its worker,
+// which frees all it held; the next job starts another worker from the compiled module. Jobs on
+// arrays use the small engine until the whole one is there and takes its place. Every promise
+// settles.
 
 import { RemeshError, abortError, errorFrom } from '../base/errors.js';
 import { Modules, neededBy } from './modules.js';
@@ -21,8 +21,8 @@ import { Modules, neededBy } from './modules.js';
  */
 
 /**
- * Codecs of images, brought along for workers and runs that do not find them by themselves; what
- * it is made of is the package's own affair.
+ * Image codecs, for workers and runs that do not find them by themselves. The members are the
+ * package's own affair.
  * @typedef {object} Codecs
  * @property {() => Worker} worker Starts a worker in browsers that has them.
  * @property {(name: string) => Promise<any[]>} load For runs in the calling thread.
@@ -68,7 +68,7 @@ export function checkRun({ signal, onProgress, worker }) {
   if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
 }
 
-// Workers that a worker may have for images: a material has five maps, of which it does one itself.
+// Workers that a worker may have for images: of a material's five maps it does one itself.
 const mostHelpers = 4;
 
 export class Client {
@@ -127,8 +127,8 @@ export class Client {
   }
 
   /**
-   * The worker, if there can be one, with an engine for jobs that need this one: the first it had
-   * gives way to another.
+   * The worker, if there can be one, with an engine for jobs that need this one. A new engine takes
+   * the place of the one that the worker had.
    * @param {EngineName} needed
    * @returns {Promise<WorkerPort | undefined>}
    */
@@ -175,7 +175,7 @@ export class Client {
     }
   }
 
-  /** Ends all that runs or waits with an `AbortError`, and the worker. */
+  /** Ends the worker and, with an `AbortError`, all jobs that run or wait. */
   close() {
     this.#isClosed = true;
     for (const task of [...this.#tasks].reverse()) this.#abort(task);
@@ -238,7 +238,7 @@ export class Client {
       'Check that worker.js is served beside the script, or pass worker: false.'));
   }
 
-  /** In the calling thread, as in the worker. @param {EngineName} needed */
+  /** The engine for runs in the calling thread. @param {EngineName} needed */
   async #engineHere(needed) {
     const { Engine } = await import('../worker/engine.js');
     const loaded = await this.modules.load(needed);

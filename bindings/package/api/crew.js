@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs jobs as a client does, but several at once: a client for each worker, all with the same
-// compiled modules. Jobs wait in the order of asking for the first client that is free; those of
-// lower number come first, so that no more workers are started than are needed.
+// compiled modules. Jobs wait in the order of asking for the first free client. Clients of lower
+// number are taken first, so that no more workers are started than are needed.
 
 import { Client, checkRun } from './client.js';
 import { Modules } from './modules.js';
@@ -38,7 +38,7 @@ export class Crew {
     for (const client of this.#clients) client.bring(codecs);
   }
 
-  /** Makes all workers; the first of them is the answer. @param {EngineName} needed */
+  /** Starts all workers and returns the first. @param {EngineName} needed */
   async warmUp(needed) {
     const [first] = await Promise.all(this.#clients.map((client) => client.warmUp(needed)));
     return first;
@@ -65,7 +65,7 @@ export class Crew {
     }
   }
 
-  /** Ends all runs and all workers; those that wait or run reject with an `AbortError`. */
+  /** Ends all workers. Jobs that run or wait reject with an `AbortError`. */
   close() {
     this.#isClosed = true;
     for (const { leave } of this.#waiting.splice(0)) leave();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the caller gives, meshes and files, checked and copied: the caller's arrays stay the
-// caller's, and the copies can be handed over to a worker.
+// Checks and copies the meshes and files that the caller gives: the arrays stay the caller's, and
+// the copies can be handed over to a worker.
 
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
@@ -99,7 +99,7 @@ function copyPlace(place, label) {
   return matrix;
 }
 
-/** A level of detail is of meshes that are none. @param {any} part @param {any[]} parts
+/** Levels of detail are of meshes that are no levels. @param {any} part @param {any[]} parts
  * @param {string} label */
 function copyFiner({ finer }, parts, label) {
   if (finer === undefined) return {};

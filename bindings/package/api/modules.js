@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The two engines as compiled modules, of one client or of all of a pool: the small one, for
-// arrays, and the whole one. Each is compiled when it is needed first. The whole one, once it is
-// there, serves arrays too: nobody holds both.
+// The two engines, the small one for arrays and the whole one, as compiled modules of one client or
+// of all clients of a pool. Each is compiled when it is first needed. Once the whole one is there
+// it serves arrays too: nobody holds both.
 
 import { RemeshError } from '../base/errors.js';
 
@@ -32,16 +32,16 @@ export class Modules {
     this.#sources.arrays = compileArrays;
   }
 
-  /** Where one comes from, if nobody says otherwise. @param {EngineName} engine
+  /** Sets where an engine comes from, if nobody says otherwise. @param {EngineName} engine
    * @param {Compile} compile */
   offer(engine, compile) {
     this.#sources[engine] = compile;
   }
 
   /**
-   * What runs jobs that need this engine. The first call says where a module comes from, a failed
-   * one may be repeated. Where the small one is not to be had, as beside scripts that were bundled
-   * before there was one, the whole one does its work.
+   * The engine for jobs that need this one. The first call says where a module comes from; a failed
+   * call may be repeated. If the small engine is not to be had, as beside scripts that were bundled
+   * before it existed, the whole one does its work.
    * @param {EngineName} needed
    * @param {Compile} [compile]
    * @returns {Promise<Loaded>}

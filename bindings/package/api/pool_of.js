@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The class Pool, for whichever platform it is made.
+// The class Pool, for any platform.
 
 import { Api } from './api.js';
 import { Crew } from './crew.js';
@@ -34,7 +34,7 @@ function sizeOf(options, platform) {
   return size;
 }
 
-/** What each function does is said where the class is exported, in pool.js. */
+/** Each function is documented where the class is exported, in pool.js. */
 export class PoolOf extends Api {
   #crew;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From wherever the WebAssembly is to a compiled module, with an error that says what to do: a
-// server that answers with its index page is the failure people meet most.
+// Compiles the WebAssembly from wherever it is, with errors that say what to do. The failure people
+// meet most is a server that answers with its index page.
 
 import { RemeshError } from '../base/errors.js';
 

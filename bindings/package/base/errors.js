@@ -53,10 +53,10 @@ export function failureFrom(error) {
   return { code: 'INTERNAL', message: String(error), hint: '' };
 }
 
-/** The same at the other end. @param {Failure} failure */
+/** The error again, at the other end. @param {Failure} failure */
 export const errorFrom = ({ code, message, hint }) => new RemeshError(code, message, hint);
 
-/** What an aborted signal rejects with. @param {string} [why] */
+/** The error that an aborted signal rejects with. @param {string} [why] */
 export function abortError(why) {
   return new DOMException(why ?? 'The run was cancelled.', 'AbortError');
 }

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Foreign text inside a message of ours: names and lines of files from anywhere may be of any
-// length, and may hold what a terminal obeys or what turns the rest of a line around. The core's
-// base/legible.h does the same, and is held to the same cases.
+// Makes foreign text legible inside our messages: names and lines of files from anywhere may be of
+// any length, and may hold characters that a terminal obeys or that turn the rest of a line around.
+// The core's base/legible.h does the same, and is tested by the same cases.
 
 const longest = 120;
 const headLength = 80;
 
-// What shows nothing but does something: controls, marks of direction, ends of lines, tags; and
-// halves of pairs, which no encoding can write.
+// Characters that show nothing but do something: controls, marks of direction, ends of lines, tags;
+// and halves of surrogate pairs, which no encoding can write.
 const invisible = new RegExp('[\\u0000-\\u001f\\u007f-\\u009f\\u00ad\\u061c\\u180e'
   + '\\u200b-\\u200f\\u2028-\\u202e\\u2060-\\u206f\\ufeff\\ufff9-\\ufffb'
   + '\\u{e0000}-\\u{e007f}\\p{Cs}]', 'gu');
 
 /**
- * As they are shown. Of a long text only what can be is looked at: its two ends.
+ * The characters as they are shown. Of a long text only the two ends are looked at: no more can be
+ * shown.
  * @param {string} text
  */
 function charactersOf(text) {

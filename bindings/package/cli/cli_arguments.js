@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line's words: parsing by the option table, and the help made from it.
+// Parses the command line by the option table, and makes the help from it.
 
 import { extname } from 'node:path';
 
@@ -199,7 +199,7 @@ function checkOutput(line) {
   if (line.output !== '-' && !isFolder(line.output)) checkName(line);
 }
 
-/** What new textures are like is said of new textures only. @param {CommandLine} line */
+/** Options of new textures need textures that are baked. @param {CommandLine} line */
 function checkBaking({ options }) {
   const painted = optionTable.find(({ name }) =>
     ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From what the user names, files, folders and patterns, to the list of what is to be made of what.
-// Patterns are ours to expand where no shell has done it.
+// Turns the files, folders and patterns that the user names into a list of inputs with their
+// outputs. Expands the patterns that no shell has expanded.
 
 import { readdirSync, statSync } from 'node:fs';
 import { basename, join, relative, sep } from 'node:path';
@@ -12,7 +12,7 @@ import { reason } from '../files/reasons.js';
 
 /** @typedef {{ input: string, output: string }} Step */
 
-// What is taken from folders; other files there are nobody's fault.
+// The files that are taken from folders; other files there are no error.
 const readable = new RegExp(`\\.(${formats.join('|')})(\\.gz)?$`, 'i');
 
 /** @param {string} path */
@@ -27,7 +27,8 @@ function unreadable(path, why) {
 }
 
 /**
- * The files below, in the order of their names; nothing hidden, and no folder behind a link.
+ * The files below a folder, in the order of their names: none that is hidden or in a folder behind
+ * a link.
  * @param {string} folder
  * @returns {string[]}
  */
@@ -86,7 +87,7 @@ function foldersBelow(folder) {
 }
 
 /**
- * Each file with its way below the output: of files from a folder, that from the folder.
+ * Each file with its path below the output: for files of a folder, their path from that folder.
  * @param {string} name
  * @returns {{ input: string, way: string }[]}
  */
@@ -143,7 +144,7 @@ export function isFolder(output) {
 }
 
 /**
- * The steps that would write over the result of one before them.
+ * The steps that would overwrite the result of an earlier step.
  * @param {readonly Step[]} steps
  */
 export function clashes(steps) {

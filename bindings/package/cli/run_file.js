@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One file: read, with what it refers to; worked on; written, with what belongs beside it. Nothing
-// is written before all has succeeded.
+// Works on one file: reads it with the files it refers to, has it remeshed or otherwise processed,
+// and writes the result with its companions. Nothing is written before all has succeeded.
 
 import { basename } from 'node:path';
 
@@ -38,7 +38,7 @@ import { requireOutput, writeOutput } from '../files/output.js';
  */
 
 /**
- * What the file refers to; where it is painted from, the images of its material libraries, too.
+ * The files that the file refers to; for painting, the images of its material libraries, too.
  * @param {{ name: string, bytes: Uint8Array, isPainted: boolean }} file
  * @param {Gate} gate
  */
@@ -56,7 +56,7 @@ async function readResources({ name, bytes, isPainted }, gate) {
   return resources;
 }
 
-/** What was refused, with what would help. @param {Gate} gate @param {FileTask} task */
+/** The refused files, with what would help. @param {Gate} gate @param {FileTask} task */
 function refusals(gate, { root }) {
   const help = root === undefined
     ? 'A model may name files in its own folder; with --root DIR, those below DIR.'

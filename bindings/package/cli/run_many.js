@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many files: several at once, each in a worker of its own; a line for each as it ends. One bad
-// file does not stop the others.
+// Works on many files: several at once, each in a worker of its own; prints a line for each as it
+// ends. One bad file does not stop the others.
 
 import { accessSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -51,7 +51,7 @@ function reportInBrief({ output, fidelity, warnings, stopped }) {
   return parts.join(', ') || 'done';
 }
 
-/** What one run of many knows: what is asked for, what is done. */
+/** The state of a run over many files: the request, and what is done. */
 class Batch {
   /** @type {number[]} */
   #statuses = [0];
@@ -67,7 +67,7 @@ class Batch {
     this.progress = progressOfMany(line.quiet, this.steps.length);
   }
 
-  /** Works until nothing is left. One of several does so at the same time. */
+  /** Works until nothing is left. Several calls do so at the same time. */
   async work() {
     const api = new Api(platform);
     while (this.#next < this.steps.length) {
@@ -84,7 +84,7 @@ class Batch {
     return this.#statuses.includes(1) ? 1 : Math.max(...this.#statuses);
   }
 
-  /** Folders that this run made for nothing go again. */
+  /** Removes the folders that this run made for nothing. */
   tidy() {
     removeEmptyFolders(this.#folders);
   }

@@ -60,7 +60,7 @@ export function exitStatusOf(error) {
   return ourFault.has(knownError(error).code) ? 1 : 2;
 }
 
-/** What is written after a stream has failed fails too; whoever wrote was told. */
+/** Ignores errors of streams that have failed already: whoever wrote was told. */
 export function outliveClosedPipes() {
   for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 }

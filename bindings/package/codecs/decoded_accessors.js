@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What was compressed is seen for the first time once it is decoded: accessors then say of it what
-// it is, and what only has one form gets that.
+// Compressed data can be looked at only once it is decoded. Then accessors get their true bounds,
+// and numbers that may have one value only get that value.
 
 const components = /** @type {Record<string, number>} */ (
   { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 });
@@ -25,8 +25,8 @@ const float = 5126;
  */
 
 /**
- * Calls with each number, which component of its element it is, and, to change it, with a view and
- * the place there. Not at all where the numbers are not all there, which the core tells.
+ * Calls `visit` with each number, the component of its element that it is and, to change it, a view
+ * and the place there. Makes no call where numbers are missing, which the core reports.
  * @param {Decoded} decoded
  * @param {(value: number, component: number, data: DataView, at: number) => void} visit
  */
@@ -46,7 +46,7 @@ function forEachNumber({ accessor, stride, bytes }, visit) {
   }
 }
 
-/** What an accessor says of its bounds. @param {Decoded} decoded */
+/** Corrects the bounds that an accessor states. @param {Decoded} decoded */
 function tellBounds(decoded) {
   /** @type {number[]} */
   const min = [];
@@ -86,7 +86,7 @@ function mendNumbers(decoded) {
  */
 export function settleAccessors(tree, contents, views) {
   const accessors = tree.accessors ?? [];
-  /** @param {number} i @returns {Decoded[]} none of what was not compressed */
+  /** @param {number} i @returns {Decoded[]} none if it was not compressed */
   const decoded = (i) => {
     const accessor = accessors[i];
     if (!views.has(accessor?.bufferView)) return [];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compressed glTF becomes plain glTF before the core sees it: EXT_meshopt_compression (and its
 // successor KHR_meshopt_compression) and KHR_draco_mesh_compression. The decoders are loaded when
-// the first file needs them. What is decompressed is a GLB whatever it was: all its buffers in one.
+// the first file needs them. The result is a GLB whatever the file was: all its buffers in one.
 
 import { settleAccessors } from './decoded_accessors.js';
 import { decodeDracoPrimitives, dracoExtension } from './draco.js';
@@ -18,7 +18,7 @@ const compressions = [...meshoptExtensions, dracoExtension];
 /** @param {string} path */
 const baseName = (path) => path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
 
-/** What is malformed stays as it is. @param {string} uri */
+/** A malformed URI stays as it is. @param {string} uri */
 function percentDecoded(uri) {
   try {
     return decodeURIComponent(uri);
@@ -43,7 +43,7 @@ function decodeDataUri(uri) {
 }
 
 /**
- * The bytes of each buffer; of those that only stand in for compressed data, none.
+ * The bytes of each buffer; none for buffers that only stand in for compressed data.
  * @param {any} tree
  * @param {Uint8Array | undefined} chunk
  * @param {FileRequest} file
@@ -167,8 +167,8 @@ function joinBuffers(tree, contents) {
 }
 
 /**
- * Why it failed, for people: a TypeError speaks to programmers, and what a decoder throws from its
- * own inside, a number or a trap, to nobody.
+ * Why decoding failed, for people: a TypeError speaks to programmers, and a number or a trap that a
+ * decoder throws from its inside speaks to nobody.
  * @param {unknown} error
  */
 function reason(error) {
@@ -202,7 +202,7 @@ async function decompressTree(tree, chunk, file) {
   }
 }
 
-/** Where in a tree a number is beyond all that there are, as a JSON pointer. @param {any} tree */
+/** The JSON pointer to a number of a tree that is not finite. @param {any} tree */
 function endlessNumber(tree) {
   const waiting = [{ at: '', value: tree }];
   for (const { at, value } of waiting) {
@@ -215,7 +215,8 @@ function endlessNumber(tree) {
 }
 
 /**
- * Such a number is none once it has been read, and would be written as null.
+ * Parses the text. A number beyond all that can be read becomes infinite, and would be written as
+ * null.
  * @param {string} text @param {FileRequest} file
  */
 function parseTree(text, { name }) {
@@ -227,7 +228,7 @@ function parseTree(text, { name }) {
 }
 
 /**
- * The same file without compression; the very same if it has none or cannot be understood.
+ * The file without compression; the same object if it has none or cannot be understood.
  * @param {FileRequest} file
  * @returns {Promise<FileRequest>}
  */

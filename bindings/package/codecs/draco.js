@@ -19,8 +19,8 @@ const unsignedInt = 5125;
 const float = 5126;
 
 /**
- * What the decoder writes into its own memory, copied out. Where it finds that the sizes do not
- * agree it writes nothing, and what was there before is not ours.
+ * Copies out what the decoder writes into its own memory. If the sizes do not agree it writes
+ * nothing, and what was there before is not ours.
  * @param {any} draco
  * @param {number} byteLength
  * @param {(pointer: number) => boolean} fill
@@ -53,7 +53,7 @@ function spread(bytes, rowBytes, stride) {
 }
 
 /**
- * Draco rounds positions: the bounds it was given are no longer theirs.
+ * Draco rounds positions, so that the bounds stated before no longer fit.
  * @param {any} accessor
  * @param {Uint8Array} bytes
  */

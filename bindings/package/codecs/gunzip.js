@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files in a .gz become what is inside, by the platform's own decompression. It comes in pieces
-// and stops at a limit, so that a file that unpacks to a thousand times its size fills no memory.
+// Unpacks .gz files by the platform's own decompression, in pieces and up to a limit, so that a
+// file that unpacks to a thousand times its size fills no memory.
 
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
@@ -48,7 +48,7 @@ async function inflate({ name, bytes }, limit) {
 }
 
 /**
- * What is inside, under the name without .gz; the very same file if it is no gzip.
+ * The unpacked file, under the name without .gz; the same object if it is no gzip.
  * @param {NamedBytes} file
  * @param {number} [limit] bytes
  * @returns {Promise<NamedBytes>}

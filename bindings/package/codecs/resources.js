@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which files a file refers to, by the names it uses for them: what the command line reads from
-// beside its input. Files that cannot be understood refer to none; the core says what is wrong.
+// The names of the files that a file refers to: the command line reads these from beside its input.
+// Files that cannot be understood refer to none; the core says what is wrong.
 
 import { openContainer } from './gltf_container.js';
 
@@ -13,7 +13,7 @@ function gltfReferences(bytes) {
 }
 
 /**
- * Without the blanks around it: a regular expression would take time squared.
+ * The line without the blanks around it. A regular expression would take quadratic time.
  * @param {string} line
  */
 function trimmed(line) {

@@ -2,9 +2,9 @@
 // Files that appear together or not at all. Each is written beside its place under a name that no
 // other run uses, and flushed to the disk; then all are moved, without a pause, the main one last.
 // A main file alone is replaced by one move: its readers see the old one or the new one whole.
-// Where a companion is replaced with it, the new main file comes twice: first as one that refers to
-// the new companion by another name, under which that is there already; then, when the companion is
-// at its place, as it stays. So whoever is killed in between leaves an output that is whole.
+// Where a companion is replaced too, the new main file comes twice. The first one refers to the new
+// companion by another name, under which the companion is there already. The final one follows once
+// the companion is at its place. So a run that is killed in between leaves a whole output.
 
 import { randomBytes } from 'node:crypto';
 import {
@@ -19,7 +19,7 @@ import { isAlive } from './lock.js';
 import { withOtherNames } from './other_names.js';
 import { codeOf } from './reasons.js';
 
-// Younger ones may be those of a run in another container, whose processes cannot be asked for.
+// Younger drafts may be those of a run in another container, whose processes cannot be asked for.
 const oldest = 600_000; // milliseconds
 
 /** @typedef {{ place: string, bytes: Uint8Array }} PlacedFile */
@@ -32,14 +32,14 @@ function besides(place, ending) {
   return join(dirname(place), `.${stemOf(place)}.${ourRun()}.${ending}`);
 }
 
-/** Not hidden, for a model may not name what is. @param {string} place */
+/** Not hidden, since a model may not name hidden files. @param {string} place */
 function otherPlace(place) {
   const ending = extname(place);
   const stem = basename(place, ending).slice(0, 50);
   return join(dirname(place), `${stem}.${ourRun()}.part${ending}`);
 }
 
-/** Whether a main file may have been left to call a companion so. @param {string} place */
+/** The names by which a main file may still call a companion. @param {string} place */
 export function otherNamePattern(place) {
   const ending = extname(place);
   const stem = basename(place, ending).slice(0, 50);
@@ -47,7 +47,7 @@ export function otherNamePattern(place) {
   return new RegExp(`${before}\\.(\\d+)-[0-9a-f]{8}\\.part${after}`);
 }
 
-/** Short enough for what is added to it. @param {string} place */
+/** The name, cut so short that endings can be added. @param {string} place */
 function stemOf(place) {
   return basename(place).slice(0, 50);
 }
@@ -61,7 +61,7 @@ async function writeAll(file, bytes) {
   await promisify(fsync)(file);
 }
 
-/** Fails if something is there. @param {Draft} draft */
+/** Fails if the place is taken. @param {Draft} draft */
 function moveToFree({ path, place }) {
   try {
     linkSync(path, place);
@@ -73,7 +73,7 @@ function moveToFree({ path, place }) {
   rmSync(path);
 }
 
-/** So that the moves outlive a loss of power, where that can be had. @param {string} folder */
+/** Makes moves outlive a loss of power, where possible. @param {string} folder */
 function flushFolder(folder) {
   try {
     const file = openSync(folder, 'r');
@@ -84,7 +84,7 @@ function flushFolder(folder) {
   }
 }
 
-/** The same file by another name as well; its copy where a file system has no links. */
+/** Gives a file a second name; copies it where a file system has no links. */
 function linkOrCopy(/** @type {string} */ from, /** @type {string} */ to) {
   try {
     linkSync(from, to);
@@ -111,7 +111,7 @@ export class Drafts {
   #between;
   /** @type {string[]} folders made for them */
   #folders = [];
-  /** @type {{ place: string, path: string }[]} the old files once more, the main one last */
+  /** @type {{ place: string, path: string }[]} second names of the old files, the main one last */
   #kept = [];
   /** @type {string[]} places that were free */
   #taken = [];
@@ -151,7 +151,7 @@ export class Drafts {
     }
   }
 
-  /** To their places, at once. After a failure all is as it was. */
+  /** Moves all drafts to their places, without a pause. After a failure all is as it was. */
   move() {
     try {
       this.#keepOld();
@@ -174,7 +174,7 @@ export class Drafts {
     this.#forget();
   }
 
-  /** Where one move does not do. */
+  /** Keeps the old files where one move is not enough. */
   #keepOld() {
     if (this.#replacing.length === 0) return;
     for (const { place } of [...this.#replacing.map(({ draft }) => draft), this.#main]) {
@@ -185,7 +185,7 @@ export class Drafts {
     }
   }
 
-  /** The new output is there whole, the places of its companions are free to be changed. */
+  /** Shows the whole new output by other names: its companions' places are free then. */
   #showOther() {
     if (!this.#between) return;
     for (const { draft, other } of this.#replacing) {
@@ -195,11 +195,11 @@ export class Drafts {
     renameSync(this.#between.path, this.#between.place);
   }
 
-  /** Nothing is left of them, and what was there is back. Safe to repeat. */
+  /** Removes all drafts, and puts back what was there. Safe to repeat. */
   discard() {
     for (const { place, path } of this.#kept) {
       renameSync(path, place);
-      rmSync(path, { force: true }); // two names of one file are both there still
+      rmSync(path, { force: true }); // a move between two names of one file leaves both
     }
     for (const place of this.#taken) rmSync(place, { force: true });
     const drafts = [...this.#companions, this.#main, ...(this.#between ? [this.#between] : [])];
@@ -221,8 +221,8 @@ function isOld(path) {
 }
 
 /**
- * Removes what runs that were killed have left of drafts for this place; what cannot be removed
- * does no harm.
+ * Removes the drafts for this place that killed runs have left; those that cannot be removed do no
+ * harm.
  * @param {string} place
  */
 export function removeLeftovers(place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders that are made for what is to be written, and go again if nothing was.
+// Makes folders for results, and removes them again if nothing was written.
 
 import { mkdirSync, rmdirSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The gate at the door of the file system: every file that a model names, and not the user, is
-// read here. A model may have what lies below one folder, its own or the user's --root: by a plain
-// name (plain_names.js), through no link that leads out, a file and nothing that only looks like
-// one, and no more than a limit. All else is missing, with the reason kept.
+// The gate to the file system: reads every file that a model, not the user, names. A model may read
+// below one folder, its own or the user's --root: by a plain name (plain_names.js), through no link
+// that leads out, only plain files, and no more than a limit. Every other file counts as missing,
+// and the reason is kept.
 
 import { constants } from 'node:fs';
 import { lstat, open, realpath } from 'node:fs/promises';
@@ -17,7 +17,7 @@ const gibibyte = 2 ** 30;
 /** Bytes that one file may have, and all that one model names together. */
 export const limits = { file: gibibyte, together: 2 * gibibyte };
 
-// Reasons are kept for so many; of the others only how many they are.
+// Reasons are kept for so many files; of the others only their number.
 const mostReasons = 10;
 
 /** Both without links. @param {string} folder @param {string} path */
@@ -27,7 +27,7 @@ function isBelow(folder, path) {
 }
 
 /**
- * All of a file that is open, as far as it was long when it was looked at: it may grow for ever.
+ * Reads an open file up to the size it had when it was looked at: it may grow for ever.
  * @param {import('node:fs/promises').FileHandle} handle
  * @param {number} size
  */
@@ -86,7 +86,7 @@ export class Gate {
   }
 
   /**
-   * What the model means by a reference; undefined if it is not there or may not be read.
+   * The file that a reference means; undefined if it is not there or may not be read.
    * @param {string} reference
    * @returns {Promise<Uint8Array | undefined>}
    */
@@ -104,7 +104,7 @@ export class Gate {
     return undefined;
   }
 
-  /** Of all that was refused: what and why, in sentences. @returns {string[]} */
+  /** Sentences on all that was refused, and why. @returns {string[]} */
   refusals() {
     const sentences = Array.from(this.#reasons, ([reference, why]) =>
       `${legible(reference)} is not read: ${why}.`);
@@ -134,8 +134,8 @@ export class Gate {
   }
 
   /**
-   * Looked at before it is opened, for opening a pipe or a device may wait or do something; and
-   * again after, for it may have been exchanged.
+   * Looks at the file before opening it, since opening a pipe or a device may wait or do something;
+   * and again afterwards, since the file may have been exchanged.
    * @param {string} real
    */
   async #readReal(real) {

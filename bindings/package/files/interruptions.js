@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has to be undone when the process is asked to end in the middle of it: Ctrl+C, a polite
+// Undoes unfinished work when the process is asked to end in the middle of it: by Ctrl+C, a polite
 // kill, a closed terminal, an error that nobody caught. The signal then does what it always does.
 
 const signals = /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP']);
@@ -7,7 +7,7 @@ const signals = /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP']);
 /** @type {Set<() => void>} */
 const undoings = new Set();
 
-/** The last begun first, for it may be a part of another. */
+/** Undoes the last begun first, since it may be a part of another. */
 function undoAll() {
   for (const undo of [...undoings].reverse()) undo();
   undoings.clear();

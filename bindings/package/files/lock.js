@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One run at a time writes the several files of one output: who comes second waits. The lock is a
-// file beside the output that says whose it is; one whose owner is gone is taken away.
+// Lets one run at a time write the several files of one output: a second run waits. The lock is a
+// file beside the output that names its owner; a lock whose owner is gone is taken away.
 
 import { randomBytes } from 'node:crypto';
 import {
@@ -16,9 +16,9 @@ import { codeOf } from './reasons.js';
 
 const patience = 30_000; // milliseconds
 const step = 20;
-// An owner on another machine cannot be asked whether it lives; nobody writes for so long.
+// An owner on another machine cannot be asked whether it lives; no run writes for so long.
 const oldest = 600_000;
-// Between making the file and writing the owner into it pass microseconds.
+// Only microseconds pass between making the file and writing the owner into it.
 const oldestWithoutOwner = 2_000;
 
 /** @param {number} pid */
@@ -31,7 +31,7 @@ export function isAlive(pid) {
   }
 }
 
-/** Who holds it; undefined: it was let go meanwhile. @param {string} path */
+/** The lock's owner; undefined: the lock was released meanwhile. @param {string} path */
 function ownerOf(path) {
   try {
     return { text: readFileSync(path, 'utf8'), age: Date.now() - statSync(path).mtimeMs };
@@ -49,7 +49,7 @@ function isGone({ text, age }) {
 }
 
 /**
- * Moved aside first: another run may have taken it away, and locked anew.
+ * Moves the lock aside first: another run may have taken it away, and locked anew.
  * @param {string} path
  * @param {string} text of the owner that is gone
  */

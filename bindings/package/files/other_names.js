@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A main file that calls its companions by other names, as it must for the moment in which they are
-// somewhere else.
+// Makes a main file call its companions by other names, for the moment in which they are somewhere
+// else.
 
 /** @param {string} reference */
 function decoded(reference) {

@@ -28,7 +28,7 @@ function unwritable(path, why, hint = 'Choose another output.') {
   return new RemeshError('OUTPUT_UNWRITABLE', `${legible(path)} cannot be written: ${why}.`, hint);
 }
 
-/** None: there is no such file. @param {string} path */
+/** Undefined: there is no such file. @param {string} path */
 function lookAt(path) {
   try {
     return statSync(path);
@@ -67,7 +67,7 @@ export function requireOutput(output) {
 }
 
 /**
- * The innermost folder on the way to it that is there must not be reached through a link that
+ * Throws if the innermost existing folder on the way to a companion is reached through a link that
  * leads out.
  * @param {string} folder of the output @param {string} place of a companion
  */
@@ -81,8 +81,8 @@ function requireWithin(folder, place) {
 }
 
 /**
- * The .bin that belongs to a .gltf which is about to be replaced is replaced with it; a run that
- * was killed may have left that calling it by another name.
+ * Whether a companion is the .bin of a .gltf that is about to be replaced: it is replaced, too. A
+ * killed run may have left a .gltf that calls its .bin by another name.
  * @param {string} path of the main file @param {string} place of a companion
  */
 function isOwnData(path, place) {
@@ -136,7 +136,7 @@ async function writeDrafts([main, ...others], output) {
 }
 
 /**
- * All of them or none.
+ * Writes all files or none.
  * @param {NamedBytes[]} files the main one first; it takes the name that `output` says
  * @param {Output} output
  */
@@ -150,7 +150,7 @@ export async function writeOutput(files, output) {
         if (files.length > 1) await lock.acquire();
         await writeDrafts(files, output);
       } finally {
-        unlock();  // while signals are still waited for
+        unlock();  // while signals are still handled
       }
     });
   } catch (error) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// By name alone: may a model name this file? It may name what lies in a folder or below it, by the
-// names of folders and files and nothing cleverer; what percent-decoding makes of a name, however
-// often it is done, must be no more than that either.
+// Decides by name alone whether a model may name a file. It may name files in a folder or below it,
+// by the plain names of folders and files. Whatever percent-decoding makes of a name, however often
+// it is done, must be such a plain name too.
 
 const longestName = 4096;
 const mostDecodings = 8;
 
 /**
- * Byte by byte, as the core does it: what is malformed stays as it is.
+ * Decodes byte by byte, as the core does; a malformed sequence stays as it is.
  * @param {string} name
  */
 function percentDecoded(name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Around a run that bakes textures: images are decoded before, and encoded behind it.
+// Wraps a run that bakes textures: decodes images before it, and encodes images after it.
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -11,10 +11,10 @@ import { ImageCrew } from './image_crew.js';
 /** @typedef {import('../base/messages.js').Picture} Picture */
 /** @typedef {(event: import('../base/messages.js').ProgressEvent) => boolean | void} OnProgress */
 
-/** What decoding and encoding take of the whole run. */
+/** The shares of decoding and encoding in the whole run. */
 const shares = { decoding: 0.07, encoding: 0.25 };
 
-/** Those that an OBJ's material libraries name; the core says which are missing.
+/** The images that an OBJ's material libraries name; the core says which are missing.
  * @param {FileRequest} file */
 function imagesBeside({ name: model, resources }) {
   const named = new Set(resources.flatMap(({ name, bytes }) =>
@@ -42,7 +42,7 @@ export class Bakery {
     throw new RemeshError('CANCELLED', 'The run was cancelled.');
   }
 
-  /** For the run in between. @returns {OnProgress | undefined} */
+  /** Progress of the run in between. @returns {OnProgress | undefined} */
   get onPainting() {
     const { decoding, encoding } = shares;
     return this.#onProgress && (({ phase, fraction }) =>
@@ -70,7 +70,7 @@ export class Bakery {
     return { ...outcome, files: withImages(outcome.files, encoded) };
   }
 
-  /** To be called in the end, whatever it is. */
+  /** Must be called in the end, whatever happened. */
   end() {
     this.#crew.end();
   }

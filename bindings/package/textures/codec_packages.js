@@ -4,8 +4,8 @@
 import { RemeshError } from '../base/errors.js';
 
 /**
- * The two halves of a package. Bundlers are not to look for them: they would complain to all who
- * bake nothing.
+ * The two halves of a package. Hides them from bundlers, which would complain to all who bake
+ * nothing.
  * @param {string} name
  * @returns {Promise<any[]>} to decode, to encode
  */

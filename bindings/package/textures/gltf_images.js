@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The images of glTF files: taken out to be decoded, and put in where a result refers to one that
-// has been painted.
+// Takes the images of glTF files out to be decoded, and puts painted images into results that refer
+// to them.
 
 import { openContainer, packGlb } from '../codecs/gltf_container.js';
 import { RemeshError } from '../base/errors.js';
@@ -22,7 +22,7 @@ function decoded(uri) {
   }
 }
 
-/** None where it is broken. @param {string} uri */
+/** Undefined if it is broken. @param {string} uri */
 function dataOf(uri) {
   const [head, body = ''] = uri.split(/,(.*)/s);
   const letters = body.replace(/%([\da-f]{2})/gi,

@@ -20,7 +20,7 @@ import { legible } from '../base/legible.js';
  * @property {number} [helpers] How many of them at most; none, if not said.
  */
 
-// Beyond this one image has more texels than are worth holding.
+// A larger image has more texels than are worth holding.
 const largestImage = 2 ** 26;
 
 /**
@@ -46,12 +46,12 @@ const codecs = {
   },
 };
 
-/** Of images with losses, up to 100. Small ones are looked at from so near that their noise would
- * show, and weigh little. @param {number} count of texels */
+/** The quality of lossy images, up to 100. Small images are looked at from so near that their noise
+ * would show, and weigh little. @param {number} count of texels */
 const qualityFor = (count) => (count <= 512 ** 2 ? 97 : 90);
 
 /**
- * What Node lacks and the decoders make.
+ * Runs with a class ImageData, which the decoders need and Node lacks.
  * @template T
  * @param {() => Promise<T>} body
  */

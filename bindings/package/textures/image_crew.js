@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Images decoded or encoded side by side: by the thread at hand and, where it can start workers, by
-// a few that do nothing else. Whoever is free takes the next one. What comes out, in the order of
-// what went in, is the same whoever has done it.
+// Decodes or encodes images side by side: in this thread and, where it can start workers, in a few
+// that do nothing else. Whoever is free takes the next image. The results come in the order of the
+// jobs and are the same whoever has done them.
 
 import { errorFrom, failureFrom } from '../base/errors.js';
 import { ImageCodecs } from './image_codecs.js';
@@ -9,10 +9,10 @@ import { ImageCodecs } from './image_codecs.js';
 /** @import { ImageAnswer, ImageJob, ImagePort } from '../base/messages.js' */
 /** @import { CodecSource } from './image_codecs.js' */
 
-/** Such workers are no longer there: what they had is done by others. */
+/** A worker is no longer there: others do its job. */
 class Gone extends Error {}
 
-/** What is handed over to a worker is a copy, for it may have to be done again.
+/** Copies a job for a worker: it may have to be done again.
  * @param {ImageJob} job @returns {{ job: ImageJob, transfer: ArrayBuffer[] }} */
 function copied({ work, image }) {
   const key = work === 'decode' ? 'bytes' : 'texels';
@@ -110,7 +110,7 @@ export class ImageCrew {
     return results;
   }
 
-  /** Those that are there, and as many more as can be of use. @param {number} wanted */
+  /** The present workers, and as many more as can be of use. @param {number} wanted */
   #helpersFor(wanted) {
     while (this.#helpers.length < Math.min(wanted, this.#most)) {
       const port = this.#spawn?.();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the first bytes of an image say of it, before anything is decoded.
+// Reads what the first bytes of an image say about it, without decoding anything.
 
 /**
  * @typedef {object} ImageHeader

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A worker in browsers as both sides' code knows it.
+// Gives a browser's worker the interface of WorkerPort.
 
 /** @param {Worker} worker */
 export function portOf(worker) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker's side of the conversation: what is the same everywhere, and what is so in browsers.
+// The worker's side of the conversation: the part for every platform, and the part for browsers.
 
 import { Engine } from './engine.js';
 import { failureFrom } from '../base/errors.js';

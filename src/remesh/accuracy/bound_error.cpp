@@ -19,20 +19,21 @@ namespace {
 constexpr int kPatience = 6;            // rounds within which what is left must halve
 constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
 constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
-// What cannot reach its goal with the few is not worth more; for wider angles more are.
+// Pieces per triangle. A goal that is out of reach with the few proofs is not worth more; wider
+// angles are.
 constexpr std::size_t kFewProofs = 400, kManyProofs = 1000;
 
-// With so many vertices mending has no future: those asked for are out of reach from there, and the
-// original itself is nearer to them.
+// Beyond this number of vertices mending has no future: the number asked for is out of reach from
+// there, and the original itself is nearer to it.
 double mostVertices(const Run& run, std::size_t vertices) {
   const double made = double(run.mesh.mesh().vertexCount());
   const double original = double(run.mesh.surface().mesh().vertexCount());
   return std::max(kMostVertices * double(vertices), std::min(kMostVertices * made, original));
 }
 
-// A few rounds mend what a scheme has left. Where there is much of it, or where it does not shrink,
-// for the mesh stands for the original in the wrong places, it is not worth mending. Returns
-// whether the bound is kept in the end.
+// A few rounds mend the excess that a scheme has left. It is not worth mending if there is much of
+// it, or if it does not shrink because the mesh stands for the original in the wrong places.
+// Returns whether the bound is kept in the end.
 bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
   const double most = mostVertices(run, goal.vertices);
   ExcessSearch search(goal.bound);
@@ -52,7 +53,8 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
   return false;
 }
 
-// Polishing splits and collapses, and under the gate it may not get all collapses back.
+// Polishing splits and collapses. If the gate refuses collapses, so that the count changes, the
+// mesh before is restored.
 void polishInCount(Run& run, const Progress& progress) {
   const WorkingMesh before = run.mesh;
   polish(run, {kFair}, progress);

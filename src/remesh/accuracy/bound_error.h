@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `--max-error`: what a scheme has made is refined where it leaves the bound, until it is proven to
-// keep it; what is too many vertices then is collapsed again, as far as the bound allows. Where
-// refinement does not get there, the original itself is where to begin: it keeps every bound, and
-// under the gate so does all that is made of it.
+// `--max-error`: refines the mesh of a scheme where it leaves the bound, until it is proven to keep
+// it; then collapses what are too many vertices, as far as the bound allows. Where refinement
+// fails, the run begins again with the original itself: it keeps every bound, and under the gate so
+// does every mesh made from it.
 #pragma once
 
 #include "base/options.h"

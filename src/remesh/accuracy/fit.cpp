@@ -13,18 +13,18 @@ namespace remesher {
 
 namespace {
 
-// The least squares of offsets that neighbours share, by relaxation: a little beyond each vertex's
-// own mean few passes come nearest.
+// Relaxation to the least squares of offsets, which neighbours share: if each vertex goes a little
+// beyond its own mean, few passes come nearest.
 constexpr double kBeyond = 1.3;
 // A vertex that a pass has moved by less than this is left alone by the next.
 constexpr double kStillMoves = 0.003;  // of the target length
 
-// The mean over a triangle by a rule that is exact to squares: so much of it at each corner, and at
-// its middle. At the corners, which have their places, it costs nothing.
+// The weights, at each corner and at the middle, of a rule for means over a triangle that is exact
+// to squares. The corners cost nothing, since their places are known.
 constexpr double kAtCorner = 1.0 / 12, kAtMiddle = 3.0 / 4;
 
-// For each vertex what the triangles around it are far from the original on average, signed along
-// their normals: of every sample it has the share that is its weight among the three corners.
+// Per vertex the mean distance of the triangles around it to the original, signed along their
+// normals. Each sample counts by the vertex's weight among the three corners.
 class Offsets {
  public:
   explicit Offsets(const WorkingMesh& mesh)
@@ -69,14 +69,14 @@ class Offsets {
   FaceData<Face> found_;  // the face of the original nearest to each middle
 };
 
-// Sound angles may shrink, but stay sound; what is not sound may not shrink at all. Where vertices
-// move once the last polish sees to that.
+// Sound angles may shrink, but stay sound; other angles may not shrink at all. If vertices move
+// only once, this is left to the last polish.
 bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
   const double after = smallestAngleAround(mesh, v, to);
   return after >= kSound || after >= smallestAngleAround(mesh, v, mesh.position(v));
 }
 
-// Along the mean normal of the triangles around v. Returns how far.
+// Moves v along the mean normal of the triangles around it. Returns how far.
 double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
   const bool isOnce = run.effort.fitPasses == 1;
   run.star.gather(run.mesh, v);

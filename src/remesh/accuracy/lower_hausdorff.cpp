@@ -13,25 +13,27 @@ namespace remesher {
 
 namespace {
 
-// Only a large distance is worth angles: good ones stay good otherwise.
+// Only a larger distance is worth angles; otherwise good angles stay good.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-// A lost tip is worth more: what is worse than the worst is polished afterwards.
+// A larger distance is that of a lost tip, which is worth angles below sound: they are polished
+// afterwards.
 constexpr double kLostTip = 0.4;  // of the target edge length
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
-// A move that changes less than this decides nothing; one that reaches so much may stop there.
+// A move that leaves more than the share kGain of a distance decides nothing; a search that reaches
+// the share kReached may stop there.
 constexpr double kGain = 0.99, kReached = 0.65;
-// What costs angles, or makes way for another, must win more.
+// A move that costs angles, or makes way for another, must come below this share.
 constexpr double kMuch = 0.9;
-// Where the maximum is stuck, what lies below this share of it decides nothing.
+// Where the maximum is stuck, distances below this share of it decide nothing.
 constexpr double kNearMaximum = 0.8;
 
 constexpr int kRounds = 4;
-// Triangles looked at: of a large mesh few decide, and a small one has few.
+// The number of triangles to try: in a large mesh few decide, and a small one has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
-// Between two shells all is far off, and as near to one as to the other: a try may look at millions
-// of triangles of the original there, and where a mesh passes through itself all over at as many of
-// its own; elsewhere seldom at more than ten thousand.
+// Between two shells everything is far off, and as near to one as to the other: a try there may
+// look at millions of the original's triangles. Where a mesh passes through itself all over, a try
+// may look at as many of the mesh's own. Elsewhere it seldom looks at more than ten thousand.
 constexpr std::size_t kLooksPerTry = 12'000;
 
 std::size_t triesFor(std::size_t vertices) {
@@ -39,7 +41,8 @@ std::size_t triesFor(std::size_t vertices) {
                   vertices / kVerticesPerTry);
 }
 
-// The angle that a move leaves, in radians, and the one that was asked of moves before, in vain.
+// The angle that a move must leave, in radians, and the one that earlier moves, in vain, had to
+// leave.
 struct Kept {
   double angle;
   std::optional<double> last;
@@ -60,7 +63,7 @@ class Descent {
   }
 
   void run() {
-    // What is stuck may be freed by moves nearby.
+    // Moves nearby may free stuck triangles.
     for (int i = 0; i < kRounds && descend(); ++i)
       for (const Face f : std::exchange(stuck_, {})) push(f);
   }
@@ -84,7 +87,7 @@ class Descent {
 
   bool mayTry() const { return tries_ > 0 && looked() < mostLooks_; }
 
-  // Whether anything moved.
+  // Returns whether anything moved.
   bool descend() {
     bool moved = false;
     double worst = kWorthAMove * run_.sizes.mean();
@@ -126,13 +129,13 @@ class Descent {
            distances_.hubs().contains(v);
   }
 
-  // Outlines show: a curve always has its way.
+  // Outlines show: on a curve a sound angle is always enough.
   double keptAt(Vertex v, double angle) const {
     return run_.mesh.kind(v) == VertexKind::Curve ? kSound : angle;
   }
 
-  // Whether a search from v would be the last one again, which was in vain: both may do to a star
-  // what its own angles allow.
+  // Whether a search from v would repeat the last one, which was in vain: the angles of v's star
+  // set the same limit for both.
   bool wasTried(Vertex v, const Kept& kept) const {
     if (!kept.last) return false;
     const double own = smallestAngleAround(run_.mesh, v, run_.mesh.position(v));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Near the end of both schemes: what is left of the Hausdorff distance is decided by a handful of
-// places. The vertices around each are moved, on and off the surface, to where the largest of the
-// distances around them, in both directions, is smallest.
+// Near the end of both schemes a handful of places decide the Hausdorff distance. The vertices
+// around each place move, on and off the surface, to where the largest distance around them, in
+// both directions, is smallest.
 #pragma once
 
 #include "remesh/steps/run.h"
@@ -9,7 +9,7 @@
 namespace remesher {
 
 // Vertices on curves slide along them, corners stay, edges between the places may flip. No step
-// makes a bad triangle, or any distance larger for another place.
+// makes a bad triangle, or raises the largest distance around it.
 void lowerHausdorff(Run& run);
 
 }  // namespace remesher

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a place of the original to the part of the mesh that stands for it. Nearest in space is not
-// it where the original lies in folds: the mesh may pass by on the other side of a thin wall.
+// Finds the part of the mesh that stands for a place of the original. Where the original lies in
+// folds, the part nearest in space may be a wrong one, on the other side of a thin wall.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@ namespace remesher {
 
 class PlaceFinder {
  public:
-  // A snapshot: vertices that are made or moved later are not found, those that vanish must not be.
+  // A snapshot: vertices that are made later are not found, moved ones only where they were. None
+  // may vanish while it is in use.
   explicit PlaceFinder(const WorkingMesh& mesh);
 
   // A few vertices of the mesh around a place, found by going over the original from there.

@@ -22,10 +22,10 @@ constexpr double kSpacing = 0.5;  // of the target edge length
 // A walk may end in a local minimum; places farther than this are tried from other sides too.
 constexpr double kDoubtful = 0.3;  // of the target edge length
 constexpr int kRetries = 4;
-// Inside a triangle with sides no longer than this, and corners that are near, all is near.
+// A triangle with shorter sides and with near corners is near everywhere.
 constexpr double kBetween = 2;    // target edge lengths
 constexpr double kSameWay = 0.9;  // cosine
-// So many places, per vertex of the mesh and triangle of the original, are as many as can matter.
+// More places than this, per vertex of the mesh and triangle of the original, cannot matter.
 constexpr double kMostPlaces = 64;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -34,7 +34,8 @@ struct Start {
   double enough = 0;  // a walk may end this near
 };
 
-// Whether the place is nearer to where a walk from `start` ends.
+// Walks from `start` to the place. If the walk ends nearer than before, updates the place and
+// returns true.
 bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
   const SurfacePoint near =
       closestPointFrom(mesh.mesh(), mesh.positions(), start.face, {place.position, start.enough});
@@ -48,13 +49,13 @@ bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
   return true;
 }
 
-// The vertices of the original to measure from: all of them, or those that a stand-in had. Beside
-// these lay what it left out.
+// The vertices of the original to measure from: all of them, or those that a stand-in kept. The
+// vertices that it left out lay beside these.
 class Posts {
  public:
   explicit Posts(const Run& run) : original_(run.mesh.surface().mesh()), thinned_(run.thinned) {}
 
-  // Which are neighbours. Its vertices are the posts, by numbers of their own.
+  // The neighbourhood of posts: a mesh whose vertices are the posts, by numbers of their own.
   const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
   Vertex near(Vertex original) const { return thinned_ ? (*thinned_->heirs)[original] : original; }
   Vertex original(Vertex post) const { return thinned_ ? (*thinned_->onOriginal)[post] : post; }
@@ -64,8 +65,8 @@ class Posts {
   const std::optional<Thinned> thinned_;
 };
 
-// For each post a vertex of the mesh that lies near it along the surface: those on its own faces
-// first, then what its neighbours have; what only a hub is a neighbour of comes last.
+// For each post a vertex of the mesh that lies near it along the surface: one on the post's own
+// faces or, failing that, the one of a neighbouring post. Posts that only a hub reaches come last.
 class NearbyVertices {
  public:
   NearbyVertices(const WorkingMesh& mesh, const Posts& posts)
@@ -145,8 +146,8 @@ class Survey {
   }
 
  private:
-  // Whether a vertex of the original lies in the tangent plane of one nearby and faces its way: a
-  // look that spares most places a walk.
+  // Whether v, of the original, lies near the tangent plane of w, of the mesh, and faces the same
+  // way. This test spares most places a walk.
   bool isSurelyNear(Vertex v, Vertex w) const {
     // A boundary's tangent plane goes on where the mesh does not.
     if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
@@ -165,8 +166,8 @@ class Survey {
            (place.distance >= enough_ * size && isAcrossEdge(place));
   }
 
-  // A walk over a wedge ends at the perpendicular's foot on its other side: then the triangle there
-  // faces away from the original's.
+  // Whether the nearest triangle faces away from the original's: a walk over a wedge ends at the
+  // foot of the perpendicular on the wedge's other side.
   bool isAcrossEdge(const Place& place) const {
     const auto [a, b, c] = mesh_.surface().mesh().vertices(place.original.face);
     const VertexData<Vec3>& p = mesh_.surface().positions();
@@ -174,8 +175,8 @@ class Survey {
     return areaVector(p[a], p[b], p[c]).dot(areaVector(t[0], t[1], t[2])) < 0;
   }
 
-  // Walks again from all around where the last one ended, but for hubs. From one start they all end
-  // alike.
+  // Walks again from all around where the last walk ended, except around hubs. Each start is used
+  // once, since all walks from it end alike.
   void retry(Place& place, double size) {
     const HalfedgeMesh& mesh = mesh_.mesh();
     starts_.clear();
@@ -251,9 +252,9 @@ class Survey {
     return {side, steps, std::max(1.0, std::ceil(height / (kSpacing * size)))};
   }
 
-  // Sound triangles ask for a few places to each vertex of the mesh, for both go with the area;
-  // those with sides much longer than their area tells could ask for any number. Then all steps are
-  // longer, and the work stays in proportion to both meshes.
+  // Sound triangles ask for a few places per vertex of the mesh, since both numbers grow with the
+  // area. Triangles with sides much longer than their area suggests could ask for any number. Then
+  // all steps are made longer, and the work stays in proportion to both meshes.
   void addInside() {
     Grids grids(mesh_.surface().mesh().faceCapacity());
     const double most = kMostPlaces * double(mesh_.mesh().vertexCount() + grids.size());
@@ -270,7 +271,8 @@ class Survey {
       if (grids[Face(i)].hasPlaces()) addOver(Face(i), grids);
   }
 
-  // Where walks over a triangle of the original begin: from a hub they would look at all around it.
+  // The face where walks over f begin; not at a hub, where a walk would look at all faces around
+  // it.
   Face startFor(Face f) const {
     const auto corners = mesh_.surface().mesh().vertices(f);
     for (const Vertex v : corners)
@@ -300,7 +302,8 @@ class Survey {
     int corner;  // where it begins
   };
 
-  // Between the other two sides, so far up from this one to the corner opposite.
+  // Adds a row of places between the other two sides, at the share `up` of the way from this side
+  // to the opposite corner.
   Face addRow(const Side& side, double up, double steps, Face start) {
     for (int step = 1; step < steps; ++step) {
       const double on = (1 - up) * step / steps;
@@ -319,8 +322,8 @@ class Survey {
   const Hubs hubs_;
   const Posts posts_;
   const NearbyVertices nearby_;
-  // For the few places that no walk finds the nearest triangle for: those inside triangles of the
-  // original far larger than the mesh's.
+  // For the few places whose nearest triangle no walk finds: those inside triangles of the original
+  // far larger than the mesh's.
   std::optional<MeshTree> tree_;
   VertexData<char> near_;     // surely, per post
   std::vector<Face> starts_;  // of the walks to the place at hand

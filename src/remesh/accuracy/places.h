@@ -11,17 +11,17 @@ namespace remesher {
 struct Place {
   SurfacePoint original;
   Vec3 position;    // of the point of the original
-  Face nearest;     // of the mesh, where a walk from the vertices that lie around the place ends
+  Face nearest;     // of the mesh, where a walk from vertices around the place ends
   double distance;  // to that triangle
 };
 
-// The original's vertices and, where its triangles are large, points inside them, no farther apart
-// than half a target edge; of these the ones that are not nearer to the mesh than `enough` target
-// lengths. A walk stays on the sheet it starts on, so a distance can only be too large. What is
-// `surely` as near to a tangent plane of the mesh is not looked at.
+// Samples the original: its vertices and, in large triangles, points no farther apart than half a
+// target edge. Returns the samples that are not nearer to the mesh than `enough` target lengths. A
+// walk stays on the sheet it starts on, so a distance can only be too large. Samples nearer than
+// `surely` target lengths to a tangent plane of the mesh are skipped.
 std::vector<Place> measurePlaces(const Run& run, double enough, double surely);
 
-// Where the place is now, by a walk from the triangle that was nearest.
+// Updates the nearest triangle and the distance, by a walk from the last nearest triangle.
 void measureAgain(const WorkingMesh& mesh, Place& place);
 
 }  // namespace remesher

@@ -8,9 +8,9 @@
 
 namespace remesher {
 
-// Mends what is left of triangles below 20° under a rule that looks for folds only, in steps that
-// hardly move the surface, and then lowers the distances that are largest. Keeps the number of
-// vertices; where nothing is poor, only the places of those distances are touched.
+// Mends the remaining triangles below 20° under a rule that looks for folds only, in steps that
+// hardly move the surface; then lowers the largest distances. Keeps the number of vertices. Where
+// no triangle is poor, only the places of the largest distances change.
 void mendPoorRegions(Run& run);
 
 }  // namespace remesher

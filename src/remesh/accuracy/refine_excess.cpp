@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMoveWithin = 0.35;  // of the shortest edge around: so near a vertex moves
 
-// The faces around a new or moved vertex are others now: what was found for them is void.
+// Marks the faces around new or moved vertices, for which the excess found before is void.
 class Touched {
  public:
   explicit Touched(const HalfedgeMesh& mesh) : mesh_(mesh), touched_(mesh.faceCapacity(), 0) {}
@@ -36,7 +36,7 @@ double length(const WorkingMesh& mesh, Halfedge h) {
   return (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
 }
 
-// Of those that may be split.
+// The longest of the sides that may be split.
 Halfedge longestSide(const WorkingMesh& mesh, Face f) {
   Halfedge longest;
   for (int i = 0; i < 3; ++i) {
@@ -95,7 +95,7 @@ class Refinement {
     return result;
   }
 
-  // Of the faces around; none if it has changed.
+  // The nearest of the faces around `near`; none if it has changed.
   Face nearestFace(const std::vector<Vertex>& near, const SurfacePoint& point) const {
     const Vec3 target = run_.mesh.surface().position(point);
     Face nearest;
@@ -133,8 +133,8 @@ class Refinement {
       touched_.around(run_.result);
   }
 
-  // Fitting and the mending of poor triangles leave vertices off the original: one that is goes
-  // back, in the end even where that folds the mesh over.
+  // Fitting and the mending of poor triangles leave vertices off the original. Puts one such corner
+  // back; once moves are over, even if that folds the mesh over.
   bool putBackCorner(Face f) {
     for (const Vertex v : run_.mesh.mesh().vertices(f)) {
       if (run_.mesh.kind(v) != VertexKind::Interior) continue;

@@ -7,12 +7,12 @@
 
 namespace remesher {
 
-// Of vertices that are where they should be.
+// Whether a vertex may move to a lost place nearby.
 enum class Moves { Allowed, Never };
 
-// Brings the mesh to places of the original that it has lost, by moving a vertex that is almost
-// there or by splitting the triangle that passes by; and triangles that have strayed back to the
-// original, by undoing a fit or by splitting them.
+// Brings the mesh to places of the original that it has lost: moves a vertex that is almost there
+// or splits the triangle that passes by. Brings stray triangles back to the original: undoes a fit
+// or splits them.
 void refineExcess(Run& run, const Excess& excess, Moves moves);
 
 }  // namespace remesher

@@ -18,8 +18,8 @@ namespace {
 // Steps in units of the mean spoke.
 constexpr double kFirstStep = 0.4, kLastStep = 0.04;
 constexpr int kDirections = 8;
-// Few rounds find what there is to find nearby. To a place a billion spokes away it is as many
-// steps, each of them a little nearer.
+// Few rounds find what there is to find nearby. To a place a billion spokes away a search would
+// take as many steps, each a little nearer.
 constexpr int kMostRounds = 64;
 constexpr std::size_t kAlongNormal = 2;
 // A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
@@ -94,8 +94,8 @@ Placement StarSearch::at(const Vec3& position) const {
   return place;
 }
 
-// Rounds of steps, each half as long as the one before where that brought nothing; look: offers
-// places a step away and says whether one was better.
+// Rounds of steps; a round without gain halves the step. look: offers places a step away and
+// returns whether one was better.
 template <typename Look>
 void StarSearch::search(double enough, const Look& look) {
   double step = kFirstStep;
@@ -118,7 +118,7 @@ void StarSearch::move(double enough, std::span<const Vec3> directions) {
   });
 }
 
-// Between its neighbours along the curve, or the curve would turn back.
+// Stays between the neighbours along the curve: beyond them the curve would turn back.
 void StarSearch::slide(double enough) {
   const auto [before, after] = curveNeighbors(mesh_, v_);
   const Index chain = best_.on.chain;
@@ -146,9 +146,9 @@ void StarSearch::lookAround(double enough) {
   move(enough, std::span(directions).subspan(isFlat ? kAlongNormal : 0));
 }
 
-// Triangles seldom come to pass through others, and to see whether they do takes longer than all
-// else: a search looks once, at the place that it has found, and only if they do begins again and
-// looks at each.
+// Triangles seldom come to pass through others, and a test for this takes longer than all else. So
+// a search tests once, at the place that it has found. Only if triangles cross there does it begin
+// again and test every place.
 void StarSearch::descend(double enough) {
   const Placement before = best_;
   const double distance = distance_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a vertex makes the largest of the distances around it smallest: a pattern search over
-// places on and off the surface, or along its curve.
+// A pattern search for the place of a vertex that makes the largest distance around it smallest: on
+// and off the surface, or along its curve.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace remesher {
 
-// A vertex to move. Of the angles around it, what is below `keepAngle` may not shrink; what is
-// above may not fall below it.
+// A vertex to move. No angle around it may fall below `keepAngle` or, if the smallest one is below
+// already, below that one.
 struct Movable {
   Vertex vertex;
   double keepAngle;
@@ -25,12 +25,12 @@ class StarSearch {
   double distance() const { return distance_; }  // at the best place so far
   const Placement& best() const { return best_; }
 
-  // Until the distance is no more than `enough`, or nothing helps.
+  // Searches until the distance is no more than `enough` or no step helps.
   void descend(double enough);
 
  private:
   bool keepsAngles(const Vec3& position) const;
-  bool offer(const Placement& place);  // one that keeps them
+  bool offer(const Placement& place);  // the place must keep the angles
   bool isAllowed(const Placement& place);
   bool crosses();  // whether the best place makes triangles pass through each other
   Placement at(const Vec3& position) const;

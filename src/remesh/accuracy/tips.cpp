@@ -10,13 +10,14 @@ namespace remesher {
 
 namespace {
 
-// Of the tolerance: what is this near to a tangent plane is no tip.
+// Of the tolerance: a place this near to a tangent plane is no tip.
 constexpr double kSurelyNear = 0.4;
 
-// So far from the mesh, in target lengths, a tip that no vertex can move to gets one of its own,
-// though that makes four triangles of two.
+// A tip farther than this from the mesh, in target lengths, that no vertex can move to gets a
+// vertex of its own, though that makes four triangles of two.
 constexpr double kInsertAbove = 0.6;
-// More new vertices than this share are a sign of sizes that the surface does not allow.
+// More new vertices than one to so many old ones are a sign of sizes that the surface does not
+// allow.
 constexpr std::size_t kMostInserted = 4;
 
 std::vector<Place> farthestFirst(const Run& run, double tolerance) {
@@ -54,7 +55,8 @@ void reach(Run& run, const Place& tip) {
   }
 }
 
-// The side of the nearest triangle whose triangles suffer least is split by a vertex on the tip.
+// Splits a side of the nearest triangle by a vertex on the tip: the side whose split leaves the
+// widest angles.
 void insert(Run& run, const Place& tip) {
   double best = kSliver;
   LocalChange change;

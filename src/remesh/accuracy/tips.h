@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smoothing draws vertices off the tips of a surface (ears, horns), and with them decides its
-// Hausdorff distance. Here the nearest vertices are put back on them and pinned there.
+// Smoothing draws vertices off the tips of a surface (ears, horns), and lost tips decide the
+// Hausdorff distance. This step puts the nearest vertices back on the tips and pins them there.
 #pragma once
 
 #include "remesh/steps/run.h"
@@ -8,8 +8,8 @@
 namespace remesher {
 
 // Moves a vertex to every place of the original that is farther from the mesh than `tolerance` ×
-// its target length, farthest first, where the star allows it, and pins it there. A tip very far
-// away that none can move to gets a new vertex. Smoothing should follow.
+// its target length, farthest first, where the star allows it, and pins it there. A very distant
+// tip that no vertex can move to gets a new one. Smoothing should follow.
 void reachTips(Run& run, double tolerance);
 
 }  // namespace remesher

@@ -15,12 +15,12 @@ namespace remesher {
 namespace {
 
 constexpr double kFarOff = std::numeric_limits<double>::infinity();
-// What is beside a vertex and nearer to its tangent plane than this decides nothing.
+// A place beside a vertex and nearer to its tangent plane than this decides nothing.
 constexpr double kBesideIt = 0.05;  // of the target edge length
-// An edge follows the original where its slope to both tangent planes is less and they face the
-// same way: sine and cosine.
+// An edge follows the original if its slope to the tangent planes at both ends is below kSlope (a
+// sine) and the cosine between their normals is above kAlongIt.
 constexpr double kSlope = 0.1, kAlongIt = 0.97;
-// A walk may end in a local minimum: what is farther than this is asked of all of the original.
+// A walk may end in a local minimum: for a larger distance the whole original is searched.
 constexpr double kMayBeLocal = 0.2;  // of the mean target edge length
 // An edge whose middle is nearer than this share of the farthest so far decides nothing.
 constexpr double kDecides = 0.4;
@@ -41,15 +41,15 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
   for (Index i = 0; i < places_.size(); ++i) add(i);
 }
 
-// A vertex that is asked about is looked for from where it would be, as it will be once it is
-// there.
+// For a vertex whose move is asked about, walks start from its new place, as they will after the
+// move.
 SurfacePoint TwoSidedDistance::startAt(Halfedge corner) const {
   const bool wouldMove = mesh_.mesh().origin(corner) == moved_ && to_.kind == VertexKind::Interior;
   return wouldMove ? to_.at : mesh_.cornerPoint(corner);
 }
 
-// The corner of f that is nearest to a sample, as the place of a walk's start; a hub only where all
-// are.
+// The start of a walk: the place of the corner of f that is nearest to a sample; a hub only if all
+// corners are hubs.
 SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
   const Triangle corners = mesh_.corners(f);
   const auto vertices = mesh_.mesh().vertices(f);
@@ -62,8 +62,8 @@ SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
   return startAt(HalfedgeMesh::halfedge(f, nearest));
 }
 
-// By a walk from `place`, which is moved to where it ends; where that is doubtful, of all of the
-// original.
+// The distance by a walk from `place`, which becomes the end of the walk. If that is doubtfully
+// far, the whole original is searched.
 double TwoSidedDistance::fromOriginal(const Vec3& sample, SurfacePoint& place) const {
   const OriginalSurface& surface = mesh_.surface();
   place = closestPointFrom(surface, place, sample);
@@ -79,7 +79,7 @@ double TwoSidedDistance::fromOriginal(const Vec3& sample, Face f) const {
   return fromOriginal(sample, place);
 }
 
-// The samples lie side by side: where the walk to one ends that to the next begins.
+// The samples lie side by side: each walk begins where the one before ended.
 double TwoSidedDistance::fromOriginal(const Vec3& from, const Vec3& to, Face f,
                                       double limit) const {
   double farthest = 0;
@@ -99,8 +99,8 @@ double TwoSidedDistance::fromOriginal(const Triangle& triangle, Face f) const {
   return fromOriginal((triangle[0] + triangle[1] + triangle[2]) / 3, f);
 }
 
-// Whether the tangent planes at both ends of an edge hold it: where the original is no coarser than
-// the mesh, it cannot be far off between them, and a bump would be found from the original.
+// Whether an edge lies in the tangent planes at both its ends. If the original is no coarser than
+// the mesh, such an edge cannot be far off in between, and a bump would be found from the original.
 bool TwoSidedDistance::followsOriginal(Halfedge h) const {
   const Vertex a = mesh_.mesh().origin(h), b = mesh_.mesh().tip(h);
   if (originalIsCoarse_ || mesh_.kind(a) != VertexKind::Interior ||
@@ -168,7 +168,7 @@ void TwoSidedDistance::gather(Vertex v, const Placement& to) {
   });
 }
 
-// To the triangles at hand.
+// Measures the place against the gathered triangles.
 void TwoSidedDistance::measureNear(Place& place) const {
   double nearest = kFarOff;
   for (const auto& [face, at] : gathered_) {
@@ -191,7 +191,8 @@ double TwoSidedDistance::distanceNear(Place place) const {
   return place.distance;
 }
 
-// Whether a place is within the distance of a triangle at hand; of its own, mostly.
+// Whether a place is within the distance of a gathered triangle; mostly it is so of its own, which
+// is tried first.
 bool TwoSidedDistance::isNear(const Place& place, const Changed& own, double distance) const {
   const auto isWithin = [&](const Changed& triangle) {
     const auto& [a, b, c] = triangle.at;
@@ -200,8 +201,8 @@ bool TwoSidedDistance::isNear(const Place& place, const Changed& own, double dis
   return isWithin(own) || std::any_of(gathered_.begin(), gathered_.end(), isWithin);
 }
 
-// Of the places that belong to the triangles at hand; any larger one where it exceeds `limit`. What
-// exceeded it the last time is likely to do so again.
+// The largest distance of places that belong to the gathered triangles; above `limit` it may be any
+// value above it. The place that exceeded a limit last is tried first: it is likely to do so again.
 double TwoSidedDistance::farthestPlace(double limit) {
   double farthest = 0;
   if (tooFar_ != kNone && isGathered(places_[tooFar_].nearest)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the mesh and the original are apart, triangle by triangle and in both directions, kept up
-// to date while vertices move: what lowering the Hausdorff distance steers by.
+// The distance between the mesh and the original, per triangle and in both directions, kept up to
+// date while vertices move. It steers the lowering of the Hausdorff distance.
 #pragma once
 
 #include <limits>
@@ -17,35 +17,34 @@ class TwoSidedDistance {
  public:
   explicit TwoSidedDistance(const Run& run);
 
-  // The largest distance from the triangle's samples to the original, and to the triangle from the
-  // places that belong to it.
+  // The largest distance from the triangle's samples to the original, and from the places that
+  // belong to the triangle to it.
   double of(Face f) const { return distance_[f]; }
 
-  // The largest of those that a move of v changes, were v there; any larger one where it exceeds
-  // `limit`.
+  // The largest distance around v if v were at `to`, of those that its move changes. Above `limit`
+  // it may be any value above it.
   double around(Vertex v, const Placement& to,
                 double limit = std::numeric_limits<double>::infinity());
 
-  // The largest of those around v that no move of v changes: along the rim of its star.
+  // The largest distance around v that no move of v changes: along the rim of its star.
   double onRim(Vertex v);
 
-  // The largest of those of the two triangles of an inner edge, were it flipped.
+  // The largest distance of the two triangles of an inner edge if it were flipped.
   double ifFlipped(Halfedge h);
 
-  // Measures anew around a vertex that has moved, or the two triangles of an edge that was flipped:
-  // places there go over to the nearest triangle.
+  // Measures anew around a moved vertex, or the two triangles of a flipped edge. Each place there
+  // goes to the nearest of these triangles.
   void update(Vertex v);
   void update(Halfedge h);
 
-  // Vertices that it takes too long to ask about.
+  // Vertices whose queries take too long.
   const Hubs& hubs() const { return hubs_; }
 
-  // The triangles of the original looked at because walks to it ended too far off.
+  // The number of the original's triangles looked at because walks ended too far off.
   std::size_t looked() const { return looked_; }
 
  private:
-  // A triangle that changes, with its corners where it is asked about: the moved vertex comes
-  // first.
+  // A changing triangle with the corners that it is asked about for; the moved vertex comes first.
   struct Changed {
     Face face;
     Triangle at;
@@ -82,7 +81,7 @@ class TwoSidedDistance {
   OriginalTree& tree_;
   mutable std::size_t looked_ = 0;
   std::vector<Changed> gathered_;
-  Vertex moved_;  // that they change with, if any
+  Vertex moved_;  // the vertex whose move changes them, if any
   Placement to_;
   std::vector<Index> moving_;
   Index tooFar_ = kNone;  // the place that exceeded a limit last

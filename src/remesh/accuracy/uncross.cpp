@@ -10,7 +10,8 @@ namespace remesher {
 
 namespace {
 
-// The proposal that leaves the fewest pairs, of equals the widest angle.
+// The proposal that leaves the fewest intersecting pairs; among equals, the one with the widest
+// smallest angle.
 class FewestPairs {
  public:
   explicit FewestPairs(const Run& run) : rule_(lenient(run)) { rule_.guard = nullptr; }
@@ -31,13 +32,13 @@ class FewestPairs {
   }
 
  private:
-  FidelityRule rule_;  // but for the guard, which has been asked
+  FidelityRule rule_;  // without the guard, which is asked separately
   LocalChange change_ = {};
   std::ptrdiff_t growth_ = 0;
   double angle_ = 0;
 };
 
-// Back to the surface, and towards the middles of the triangles around.
+// Offers to put v back on the surface, and to move it towards the middles of the triangles around.
 void offerMoves(Run& run, Vertex v, FewestPairs& best) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   if (run.mesh.kind(v) != VertexKind::Interior) return;
@@ -74,7 +75,7 @@ bool mendCrossed(Run& run, Face f) {
   return best.carryOut(run);
 }
 
-// Where nothing helps at once the triangle is halved: the finer, the nearer to the original, which
+// Halves a triangle for which nothing helps at once: a finer mesh is nearer to the original, which
 // does not meet itself.
 void halve(Run& run, Face f) {
   Halfedge longest = HalfedgeMesh::halfedge(f);
@@ -91,7 +92,8 @@ void halve(Run& run, Face f) {
 
 std::size_t uncross(Run& run) {
   const int rounds = 2 * run.effort.polishRounds;
-  // To mend one triangle takes as long as so many of the original take where all is made anew.
+  // Mending one triangle takes as long as so many triangles of the original take when all is made
+  // anew.
   constexpr std::size_t kWorthMending = 64;
   std::size_t budget = run.mesh.surface().mesh().faceCount() / kWorthMending;
   std::vector<Face> crossed = run.rule.guard->crossing();

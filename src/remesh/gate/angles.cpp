@@ -30,7 +30,8 @@ AngleLimit::AngleLimit(double angle) : angle_(angle) {
 
 bool AngleLimit::isSurelyBelow(const Vec3& ab, const Vec3& ac) const {
   const double b = ab.squaredNorm(), c = ac.squaredNorm(), a = (ac - ab).squaredNorm();
-  // Times the same two sides: the cosine of the angle opposite the shortest side, and the sine.
+  // The cosine of the angle opposite the shortest side times its two sides; the sine times them
+  // follows.
   const double cosine = 0.5 * (a + b + c) - least(a, b, c);
   return ab.cross(ac).squaredNorm() > squaredTangent_ * cosine * cosine;
 }

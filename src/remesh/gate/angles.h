@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smallest angles of the triangles that a change is about, in radians: what decides whether it
-// is worth it. What is a line in the numbers that are written has none, where a grain is given.
+// The smallest angles, in radians, of the triangles that a change makes or replaces: they decide
+// whether it is worthwhile. With a grain a triangle that is a line as written has angle 0.
 #pragma once
 
 #include "remesh/gate/fidelity.h"
@@ -8,26 +8,27 @@
 
 namespace remesher {
 
-// The one ladder of smallest angles, rung by rung: a triangle that is made only for want of a
-// better one (sliver); that a lost tip or a bound is worth until it is mended (poor, fair); that a
-// move for the sake of distances must leave (sound), for polishing lifts it to where it is left
-// alone (fine); that such a move leaves if it can (good, even). The rung `sound` cannot move
-// without changing the bytes of `rounds`.
+// The one ladder of smallest angles. sliver: such a triangle is made only for want of a better one.
+// poor, fair: what a lost tip or a bound is worth until the triangle is mended. sound: what a move
+// that lowers distances must leave, since polishing lifts it to fine. fine: polishing leaves such a
+// triangle alone. good, even: what a move that lowers distances leaves if it can. Changing `sound`
+// changes the bytes of `rounds`.
 inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radians(30),
                         kSound = radians(33.2), kFine = radians(35), kGood = radians(42),
                         kEven = radians(50);
 
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 
-// An angle up to 60° that all triangles are compared with: most are seen to be wider without
-// working theirs out.
+// A limit up to 60° for the angles of triangles. Most triangles prove to be above it without
+// computing their angles.
 class AngleLimit {
  public:
   explicit AngleLimit(double angle);
 
   // Whether the smallest angle of f is less.
   bool isAbove(const WorkingMesh& mesh, Face f, const Grain& grain = {}) const;
-  // Whether that of a triangle around the star's centre is, or is hardly more, were it there.
+  // Whether a triangle of the star would have a smaller angle, or a hardly larger one, if the
+  // centre were at `center`.
   bool isAboveAround(const Star& star, const Vec3& center) const;
 
  private:
@@ -36,14 +37,14 @@ class AngleLimit {
   double angle_, squaredTangent_;
 };
 
-// Of the triangles that a proposal makes, and of those that it takes away. An angle that is not
-// `beyond` answers for all that come.
+// The smallest angle of the triangles that a proposal makes, and of those that it replaces. The
+// search among coming triangles stops at an angle that does not exceed `beyond`.
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change,
                            const Grain& grain = {}, double beyond = -1);
 double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change,
                           const Grain& grain = {});
 
-// Of the triangles around v, were v at `position`.
+// The smallest angle of the triangles around v if v were at `position`.
 double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position);
 
 }  // namespace remesher

@@ -31,7 +31,7 @@ bool contains(std::span<const Face> faces, Face f) {
   return std::find(faces.begin(), faces.end(), f) != faces.end();
 }
 
-// With those that vanish at an edge that collapses.
+// All triangles that go, with those that vanish beside a collapsing edge.
 std::vector<Face> goingAll(const HalfedgeMesh& mesh, const LocalChange& change) {
   std::vector<Face> all = change.going;
   if (change.operation == Operation::Collapse)
@@ -40,7 +40,7 @@ std::vector<Face> goingAll(const HalfedgeMesh& mesh, const LocalChange& change) 
   return all;
 }
 
-// Of the moved or new vertex. What lies around keeps calling a vertex by its name.
+// The index by which the triangles around know the moved vertex; kNone for a new one.
 Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
   if (change.operation == Operation::Collapse) return mesh.tip(change.halfedge).index;
   return change.operation == Operation::Relocate ? change.vertex.index : kNone;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A gate that no triangle passes which meets others, however far apart along the surface they are,
-// or has no area: what was free of both stays so, in the numbers that are written.
+// A gate against triangles that intersect others, however far apart along the surface, or have no
+// area: a mesh free of both stays free of both, as written.
 #pragma once
 
 #include <span>
@@ -13,22 +13,23 @@
 
 namespace remesher {
 
-// What steps call is virtual: an engine that never makes a guard then holds none of its code.
+// The functions that steps call are virtual: an engine that never makes a guard then holds none of
+// its code.
 class CrossingGuard {
  public:
   CrossingGuard(const WorkingMesh& mesh, const Grain& grain);
   virtual ~CrossingGuard() = default;
 
-  // How many more pairs of triangles would meet elsewhere than at what they share.
+  // How many more pairs of triangles would intersect outside their shared vertices and edges.
   std::ptrdiff_t growth(const LocalChange& change) const;
 
-  // Whether a change makes any more.
+  // Whether a change makes no more such pairs.
   virtual bool allows(const LocalChange& change) const;
 
-  // To be told of each change that was carried out, with the vertex that it made, moved or kept.
+  // Must be called after each change, with the vertex that it made, moved or kept.
   virtual void update(const LocalChange& change, Vertex result);
 
-  // The triangles that meet others, ascending.
+  // The triangles that intersect others, ascending.
   std::vector<Face> crossing() const;
   bool isCrossed(Face f) const;
 

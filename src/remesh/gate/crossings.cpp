@@ -34,8 +34,8 @@ Crossings::Named Crossings::present(Face f) const {
   return {v, {mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])}};
 }
 
-// Triangles with a common edge share no more unless they lie on each other; with a common corner,
-// the edge opposite to it tells.
+// Triangles with a common edge share no more unless they lie on each other. Of triangles with a
+// common corner only the edges opposite to it are tested.
 bool Crossings::pass(const Named& s, const Named& t) {
   const auto has = [](const Named& triangle, Vertex v) {
     return std::find(triangle.vertices.begin(), triangle.vertices.end(), v) !=

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles of the mesh that pass through each other, however far apart along the surface they are:
-// what neither normals nor angles can see.
+// Finds triangles of the mesh that pass through each other, however far apart along the surface:
+// neither normals nor angles reveal them.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace remesher {
 
 class Crossings {
  public:
-  // Remembers where the triangles are; what changes afterwards is to be told to `update`.
+  // Records where the triangles are; `update` must be called for each that changes afterwards.
   explicit Crossings(const WorkingMesh& mesh);
 
   // Whether the change makes more pairs of triangles pass through each other than do now.
@@ -24,7 +24,7 @@ class Crossings {
   std::size_t looked() const { return looked_; }
 
  private:
-  // Corners by name, so that neighbours are known, and by place.
+  // A triangle's vertices, to recognise neighbours, and their positions.
   struct Named {
     std::array<Vertex, 3> vertices;
     Triangle at;
@@ -36,7 +36,7 @@ class Crossings {
 
   const WorkingMesh& mesh_;
   const MeshTree tree_;
-  double farthest_ = 0;  // that a corner is now from where the tree has it
+  double farthest_ = 0;  // distance of a corner from its position in the tree
   mutable std::size_t looked_ = 0;
 };
 

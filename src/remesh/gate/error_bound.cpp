@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostPieces = 2'000;
 constexpr std::size_t kRemembered = 8;
 
-// A short list of triangles, each with a ball that holds it, which rules most of them out.
+// A short list of triangles, each in a bounding ball; the balls rule most triangles out.
 class Nearby {
  public:
   void add(const Triangle& t) {
@@ -51,8 +51,8 @@ class Nearby {
   std::vector<Member> members_;
 };
 
-// Looks whether pieces of the original that only the going triangles may have been near are near
-// those that remain or come.
+// Tests whether pieces of the original that only the going triangles may have been near are near
+// the triangles that remain or come.
 class NearChange {
  public:
   NearChange(const Nearby& going, const Nearby& present, double distance)
@@ -101,7 +101,7 @@ std::vector<Face> goingFaces(const HalfedgeMesh& mesh, const LocalChange& change
   return faces;
 }
 
-// The faces that touch one of `faces` and are none of them, which are in order.
+// The faces that touch one of `faces` and are none of them. `faces` must be sorted.
 std::vector<Face> facesAround(const HalfedgeMesh& mesh, const std::vector<Face>& faces) {
   std::vector<Face> around;
   for (const Face f : faces)
@@ -159,7 +159,7 @@ bool ErrorBound::keepsOriginal(const WorkingMesh& mesh, const LocalChange& chang
 bool ErrorBound::allows(const WorkingMesh& mesh, const LocalChange& change) const {
   if (isSpent()) return false;
   const std::vector<Triangle> coming = comingTriangles(mesh, change);
-  // Where a triangle's only neighbour takes over its tip nothing else changes.
+  // A collapse may change no triangle but those that vanish.
   const Face first = change.going.empty() ? HalfedgeMesh::face(change.halfedge) : change.going[0];
   const Vertex rim = mesh.mesh().vertices(first)[0];
   NearTree look(tree_, distance_, mesh.at(rim).face.index);

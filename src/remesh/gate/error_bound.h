@@ -17,12 +17,13 @@ class ErrorBound {
   // distance: model units. `surface` must outlive the bound.
   ErrorBound(const OriginalSurface& surface, double distance);
 
-  // Whether a mesh that is within the bound remains so: the coming triangles are near the original,
-  // and whatever of the original may have been near the going ones only is near the coming ones or
-  // those around.
+  // Whether a mesh within the bound stays within it: the coming triangles are near the original,
+  // and every part of the original that only the going triangles may have been near is near the
+  // coming triangles or those around them.
   bool allows(const WorkingMesh& mesh, const LocalChange& change) const;
 
-  // Proofs are work: from now on so many pieces may be looked at, about; then nothing is allowed.
+  // Limits the work of proofs: from now on about `pieces` pieces may be looked at; then nothing is
+  // allowed.
   void grant(std::size_t pieces) const { most_ = pieces_ + pieces; }
   bool isSpent() const { return pieces_ >= most_; }
   std::size_t piecesLookedAt() const { return pieces_; }
@@ -39,8 +40,8 @@ class ErrorBound {
   std::vector<Index> triangles_;
   TriangleTree tree_;
   mutable std::size_t pieces_ = 0, most_ = std::numeric_limits<std::size_t>::max();
-  // Pieces of the original where proofs have failed of late: what one change loses the next, of the
-  // same star mostly, is likely to lose.
+  // Pieces of the original where recent proofs failed: the next change, mostly of the same star, is
+  // likely to fail there too.
   mutable std::vector<Piece> lost_;
   mutable std::size_t losses_ = 0;
 };

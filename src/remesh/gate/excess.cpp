@@ -13,7 +13,7 @@ namespace {
 // A proof takes a few hundred pieces, but one large triangle may lie under thousands of small ones.
 constexpr std::size_t kMostPiecesOfAll = 100'000;
 
-// The corner that is farthest from the mesh, or the place where the proof has failed.
+// The place farthest from the mesh, of the triangle's corners and the place where the proof failed.
 Lost farthest(Index triangle, const Vec3& failure, const TriangleTree& original,
               const TriangleTree& mesh) {
   const Triangle whole = original.corners(triangle);
@@ -33,7 +33,7 @@ ExcessSearch::ExcessSearch(const ErrorBound& bound)
       limits_{kSmallestPiece * bound.distance(), kMostPiecesOfAll},
       isDoubtful_(bound.original().order().size(), 1) {}
 
-// A proof for the original used nothing farther away than the distance.
+// Proofs relied on mesh triangles within the distance only: those near `gone` are in doubt.
 void ExcessSearch::doubtAround(const Triangle& gone) {
   const Vec3 margin = Vec3::Constant(bound_.distance());
   Box box;

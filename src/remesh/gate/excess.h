@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a mesh leaves an error bound, or a proof that it does not; for a mesh that is asked about
-// again and again while it is mended.
+// Finds where a mesh leaves an error bound, or proves that it does not. Made for repeated queries
+// while the mesh is mended.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-// A place of the original that is too far from the mesh, or cannot be proven not to be.
+// A place of the original that is too far from the mesh, or cannot be proven to be near.
 struct Lost {
   SurfacePoint place;
   double distance = 0;
@@ -29,13 +29,13 @@ class ExcessSearch {
   // `bound` must outlive the search.
   explicit ExcessSearch(const ErrorBound& bound);
 
-  // Where the mesh leaves the bound; nothing if it is proven not to. What has not changed since the
-  // last time is not looked at again.
+  // Where the mesh leaves the bound; empty if it provably does not. Parts unchanged since the last
+  // call are not looked at again.
   Excess find(const WorkingMesh& mesh);
 
  private:
   struct Seen {
-    std::optional<Triangle> corners;  // none of a face that is not alive
+    std::optional<Triangle> corners;  // none if the face is not alive
     bool isStray = false;
   };
 
@@ -46,8 +46,8 @@ class ExcessSearch {
 
   const ErrorBound& bound_;
   SearchLimits limits_;
-  std::vector<Seen> seen_;        // per face of the mesh, the last time
-  std::vector<char> isDoubtful_;  // per triangle of the original: is it to be looked at?
+  std::vector<Seen> seen_;        // per face of the mesh, at the last call
+  std::vector<char> isDoubtful_;  // per triangle of the original: must it be looked at?
 };
 
 }  // namespace remesher

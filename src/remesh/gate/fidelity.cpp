@@ -45,26 +45,27 @@ double worstBefore(const WorkingMesh& mesh, const LocalChange& change) {
   return worst;
 }
 
-// A little more than what is measured as a line, whichever corner it is measured from.
+// A little above kFlattest, so that a line counts as one from whichever corner it is measured.
 constexpr double kLine = 2 * kFlattest;
 
-// Whether a triangle is surely no line, by the squares of the longer of two sides and of twice its
-// area: far above all rounding; the third side is no longer than the other two together.
+// Whether a triangle is surely no line, far above all rounding. longer: the square of the longer of
+// two sides; area: the square of twice its area. The third side is no longer than the other two
+// together.
 bool isPlain(double longer, double area, const Grain& grain) {
   constexpr double kPlain = 1e-12, kPlainGrains = 1e3;
   return area > longer * (kPlain * longer + kPlainGrains * grain.size * grain.size);
 }
 
-// Whether a triangle of this area vector, whose square is given, surely is no fold by one of its
-// corners' normals, of which that is the least product with it.
+// Whether a triangle surely is no fold. lean: the least product of its area vector with the normals
+// of its corners; squared: the square of its area vector.
 bool isUpright(double lean, double squared, const FidelityRule& rule) {
   constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
   return lean > 0 && lean * lean > kSurely * rule.fold * rule.fold * squared;
 }
 
-// Whether a triangle is far from a line and from a fold, by a look at what is at hand, which is all
-// that most proposals need: of a corner where curves meet the normal of one side, beside which that
-// of the side that the triangle faces can only be better.
+// A quick test that a triangle is far from a line and from a fold; most proposals need no more. At
+// a corner where curves meet it uses the normal of one side: the normal of the side that the
+// triangle faces can only be better.
 bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, const Placement& moved,
             const FidelityRule& rule) {
   std::array<const Vec3*, 3> p, n;
@@ -86,8 +87,8 @@ bool isFine(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle, cons
   return isPlain(greatest(ab.squaredNorm(), ac.squaredNorm()), squared, rule.grain);
 }
 
-// The smallest N_i·N_T of a triangle, or any that is no fold where none is: the normal of the other
-// side of a curve is asked for only where it matters.
+// The smallest N_i·N_T of a triangle; if none is a fold, any value above `fold`. The normals of the
+// other sides of a curve are computed only where they matter.
 double worstLean(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
                  const Placement& moved, double fold) {
   std::array<Vec3, 3> p;
@@ -105,9 +106,9 @@ double worstLean(const WorkingMesh& mesh, const std::array<Vertex, 3>& triangle,
   return worst;
 }
 
-// Whether a triangle would face away from all that the change replaces. Between curves the normals
-// of corners say too little: one that lies face down in a flat cap leans no more than the walls
-// around the cap.
+// Whether a coming triangle would face away from all triangles that the change replaces. Between
+// curves the corners' normals say too little: a triangle face down in a flat cap leans no more than
+// the walls around the cap.
 bool turnsOver(const WorkingMesh& mesh, const LocalChange& change) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
   return std::any_of(change.coming.begin(), change.coming.end(), [&](const auto& t) {
@@ -151,7 +152,7 @@ Verdict judgeAngles(const WorkingMesh& mesh, const LocalChange& change, const Fi
   return Verdict::Accepted;
 }
 
-// By what the triangles are, whatever they are far from.
+// Judges the triangles' shape and orientation, without the guard and the bound.
 Verdict judgeShape(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule) {
   const bool isFold = rule.mode == Fidelity::Fold;
   const auto isFineOne = [&](const std::array<Vertex, 3>& triangle) {

@@ -5,12 +5,12 @@
 // itself:
 //   strict  every pair  N_i·N_j > cos θ1  and every  N_i·N_T > cos θ2  (the report's text)
 //   loose   some pair and some corner pass  (the report's program)
-//   fold    every  N_i·N_T > fold, or the worst of them is no worse than it was before: than the
-//           worst of the triangles that the operation replaces; and no triangle that leans so
-//           far faces away from all of them
+//   fold    every  N_i·N_T > fold, or the worst is no worse than the worst of the triangles that
+//           the operation replaces; and if the worst is kFold or less, no triangle faces away from
+//           all that the operation replaces
 //
-// Besides, no mode lets through more triangles without area than there are, and where there is a
-// guard none more pairs of triangles that meet.
+// Besides, no mode lets the number of triangles without area grow or, with a guard, the number of
+// intersecting pairs of triangles.
 //
 // With angles below 90° no triangle that turns over passes strict or loose.
 #pragma once
@@ -26,9 +26,9 @@ namespace remesher {
 
 enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError, Crosses };
 
-// A triangle may lean 78° against the surface before it counts as folding over; 107° where the
-// surface itself folds more tightly than the triangles are large, and nothing else would remove a
-// cluster.
+// A triangle may lean 78° against the surface before it counts as folding over. The limit is 107°
+// where the surface itself folds more tightly than the triangles are large and nothing else would
+// remove a cluster.
 inline constexpr double kFold = 0.2;
 inline constexpr double kTightFold = -0.3;
 
@@ -38,22 +38,22 @@ struct FidelityRule {
   double cosTriangleAngle = 0;
   double fold = kFold;  // smallest N_i·N_T that is not a fold
   Grain grain = {};
-  const ErrorBound* bound = nullptr;  // if any, of a mesh that is within it
-  CrossingGuard* guard = nullptr;     // if any, to be told of all that is done to its mesh
+  const ErrorBound* bound = nullptr;  // if any; the mesh must be within it
+  CrossingGuard* guard = nullptr;     // if any; must be told of every change to its mesh
 };
 
 FidelityRule fidelityRule(const RemeshOptions& options);
 
-// Whether a triangle is a line in the numbers that are written.
+// Whether a triangle is a line as written.
 bool isLine(const Triangle& triangle, const Grain& grain);
 
-// Whether more triangles would be lines, in the numbers that are written, than are; or one have two
-// corners at one place, which in a file would be one vertex, and sheets grown together. Projections
-// of different points may end in one corner of the original, or on one edge.
+// Whether a change makes more triangles that are lines, as written, than it replaces, or one with
+// two corners at one place: a file would join these to one vertex and grow sheets together.
+// Projections of different points may end in one corner of the original, or on one edge.
 bool flattens(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain);
 
-// Whether a vertex inside may surely move there, by a first look at its star, which is all that
-// most moves need. What fails has to be judged.
+// A quick test of a star that proves most moves of interior vertices allowed. A move that fails it
+// has to be judged.
 bool mayMove(const Star& star, const Placement& place, const FidelityRule& rule);
 
 Verdict judge(const WorkingMesh& mesh, const LocalChange& change, const FidelityRule& rule);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How coordinates are written: in single precision if that moves them at all.
+// How coordinates are written: in single precision if rounding to it moves them.
 #pragma once
 
 #include "base/triangle_mesh.h"
@@ -7,7 +7,7 @@
 namespace remesher {
 
 struct Grain {
-  double size = 0;   // by how much
+  double size = 0;   // how far rounding moves them; 0: not at all
   double scale = 1;  // see TriangleMesh
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Whether a piece of one surface is near the triangles of another.
 //
-// What is used throughout: the distance to a triangle is a convex function, so a piece whose
-// corners are all near one triangle is near it everywhere; and the distance to anything changes by
-// no more than the way between two points.
+// Two facts serve throughout. The distance to a triangle is a convex function, so a piece whose
+// corners are all near one triangle is near it everywhere. And the distances of two points to
+// anything differ by no more than the distance between the points.
 #pragma once
 
 #include "geometry/piecewise.h"
@@ -11,16 +11,15 @@
 
 namespace remesher {
 
-// Pieces that are unsure even when so small, relative to the distance, count as too far.
+// Pieces of this size, relative to the distance, count as too far if they are still unsure.
 inline constexpr double kSmallestPiece = 0.04;
 
 double squaredDistance(const Vec3& p, const Triangle& t);
 
-// Whether the whole piece is.
+// Whether the whole piece is within the distance of `target`.
 bool isNear(const Piece& piece, const Triangle& target, double squaredDistance);
 
-// Pieces come in an order along which they are close to each other, so the last nearest triangle is
-// where to begin.
+// Successive pieces are close to each other, so each search begins at the last nearest triangle.
 class NearTree {
  public:
   NearTree(const TriangleTree& tree, double distance, Index start = 0)

@@ -11,11 +11,11 @@ namespace remesher {
 
 namespace {
 
-// All in units of the spacing. A vertex that rises this far above the plane of a triangle around it
-// is a tip or on a ridge, and stays; and no edge may become so long.
+// Lengths in units of the spacing. A vertex that rises more than kFlat above the plane of a
+// triangle around it is a tip or on a ridge, and stays. No edge may become longer than kTooLong.
 constexpr double kFlat = 0.07;
 constexpr double kTooLong = 1.7;
-constexpr double kStep = 1.2;  // from pass to pass; a third of the vertices go for it
+constexpr double kStep = 1.2;  // from pass to pass; this removes a third of the vertices
 constexpr double kFinest = 1e-3;
 constexpr int kLargestValence = 9;
 
@@ -35,7 +35,7 @@ class Decimation {
     }
   }
 
-  // By the numbers that the vertices will have when the holes are closed.
+  // By the numbers that the vertices will have after compaction.
   VertexData<Vertex> heirs() const {
     VertexData<Vertex> result(into_.size());
     Index count = 0;
@@ -61,7 +61,7 @@ class Decimation {
     return (working_.position(b) - working_.position(a)).squaredNorm();
   }
 
-  // Of edges' lengths, in units of the spacing.
+  // The mean length of edges, in units of the spacing.
   double meanShare() const {
     double sum = 0;
     std::size_t count = 0;
@@ -86,7 +86,7 @@ class Decimation {
     return gone;
   }
 
-  // If it may go; returns whether it has gone.
+  // Removes v if it may go. Returns whether it has gone.
   bool takeOut(Vertex v) {
     gather(v);
     const double size = share_ * spacing_[v];
@@ -95,15 +95,15 @@ class Decimation {
            collapse(mesh_.find(v, spoke->tip));
   }
 
-  // The star is walked around once for all looks at it.
+  // Walks around the star once for all later looks at it.
   void gather(Vertex v) {
     spokes_.clear();
     const Vec3& at = working_.position(v);
     mesh_.forEachNeighbor(v, [&](Vertex w) { spokes_.push_back({w, working_.position(w) - at}); });
   }
 
-  // The shortest one from v that is shorter than `size`, if any, to where nothing has changed in
-  // this pass. The end where edges are to be shorter had better stay: it may be a tip.
+  // The shortest spoke of v below `size`, if any, to a vertex that this pass has not touched. If
+  // edges at v are to be shorter than at the other end, v stays: it may be a tip.
   const Spoke* shortestSpoke(Vertex v, double size) const {
     double shortest = size * size;
     const Spoke* best = nullptr;
@@ -116,7 +116,7 @@ class Decimation {
     return best;
   }
 
-  // Whether a way from the centre stays near the planes of all triangles of the star.
+  // Whether the tip of `way`, from the centre, is near the planes of all triangles of the star.
   bool isFlat(const Vec3& way, double size) const {
     const double height = kFlat * size;
     const Vec3* before = &spokes_.back().way;
@@ -129,7 +129,7 @@ class Decimation {
     return true;
   }
 
-  // Whether the star that comes around w has neither long edges nor many.
+  // Whether the star that w would get has neither long edges nor too many.
   bool staysEven(Vertex w, double size) const {
     const double limit = kTooLong * size;
     for (const Spoke& spoke : spokes_)
@@ -153,7 +153,7 @@ class Decimation {
   const VertexData<double>& spacing_;
   double share_ = 1;           // of the spacing, in the present pass
   VertexData<char> touched_;   // whether the star has changed in the present pass
-  VertexData<Vertex> into_;    // what a vertex has gone into, which may be gone since; or none
+  VertexData<Vertex> into_;    // the vertex it went into, which may be gone since; or none
   std::vector<Spoke> spokes_;  // of the vertex that is looked at, counterclockwise
   LocalChange change_;
 };

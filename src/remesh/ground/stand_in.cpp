@@ -17,10 +17,10 @@ struct StandIn::Parts {
 
 namespace {
 
-// A stand-in may have a few vertices more than it has to.
+// A stand-in may keep a few vertices more than necessary.
 constexpr double kWorthwhile = 0.05;
 
-// The vertices of which the heirs are, each of which has kept its place.
+// Per remaining vertex the original vertex that it is; each has kept its place.
 VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
   VertexData<Vertex> result(thinned.mesh().vertexCapacity());
   for (Index i = 0; i < result.size(); ++i) {
@@ -52,7 +52,7 @@ StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
       onOriginal_(std::move(thinned.onOriginal)),
       surface_(std::move(thinned.built), std::move(thinned.curves)) {}
 
-// Of the walks from the three corners' places the one that ends nearest.
+// Takes the nearest end of three walks, from the places of the three corners.
 SurfacePoint StandIn::onOriginal(const SurfacePoint& p) const {
   const Vec3 target = surface_.position(p);
   SurfacePoint best;

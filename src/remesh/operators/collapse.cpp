@@ -7,7 +7,7 @@ namespace remesher {
 
 namespace {
 
-// Whether the vertex at the origin of h may give up its place along h: see the table in the header.
+// Whether the origin of h may collapse along h: see the table in the header.
 bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
   switch (mesh.kind(mesh.mesh().origin(h))) {
     case VertexKind::Interior:
@@ -20,9 +20,9 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
   return false;
 }
 
-// A look around a vertex costs as much as it has neighbours: were thousands of needles collapsed
-// into one hub, each next look would cost thousands. Where one of the two has four, the other gets
-// no more than it has.
+// A look around a vertex costs as much as it has neighbours: if thousands of needles collapsed into
+// one hub, each later look would cost thousands. Where one end has at most four neighbours, the
+// other gets no more than it has.
 bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
   constexpr int kMostNeighbors = 128;
   if (!m.hasMoreNeighbors(a, 4) || !m.hasMoreNeighbors(b, 4)) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What an operator wants to do, as a value: nothing is changed by proposing. The fidelity gate
-// judges it; only an accepted change is applied. One object serves many proposals and keeps its
-// buffers.
+// A change that an operator proposes, as a value: proposing changes nothing. The fidelity gate
+// judges the proposal, and only an accepted change is applied. One object serves many proposals and
+// keeps its buffers.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@ namespace remesher {
 
 enum class Operation : char { Flip, Split, Collapse, Relocate };
 
-// The corner of a coming triangle that is the moved or the new vertex is written as kMoved.
+// Stands for the moved or new vertex among the corners of coming triangles.
 inline constexpr Vertex kMoved{};
 
 struct LocalChange {
   Operation operation = Operation::Relocate;
-  Halfedge halfedge;                          // flip, split, collapse: where
-  Vertex vertex;                              // relocate: who
-  Placement place;                            // of the moved or new vertex; unused by a flip
-  std::vector<Face> going;                    // triangles that vanish or change
-  std::vector<std::array<Vertex, 3>> coming;  // what they become
+  Halfedge halfedge;        // flip, split, collapse: where
+  Vertex vertex;            // relocate: the vertex that moves
+  Placement place;          // of the moved or new vertex; unused by a flip
+  std::vector<Face> going;  // triangles that change; not the two that a collapse removes
+  std::vector<std::array<Vertex, 3>> coming;  // what replaces them
 
   void reset(Operation what) {
     operation = what;
@@ -31,7 +31,7 @@ struct LocalChange {
   }
 };
 
-// Where a corner of a coming triangle will be.
+// The position of a corner of a coming triangle.
 inline const Vec3& positionAfter(const WorkingMesh& mesh, const LocalChange& change, Vertex v) {
   return v == kMoved ? change.place.position : mesh.position(v);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The four operators [report, "Primitive Strategies"]. Each proposes: it checks legality, which
-// depends on connectivity and on the vertices' kinds, works out the new place, and describes the
-// change in `change`. It returns whether there is anything to propose. Nothing is modified.
+// The four operators [report, "Primitive Strategies"]. Each function checks legality, which depends
+// on connectivity and on the vertices' kinds, computes the new place and describes the change in
+// `change`. It returns whether there is a proposal. The mesh is not modified.
 //
 // What may happen to which kind of vertex:
 //             interior          curve                          corner
@@ -19,32 +19,32 @@ namespace remesher {
 
 bool proposeFlip(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 
-// At the middle of the edge.
+// Splits the edge at its midpoint.
 bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change);
 
-// At that place: needs no projection.
+// Splits the edge at `place`, without projection.
 bool proposeSplitAt(const WorkingMesh& mesh, const Placement& place, Halfedge h,
                     LocalChange& change);
 
-// At the middle of the edge between equals, else at the end that may not move. A pinned vertex
-// neither moves nor goes.
+// Both ends meet at the edge's midpoint if they are of one kind and the tip is not pinned, else at
+// the tip. A pinned vertex neither moves nor vanishes.
 bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
                      LocalChange& change);
 
-// At the far end, which stays as it is: needs no projection.
+// Both ends meet at the tip, which stays as it is, without projection.
 bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 
-// A point of the triangle of h, by the weights of its corners, first that at origin(h).
+// A point of face(h) by its barycentric weights, the first one for origin(h).
 struct StarPoint {
   Halfedge h;
   Vec3 weights;
 };
 
-// To the point with `weights` in the triangle of h, which leaves the vertex. For interior vertices.
+// Moves the interior vertex origin(to.h) to the projection of `to`.
 bool proposeRelocation(const WorkingMesh& mesh, Projector& projector, const StarPoint& to,
                        LocalChange& change);
 
-// Of any vertex, to a place that the caller has found.
+// Moves any vertex to a place that the caller has found.
 void proposePlacement(const WorkingMesh& mesh, Vertex v, const Placement& place,
                       LocalChange& change);
 

@@ -10,7 +10,8 @@ namespace remesher {
 namespace {
 
 constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
-// A walk that ends this near, in units of the first side, has found what others would.
+// A walk that ends this near, in units of the first side, has found what walks from other corners
+// would.
 constexpr double kPlainlyNear = 0.05;
 
 }  // namespace
@@ -26,8 +27,8 @@ void Projector::moveOnto(const OriginalSurface& surface) {
   atlas_.reset();
 }
 
-// Through a patch; where none serves, the closest point found by walking: of the walks from the
-// three corners the first that ends plainly near, or else the one that ends nearest.
+// Projects through a patch. If none serves, it walks from the three corners and takes the first
+// walk that ends plainly near, or else the one that ends nearest.
 SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
                                    const Triangle& places, const Vec3& weights) {
   if (mode_ == Projection::Patches && atlas_)

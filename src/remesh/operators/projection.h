@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a place on a current triangle to a placement [report, "Projection on the Initial Surface"]:
-// onto the original through the overlapping disk patches, or, for comparison, on the current mesh.
+// Projects a point of a current triangle [report, "Projection on the Initial Surface"]: onto the
+// original through the overlapping disk patches, or, for comparison, on the current mesh.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,16 @@ class Projector {
   Projector(const OriginalSurface& surface, Projection mode, double reach);
   Projection mode() const { return mode_; }
 
-  // By the shortest way alone: patches take time to build.
+  // Projects by walks over the surface alone, without patches, which take time to build.
   explicit Projector(const OriginalSurface& surface) : surface_(&surface) {}
 
-  // Whether it goes by the shortest way alone.
+  // Whether it projects by walks alone.
   bool walks() const { return !atlas_; }
 
-  // Onto another surface from now on, by the shortest way: for what is near it already.
+  // From now on projects onto `surface`, by walks alone: for a mesh that is near it already.
   void moveOnto(const OriginalSurface& surface);
 
-  // The point with the given weights between the corners of the face of h, first that at origin(h).
+  // Projects the point of face(h) with these barycentric weights, the first one for origin(h).
   Placement project(const WorkingMesh& mesh, Halfedge h, const Vec3& weights);
 
  private:

@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// Whether one of the triangles is as near to p as the limit; the n-th is likely to be.
+// Whether a triangle is within the limit of p. The n-th, which is likely to be, is tried first.
 bool isNear(const Vec3& p, const std::vector<Triangle>& triangles, std::size_t n,
             double squaredLimit) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {

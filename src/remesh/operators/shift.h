@@ -6,8 +6,8 @@
 
 namespace remesher {
 
-// Whether the triangles that go and those that come are farther apart than the limit, in either
-// direction: their corners and the middles of their edges and of themselves are looked at.
+// Whether the going and the coming triangles are farther apart than `limit`, in either direction.
+// Samples are their corners, edge midpoints and centroids.
 bool shiftsBeyond(double limit, const WorkingMesh& mesh, const LocalChange& change);
 
 }  // namespace remesher

@@ -50,7 +50,7 @@ class RowQr {
   double r00_ = 0, r01_ = 0, r11_ = 0, q0_ = 0, q1_ = 0;
 };
 
-// What a triangle costs by the cosine of its smallest angle.
+// The cost of a triangle, by the cosine of its smallest angle.
 double costOf(double cosine) {
   constexpr double kOnTheWhole = 0.001;
   static const double most = std::cos(kWideAngle);
@@ -58,8 +58,8 @@ double costOf(double cosine) {
   return over * over + kOnTheWhole * cosine;
 }
 
-// Of all triangles, were the vertex at p; endless where one would turn over, or when `limit` is
-// reached. One copy is enough: it takes far longer than a call.
+// The cost of all triangles if the vertex were at p; infinite if one would turn over or the sum
+// reaches `limit`. Never inlined: it takes far longer than a call.
 [[gnu::noinline]] double costAt(const PolarMap& star, const Vec2& p, double limit) {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   Vec2 a = star.rim(0) - p;

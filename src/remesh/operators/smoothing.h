@@ -16,12 +16,12 @@ Vec2 areaBasedTarget(const PolarMap& star, std::span<const double> mu);
 // The mean of the neighbours [report, "Laplacian Smoothing"].
 Vec2 laplacianTarget(const PolarMap& star);
 
-// An angle below this costs a triangle more than others gain by it: of the seven at a vertex none
-// can have a larger one.
+// A smallest angle below this is penalised more than other triangles gain by it. Of seven triangles
+// around a vertex not all can have one much larger.
 inline constexpr double kWideAngle = radians(50.3);
 
-// A place, found by search, where the smallest angles of the triangles are larger on the whole, and
-// none far below kWideAngle; the origin where none is better.
+// A point, found by search, that raises the smallest angles of the star's triangles on the whole
+// and leaves none far below kWideAngle; the origin if no point is better.
 Vec2 wideTarget(const PolarMap& star);
 
 }  // namespace remesher

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The star of a vertex inside, gathered once for several looks at it: where its neighbours are,
-// counterclockwise, and the original's normals there. Valid until one of them moves; one object
-// serves many vertices and keeps its buffers. What is asked for from several places is never
-// inlined: one copy is enough.
+// The star of an interior vertex, gathered once for several queries: its neighbours' positions,
+// counterclockwise, and the original's normals there. Valid until a neighbour moves. One object
+// serves many vertices and keeps its buffers. Functions that several places call are never inlined:
+// one copy is enough.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ class Star {
   const Vec3& position(std::size_t i) const { return *spokes_[i].position; }
   const Vec3& normal(std::size_t i) const { return *spokes_[i].normal; }
 
-  // The sum of the area vectors of its triangles, were the centre there.
+  // The sum of the triangles' area vectors if the centre were at `center`.
   [[gnu::noinline]] Vec3 areaVector(const Vec3& center) const {
     Vec3 sum = Vec3::Zero(), before = position(size() - 1) - center;
     for (std::size_t i = 0; i < size(); ++i) {

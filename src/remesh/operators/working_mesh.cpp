@@ -125,7 +125,7 @@ void WorkingMesh::place(Vertex v, const Placement& place) {
   normal_[v] = place.normal;
   at_[v] = place.at;
   kind_[v] = place.kind;
-  if (place.kind != VertexKind::Curve) return;  // which alone have the rest
+  if (place.kind != VertexKind::Curve) return;  // others have no more than that
   across_[v] = place.across;
   on_[v] = place.on;
 }
@@ -189,8 +189,7 @@ EulerOperators::Split WorkingMesh::split(Halfedge h, const Placement& middle) {
 }
 
 Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
-  // Of the two edges that become one at each side, one may be a curve: the remaining edge is it
-  // too.
+  // On each side two edges become one. If either follows a curve, so does the remaining edge.
   for (const Halfedge side : {h, mesh_.twin(h)}) {
     if (!side) continue;
     const Halfedge second = mesh_.next(side), third = mesh_.prev(side);
@@ -211,9 +210,9 @@ void WorkingMesh::move(Vertex v, const Placement& to) { place(v, to); }
 
 namespace {
 
-// The triangles that come of the one of corners 0, 1, 2 with the middles m0, m1, m2 of its sides:
-// (0 m0 m2) (1 m1 m0) (2 m2 m1) (m0 m1 m2). Its side from i to i + 1 becomes the first halfedge of
-// the i-th and the last of the next.
+// The triangle with corners 0, 1, 2 and side midpoints m0, m1, m2 becomes (0 m0 m2) (1 m1 m0) (2 m2
+// m1) (m0 m1 m2). Its side from i to i + 1 becomes the first halfedge of the i-th triangle and the
+// last of the next.
 std::vector<Index> subdividedTwins(const HalfedgeMesh& mesh) {
   std::vector<Index> twins(4 * mesh.halfedgeCapacity(), kNone);
   const auto firstHalf = [](Halfedge h) { return 12 * (h.index / 3) + 3 * (h.index % 3); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The mesh being remeshed: connectivity, and for every vertex its place on the original surface
-// [report, "Projection on the Initial Surface"]. Vertices know what they stand for (VertexKind),
-// edges whether they run along a feature curve. Only the commands at the end change it; what is
-// allowed is decided before, by the operators (legality) and the fidelity gate (geometry).
+// [report, "Projection on the Initial Surface"]. Each vertex has a VertexKind, and each edge knows
+// the feature curve that it follows, if any. Only the commands at the end change the mesh; the
+// operators (legality) and the fidelity gate (geometry) decide beforehand what is allowed.
 #pragma once
 
 #include <limits>
@@ -21,11 +21,11 @@ enum class VertexKind : char { Interior, Curve, Corner };
 // and uses `on` instead (see WorkingMesh::cornerPoint); a corner's `at` names the original vertex.
 struct Placement {
   Vec3 position = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  // the original's there, unit; of a vertex on a curve: of some side
+  Vec3 normal = Vec3::Zero();  // the original's, unit; of a vertex on a curve: on one side
   SurfacePoint at;
   CurvePoint on;
   VertexKind kind = VertexKind::Interior;
-  Vec3 across = Vec3::Zero();  // of a vertex on a curve: the normal on its other side, if any
+  Vec3 across = Vec3::Zero();  // of a vertex on a curve: the normal on the other side
 };
 
 class WorkingMesh {
@@ -33,8 +33,8 @@ class WorkingMesh {
   // A copy of the original: every vertex at its own place. `surface` must outlive the mesh.
   explicit WorkingMesh(const OriginalSurface& surface);
 
-  // Other triangles on the original: compact, three corners each; per halfedge the one across and
-  // the chain that the edge follows, or kNone; per vertex its place.
+  // Another mesh on the original, compact: three corners per triangle; per halfedge its twin and
+  // the chain that its edge follows, or kNone; per vertex its place.
   struct Parts {
     std::vector<Index> triangles, twins, curves;
     std::vector<Placement> places;
@@ -51,7 +51,7 @@ class WorkingMesh {
     const auto [a, b, c] = mesh_.vertices(f);
     return {position_[a], position_[b], position_[c]};
   }
-  // Of the star of v: the sum of its triangles' area vectors, and the mean length of its spokes.
+  // The sum of the area vectors of the triangles around v, and the mean length of its edges.
   Vec3 areaVectorAround(Vertex v) const;
   double meanSpoke(Vertex v) const;
   VertexKind kind(Vertex v) const { return kind_[v]; }
@@ -60,34 +60,36 @@ class WorkingMesh {
   Placement placement(Vertex v) const;
   bool isPinned(Vertex v) const { return pinned_[v]; }  // smoothing leaves it alone
 
-  // How far v's neighbours have gone, summed up, since v was last settled: endless where its star
-  // has changed. Moves do not count by themselves: who moves says so where it matters.
+  // The summed moves of v's neighbours since v was last settled; infinite if its star has changed.
+  // move() does not count by itself: a caller that needs it calls stirNeighbors().
   double unrest(Vertex v) const { return unrest_[v]; }
 
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
   bool isCurve(Halfedge h) const { return curve_[h] != kNone; }
-  // Whether the edge of h is to stay as it is.
+  // Whether the edge of h belongs to a curve that stays as it is.
   bool isKept(Halfedge h) const {
     return isCurve(h) && surface_->curves().chains()[curve_[h]].kept;
   }
 
-  // The vertex of the original at or next to which a point lies: for a corner, which it is.
+  // The original's vertex nearest to a point by barycentric weight; for a corner, the one it lies
+  // on.
   Vertex originalCorner(const SurfacePoint& at) const;
 
-  // The place of v on `chain`, on which it lies or of which it is an end.
+  // The place of v on `chain`; v lies on the chain or is one of its ends.
   CurvePoint onChain(Vertex v, Index chain) const;
 
-  // The original's point under the corner of face(h) at origin(h): for a vertex on a curve that on
-  // the corner's own side, found by turning clockwise around the vertex to the nearest curve edge.
+  // The original's point under the corner of face(h) at origin(h). For a vertex on a curve it is
+  // the point on the corner's own side, found by turning clockwise around the vertex to the nearest
+  // curve edge.
   SurfacePoint cornerPoint(Halfedge h) const;
 
-  // A place of the surface, or of a curve, in full.
+  // The full placement of a point of the surface or of a curve.
   Placement onSurface(const SurfacePoint& point) const;
   Placement onCurve(const CurvePoint& point) const;
 
-  // The original's unit normal under a corner of a triangle whose normal is `n`: for a vertex on a
-  // curve that of the side which the triangle faces.
+  // The original's unit normal under a corner of a triangle with normal `n`: of a vertex on a curve
+  // or of a corner, the one closest to `n` of the normals on all sides.
   Vec3 normalFacing(Vertex v, const Vec3& n) const;
   Vec3 normalFacing(const Placement& place, const Vec3& n) const;
 
@@ -97,7 +99,7 @@ class WorkingMesh {
   void move(Vertex v, const Placement& place);
   void pin(Vertex v) { pinned_[v] = 1; }
   void settle(Vertex v) { unrest_[v] = 0; }
-  void stirNeighbors(Vertex v, double moved);  // v has gone so far
+  void stirNeighbors(Vertex v, double moved);  // v moved by `moved`
   void unsettleStar(Vertex v);                 // v and its neighbours
   void unsettleAll() { unrest_.assign(unrest_.size(), kEndless); }
   void settleAll() { unrest_.assign(unrest_.size(), 0); }
@@ -106,8 +108,8 @@ class WorkingMesh {
   // order of the edges' halfedges. The mesh must be compact.
   void subdivide(std::span<const Placement> midpoints);
 
-  // The same mesh on another surface that has the same curves. `points`, one for each vertex, say
-  // where; what is on curves stays where it is on them.
+  // Moves the mesh onto another surface with the same curves: each vertex to its point of `points`.
+  // Vertices on curves keep their places along the curves.
   void moveOnto(const OriginalSurface& surface, const VertexData<SurfacePoint>& points);
 
   // Closes the holes that deletions left.

@@ -16,14 +16,14 @@ namespace remesher {
 
 namespace {
 
-// So short an edge goes even at the price of a fold.
+// A shorter edge collapses even at the price of a fold.
 constexpr double kMustGo = 0.4;
-// Halving all sides of a triangle of such edges, whatever its shape, would pile vertices up beside
-// its longest and make slivers without end; halving the longest alone does not [Rivara 1984].
+// Beyond this length only the longest side of a triangle is halved [Rivara 1984]. Halving all sides
+// of a triangle of such edges, whatever its shape, would pile vertices up beside its longest and
+// make slivers without end.
 constexpr double kGiant = 3;
 constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
-// Far too many vertices are thinned out rather than adapted, until edges have this share of the
-// sizes.
+// Far too many vertices are thinned out first, until edges have this share of the sizes.
 constexpr double kThinned = 0.5;
 
 bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
@@ -36,8 +36,9 @@ bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   return true;
 }
 
-// Splits the long edges there are, up to a limit of vertices; new ones wait for the next time, and
-// so do giants that are not the longest beside them. Returns how many were split or wait.
+// Splits the long edges there are, up to a limit of vertices. New edges wait for the next call, and
+// so do giants that are not the longest in their triangles. Returns the number of splits and of
+// waiting giants.
 std::size_t splitLong(Run& run, std::size_t limit) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t count = 0;
@@ -56,8 +57,8 @@ std::size_t splitLong(Run& run, std::size_t limit) {
   return count;
 }
 
-// Much too long edges need several halvings, with Delaunay flips between or slivers would be split
-// into ever thinner ones.
+// Much too long edges need several halvings. Without Delaunay flips in between, slivers would be
+// split into ever thinner ones.
 void refine(Run& run, std::size_t limit) {
   constexpr int kHalvings = 48;
   for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
@@ -68,7 +69,7 @@ void refine(Run& run, std::size_t limit) {
   }
 }
 
-// Whether the star of the vertex that goes would get an edge that is to be split again.
+// Whether the collapse of h would make an edge that has to be split again.
 bool makesLongEdge(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   const Vertex into = mesh.tip(h);
   bool found = false;
@@ -78,13 +79,14 @@ bool makesLongEdge(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   return found;
 }
 
-// The end where the original bends more, and sizes are smaller, had better stay: it may be a tip.
+// Directions of a collapse, best first. The end with the smaller size, where the original bends
+// more, should stay: it may be a tip.
 std::array<Halfedge, 2> outermostFirst(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   if (sizes.at(mesh.origin(h)) < sizes.at(mesh.tip(h)) && mesh.twin(h)) return {mesh.twin(h), h};
   return {h, mesh.twin(h)};
 }
 
-// What remains of two vertices stays where it is. Returns the number of collapses.
+// The vertex that remains of two stays in place. Returns the number of collapses.
 std::size_t collapseShort(Run& run, double shortest) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t count = 0;
@@ -124,7 +126,7 @@ struct Ranked {
   }
 };
 
-// A heap: few are asked for.
+// A heap, since few of its edges are used.
 std::vector<Ranked> edgesByLength(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   VertexSizes sizes(run);
@@ -140,7 +142,7 @@ std::vector<Ranked> edgesByLength(const Run& run) {
 // Where the new vertex of an edge goes: onto the original, or on the edge itself.
 enum class Middle { Projected, Straight };
 
-// The surface stays as it is, to the last point, so that nothing can fold over.
+// Splits an edge at its own middle: no point of the surface moves, so that nothing can fold over.
 bool commitStraight(Run& run, const Ranked& edge) {
   run.change.place.position = 0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
   if (run.rule.mode != Fidelity::Fold) return commit(run);
@@ -179,17 +181,17 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
   if (run.mesh.mesh().vertexCount() > run.effort.thinAbove * vertices) thinOut(run);
-  // Slivers can ask for splits for ever, and not give the vertices back.
+  // Slivers can ask for splits without end, and collapses then do not remove the vertices.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
   const int rounds = run.effort.adaptRounds;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
     const bool isFirstOrLast = i == 0 || i + 1 == rounds;
-    // What is long among far too many is so still when most have gone.
+    // Among far too many vertices refinement waits: a long edge is still long when most have gone.
     const bool isCrowded = run.mesh.mesh().vertexCount() > kUsual.thinAbove * vertices;
     if (!isCrowded) refine(run, most);
     collapseShort(run, kShort);
-    // All that follows goes over the holes as well.
+    // Otherwise all later loops would visit the holes as well.
     if (isFirstOrLast) run.mesh.compact();
     valenceFlips(run);
     if (isFirstOrLast) delaunayFlips(run.mesh, run.rule);

@@ -15,8 +15,8 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress);
 // exactly `vertices`. Returns whether that was possible.
 bool matchCount(Run& run, std::size_t vertices);
 
-// The same where matchCount has not found enough edges to split: new vertices stay on the edges,
-// for what has no volume is projected onto its own rim.
+// Splits on where matchCount has not found enough edges. New vertices stay on their edges, since in
+// a part without volume projection ends on the part's own rim.
 bool fillUp(Run& run, std::size_t vertices);
 
 }  // namespace remesher

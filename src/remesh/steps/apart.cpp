@@ -13,9 +13,9 @@ namespace remesher {
 
 namespace {
 
-// Boundaries may have been cut apart where they lie on each other, and are to be joined again:
-// there a vertex has reason to move only where it came upon one that was there before, or where
-// edges inside lie on each other, too.
+// What holds a vertex, the firmest first. Coincident boundaries may have been cut apart and are to
+// be joined again: a boundary vertex has reason to move only if it lies on a fixed vertex, or if
+// inner edges coincide, too.
 enum class Tie { Fixed, Boundary, Curve, None };
 
 Tie tieOf(const WorkingMesh& mesh, Vertex v) {
@@ -37,7 +37,7 @@ Written writtenAt(const Run& run, Vertex v) {
   return {written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v};
 }
 
-// Those that share their places with others.
+// The vertices that share their places with others.
 std::vector<Written> inOnePlace(const Run& run) {
   std::vector<Vertex> vertices;
   std::vector<Vec3> places;
@@ -56,7 +56,7 @@ std::vector<Written> inOnePlace(const Run& run) {
   return result;
 }
 
-// Whether edges inside lead from both, which lie at one place, to one place.
+// Whether inner edges lead from v and w, which coincide, to one place.
 bool shareChord(const Run& run, Vertex v, Vertex w) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const auto forEachInside = [&](Vertex from, auto visit) {
@@ -71,8 +71,8 @@ bool shareChord(const Run& run, Vertex v, Vertex w) {
   return found;
 }
 
-// Of those at one place all but the first of the least free; of boundaries those with reason to
-// move, see Tie.
+// Of the vertices at one place all but one of the firmest; of boundary vertices only those with
+// reason to move, see Tie.
 std::vector<Written> onOthers(const Run& run) {
   std::vector<Written> all = inOnePlace(run);
   std::sort(all.begin(), all.end(),
@@ -89,14 +89,14 @@ std::vector<Written> onOthers(const Run& run) {
   return result;
 }
 
-// Where the surface is folded onto itself normals say nothing of a move within it.
+// Where the surface is folded onto itself, normals say nothing about a move within it.
 FidelityRule ruleOfMoves(const Run& run) {
   FidelityRule rule = lenient(run);
   rule.mode = Fidelity::Fold;
   return rule;
 }
 
-// step: of the way to the next vertex along v's curve.
+// step: the share of the way to the next vertex along v's curve.
 void moveAlong(Run& run, Vertex v, double step) {
   const auto [chain, own] = run.mesh.on(v);
   const double next = run.mesh.onChain(curveNeighbors(run.mesh, v).after, chain).arc;
@@ -105,7 +105,7 @@ void moveAlong(Run& run, Vertex v, double step) {
   commit(run, ruleOfMoves(run));
 }
 
-// step: of the way to the middle of the edge opposite to v.
+// step: the share of the way to the middle of the edge opposite to v.
 void moveInside(Run& run, Vertex v, double step) {
   const FidelityRule rule = ruleOfMoves(run);
   const Vec3 before = written(run.mesh.position(v), run.rule.grain);
@@ -121,15 +121,15 @@ void moveInside(Run& run, Vertex v, double step) {
 }  // namespace
 
 std::size_t moveApart(Run& run) {
-  // Sheets that are alike may take their vertices to one place again; steps halve, and one vertex
-  // of each place stays.
+  // Vertices of sheets that are alike may move to one place again: steps halve, and one vertex of
+  // each place stays.
   constexpr int kTries = 4;
   double step = 0.25;
   std::vector<Written> others = onOthers(run);
   for (int i = 0; i < kTries && !others.empty(); ++i, step /= 2) {
     for (const Written& one : others)
       if (one.tie == Tie::None) moveInside(run, one.vertex, step);
-    // What lay inside no longer lies on each other.
+    // Looks again, since inner vertices have moved apart.
     for (const Written& one : onOthers(run))
       if (one.tie == Tie::Boundary) moveAlong(run, one.vertex, step);
     others = onOthers(run);

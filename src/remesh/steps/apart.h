@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Vertices that lie on each other though their stars do not: where sheets of the surface touch.
+// Separates coincident vertices of different sheets, where the surface touches itself.
 #pragma once
 
 #include "remesh/steps/run.h"
 
 namespace remesher {
 
-// What is written alike is one vertex in a file, and sheets that share two of them are grown
-// together. Of the vertices that are written at one place all but one go a small way into a
-// triangle of theirs, if the gate lets them and they are on no curve. Those of boundaries go along
-// them, where they lie on a corner of one or edges inside lie on each other. Returns how many still
-// lie where others do, but for boundaries that do so side by side.
+// A file joins vertices that are written alike, and sheets that share two of them grow together. Of
+// the vertices written at one place all but one move a small way into one of their triangles, if
+// the gate lets them and they are on no curve. Boundary vertices move along their boundary if they
+// lie on a vertex that may not move, or if inner edges coincide. Returns how many still coincide
+// with others, without those of boundaries that lie side by side.
 std::size_t moveApart(Run& run);
 
 }  // namespace remesher

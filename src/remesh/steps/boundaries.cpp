@@ -36,7 +36,7 @@ struct Station {
 
 using Row = std::vector<Station>;
 
-// From the corner that h leaves along its boundary to the next one, as the arcs rise.
+// The vertices from origin(h), a corner, along its boundary to the next corner, by rising arc.
 Row rowFrom(const Run& run, Halfedge h) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const Index chain = run.mesh.curve(h);
@@ -50,8 +50,7 @@ Row rowFrom(const Run& run, Halfedge h) {
   return row;
 }
 
-// The vertices of the boundaries that are resampled, along each chain from corner to corner; none
-// of other chains.
+// Per chain its vertices from corner to corner if it is a resampled boundary, else none.
 std::vector<Row> rowsOf(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::vector<Row> rows(run.mesh.surface().curves().chains().size());
@@ -69,7 +68,8 @@ bool isNear(const Run& run, Index chain, double from, double to) {
   return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
 }
 
-// What is to move for the chords of a row to be near: from where to where, both of which stay.
+// The stretches of a row that must move for its chords to be near: the first and the last vertex of
+// each, which stay.
 std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& row) {
   std::vector<std::array<std::size_t, 2>> stretches;
   for (std::size_t i = 0; i + 1 < row.size(); ++i) {
@@ -87,13 +87,13 @@ std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& r
 using Edges = std::vector<std::array<Vertex, 2>>;
 
 struct Plan {
-  Edges far;      // whose chords are
-  Edges tooLong;  // which would be so wherever their ends went
-  Row moves;      // who is to go where
+  Edges far;      // whose chords are far from the curve
+  Edges tooLong;  // whose chords stay far wherever their ends go
+  Row moves;      // the vertices with their new places
 };
 
-// The best places that were found for a stretch, by its chain and the places that it had: where
-// nothing has moved since, they are the same again.
+// The best places found for a stretch, by its chain and its former places. If nothing has moved
+// since, the search would find the same again.
 using Known = std::map<std::pair<Index, std::vector<double>>, std::vector<double>>;
 
 const std::vector<double>& placesFor(const Run& run, Index chain, const std::vector<double>& arcs,
@@ -123,7 +123,8 @@ Plan planFor(const Run& run, Known& known) {
   return plan;
 }
 
-// Outlines show more than angles to the surface do.
+// Outlines are more visible than angles to the surface: a change that the loose rule refuses may
+// pass as no fold.
 bool commitOutline(Run& run) {
   FidelityRule rule = run.rule;
   if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
@@ -138,7 +139,7 @@ bool slideTo(Run& run, const Station& to) {
   return true;
 }
 
-// As far as the triangles around it allow.
+// Slides a vertex as far as the triangles around it allow.
 bool slideTowards(Run& run, const Station& to) {
   const double from = run.mesh.on(to.vertex).arc;
   for (const double share : {1.0, 0.5, 0.25})
@@ -146,7 +147,7 @@ bool slideTowards(Run& run, const Station& to) {
   return false;
 }
 
-// Whether anything moved. What is inside makes way between the slides.
+// Returns whether anything moved. Interior vertices make way between the slides.
 bool slide(Run& run, const Row& moves) {
   bool moved = false;
   for (int i = 0; i < kSlides; ++i) {
@@ -165,7 +166,7 @@ bool split(Run& run, const Edges& edges) {
   bool done = false;
   for (const auto& [a, b] : edges) {
     const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
-    // Vertices at one place of the chain, as far as rounding tells, may be neighbours in name only.
+    // Vertices at one place of the chain, up to rounding, may be no neighbours in the mesh.
     if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
     done = commitOutline(run) || done;
   }
@@ -175,15 +176,16 @@ bool split(Run& run, const Edges& edges) {
   return true;
 }
 
-// Those vertices without which the chord between their neighbours would be far.
+// Pins the vertices without which the chord between their neighbours would be far from the curve.
 void pinNeeded(Run& run) {
   for (const Row& row : rowsOf(run))
     for (std::size_t i = 1; i + 1 < row.size(); ++i)
       if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
 }
 
-// Of the triangles around v, were it at `place`: the mean of their smallest angles, and more than
-// that the smallest of all where it is bad; or anything no larger than `most` where that is not.
+// Rates the triangles around v if it were at `place`: the mean of their smallest angles plus, with
+// more weight, the smallest of all where it is bad. A quality that is no larger than `most` may be
+// any such value.
 double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
   constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
   const HalfedgeMesh& m = mesh.mesh();
@@ -202,7 +204,7 @@ double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double 
   return quality;
 }
 
-// Whether the star of v is as it was: what was in vain there will be again.
+// Whether the star of v has not moved: a search that was in vain there would be again.
 bool isAsBefore(const WorkingMesh& mesh, Vertex v, const VertexData<Vec3>& before) {
   bool isSame = mesh.position(v) == before[v];
   mesh.mesh().forEachNeighbor(v,
@@ -210,7 +212,8 @@ bool isAsBefore(const WorkingMesh& mesh, Vertex v, const VertexData<Vec3>& befor
   return isSame;
 }
 
-// To where the triangles around it are best, of the places between its neighbours with near chords.
+// Slides a vertex to the place between its neighbours where its triangles are best and both chords
+// are near the curve.
 bool mend(Run& run, const Station& before, Station& at, const Station& after) {
   const OriginalSurface& surface = run.mesh.surface();
   const auto qualityAt = [&](double arc, double most) {
@@ -232,7 +235,7 @@ bool mend(Run& run, const Station& before, Station& at, const Station& after) {
   return true;
 }
 
-// before: where all vertices were when this was done the last time.
+// before: the positions of all vertices at the previous call.
 bool mendStars(Run& run, const VertexData<Vec3>& before) {
   bool moved = false;
   for (Row& row : rowsOf(run))

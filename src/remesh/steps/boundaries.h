@@ -7,13 +7,13 @@
 
 namespace remesher {
 
-// Slides vertices of boundaries along them, to where the chords at them are near enough to the
-// curve, and pins those that moved. Where there are too few for the bends, edges are split: the
-// number of vertices grows.
+// Slides boundary vertices along their boundary to where their chords are near enough to the curve,
+// and pins those that moved or are needed there. Where vertices are too few for the bends, edges
+// are split: the number of vertices grows.
 void followBoundaries(Run& run);
 
-// The same without splits. Then vertices slide to where the triangles around them are best and the
-// chords still near; in the end all vertices of boundaries are pinned.
+// The same without splits. Then boundary vertices slide to where the triangles around them are best
+// and the chords still near; in the end all of them are pinned.
 void settleBoundaries(Run& run);
 
 }  // namespace remesher

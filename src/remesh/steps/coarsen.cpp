@@ -50,7 +50,7 @@ class Coarsening {
 
   bool isTooMany() const { return run_.mesh.mesh().vertexCount() > goal_.vertices; }
 
-  // A heap, the shortest first: of most meshes few have to go.
+  // A heap, the shortest first: in most meshes few edges have to go.
   std::vector<Ranked> worthATry() const {
     const HalfedgeMesh& mesh = run_.mesh.mesh();
     VertexSizes sizes(run_);

@@ -10,8 +10,8 @@ namespace remesher {
 // themselves are for when every collapse that the gate allows counts.
 enum class MeetingPlace { Middle, MiddleOrEnds };
 
-// The shortest edges, relative to their targets, until no more than `vertices` are left or nothing
-// more goes. What was refused is asked again only when something around it has changed.
+// Collapses the shortest edges, relative to their targets, until no more than `vertices` are left
+// or no collapse succeeds. A refused edge is tried again only after a change around it.
 void coarsen(Run& run, std::size_t vertices, MeetingPlace place, const Progress& progress = {});
 
 }  // namespace remesher

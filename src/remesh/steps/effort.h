@@ -8,36 +8,36 @@
 
 namespace remesher {
 
-// From so many vertices on a step over the whole mesh costs more than its last bit is worth, and
-// edges are so short that a walk over the original ends where a patch would lead.
+// From this many vertices on the last bit of a step over the whole mesh costs more than it is
+// worth, and edges are so short that a walk over the original ends where a patch would lead.
 inline constexpr std::size_t kMany = 8000;
 // From here on a step costs seconds, and nobody sees a few triangles more or less near a limit.
 inline constexpr std::size_t kLarge = 100'000;
 
 struct Effort {
   int adaptRounds;        // of splits, collapses and flips towards the sizes
-  int adaptSweeps;        // smoothing sweeps in each of them
-  std::size_t thinAbove;  // times the vertices that are wanted: more are thinned out first
+  int adaptSweeps;        // smoothing sweeps in each of those rounds
+  std::size_t thinAbove;  // beyond so many times the wanted vertices a mesh is thinned out
   int annealRounds;       // of flips that let irregular vertices meet and cancel
-  int smoothings;         // of a level
+  int smoothings;         // at each level
   int passes;             // over the vertices in each smoothing
   double rest;            // a vertex rests while its neighbours' mean moves less; target lengths
   int widenings;          // passes that widen the angles around irregular vertices
   int polishRounds;       // over the bad triangles
   int polishPatience;     // rounds within which a fifth of many bad triangles must be mended
-  int polishTries;        // at each triangle in a round
+  int polishTries;        // per triangle in a round
   int fitPasses;          // of fitting the vertices to the original
 };
 
-// The coarse level of a draft: each of its vertices is one of four, and those that subdivision puts
-// between them come out regular.
+// The coarse level of a draft: only one of four final vertices is its own, and those that
+// subdivision puts between them come out regular.
 inline constexpr Effort kSketch = {3, 1, 64, 2, 1, 2, 0.02, 0, 4, 1, 3, 1};
 inline constexpr Effort kDraft = {5, 2, 7, 4, 1, 2, 0.02, 0, 4, 1, 3, 1};
-// The coarse level of the best quality: what comes after it is smoothed again.
+// The coarse level of the best quality: the levels after it are smoothed again.
 inline constexpr Effort kCoarse = {5, 1, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 inline constexpr Effort kOfFew = {5, 2, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
-// Irregular vertices of a larger mesh are fewer for its size, and what one round of annealing
-// cannot reach costs less.
+// A larger mesh has fewer irregular vertices for its size, and those that annealing cannot reach
+// cost less.
 inline constexpr Effort kUsual = {5, 2, 7, 12, 2, 4, 0.003, 3, 8, 2, 3, 2};
 inline constexpr Effort kOfLarge = {5, 2, 7, 12, 2, 4, 0.01, 2, 6, 2, 1, 2};
 

@@ -10,7 +10,7 @@ namespace remesher {
 // target [Botsch & Kobbelt 2004].
 inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
 
-// Between places of such sizes.
+// The target length of an edge between places of sizes a and b.
 inline double targetLength(const Run& run, double a, double b) { return 0.5 * run.scale * (a + b); }
 
 inline double targetLength(const Run& run, Vertex a, Vertex b) {
@@ -25,7 +25,7 @@ inline double relativeLength(const Run& run, Halfedge h) {
   return relativeLength(run, run.mesh.mesh().origin(h), run.mesh.mesh().tip(h));
 }
 
-// The sizes at vertices that stay where they are meanwhile, each worked out when first asked for.
+// The sizes at vertices, each computed when first asked for. The vertices must not move meanwhile.
 class VertexSizes {
  public:
   explicit VertexSizes(const Run& run)

@@ -20,29 +20,30 @@ namespace remesher {
 namespace {
 
 constexpr int kMeansByTurns = 2;  // see meansOf
-// Where so large a share of many bad triangles outlasts the effort's patience, the surface allows
-// no better: the rest is around handles no larger than a triangle.
+// If a larger share of many bad triangles outlasts the effort's patience, the surface allows no
+// better: the rest are around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kManyBad = 200;
-// Per triangle in the last round: its small moves go on while something is gained.
+// Tries per triangle in the last round, whose small moves go on while they gain.
 constexpr int kLastTries = 12;
-// Work, in angles looked at: of one place tried for a vertex as many as it has neighbours. Where
-// few triangles are bad a twentieth of it is needed; where all are, and valences high, more is in
-// vain. Triangles far beyond the number that was asked for, among needles, bring no more of it.
+// Work is counted in angles looked at: a place tried for a vertex costs as many as it has
+// neighbours. Where few triangles are bad a twentieth of the limit is needed; where all are, and
+// valences high, more is in vain. Triangles far beyond the wanted number, among needles, do not
+// raise the limit.
 constexpr std::size_t kPlacesTried = 40, kMostWork = 800, kLeastWork = 1 << 19;
 constexpr double kFarBeyond = 2;
-// Drastic means may make so much more of the vertices before the count is put right again.
+// Drastic means may multiply the number of vertices by this before the count is put right again.
 constexpr double kMostGrowth = 1.25;
 // A pattern search: eight directions, with steps that shrink as none of them helps.
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.3;  // of the mean spoke
 constexpr double kLastStep = 0.02;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
-// Around a sharp tip no place on the surface is better, but one a little off it.
+// Around a sharp tip no place on the surface is better, but a place a little off it is.
 constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
 constexpr double kRolledOut = 1e-3;                  // radians
-// Beside curves any angle is better than a thin wall's: steps that move the surface farther, in
-// target edge lengths, would cut across its rims.
+// The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
+// wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
 // Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
 constexpr double kSplitAbove = 0.7;
@@ -59,7 +60,7 @@ struct Best {
     offer(run, smallestComingAngle(run.mesh, run.change, run.rule.grain, gain));
   }
 
-  // Of a proposal that leaves `worst`. From two places, seldom: one copy is enough.
+  // Offers a proposal that leaves `worst`. Never inlined: two places call it, seldom.
   [[gnu::noinline]] void offer(const Run& run, double worst) {
     if (worst <= gain) return;
     const double better = worst - smallestGoingAngle(run.mesh, run.change, run.rule.grain);
@@ -76,8 +77,8 @@ void offerFlips(Run& run, Face f, Best& best) {
     if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
 }
 
-// Where a vertex may go: where its polar map's plane is projected to, or, where the original is so
-// crumpled that every such place folds the star over, on the mesh itself.
+// Where a vertex may go: to projections of its polar map's plane onto the original or, where that
+// is so crumpled that every projection folds the star over, to places on the mesh itself.
 enum class Ground { Original, Mesh };
 
 struct Wanted {
@@ -85,8 +86,8 @@ struct Wanted {
   AngleLimit angle;
 };
 
-// To `p` in the plane of a vertex's polar map; none if an angle is too small before the place is
-// even projected, which costs most.
+// Proposes a move to `p` in the plane of a vertex's polar map; none if an angle is too small before
+// projection, which costs most.
 bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wanted) {
   const auto location = map.locate(p);
   if (!location) return false;
@@ -151,7 +152,7 @@ bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
   return std::abs(2 * std::numbers::pi - turn) < kRolledOut;
 }
 
-// Up and down along the mean normal of the star.
+// Offers places up and down the mean normal of the star.
 void offerLifts(Run& run, Vertex v, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
   if (run.mesh.surface().isFlatAt(run.mesh.at(v))) return;
@@ -190,11 +191,12 @@ void offerSplits(Run& run, Face f, Best& best) {
   }
 }
 
-// From which vertices a search was in vain, until their stars change: triangles side by side have
-// corners in common. Only where a step may be as large as it likes, for else the triangle decides.
+// The vertices whose search was in vain, until their stars change: adjacent triangles share
+// corners. Only noted where a step's shift is not limited, for else the limit depends on the
+// triangle.
 class InVain {
  public:
-  // Whether a search from v will gain no more than that.
+  // Whether a search from v will gain no more than `gain`.
   bool knows(Vertex v, double gain) const { return v.index < most_.size() && most_[v] <= gain; }
 
   void note(Vertex v, double gain) {
@@ -217,14 +219,14 @@ class InVain {
 enum class Means { KeepCount, ChangeCount, LeaveSurface };
 
 struct Attempt {
-  // No place gives a hub's triangles angles, and each that is tried costs a look at all of them.
+  // No place gives a hub's triangles good angles, and each try costs a look at all of them.
   const Hubs& hubs;
   Means means;
   double shift;    // see PolishGoal
   InVain& inVain;  // of the same means
 };
 
-// What an attempt to mend f costs, about; beside a hub still much, for it is a neighbour.
+// The approximate cost of an attempt to mend f. A hub, which stays, still costs as a neighbour.
 std::size_t workOf(const Run& run, Face f, const Hubs& hubs) {
   std::size_t work = 0;
   for (const Vertex v : run.mesh.mesh().vertices(f))
@@ -233,7 +235,7 @@ std::size_t workOf(const Run& run, Face f, const Hubs& hubs) {
   return work;
 }
 
-// Whether something was found that makes the worst angle around f larger.
+// Returns whether a change has enlarged the worst angle around f.
 bool mend(Run& run, Face f, const Attempt& attempt) {
   const Means means = attempt.means;
   const auto corners = run.mesh.mesh().vertices(f);
@@ -250,8 +252,8 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
     offerMove(run, v, ground, best);
     if (best.gain == before && !std::isfinite(shift)) attempt.inVain.note(v, before);
   }
-  // Beside a curve what leaves the surface would show, and be in vain; without the original nothing
-  // says how far off it a vertex already is.
+  // Beside a curve a lift off the surface would show, and be in vain. Without patches onto the
+  // original nothing says how far off it a vertex already is.
   const bool mayLift =
       means == Means::LeaveSurface && !isBesideCurve && run.projector.mode() == Projection::Patches;
   for (const Vertex v : corners)
@@ -266,7 +268,7 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   return true;
 }
 
-// The skin of a spike, where sizes jump: a needle, and meant to be.
+// Whether f is skin of a spike, where sizes jump: a needle is intended there.
 bool isSkin(const Run& run, Face f) {
   constexpr double kJump = 4;
   if (!run.sizes.isSpiked()) return false;
@@ -294,8 +296,8 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
   return faces;
 }
 
-// Gentle and drastic means take turns; at the end the gentle ones mend what the drastic left, and
-// where even that fails a vertex may leave the surface.
+// Gentle and drastic means take turns. In the last round gentle ones mend what the drastic left,
+// and vertices may leave the surface.
 Means meansOf(int round, int rounds) {
   if (round + 1 == rounds) return Means::LeaveSurface;
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
@@ -337,7 +339,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   };
   const AngleLimit limit(goal.angle);
   std::vector<Face> bad;
-  int inVainSince = 0;  // rounds; what has been in vain with all means but the last will be again
+  int inVainSince = 0;  // rounds; once both means are in vain, only the last round is left to try
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
     if (inVainSince == 0) bad = badTriangles(run, goal.angle);

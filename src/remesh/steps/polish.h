@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The last few bad triangles, one by one: flips, moves found by search, and where those do not help
-// a collapse or a split. Leaves no bad triangle where the surface allows a good one, and never
-// piles up vertices where it does not.
+// Mends the last few bad triangles one by one: by flips, moves found by search and, where those do
+// not help, a collapse or a split. Leaves no bad triangle where the surface allows a good one, and
+// never piles up vertices where it does not.
 #pragma once
 
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace remesher {
 
-// Steps of a quarter of an edge and more lose tips, much smaller ones leave slivers.
+// A step's shift, in target edge lengths: a quarter and more loses tips, much less leaves slivers.
 constexpr double kSmallShift = 0.16;
 
 struct PolishGoal {
@@ -18,8 +18,8 @@ struct PolishGoal {
   double shift = std::numeric_limits<double>::infinity();  // of a step, in target edge lengths
 };
 
-// Whether hardly any triangle has an angle below this one. Between curves, and around handles, that
-// are closer than edges are long many have, no step helps them, and each costs distance.
+// Whether hardly any triangle has a smaller angle. Many have one between curves and around handles
+// that are narrower than the edges are long: no step helps them, and each costs distance.
 bool areFewBelow(const Run& run, double angle);
 
 // Keeps the number of vertices. No step moves the surface by more than the goal's shift.

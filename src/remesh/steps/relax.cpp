@@ -13,9 +13,9 @@ namespace remesher {
 namespace {
 
 constexpr double kNeighbors = 6;  // of most vertices
-// Of the way to the mean of its neighbours, which come after it: waves of many edges' length settle
-// in far fewer passes (successive over-relaxation). Only where there are many vertices: a few of
-// them never quite come to rest.
+// A share of a vertex's way to the mean of its neighbours, which follow it: waves of many edges'
+// length settle in far fewer passes (successive over-relaxation). Only for many vertices: few of
+// them would never quite come to rest.
 constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
@@ -61,7 +61,7 @@ void relax(Run& run, int passes, double share) {
 
 void widenAngles(Run& run) {
   PolarMap star;
-  // Where nothing has moved since, a search finds what it found before: nothing.
+  // If nothing has moved around a vertex, a search in vain would be in vain again.
   VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
   for (int pass = 0; pass < run.effort.widenings; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);

@@ -7,8 +7,8 @@
 namespace remesher {
 
 // Up to `passes` Laplacian passes over the vertices that are not at rest: those whose star has
-// changed since they were last visited, and those from under which their neighbours have gone by
-// more than a small share of the size. What walks goes a little beyond the mean.
+// changed since their last visit, and those whose neighbours have moved by more than a small share
+// of the size. Where projection only walks, vertices go a little beyond the mean.
 void relax(Run& run, int passes);
 
 // The same, where a vertex is at rest until the mean of its neighbours has moved by `share` of its

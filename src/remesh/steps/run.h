@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every step of a scheme works with, and the one way it changes the mesh: propose, judge,
-// apply.
+// The state that every step of a scheme works with, and the one way to change the mesh: propose,
+// judge, apply.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace remesher {
 
-// How the vertices of open boundaries slide: by sizes alone, or to suit those next to them inside.
+// How the vertices of open boundaries slide: by sizes alone, or to suit their inner neighbours too.
 enum class Boundaries { Even, Staggered };
 
 class OriginalTree;
@@ -31,12 +31,12 @@ struct Run {
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
-  OriginalTree* tree = nullptr;      // of the original, if whoever runs wants it afterwards
-  std::optional<Thinned> thinned = {};  // what the mesh lay on before it landed, if it has
+  OriginalTree* tree = nullptr;      // of the original, if the caller wants it afterwards
+  std::optional<Thinned> thinned = {};  // the stand-in before the mesh landed, if it has
   LocalChange change = {};              // the proposal at hand
   Star star = {};                       // the star at hand
   Vertex result = {};  // what the last change made, moved or kept; none after a flip
-  std::array<std::size_t, 6> verdicts = {};  // how often the gate said what
+  std::array<std::size_t, 6> verdicts = {};  // how often the gate gave each
 };
 
 // Carries out a change that has been judged.
@@ -56,8 +56,8 @@ inline bool commit(Run& run, const FidelityRule& rule) {
 
 inline bool commit(Run& run) { return commit(run, run.rule); }
 
-// Moves a vertex inside, whose star is at hand, if that is accepted. From several places:
-// one copy is enough.
+// Moves an interior vertex, whose star is at hand, if the gate accepts it. Never inlined: one copy
+// is enough.
 [[gnu::noinline]] inline bool commitMove(Run& run, Vertex v, const Placement& place) {
   if (!mayMove(run.star, place, run.rule)) {
     proposePlacement(run.mesh, v, place, run.change);
@@ -69,8 +69,8 @@ inline bool commit(Run& run) { return commit(run, run.rule); }
   return true;
 }
 
-// For what is to be done even where that folds the mesh over: carries out the proposal at hand
-// unless triangles become lines, or more of them meet.
+// For changes that are made even if they fold the mesh over: carries out the proposal at hand
+// unless triangles become lines or more of them intersect.
 inline bool commitUnlessFlat(Run& run) {
   if (flattens(run.mesh, run.change, run.rule.grain)) return false;
   if (run.rule.guard && !run.rule.guard->allows(run.change)) return false;
@@ -78,9 +78,9 @@ inline bool commitUnlessFlat(Run& run) {
   return true;
 }
 
-// Where the error is bounded, proofs are the work. From now on so many pieces of surface may be
-// looked at to each triangle of the mesh; then no change is allowed. Usual triangles need less than
-// a hundred, needles as many as there are places to try.
+// With an error bound proofs are the main work. From now on `perTriangle` pieces of surface may be
+// looked at for each triangle of the mesh; then no change is allowed. A usual triangle needs less
+// than a hundred, a needle as many as there are places to try.
 inline void grantProofs(const Run& run, std::size_t perTriangle) {
   constexpr std::size_t kLeast = 1 << 16;
   if (!run.rule.bound) return;
@@ -89,7 +89,7 @@ inline void grantProofs(const Run& run, std::size_t perTriangle) {
 
 inline bool areProofsSpent(const Run& run) { return run.rule.bound && run.rule.bound->isSpent(); }
 
-// The run's rule, but more tolerant of folds: for what must go.
+// The run's rule, but more tolerant of folds: for changes that are worth one.
 inline FidelityRule lenient(const Run& run) {
   FidelityRule rule = run.rule;
   rule.fold = kTightFold;

@@ -7,7 +7,7 @@
 namespace remesher {
 
 // Splits every edge that faces an obtuse angle, once: recursion would make ever smaller triangles.
-// The edges are noted by their ends, for a split renames halfedges of its triangles.
+// Edges are noted by their ends, since a split renames halfedges of its triangles.
 void splitObtuse(Run& run);
 
 }  // namespace remesher

@@ -18,12 +18,12 @@ std::size_t countEdges(const HalfedgeMesh& mesh) {
   return (3 * mesh.faceCount() + boundary) / 2;
 }
 
-// So near to the middle of an edge, in its lengths, is no other wall than its own.
+// A place nearer to the middle of an edge than this, in its lengths, lies on the edge's own wall.
 constexpr double kNear = 0.25;
 
-// Where a tube has but three edges around, an edge runs through its inside: the ways to both walls
-// are equally short, and a patch may hold either. From outside the nearest wall is the edge's own.
-// Nothing else judges what subdividing makes.
+// The place of an edge's middle. In a tube of only three edges around, an edge runs through the
+// inside: both walls are equally near, and a patch may hold either. Seen from outside, the nearest
+// wall is the edge's own. No gate judges what subdivision makes.
 Placement middleOf(Run& run, Halfedge h) {
   const WorkingMesh& mesh = run.mesh;
   const Placement place = midpoint(mesh, run.projector, h);
@@ -57,8 +57,8 @@ void subdivide(Run& run) {
 
 std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels) {
   const std::size_t fewest = vertices >> (2 * levels);
-  // One vertex more brings three edges and two faces, by Euler's formula; signed, for many small
-  // parts have fewer vertices to lose than that takes away.
+  // One vertex more brings three edges and two faces, by Euler's formula; signed, since many small
+  // parts may have fewer than this takes away.
   const std::int64_t more = std::int64_t(fewest) - std::int64_t(mesh.vertexCount());
   std::int64_t v = std::int64_t(fewest), e = std::int64_t(countEdges(mesh)) + 3 * more;
   std::int64_t f = std::int64_t(mesh.faceCount()) + 2 * more;
@@ -67,7 +67,7 @@ std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int leve
     e = 2 * e + 3 * f;
     f *= 4;
   }
-  // And each becomes four to the power of the levels.
+  // Each vertex becomes four to the power of the levels.
   const std::int64_t missing = std::max(std::int64_t{0}, std::int64_t(vertices) - v),
                      each = std::int64_t{1} << (2 * levels);
   return fewest + std::size_t((missing + each - 1) / each);

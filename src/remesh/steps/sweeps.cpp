@@ -24,10 +24,10 @@ CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
 
 namespace {
 
-// Of the way between its neighbours along the curve a vertex leaves this share on either side.
+// A vertex stays this share of the way between its neighbours along the curve away from either.
 constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
 
-// To `target` in the plane of v's polar map, if that lies inside the star.
+// Proposes a move to `target` in the plane of v's polar map, if it lies inside the star.
 bool proposeTarget(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
   const auto location = star.locate(target);
   if (!location) return false;
@@ -50,7 +50,7 @@ struct Stretch {
   double from, to;  // their places along the chain
 };
 
-// From the place `even`, which the sizes ask for, towards where v is abreast of the mean of all its
+// From the place `even`, which the sizes ask for, towards where v is level with the mean of all its
 // neighbours.
 double staggered(const Run& run, Vertex v, const Stretch& between, double even) {
   const Vec3 way = run.mesh.position(between.after) - run.mesh.position(between.before);
@@ -64,8 +64,8 @@ double staggered(const Run& run, Vertex v, const Stretch& between, double even) 
   return between.from + length * std::clamp((arc - between.from) / length, kRoom, 1 - kRoom);
 }
 
-// On an open boundary: the mean of where the sizes want v between its two neighbours there, and
-// abreast of each other neighbour, which lie to one side only.
+// On an open boundary: the mean of the place that the sizes ask for, counted once for either
+// neighbour there, and of the places level with each inner neighbour; these lie on one side only.
 double besideInner(const Run& run, Vertex v, const Stretch& between, double even) {
   const double own = run.mesh.on(v).arc;
   const Vec3 way = run.mesh.position(between.after) - run.mesh.position(between.before);
@@ -82,8 +82,8 @@ double besideInner(const Run& run, Vertex v, const Stretch& between, double even
          length * std::clamp((arc - between.from) / length, kBoundaryRoom, 1 - kBoundaryRoom);
 }
 
-// To where the two edges along the chain are as long as the sizes at their ends ask, in proportion;
-// as far as the run staggers curves, towards the mean of the neighbours.
+// Slides v to where the lengths of its two edges along the chain are in proportion to the sizes at
+// their ends; as far as the run staggers curves, towards the mean of its neighbours.
 bool slide(Run& run, Vertex v) {
   if (run.mesh.isPinned(v)) return false;
   const auto [before, after] = curveNeighbors(run.mesh, v);
@@ -112,9 +112,9 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
   return areaBasedTarget(star, mu);
 }
 
-// Towards the mean of v's neighbours, each laid into the mean plane of the star at its distance
-// from v; and from there to the surface by the shortest way. What the original does beneath the
-// star does not tilt the plane: even where it is rough, a move does not lean towards one side.
+// Moves v towards the mean of its neighbours, each laid into the mean plane of the star at its
+// distance from v, and then walks to the surface. The original beneath the star does not tilt the
+// plane: even where it is rough, a move does not lean towards one side.
 bool walkToMean(Run& run, Vertex v, double part) {
   const Star& star = run.star;
   run.star.gather(run.mesh, v);

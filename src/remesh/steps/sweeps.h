@@ -7,7 +7,7 @@
 
 namespace remesher {
 
-// The chain's two edges at a curve vertex lead to these.
+// The neighbours of a curve vertex along its chain.
 struct CurveNeighbors {
   Vertex before, after;
 };
@@ -20,17 +20,17 @@ void areaBasedSweep(Run& run);
 // Laplacian smoothing in the polar map.
 void laplacianSweep(Run& run);
 
-// The same for one vertex, of any kind; an interior one goes so large a part of the way. `star` is
+// The same for one vertex of any kind; an interior one goes the share `part` of the way. `star` is
 // scratch space.
 bool laplacianMove(Run& run, PolarMap& star, Vertex v, double part = 1);
 
-// Moves an inner vertex to where the angles around it are widest, if on the surface, too, the
-// smallest of them is larger there, or wide enough.
+// Moves an interior vertex to where the angles around it are widest, if after projection the
+// smallest one has grown or is wide enough.
 bool widenAround(Run& run, PolarMap& star, Vertex v);
 
-// Curve vertices slide along their chain to where the target sizes want them between their two
-// neighbours there, or, with run.stagger = 1, to abreast of the mean of all their neighbours. So
-// the vertices of two curves side by side come to lie in gaps, as those of any two rows should.
+// Slides curve vertices along their chain to where the target sizes want them between their two
+// neighbours there or, with run.stagger = 1, level with the mean of all their neighbours. So the
+// vertices of two adjacent curves come to face each other's gaps, as in any two rows.
 void curveSweep(Run& run);
 
 }  // namespace remesher

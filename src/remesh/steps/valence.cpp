@@ -17,17 +17,17 @@ namespace {
 
 constexpr std::uint32_t kSeed = 2003;
 constexpr double kStartProbability = 0.5;
-// No rung of the ladder: with fair (28) a torus of 1500 vertices broke its gradation of 1.2, one of
-// 300 its mean angle of 54.
+// Not a rung of the ladder: with 28° a torus of 1500 vertices broke its gradation of 1.2, one of
+// 300 its mean angle of 54°.
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
-// Of the target length: between flips only what lies around them has to give way.
+// Of the target length: between flips only the vertices around them have to give way.
 constexpr double kGivesWay = 0.02;
-// At a boundary there are fewer neighbours to even an irregular vertex out: better have it inside.
-// Not so where the boundary is kept, and edges are as long as they happen to be.
+// The weight of a boundary vertex: it has fewer neighbours to even out an irregular valence, which
+// is better inside. Not on kept boundaries, whose edges are as long as they happen to be.
 constexpr int kAtBoundary = 2;
 
-// At a boundary as many edges as divide the angle there into parts of about 60°.
+// At a boundary, the number of edges that divides the angle there into parts of about 60°.
 int idealValence(const WorkingMesh& mesh, Vertex v) {
   const HalfedgeMesh& m = mesh.mesh();
   if (!m.isBoundary(v)) return 6;
@@ -60,7 +60,7 @@ class ValenceExcess {
     }
   }
 
-  // Vertices have moved: what is ideal inside is so wherever they are.
+  // To be called when vertices have moved: only boundary ideals depend on positions.
   void moved() {
     for (const Vertex v : onBoundary_) count(v);
   }
@@ -106,7 +106,7 @@ std::size_t flipsWhere(Run& run, ValenceExcess& excess, double smallestAngle, Ac
   return flips;
 }
 
-// Where patches are needed vertices are few, and every sweep over all of them is worth it.
+// Where patches are needed, vertices are few, and a sweep over all of them is worth its time.
 void giveWay(Run& run) {
   if (run.projector.walks())
     relax(run, 1, kGivesWay);

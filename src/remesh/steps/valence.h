@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flips that make valences regular: 6 inside, 4 on a straight boundary, and elsewhere there what
-// divides the angle into parts of about 60°.
+// Flips that make valences regular: 6 inside, 4 on a straight boundary; at a bend of a boundary the
+// valence divides the angle into parts of about 60°.
 #pragma once
 
 #include "base/random.h"
@@ -12,9 +12,9 @@ namespace remesher {
 // edges. Returns the number of flips.
 std::size_t valenceFlips(Run& run);
 
-// Moves irregular vertices about at random so that they meet and cancel: `rounds` times flips that
-// cost nothing are made with a probability that falls from one half to zero, then those that gain.
-// No flip may leave an angle below 25°.
+// Moves irregular vertices about at random so that they meet and cancel: each of `rounds` rounds
+// makes flips that cost nothing, with a probability that falls from one half to zero, then those
+// that gain. No flip may leave an angle below 25°.
 void annealValences(Run& run, int rounds, const Progress& progress);
 
 }  // namespace remesher

@@ -50,7 +50,7 @@ AttributeMix::Kind AttributeMix::kindOf(const Attribute& attribute,
     if (semantic == input_.attributes[set.joints].semantic ||
         semantic == input_.attributes[set.weights].semantic)
       return Kind::Skin;
-  // What lies between two identifiers is another one.
+  // A mean of two identifiers would be another identifier.
   const bool isIdentifier =
       startsWith(semantic, "_FEATURE_ID_") || startsWith(semantic, "_BATCHID");
   if (jumps || isIdentifier || startsWith(semantic, "JOINTS_")) return Kind::Nearest;

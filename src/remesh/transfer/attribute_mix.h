@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The attributes of the original at any point of it: each kind is mixed in its own way from the
-// three corners of the original triangle, which lies on one side of every seam.
+// The original's attributes at any of its points. Each kind is mixed in its own way from the three
+// corners of the original triangle, which lies on one side of every seam.
 #pragma once
 
 #include <string>

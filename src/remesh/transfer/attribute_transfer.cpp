@@ -53,15 +53,15 @@ class Extraction {
   }
 
  private:
-  // Where there are no attributes all sides are one.
+  // Without attributes all sides are one output.
   void addBare(Vertex v, HalfedgeData<Index>& outputOf) {
     const Index made = Index(result_.positions.size());
     result_.positions.push_back(mesh_.position(v));
     mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) { outputOf[h] = made; });
   }
 
-  // Turns around v; every curve edge begins a new side, and so does every other place that a
-  // corner takes its attributes from. Sides with equal attributes share one output.
+  // Turns around v. A new side begins at every curve edge, and wherever a corner takes its
+  // attributes from another place. Sides with equal attributes share one output.
   void addVertex(Vertex v, HalfedgeData<Index>& outputOf) {
     const HalfedgeMesh& m = mesh_.mesh();
     Halfedge first = m.outgoing(v);

@@ -21,8 +21,8 @@ struct TransferRules {
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
                          const TransferRules& rules);
 
-// Where each corner of the triangles that extractMesh gives lies on the input, each on its own side
-// of the curves.
+// The place on the input of each corner of extractMesh's triangles, each on its own side of the
+// curves.
 std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input);
 
 }  // namespace remesher

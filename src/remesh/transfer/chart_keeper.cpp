@@ -10,8 +10,8 @@ namespace remesher {
 
 namespace {
 
-// Around a seam's end two sides hang together: as far as this, in radii of the triangle, a way
-// there is short enough for both to be one chart.
+// Around a seam's end its two sides hang together. They count as one chart if the way around the
+// end stays within this distance, in radii of the triangle.
 constexpr double kReach = 1.5;
 constexpr std::size_t kMostSearched = 1000;  // faces
 
@@ -31,8 +31,8 @@ ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const ChartRules& rules)
   }
 }
 
-// The faces that can be reached from `start` inside the ball without crossing a jump; what is
-// absorbed shows its neighbour, not the other way round.
+// The faces that can be reached from `start` inside the ball without crossing a jump; an absorbed
+// face shows its neighbour, not the other way round.
 void ChartKeeper::collect(Face start, const Ball& ball) {
   const OriginalSurface& surface = mesh_.surface();
   const HalfedgeMesh& original = surface.mesh();
@@ -76,8 +76,7 @@ std::array<SurfacePoint, 3> ChartKeeper::intoChart(
   return result;
 }
 
-// The nearest face that no neighbour has taken over, by the number of sides to cross; curves are
-// not crossed.
+// The nearest face that is not absorbed, by the number of sides to cross. Curves are not crossed.
 Face ChartKeeper::absorberOf(const std::array<SurfacePoint, 3>& points) {
   const OriginalSurface& surface = mesh_.surface();
   ++stamp_;
@@ -98,8 +97,9 @@ Face ChartKeeper::absorberOf(const std::array<SurfacePoint, 3>& points) {
   return {};
 }
 
-// The chart to show: of the corners' charts the one that most corners are in, but none that is
-// absorbed; where all are, their absorber's. None where the corners are within one chart already.
+// A face of the chart to show: of the corners' charts that are not absorbed, the one that most
+// corners are in; if all are absorbed, their absorber's. None if the corners are within one chart
+// already.
 Face ChartKeeper::chartFor(const std::array<SurfacePoint, 3>& points, const Ball& ball) {
   Face best;
   std::ptrdiff_t most = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Keeps each triangle of the result within one chart of every attribute. Where a seam is a curve it
-// is by construction; a triangle across a seam that was let go takes the chart that most of its
-// corners are in, and its other corners the nearest points of it: nothing bleeds. Charts too narrow
-// for triangles of their own give way to those beside them, whose values and shading extend over
-// them, or every other triangle along them would show one and the next the other, like the teeth of
-// a saw.
+// Keeps each triangle of the result within one chart of every attribute. Where seams are curves,
+// this holds by construction. A triangle across a seam that was let go takes the chart of most of
+// its corners, and its other corners take the nearest points of that chart: nothing bleeds. Charts
+// too narrow for triangles of their own give way to those beside them, whose values and shading
+// extend over them. Otherwise the triangles along them would show the two charts by turns, like the
+// teeth of a saw.
 #pragma once
 
 #include <array>
