@@ -81,12 +81,19 @@ struct Timings {  // milliseconds
 // What mending did. Of files of several parts: sums, and the mode that mended most triangles.
 struct RepairReport {
   std::string mode;
+  std::string reason;       // why that one: asked, sound, shells, enclosed, open
   std::size_t holes = 0;    // open loops closed
   std::size_t islands = 0;  // open scraps taken off
   std::size_t shells = 0;   // bodies that lay inside of others, taken off
   std::size_t turned = 0;   // triangles turned over
   double lost = 0;          // percent of the area given that the result has not
   std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
+};
+
+// Where it is broken: of open loops one place each, as they are listed; of triangles that meet
+// others the first one; of pieces one each.
+struct FaultPlaces {
+  std::vector<Vec3> openLoops, selfIntersections, innerShells, insideOut;
 };
 
 // What is broken, and what would mend it.
@@ -96,6 +103,7 @@ struct FaultReport {
   std::size_t innerShells = 0;        // closed pieces within others that are no cavities
   std::size_t insideOut = 0;          // closed pieces that face inwards
   Repair repair = Repair::Off;        // Off: nothing is broken
+  FaultPlaces places;
 };
 
 struct Report {

@@ -24,6 +24,10 @@ class Mending {
   // What is asked for with what was done, where the choice was repair's own.
   RemeshOptions chosen(RemeshOptions options) const;
 
+  // Textures are painted anew if nobody has a say in it and the surface is another than was given,
+  // not that with its holes closed: charts end anywhere on it. The model's warnings say so.
+  RemeshOptions withPaint(RemeshOptions options, io::Model& model) const;
+
   // The input is what was given, not what was made of it.
   void note(Report& report) const;
 
