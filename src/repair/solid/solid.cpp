@@ -88,7 +88,10 @@ std::size_t countShells(const OrientedPatches& patches, const std::vector<char>&
 
 std::size_t countSheets(const OrientedPatches& patches, const std::vector<Index>& triangles) {
   std::vector<char> isSheet(patches.count, 0);
-  for (const Index triangle : triangles) isSheet[patches.patches[triangle]] = 1;
+  for (const Index triangle : triangles) {
+    const Index patch = patches.patches[triangle];
+    if (!patches.isClosed[patch]) isSheet[patch] = 1;  // closed ones only graze an edge
+  }
   return std::size_t(std::count(isSheet.begin(), isSheet.end(), 1));
 }
 
