@@ -24,8 +24,8 @@ inline constexpr Names<Fidelity, 3> kFidelities = {
     {{"strict", Fidelity::Strict}, {"loose", Fidelity::Loose}, {"fold", Fidelity::Fold}}};
 inline constexpr Names<Boundary, 2> kBoundaries = {
     {{"resample", Boundary::Resample}, {"keep", Boundary::Keep}}};
-inline constexpr Names<Textures, 2> kTextures = {
-    {{"keep", Textures::Keep}, {"bake", Textures::Bake}}};
+inline constexpr Names<Textures, 3> kTextures = {
+    {{"auto", Textures::Auto}, {"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
 inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
@@ -33,6 +33,8 @@ inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
                                                {"solid", Repair::Solid},
                                                {"wrap", Repair::Wrap},
                                                {"auto", Repair::Auto}}};
+inline constexpr Names<Sheets, 2> kSheets = {
+    {{"thicken", Sheets::Thicken}, {"drop", Sheets::Drop}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},
@@ -46,6 +48,7 @@ constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }
 constexpr const auto& namesOf(Textures) { return kTextures; }
 constexpr const auto& namesOf(Repair) { return kRepairs; }
+constexpr const auto& namesOf(Sheets) { return kSheets; }
 constexpr const auto& namesOf(TextureFormat) { return kTextureFormats; }
 
 template <class E, std::size_t n>

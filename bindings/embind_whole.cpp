@@ -3,9 +3,16 @@
 // only from here, such as readers and writers, is not linked into the other module.
 #include <emscripten/bind.h>
 
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
 #include "choice_names.h"
 #include "from_js.h"
 #include "guarded.h"
+#include "option_fields.h"
+#include "option_reader.h"
 #include "remesher.h"
 #include "to_js.h"
 
@@ -63,6 +70,30 @@ val convertBytes(const val& request) {
   });
 }
 
+val writtenRepair(const RepairReport& repair) {
+  val result = val::object();
+  val selfIntersections = val::array();
+  for (const std::size_t count : repair.selfIntersections)
+    selfIntersections.call<void>("push", double(count));
+  result.set("mode", repair.mode);
+  result.set("reason", repair.reason);
+  result.set("holes", double(repair.holes));
+  result.set("islands", double(repair.islands));
+  result.set("shells", double(repair.shells));
+  result.set("turned", double(repair.turned));
+  result.set("lost", repair.lost);
+  result.set("selfIntersections", selfIntersections);
+  return result;
+}
+
+// Coordinates of all, three each.
+val coordinatesOf(const std::vector<Vec3>& places) {
+  val result = val::array();
+  for (const Vec3& place : places)
+    for (const double x : place) result.call<void>("push", x);
+  return result;
+}
+
 val faultsFrom(const FaultReport& faults) {
   val result = val::object(), loops = val::array();
   for (const double length : faults.openLoops) loops.call<void>("push", length);
@@ -71,6 +102,15 @@ val faultsFrom(const FaultReport& faults) {
   result.set("innerShells", double(faults.innerShells));
   result.set("insideOut", double(faults.insideOut));
   result.set("repair", std::string(nameOf(kRepairs, faults.repair)));
+  val places = val::object();
+  using Named = std::pair<const char*, const std::vector<Vec3>*>;
+  const FaultPlaces& at = faults.places;
+  for (const auto& [name, all] : {Named{"openLoops", &at.openLoops},
+                                  {"selfIntersections", &at.selfIntersections},
+                                  {"innerShells", &at.innerShells},
+                                  {"insideOut", &at.insideOut}})
+    places.set(name, coordinatesOf(*all));
+  result.set("places", places);
   return result;
 }
 
@@ -100,9 +140,30 @@ val errorCodes() {
   return result;
 }
 
-val defaultOptions() { return objectFrom(RemeshOptions()); }
+// null: left to the scheme, or none.
+val defaultOptions() {
+  const RemeshOptions options;
+  val result = val::object();
+  const auto write = [&]<class T>(const char* name, const T& field) {
+    if constexpr (std::is_enum_v<T>)
+      result.set(name, std::string(nameOf(namesOf(field), field)));
+    else if constexpr (std::is_arithmetic_v<T>)
+      result.set(name, field);
+    else
+      result.set(name, val::null());
+  };
+  forEachOption(options, write);
+  forEachWholeOption(options, write);
+  return result;
+}
+
+void readRest(const val& object, RemeshOptions& options) {
+  forEachWholeOption(options, OptionReader{object});
+}
 
 EMSCRIPTEN_BINDINGS(remesher_whole) {
+  readWholeOptions = &readRest;
+  repairInJs = &writtenRepair;
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);

@@ -3,27 +3,20 @@
 
 #include <emscripten/emscripten.h>
 
-#include <optional>
 #include <string>
-#include <type_traits>
+#include <utility>
 
-#include "choice_names.h"
 #include "option_fields.h"
+#include "option_reader.h"
 
 namespace remesher {
 
 using emscripten::typed_memory_view;
 using emscripten::val;
 
-namespace {
+void (*readWholeOptions)(const val& object, RemeshOptions& options) = nullptr;
 
-template <class T>
-std::vector<T> copied(const val& array) {
-  std::vector<T> result(array["length"].as<std::size_t>());
-  if (!result.empty())
-    val(typed_memory_view(result.size(), result.data())).call<void>("set", array);
-  return result;
-}
+namespace {
 
 template <class Visit>
 void forEach(const val& array, Visit visit) {
@@ -34,41 +27,6 @@ void forEach(const val& array, Visit visit) {
 File fileFrom(const val& object) {
   return {object["name"].as<std::string>(), copied<std::uint8_t>(object["bytes"])};
 }
-
-// Reads each option that is set into the field of the same name. A value of another type ('off'
-// where a number could be) leaves its field as it is.
-struct OptionReader {
-  val options;
-
-  template <class T>
-  void operator()(const char* name, T& field) const {
-    if (const val value = options[name]; !value.isUndefined()) read(value, field);
-  }
-
- private:
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  static void read(const val& value, T& field) {
-    if (value.isNumber()) field = value.as<T>();
-  }
-  static void read(const val& value, bool& field) { field = value.isTrue(); }
-  template <class E>
-  requires std::is_enum_v<E>
-  static void read(const val& value, E& field) {
-    for (const auto& [name, choice] : namesOf(E()))
-      if (value.as<std::string>() == name) field = choice;
-  }
-  template <class T>
-  static void read(const val& value, std::optional<T>& field) {
-    if (std::is_enum_v<T> || value.isNumber()) read(value, field.emplace());
-  }
-  static void read(const val& value, std::vector<double>& field) { field = copied<double>(value); }
-  static void read(const val& value, std::vector<float>& field) { field = copied<float>(value); }
-  static void read(const val& value, std::vector<std::pair<Index, Index>>& field) {
-    const std::vector<Index> flat = copied<Index>(value);
-    for (std::size_t i = 0; i + 1 < flat.size(); i += 2) field.emplace_back(flat[i], flat[i + 1]);
-  }
-};
 
 }  // namespace
 
@@ -121,6 +79,7 @@ FileBundle bundleFrom(const val& object) {
 RemeshOptions optionsFrom(const val& object) {
   RemeshOptions options;
   forEachOption(options, OptionReader{object});
+  if (readWholeOptions) readWholeOptions(object, options);
   options.detectFeatures = !object["featureAngle"].isString();
   return options;
 }

@@ -17,6 +17,9 @@ std::vector<PlacedMesh> sceneFrom(const emscripten::val& list);
 FileBundle bundleFrom(const emscripten::val& object);
 RemeshOptions optionsFrom(const emscripten::val& object);
 
+// Reads what only the whole engine can do anything with; there it is set.
+extern void (*readWholeOptions)(const emscripten::val& object, RemeshOptions& options);
+
 // callback: (phase, fraction) => false to cancel; undefined for none.
 Progress progressFrom(const emscripten::val& callback);
 

@@ -7,7 +7,8 @@
 
 namespace remesher {
 
-// options: RemeshOptions, const or not; visit: (name, field).
+// options: RemeshOptions, const or not; visit: (name, field). These are what the engine for arrays
+// knows.
 template <class Options, class Visit>
 void forEachOption(Options& options, const Visit& visit) {
   visit("vertices", options.vertices);
@@ -28,16 +29,23 @@ void forEachOption(Options& options, const Visit& visit) {
   visit("maxError", options.maxError);
   visit("weld", options.weld);
   visit("quads", options.quads);
-  visit("exact", options.exact);
   visit("textures", options.textures);
-  visit("textureSize", options.textureSize);
-  visit("textureFormat", options.textureFormat);
   visit("density", options.density);
   visit("featureEdges", options.featureEdges);
   visit("repair", options.repair);
+  visit("lods", options.lods);
+}
+
+// What only the whole engine can do anything with.
+template <class Options, class Visit>
+void forEachWholeOption(Options& options, const Visit& visit) {
+  visit("exact", options.exact);
+  visit("textureSize", options.textureSize);
+  visit("textureFormat", options.textureFormat);
   visit("holesUpTo", options.holesUpTo);
   visit("gap", options.gap);
-  visit("lods", options.lods);
+  visit("cavities", options.cavities);
+  visit("sheets", options.sheets);
   visit("lodFiles", options.lodFiles);
 }
 

@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <functional>
 #include <string>
-#include <type_traits>
 
 #include "choice_names.h"
-#include "option_fields.h"
 
 namespace remesher {
 
 using emscripten::typed_memory_view;
 using emscripten::val;
+
+val (*repairInJs)(const RepairReport& repair) = nullptr;
 
 namespace {
 
@@ -68,21 +68,6 @@ val objectFrom(const FidelityReport& fidelity) {
   val result = val::object();
   result.set("hausdorff", fidelity.hausdorff);
   result.set("rms", fidelity.rms);
-  return result;
-}
-
-val objectFrom(const RepairReport& repair) {
-  val result = val::object();
-  val selfIntersections = val::array();
-  for (const std::size_t count : repair.selfIntersections)
-    selfIntersections.call<void>("push", double(count));
-  result.set("mode", repair.mode);
-  result.set("holes", double(repair.holes));
-  result.set("islands", double(repair.islands));
-  result.set("shells", double(repair.shells));
-  result.set("turned", double(repair.turned));
-  result.set("lost", repair.lost);
-  result.set("selfIntersections", selfIntersections);
   return result;
 }
 
@@ -184,7 +169,7 @@ val objectFrom(const Report& report) {
   result.set("input", objectFrom(report.input));
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
-  if (report.repair) result.set("repair", objectFrom(*report.repair));
+  if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
   if (!report.prefer.empty()) result.set("prefer", preferenceFrom(report.prefer));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
@@ -192,19 +177,6 @@ val objectFrom(const Report& report) {
   result.set("warnings", listFrom(report.warnings));
   if (report.output) result.set("stopped", std::string(nameOf(kStopped, report.stopped)));
   if (!report.lods.empty()) result.set("lods", listFrom(report.lods));
-  return result;
-}
-
-val objectFrom(const RemeshOptions& options) {
-  val result = val::object();
-  forEachOption(options, [&]<class T>(const char* name, const T& field) {
-    if constexpr (std::is_enum_v<T>)
-      result.set(name, std::string(nameOf(namesOf(field), field)));
-    else if constexpr (std::is_arithmetic_v<T>)
-      result.set(name, field);
-    else
-      result.set(name, val::null());
-  });
   return result;
 }
 

@@ -17,6 +17,8 @@ emscripten::val objectFrom(const std::vector<File>& files);
 emscripten::val objectFrom(const std::vector<Picture>& pictures);
 emscripten::val objectFrom(const std::vector<Warning>& warnings);
 emscripten::val objectFrom(const Report& report);
-emscripten::val objectFrom(const RemeshOptions& options);  // null: left to the scheme, or none
+
+// Writes what only the whole engine reports; there it is set.
+extern emscripten::val (*repairInJs)(const RepairReport& repair);
 
 }  // namespace remesher

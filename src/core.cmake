@@ -92,16 +92,11 @@ add_library(linear OBJECT
   src/repair/holes/loop_triangulation.cpp
   src/repair/holes/refinement.cpp
   src/repair/solid/apex.cpp
-  src/repair/solid/cell_loops.cpp
   src/repair/solid/clean_up.cpp
   src/repair/solid/contour.cpp
-  src/repair/solid/contour_attributes.cpp
   src/repair/solid/crossings_of_edges.cpp
   src/repair/solid/inside.cpp
-  src/repair/solid/lattice.cpp
-  src/repair/solid/oriented_patches.cpp
   src/repair/solid/outside_flood.cpp
-  src/repair/solid/solid.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
   src/textures/charts/chart_growth.cpp
@@ -237,6 +232,11 @@ add_library(small OBJECT
   src/repair/holes/plug.cpp
   src/repair/holes/plug_attributes.cpp
   src/repair/repair.cpp
+  src/repair/solid/cell_loops.cpp
+  src/repair/solid/contour_attributes.cpp
+  src/repair/solid/lattice.cpp
+  src/repair/solid/oriented_patches.cpp
+  src/repair/solid/solid.cpp
   src/repair_file.cpp
   src/textures/charts/unwrap.cpp
   src/textures/painting/look_borders.cpp

@@ -28,7 +28,7 @@ namespace remesher {
 namespace {
 
 // The shares of a run's time, about.
-constexpr double kMeasureShare = 0.15;
+constexpr double kMeasureShare = 0.15, kPaintShare = 0.4;
 
 // Every part remeshed, and a report on all but reading and writing.
 struct Run {
@@ -160,8 +160,6 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
   }
   return runs;
 }
-
-constexpr double kPaintShare = 0.4;
 
 // Textures can only be painted with what formats say that have materials.
 void requireTextured(const std::string& outputName, const RemeshOptions& options) {
@@ -346,10 +344,13 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     const Progress body = whole.part(mended, 1);
     std::vector<Run> all;
-    if (options.textures == Textures::Keep)
-      all = remeshAll(model.parts, mending.chosen(options), body);
+    RemeshOptions chosen = mending.chosen(options);
+    if (!input.pictures.empty() && io::holdsImages(outputName))
+      chosen = mending.withPaint(std::move(chosen), model);
+    if (chosen.textures == Textures::Bake)
+      all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));
     else
-      all.push_back(remeshBaked(model, std::move(input.pictures), mending.chosen(options), body));
+      all = remeshAll(model.parts, chosen, body);
     mending.note(all.front().report);
     return all;
   });

@@ -108,9 +108,11 @@ test('arrays are copied into the form the core reads', () => {
 
 /** What some flags say nothing without. */
 const beside = {
+  cavities: ['--repair', 'solid'],
   gap: ['--repair', 'wrap'],
   holesUpTo: ['--repair', 'holes'],
   lodFiles: ['--lods', '0.5'],
+  sheets: ['--repair', 'wrap'],
   textureSize: ['--textures', 'bake'],
   textureFormat: ['--textures', 'bake'],
 };

@@ -154,17 +154,22 @@ test('an inspection tells what is broken, and what would mend it', async () => {
   assert.equal((await inspect(open)).faults, undefined);
   const sound = (await inspect(whole, { faults: true })).faults;
   assert.deepEqual(sound, { openLoops: [], selfIntersections: 0, innerShells: 0, insideOut: 0,
-    repair: 'off' });
+    repair: 'off',
+    places: { openLoops: [], selfIntersections: [], innerShells: [], insideOut: [] } });
   const { faults } = await inspect(open, { faults: true });
   assert.ok(faults.openLoops.length >= 1);
   assert.ok(faults.openLoops.every((length, i, all) => length > 0 && !(length > all[i - 1])));
   assert.equal(faults.repair, 'holes');
+  assert.equal(faults.places.openLoops.length, 3 * faults.openLoops.length);
   const bytes = new TextEncoder().encode(offText(open));
   const ofFile = await inspect(bytes, { name: 'open.off', faults: true });
   assert.equal(ofFile.faults.openLoops.length, faults.openLoops.length);
   const crossed = (await inspect(joined(whole, whole, 0.9), { faults: true })).faults;
   assert.ok(crossed.selfIntersections > 0);
   assert.equal(crossed.repair, 'solid');
+  const [x, y, z] = crossed.places.selfIntersections;
+  assert.ok(Math.abs(Math.hypot(Math.hypot(x, y) - 2, z) - 0.8) < 0.1
+    || Math.abs(Math.hypot(Math.hypot(x - 0.9, y) - 2, z) - 0.8) < 0.1, `${x} ${y} ${z}`);
   const inwards = { ...whole, indices: whole.indices.slice().reverse() };
   assert.equal((await inspect(inwards, { faults: true })).faults.insideOut, 1);
   await rejectsWith(inspect(open, { faults: 1 }), 'INVALID_OPTION', /faults must be true or false/);
@@ -176,9 +181,71 @@ test('faults are said in words', async () => {
   assert.match(words, /what would mend it: holes/);
 });
 
+/** One within the other, which faces into what it encloses. */
+function hollow() {
+  const { positions, indices } = torus({ columns: 24, rows: 12 });
+  const thinner = positions.map((x, i) => {
+    const [a, b, c] = positions.slice(i - (i % 3), i - (i % 3) + 3);
+    const ring = Math.hypot(a, b);
+    return [a / ring * 2 + 0.4 * (a - a / ring * 2), b / ring * 2 + 0.4 * (b - b / ring * 2),
+      0.4 * c][i % 3];
+  });
+  return joined({ positions, indices }, { positions: thinner, indices: indices.toReversed() }, 0);
+}
+
+test('cavities are filled, or kept where that is asked for', async () => {
+  for (const [cavities, components] of [[false, 1], [true, 2]]) {
+    const { mesh, report } = await repair(hollow(), { repair: 'solid', cavities });
+    assert.equal(report.output.components, components);
+    assert.equal(report.repair.shells, 2 - components);
+    await assertSound(mesh, `cavities: ${cavities}`);
+    const remeshed = await remesh(hollow(), { repair: 'solid', cavities, vertices: 1500 });
+    assert.equal(remeshed.report.output.components, components);
+    await assertSound(remeshed.mesh, `remeshed, cavities: ${cavities}`);
+  }
+});
+
+test('sheets become thin solids, or are left out; both is said with a place', async () => {
+  const both = joined(torus({ columns: 24, rows: 12 }), sheet(), 6);
+  for (const [sheets, components, code] of
+    [['thicken', 2, 'SHEETS_THICKENED'], ['drop', 1, 'SHEETS_DROPPED']]) {
+    const { mesh, report } = await repair(both, { repair: 'wrap', sheets });
+    assert.equal(report.output.components, components);
+    assert.ok(report.warnings.some((warning) => warning.code === code), code);
+    assert.equal(report.repair.lost > 1, sheets === 'drop', `${report.repair.lost} %`);
+    const lost = report.warnings.find((warning) => warning.code === 'SEEN_PARTS_LOST');
+    if (sheets === 'drop') assert.match(lost.message, /near \([5-9][.\d]*, /);
+    await assertSound(mesh, sheets);
+  }
+  const square = { positions: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0),
+    indices: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+  await rejectsWith(repair(square, { repair: 'wrap', sheets: 'drop' }), 'NO_TRIANGLES',
+    /only sheets/);
+});
+
+test('what thin solids made of sheets enclose is filled', async () => {
+  const { mesh, report } = await repair(cracked(), { repair: 'wrap' });
+  assert.ok(report.warnings.some(({ code }) => code === 'SHEETS_THICKENED'));
+  assert.equal((await repair(mesh, { repair: 'solid' })).report.repair.shells, 0);
+});
+
+test('the report says why a mode was chosen', async () => {
+  const inwards = { ...whole, indices: whole.indices.slice().reverse() };
+  for (const [mesh, options, mode, reason] of [
+    [open, {}, 'holes', 'sound'], [inwards, {}, 'solid', 'enclosed'], [sheet(), {}, 'wrap', 'open'],
+    [open, { repair: 'solid' }, 'solid', 'asked']]) {
+    const { report } = await repair(mesh, options);
+    assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
+    assert.match(reportInWords(report), new RegExp(`repair \\(${mode}, (as asked|for .*)\\)`));
+  }
+});
+
 test('options that say nothing to a repair are refused', async () => {
   await rejectsWith(repair(open, { vertices: 100 }), 'INVALID_OPTION', /vertices does not belong/);
   await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION', /No holes are closed/);
+  await rejectsWith(repair(open, { repair: 'wrap', cavities: true }), 'INVALID_OPTION',
+    /No solid is made/);
+  await rejectsWith(remesh(open, { sheets: 'drop' }), 'INVALID_OPTION', /Nothing is wrapped/);
   await rejectsWith(
     remesh(open, { repair: 'holes', density: new Float32Array(open.positions.length / 3).fill(1) }),
     'INVALID_OPTION', /density/);

@@ -257,6 +257,18 @@ function ballInBall({ missing = 0 } = {}) {
     + faces.map((face) => `f ${face.map((v) => v + 1).join(' ')}\n`).join('');
 }
 
+test('pieces where none belong are listed, and shown in their place', async () => {
+  await open('inner.obj', ballInBall());
+  await page.waitForSelector('#landmark-innerShells');
+  assert.match(await page.textContent('#landmark-innerShells'), /^1 inner/);
+  const earlier = await picture();
+  await page.click('#landmark-innerShells');
+  await page.waitForFunction(() => document.getElementById('status').textContent
+    .includes('at that place'));
+  assert.notDeepEqual(await picture(), earlier);
+  assert.ok(await page.isVisible('#mend'));
+});
+
 test('what is broken is mended by one click, and said; each mode has its sentence', async () => {
   await open('shells.obj', ballInBall({ missing: 20 }));
   assert.match(await page.textContent('#option-repair-help'), /a hole stays a hole/);

@@ -18,9 +18,12 @@ enum class Projection { Patches, Current };  // onto the original | on the curre
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
 enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
-enum class Textures { Keep, Bake };       // texture coordinates along their seams | painted anew
+// Texture coordinates along their seams | painted anew | painted where repair makes another
+// surface.
+enum class Textures { Auto, Keep, Bake };
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
+enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
 // If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
@@ -48,14 +51,16 @@ struct RemeshOptions {
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
   bool quads = false;                                 // pure quads instead of triangles
   bool exact = false;                                 // of quads: exactly so many vertices
-  Textures textures = Textures::Keep;                 // for files
+  Textures textures = Textures::Auto;                 // for files
   std::optional<Index> textureSize;                   // texels along a side
   std::optional<TextureFormat> textureFormat;
   Repair repair = Repair::Off;
   std::optional<double> holesUpTo;  // the longest loop to be closed, percent of the diagonal
   std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal
-  std::vector<double> lods;   // shares of the number of vertices, each > 0
-  bool lodFiles = false;      // a file for each level, not one for all
+  bool cavities = false;      // of solids, the inner ones: kept, not filled
+  Sheets sheets = Sheets::Thicken;
+  std::vector<double> lods;  // shares of the number of vertices, each > 0
+  bool lodFiles = false;     // a file for each level, not one for all
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h.
   TooFew tooFew = TooFew::Refuse;

@@ -81,12 +81,19 @@ struct Timings {  // milliseconds
 // What repair did. For files of several parts: sums, and the mode that mended most triangles.
 struct RepairReport {
   std::string mode;
+  std::string reason;       // why that one: asked, sound, shells, enclosed, open
   std::size_t holes = 0;    // open loops closed
   std::size_t islands = 0;  // open pieces removed
   std::size_t shells = 0;   // bodies inside other bodies, removed
   std::size_t turned = 0;   // triangles turned over
   double lost = 0;          // percent of the input's area that the result lacks
   std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
+};
+
+// Where it is broken: per open loop one place, in the order of their lengths; of triangles that
+// meet others the first of each mesh; per piece one place.
+struct FaultPlaces {
+  std::vector<Vec3> openLoops, selfIntersections, innerShells, insideOut;
 };
 
 // What is broken, and which repair would mend it.
@@ -96,6 +103,7 @@ struct FaultReport {
   std::size_t innerShells = 0;        // closed pieces inside others, cavities not counted
   std::size_t insideOut = 0;          // closed pieces that face inwards
   Repair repair = Repair::Off;        // Off: nothing is broken
+  FaultPlaces places;
 };
 
 struct Report {

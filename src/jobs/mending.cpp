@@ -47,6 +47,17 @@ RemeshOptions Mending::chosen(RemeshOptions options) const {
   return options;
 }
 
+RemeshOptions Mending::withPaint(RemeshOptions options, io::Model& model) const {
+  const bool isImplied = repair_ && repair_->report.mode != "holes" && options.lods.empty() &&
+                         options.textures == Textures::Auto &&
+                         model.conventions == io::Conventions::Gltf;
+  if (!isImplied) return options;
+  options.textures = Textures::Bake;
+  model.warnings.push_back(
+      {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were painted anew."});
+  return options;
+}
+
 void Mending::note(Report& report) const {
   if (!repair_) return;
   report.input = input_;

@@ -25,6 +25,10 @@ class Mending {
   // vertices the input's counts, of which `ratio` is a share: repair may have made many times that.
   RemeshOptions chosen(RemeshOptions options) const;
 
+  // Textures are painted anew if nobody has a say in it and the surface is another than was given,
+  // not that with its holes closed: charts end anywhere on it. The model's warnings say so.
+  RemeshOptions withPaint(RemeshOptions options, io::Model& model) const;
+
   // The input is what was given, not what was made of it.
   void note(Report& report) const;
 

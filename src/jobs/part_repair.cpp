@@ -2,12 +2,13 @@
 #include "jobs/part_repair.h"
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "jobs/part_report.h"
 #include "jobs/part_scale.h"
+#include "jobs/result_check.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "repair/repair.h"
@@ -29,6 +30,52 @@ void add(RepairReport& sum, const RepairReport& part) {
   sum.shells += part.shells;
   sum.turned += part.turned;
   for (std::size_t i = 0; i < 2; ++i) sum.selfIntersections[i] += part.selfIntersections[i];
+}
+
+void join(std::vector<PlacedWarning>& all, PlacedWarning warning) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const PlacedWarning& w) {
+    return w.warning.code == warning.warning.code;
+  });
+  if (same == all.end())
+    all.push_back(std::move(warning));
+  else
+    same->warning.count += warning.warning.count;
+}
+
+std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
+                             const std::vector<io::Part>& parts) {
+  std::vector<Warning> result;
+  for (PlacedWarning& placed : warnings) {
+    if (placed.at)
+      placed.warning.message.append(" The first of it lies near (")
+          .append(placeInWords(*placed.at, parts))
+          .append(").");
+    result.push_back(std::move(placed.warning));
+  }
+  return result;
+}
+
+std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const PartScale& scale) {
+  for (Vec3& place : places) place = scale.inWorld(part, place);
+  return places;
+}
+
+void addPlaces(std::vector<Vec3>& all, std::vector<Vec3> more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+FaultReport withLongestFirst(FaultReport faults) {
+  const std::vector<double> lengths = std::move(faults.openLoops);
+  const std::vector<Vec3> places = std::move(faults.places.openLoops);
+  std::vector<std::pair<double, Index>> order;
+  for (Index i = 0; i < lengths.size(); ++i) order.emplace_back(-lengths[i], i);
+  std::sort(order.begin(), order.end());
+  faults.openLoops.clear(), faults.places.openLoops.clear();
+  for (const auto& [length, i] : order) {
+    faults.openLoops.push_back(-length);
+    faults.places.openLoops.push_back(places[i]);
+  }
+  return faults;
 }
 
 bool isSound(const TriangleMesh& mesh) {
@@ -54,6 +101,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
   double total = 0, done = 0;
   std::size_t most = 0;
+  std::vector<PlacedWarning> warnings;
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
   for (io::Part& part : result.parts) {
     progress.at(total > 0 ? done / total : 0);
@@ -63,12 +111,19 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     part.mesh = std::move(repaired.mesh);
     add(result.report, repaired.report);
     result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;
-    if (triangles >= most) result.report.mode = repaired.report.mode;
+    if (triangles >= most) {
+      result.report.mode = repaired.report.mode;
+      result.report.reason = repaired.report.reason;
+    }
     most = std::max(most, triangles);
-    result.warnings = joined(std::move(result.warnings), repaired.warnings);
+    for (PlacedWarning& warning : repaired.warnings) {
+      if (warning.at) warning.at = scale.inWorld(part, *warning.at);
+      join(warnings, std::move(warning));
+    }
     done += double(triangles);
   }
   if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
+  result.warnings = inWords(std::move(warnings), result.parts);
   return result;
 }
 
@@ -92,13 +147,16 @@ FaultReport faultsOf(const std::vector<io::Part>& parts) {
   for (const io::Part& part : scale.isNeeded() ? scale.applied(parts) : parts) {
     const FaultReport faults = faultsOf(part.mesh);
     sum.openLoops.insert(sum.openLoops.end(), faults.openLoops.begin(), faults.openLoops.end());
+    addPlaces(sum.places.openLoops, inWorld(faults.places.openLoops, part, scale));
     sum.selfIntersections += faults.selfIntersections;
     sum.innerShells += faults.innerShells;
     sum.insideOut += faults.insideOut;
     sum.repair = std::max(sum.repair, faults.repair);
+    addPlaces(sum.places.selfIntersections, inWorld(faults.places.selfIntersections, part, scale));
+    addPlaces(sum.places.innerShells, inWorld(faults.places.innerShells, part, scale));
+    addPlaces(sum.places.insideOut, inWorld(faults.places.insideOut, part, scale));
   }
-  std::sort(sum.openLoops.begin(), sum.openLoops.end(), std::greater<>());
-  return sum;
+  return withLongestFirst(std::move(sum));
 }
 
 }  // namespace remesher

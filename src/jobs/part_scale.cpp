@@ -108,4 +108,8 @@ std::vector<io::Part> PartScale::undone(std::vector<io::Part> parts,
   return parts;
 }
 
+Vec3 PartScale::inWorld(const io::Part& part, const Vec3& p) const {
+  return part.instances.empty() ? p : part.instances.front() * p / world_;
+}
+
 }  // namespace remesher

@@ -26,6 +26,9 @@ class PartScale {
   std::vector<io::Part> undone(std::vector<io::Part> parts,
                                const std::vector<io::Part>& originals) const;
 
+  // Where the world first shows a point of a part, of an applied one if that is needed.
+  Vec3 inWorld(const io::Part& part, const Vec3& p) const;
+
  private:
   std::vector<double> local_;  // per part
   double world_ = 1;

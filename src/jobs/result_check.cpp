@@ -78,17 +78,6 @@ Extent extentOf(const std::vector<io::Part>& parts) {
   return extent;
 }
 
-// With more digits where the surface is small beside its distance from the origin.
-std::string place(const Vec3& p, const std::vector<io::Part>& parts) {
-  const Extent extent = extentOf(parts);
-  int digits = kDigits;
-  for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
-    ++digits;
-  std::string text = inDigits(p.x(), digits);
-  for (const double x : {p.y(), p.z()}) text.append(", ").append(inDigits(x, digits));
-  return text;
-}
-
 // Where all vertices lie, if their coordinates are too coarse for anything as small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
   const Extent extent = extentOf(parts);
@@ -108,7 +97,8 @@ std::string withFirstEdge(std::string message, const std::vector<io::Part>& part
     welding.forEachEdge([&](std::span<const Index> edge) {
       if (!middle && isWanted(edge.size())) middle = (at(edge[0]) + at(nextCorner(edge[0]))) / 2;
     });
-    if (middle) return message.append(", the first near (").append(place(*middle, parts)) + ").";
+    if (middle)
+      return message.append(", the first near (").append(placeInWords(*middle, parts)) + ").";
   }
   return message.append(".");
 }
@@ -137,6 +127,16 @@ std::size_t more(std::size_t after, std::size_t before) {
 
 }  // namespace
 
+std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
+  const Extent extent = extentOf(parts);
+  int digits = kDigits;
+  for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
+    ++digits;
+  std::string text = inDigits(p.x(), digits);
+  for (const double x : {p.y(), p.z()}) text.append(", ").append(inDigits(x, digits));
+  return text;
+}
+
 std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
                                     const std::vector<io::Part>& result) {
   const auto& [before, after] = reports;
@@ -146,13 +146,13 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
     warnings.push_back(
         {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
                              ". The worst lies near (" +
-                             place(worstTriangle(result).centre, result) +
+                             placeInWords(worstTriangle(result).centre, result) +
                              "). More vertices help where parts are thinner than edges are long."});
   if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
     warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
                         "Triangles of the result have no area: parts of the surface are too thin "
                         "for its numbers, as near (" +
-                            place(worstTriangle(result).centre, result) + ").",
+                            placeInWords(worstTriangle(result).centre, result) + ").",
                         made});
   if (const std::size_t made = more(after.nonManifoldEdges, before.nonManifoldEdges))
     warnings.push_back(
@@ -180,7 +180,7 @@ std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::
   if (isFar)
     text = "The result is " + number(report.fidelity->hausdorff) +
            " % of the diagonal away from the original";
-  text.append(", near (").append(place(*where, result));
+  text.append(", near (").append(placeInWords(*where, result));
   text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
   text.append("to. Move it to the origin first.");
   return {{"SHAPE_LOST_TO_ROUNDING", text, std::max<std::size_t>(flat, 1)}};

@@ -3,6 +3,7 @@
 // so, and where.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/options.h"
@@ -10,6 +11,10 @@
 #include "io/model/model.h"
 
 namespace remesher {
+
+// "0.5, 2, -1e-3", with more digits where the parts are small beside their distance from the
+// origin.
+std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts);
 
 // What the report says of both sides of a run.
 struct BeforeAndAfter {

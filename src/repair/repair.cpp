@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -34,9 +33,35 @@ double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
   return sum;
 }
 
-void warn(std::vector<Warning>& warnings, const char* code, const char* message,
-          std::size_t count) {
-  if (count > 0) warnings.push_back({code, message, count});
+Vec3 centreOf(const TriangleMesh& mesh, Index triangle) {
+  const Index* v = &mesh.indices[3 * std::size_t{triangle}];
+  return (mesh.positions[v[0]] + mesh.positions[v[1]] + mesh.positions[v[2]]) / 3;
+}
+
+std::vector<Vec3> firstOf(const TriangleMesh& mesh, const std::vector<Index>& triangles) {
+  if (triangles.empty()) return {};
+  return {centreOf(mesh, triangles.front())};
+}
+
+void warn(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places = {}) {
+  if (warning.count == 0) return;
+  result.warnings.push_back({std::move(warning), std::nullopt});
+  if (!places.empty()) result.warnings.back().at = places.front();
+}
+
+// What is to be repaired, and which of its triangles meet others.
+struct Broken {
+  const TriangleMesh& mesh;
+  const std::vector<Index>& crossings;
+};
+
+void countCrossings(RepairedMesh& result) {
+  const std::vector<Index> crossings = selfIntersections(result.mesh);
+  result.report.selfIntersections[1] = crossings.size();
+  warn(result,
+       {"CROSSINGS_LEFT", "Triangles still pass through others, where the surface did before.",
+        crossings.size()},
+       firstOf(result.mesh, crossings));
 }
 
 double longestLoop(const TriangleMesh& input, const RemeshOptions& options) {
@@ -54,21 +79,23 @@ RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& opt
   const double before = areaOf(input, input.triangleCount());
   const double kept = areaOf(closed.mesh, closed.mesh.triangleCount() - closed.plugTriangles);
   result.report.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
-  warn(result.warnings, "HOLES_LEFT_OPEN",
-       "Holes that are longer around than asked for were left open.", closed.open);
-  warn(result.warnings, "SCRAPS_REMOVED",
-       "Triangles were removed that hang together with the surface in points only, lie loose in "
-       "holes, or are given twice.",
-       closed.trianglesRemoved);
-  result.report.selfIntersections[1] = selfIntersections(closed.mesh).size();
   result.mesh = std::move(closed.mesh);
+  warn(result,
+       {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
+        closed.openAt.size()},
+       closed.openAt);
+  warn(result, {"SCRAPS_REMOVED",
+                "Triangles were removed that hang together with the surface in points only, lie "
+                "loose in holes, or are given twice.",
+                closed.trianglesRemoved});
+  countCrossings(result);
   return result;
 }
 
 // Half of the edges that are asked for, within what shows parts and what memory holds: 250 MB at
 // 1/400 of the diagonal of a cube.
 double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
-  constexpr double kFinest = 400, kCoarsest = 128, kUsual = 256;
+  constexpr double kFinest = 400, kCoarsest = 128, kUsual = 200;
   const double diagonal = diagonalOf(input);
   double edge = 2 * diagonal / kUsual;
   if (options.vertices) {
@@ -88,11 +115,35 @@ Cleaning cleaningFor(const RemeshOptions& options) {
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
   constexpr double kUsualGap = 2;  // percent of the diagonal
   const double gap = options.gap.value_or(kUsualGap) / 100 * diagonalOf(input);
-  return {spacingFor(input, options), by, by == InsideBy::Reach ? gap : 0, cleaningFor(options)};
+  return {spacingFor(input, options),
+          by,
+          by == InsideBy::Reach ? gap : 0,
+          cleaningFor(options),
+          options.sheets,
+          options.cavities};
 }
 
-RepairedMesh asRepaired(Solid solid, InsideBy by) {
+void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
+  if (sheets == Sheets::Drop)
+    warn(result, {"SHEETS_DROPPED", "Sheets, which enclose nothing, were left out.", count});
+  else
+    warn(result,
+         {"SHEETS_THICKENED",
+          "Sheets, which enclose nothing, were made thin solids behind what is seen of them.",
+          count});
+}
+
+RepairedMesh asRepaired(Solid solid, const SolidRule& rule) {
+  const InsideBy by = rule.by;
   RepairedMesh result;
+  const bool isLost = std::round(100 * solid.enclosure.lost) > 0;  // two decimals are told
+  warn(result,
+       {"SEEN_PARTS_LOST",
+        "Parts that are seen from outside are not on the result: they are thinner than it is fine, "
+        "or lie in gaps that it closes.",
+        std::size_t{isLost}},
+       {solid.enclosure.lostAt.value_or(Vec3::Zero())});
+  warnOfSheets(result, rule.sheets, solid.enclosure.sheets);
   result.report.mode = by == InsideBy::Reach ? "wrap" : "solid";
   result.report.shells = solid.enclosure.shells;
   result.report.turned = by == InsideBy::Reach ? 0 : solid.enclosure.turned;
@@ -102,9 +153,12 @@ RepairedMesh asRepaired(Solid solid, InsideBy by) {
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
-  RepairedMesh result =
-      asRepaired(solidOf(input, ruleFor(input, options, InsideBy::Reach)), InsideBy::Reach);
+  const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
+  RepairedMesh result = asRepaired(solidOf(input, rule), rule);
   if (!result.mesh.indices.empty()) return result;
+  if (rule.sheets == Sheets::Drop)
+    throw Error(ErrorCode::NoTriangles, "There are only sheets, which were to be left out.",
+                "Thicken them: --sheets thicken, sheets.");
   throw Error(
       ErrorCode::NoTriangles, "The triangles are too small to be wrapped.",
       "Was the mesh scaled to zero in one direction, or does it lie too far from the origin?");
@@ -113,11 +167,13 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
 // What encloses nothing is wrapped.
 RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
   if (solid.mesh.indices.empty()) return wrapped(input, options);
-  return asRepaired(std::move(solid), InsideBy::Enclosure);
+  return asRepaired(std::move(solid), ruleFor(input, options, InsideBy::Enclosure));
 }
 
 // A shell within a body that is no cavity, a body inside out.
-bool facesWrongWay(const Enclosure& enclosure) { return enclosure.inner + enclosure.insideOut > 0; }
+bool facesWrongWay(const Enclosure& enclosure) {
+  return !enclosure.innerAt.empty() || !enclosure.insideOutAt.empty();
+}
 
 // On the coarsest lattice.
 Enclosure roughEnclosure(const TriangleMesh& mesh) {
@@ -126,13 +182,20 @@ Enclosure roughEnclosure(const TriangleMesh& mesh) {
   return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
 }
 
+// Whether what closing holes leaves as it is passes through itself, as nothing else does then.
+bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
+  constexpr double kNone = -1;
+  return !crossings.empty() && !selfIntersections(closeHoles(input, kNone).mesh).empty();
+}
+
 // With holes closed, if nothing passes through itself then; not where a piece that is closed
 // already faces the wrong way.
-std::optional<RepairedMesh> closedSoundly(const TriangleMesh& input, const RemeshOptions& options,
+std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptions& options,
                                           const Enclosure& enclosure) {
   if (facesWrongWay(enclosure)) return std::nullopt;
   try {
-    RepairedMesh closed = withHolesClosed(input, options);
+    if (staysCrossed(input.mesh, input.crossings)) return std::nullopt;
+    RepairedMesh closed = withHolesClosed(input.mesh, options);
     if (closed.report.selfIntersections[1] == 0) return closed;
   } catch (const Error& error) {
     if (error.code != ErrorCode::NoTriangles) throw;
@@ -166,42 +229,40 @@ RepairedMesh unitedOnceClosed(RepairedMesh closed, const RemeshOptions& options)
   return united;
 }
 
-RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh because(const char* reason, RepairedMesh result) {
+  result.report.reason = reason;
+  return result;
+}
+
+RepairedMesh automatic(const Broken& broken, const RemeshOptions& options) {
+  const TriangleMesh& input = broken.mesh;
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   const Enclosure enclosure = ground->enclosure();
-  if (std::optional<RepairedMesh> closed = closedSoundly(input, options, enclosure)) {
-    if (isEnough(*closed)) return std::move(*closed);
+  if (std::optional<RepairedMesh> closed = closedSoundly(broken, options, enclosure)) {
+    if (isEnough(*closed)) return because("sound", std::move(*closed));
     ground.reset();  // a solid takes as much memory again, and so does a wrap
-    return unitedOnceClosed(std::move(*closed), options);
+    return because("shells", unitedOnceClosed(std::move(*closed), options));
   }
-  if (isClear(enclosure)) return solidified(ground->solid(), input, options);
+  if (isClear(enclosure)) return because("enclosed", solidified(ground->solid(), input, options));
   ground.reset();
-  return wrapped(input, options);
+  return because("open", wrapped(input, options));
 }
 
-RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
+RepairedMesh repaired(const Broken& broken, const RemeshOptions& options) {
+  const TriangleMesh& input = broken.mesh;
+  const char* const asked = "asked";
   switch (options.repair) {
     case Repair::Holes:
-      return withHolesClosed(input, options);
+      return because(asked, withHolesClosed(input, options));
     case Repair::Solid:
-      return solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)), input,
-                        options);
+      return because(asked, solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)),
+                                       input, options));
     case Repair::Wrap:
-      return wrapped(input, options);
+      return because(asked, wrapped(input, options));
     default:
-      return automatic(input, options);
+      return automatic(broken, options);
   }
-}
-
-// Of loops that closing holes would find; of pieces that could be kept none is there.
-std::vector<double> openLoops(const TriangleMesh& input) {
-  std::vector<double> lengths;
-  const double diagonal = diagonalOf(input);
-  for (const Loop& loop : boundaryLoops(buildMesh(input)))
-    lengths.push_back(100 * loop.length / diagonal);
-  std::sort(lengths.begin(), lengths.end(), std::greater<>());
-  return lengths;
 }
 
 }  // namespace
@@ -210,14 +271,22 @@ FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
   const Enclosure enclosure = roughEnclosure(input);
   FaultReport faults;
-  faults.openLoops = openLoops(input);
-  faults.selfIntersections = selfIntersections(input).size();
-  faults.innerShells = enclosure.inner;
-  faults.insideOut = enclosure.insideOut;
-  if (faults.openLoops.empty() &&
-      faults.selfIntersections + enclosure.inner + enclosure.insideOut == 0)
-    return faults;
-  const std::optional<RepairedMesh> closed = closedSoundly(input, {}, enclosure);
+  // Of loops that closing holes would find; of pieces that could be kept none is there.
+  const BuiltMesh built = buildMesh(input);
+  const double diagonal = diagonalOf(input);
+  for (const Loop& loop : boundaryLoops(built)) {
+    faults.openLoops.push_back(100 * loop.length / diagonal);
+    faults.places.openLoops.push_back(built.positions[loop.vertices.front()]);
+  }
+  const std::vector<Index> crossings = selfIntersections(input);
+  faults.selfIntersections = crossings.size();
+  faults.places.selfIntersections = firstOf(input, crossings);
+  faults.innerShells = enclosure.innerAt.size();
+  faults.places.innerShells = enclosure.innerAt;
+  faults.insideOut = enclosure.insideOutAt.size();
+  faults.places.insideOut = enclosure.insideOutAt;
+  if (faults.openLoops.empty() && crossings.empty() && !facesWrongWay(enclosure)) return faults;
+  const std::optional<RepairedMesh> closed = closedSoundly({input, crossings}, {}, enclosure);
   faults.repair = closed && isEnough(*closed)    ? Repair::Holes
                   : closed || isClear(enclosure) ? Repair::Solid
                                                  : Repair::Wrap;
@@ -226,11 +295,9 @@ FaultReport faultsOf(const TriangleMesh& input) {
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
-  RepairedMesh result = repaired(input, options);
-  result.report.selfIntersections[0] = selfIntersections(input).size();
-  warn(result.warnings, "CROSSINGS_LEFT",
-       "Triangles still pass through others, where the surface did before.",
-       result.report.selfIntersections[1]);
+  const std::vector<Index> crossings = selfIntersections(input);
+  RepairedMesh result = repaired({input, crossings}, options);
+  result.report.selfIntersections[0] = crossings.size();
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A model comes in: found among the files, read, shown, and remeshed if that is quickly done.
+import { RemeshError } from 'remesher';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 import { unpacked } from '../files/archives.js';
@@ -73,6 +74,14 @@ async function remeshEach({ session, panel }, { models, items }) {
   }
 }
 
+/** Beside whatever is done next; of a file that cannot be looked at so none is told.
+ * @param {Page} page */
+function findFaults({ surveying }) {
+  surveying.findFaults().catch((error) => {
+    if (!(error instanceof RemeshError) && !isAbort(error)) throw error;
+  });
+}
+
 /**
  * @param {Page} page
  * @param {Promise<PathedFile[]>} coming
@@ -81,6 +90,8 @@ async function remeshEach({ session, panel }, { models, items }) {
  */
 export function open(page, coming, { source, wished, onForm }) {
   const { session } = page;
+  /** @type {boolean | undefined} */
+  let isQuick;
   return page.busy(async () => {
     const items = await unpacked(await coming);
     const models = modelsAmong(items);
@@ -103,7 +114,8 @@ export function open(page, coming, { source, wished, onForm }) {
     await showOriginal(page);
     onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
-    const isQuick = report.input.vertices <= largestAutomatic;
-    if (isQuick && !signal.aborted) await remesh(page);
-  });
+    isQuick = report.input.vertices <= largestAutomatic;
+    isQuick &&= !signal.aborted;
+    if (isQuick) await remesh(page);
+  }).then(() => { if (isQuick) findFaults(page); });
 }

@@ -29,6 +29,10 @@ export class Surveying {
   distances = null;
   /** @type {Edges | null} of the original */
   #edges = null;
+  /** @type {import('remesher').FaultSummary | null} of the original */
+  #faults = null;
+  /** Which of the places of a kind comes next. @type {Record<string, number>} */
+  #visited = {};
   #isProbing = false;
 
   /** @param {Desk} page */
@@ -67,7 +71,19 @@ export class Surveying {
     if (side === 'original') await this.#findEdges();
   }
 
+  /** What takes longer to find: pieces and triangles that are where they should not be. */
+  async findFaults() {
+    const { session } = this.#page;
+    const { model } = session;
+    const faults = await session.faults();
+    if (session.model !== model) return;
+    this.#faults = faults;
+    this.#visited = {};
+    this.#showLandmarks();
+  }
+
   async #findEdges() {
+    this.#faults = null;
     this.#edges = await this.survey.ask('edges');
     const edges = this.#edges;
     const overlays = this.#page.stage.viewer?.overlays.original;
@@ -86,10 +102,12 @@ export class Surveying {
 
   #showLandmarks() {
     const edges = this.#edges;
-    showLandmarks(edges && { boundary: edges.boundary.length / 6,
-      nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 },
-    { onVisit: (landmark) => this.visitLandmark(landmark),
-      onMend: () => this.#page.panel.ask('repair', 'auto', true) });
+    const counts = edges && { boundary: edges.boundary.length / 6,
+      nonManifold: edges.nonManifold.length / 6, flipped: edges.flipped.length / 6 };
+    showLandmarks({ edges: counts, faults: this.#faults },
+      { onVisit: (landmark) => this.visitLandmark(landmark),
+        onFault: (fault) => this.#visitFault(fault),
+        onMend: () => this.#page.panel.ask('repair', 'auto', true) });
   }
 
   get #hasFeatures() {
@@ -121,6 +139,15 @@ export class Surveying {
     if (!segments?.length || !viewer) return;
     viewer.overlays.original.setLines(landmark, segments);
     void this.visit('original', /** @type {Point} */ (Array.from(segments.subarray(0, 3))));
+  }
+
+  /** The next of its places. @param {import('../report/landmarks.js').FaultPlace} fault */
+  #visitFault(fault) {
+    const places = this.#faults?.places[fault] ?? [];
+    const at = 3 * ((this.#visited[fault] ?? 0) % (places.length / 3));
+    this.#visited[fault] = at / 3 + 1;
+    const place = new Vector3(...places.slice(at, at + 3)).sub(this.#page.stage.origin);
+    void this.visit('original', place.toArray());
   }
 
   /** Flies to a place, and marks it. @param {Side} side @param {Point} point */

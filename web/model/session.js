@@ -73,6 +73,14 @@ export class Session {
     return { report, signal };
   }
 
+  /** What of the model is broken; null for what has no faults to be looked for. */
+  async faults() {
+    const model = this.#opened();
+    const signal = this.#stay.signal;
+    const { faults } = await inspect(model.bytes, { ...describe(model), faults: true, signal });
+    return faults ?? null;
+  }
+
   /** The model as glTF, for the viewer: the file itself, or a conversion.
    * @param {'direct' | 'converted'} way */
   async originalAsGltf(way) {

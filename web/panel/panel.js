@@ -96,7 +96,7 @@ const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
-const ofRepair = ['repair', 'holesUpTo', 'gap'];
+const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
 
 /** How large and of which format new textures are, how long the holes to be closed are, how wide
  * the openings, means nothing without them.
@@ -105,7 +105,9 @@ const isIdle = (name, { textures, repair, quads }) =>
   (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
   || (name === 'exact' && !quads)
   || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
-  || (name === 'gap' && repair !== 'wrap' && repair !== 'auto');
+  || (name === 'gap' && repair !== 'wrap' && repair !== 'auto')
+  || (name === 'cavities' && repair !== 'solid' && repair !== 'auto')
+  || (name === 'sheets' && !['wrap', 'solid', 'auto'].includes(String(repair)));
 
 export class Panel {
   #form;

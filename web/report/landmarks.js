@@ -5,10 +5,15 @@ import { byId, element } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
-/** @typedef {'boundary' | 'nonManifold' | 'flipped'} Landmark */
+/** Edges, which are drawn, or places.
+ * @typedef {'boundary' | 'nonManifold' | 'flipped'} Landmark
+ * @typedef {'selfIntersections' | 'innerShells' | 'insideOut'} FaultPlace */
 
 /** @type {Landmark[]} */
 export const landmarks = ['boundary', 'nonManifold', 'flipped'];
+
+/** @type {FaultPlace[]} */
+const faultPlaces = ['selfIntersections', 'innerShells', 'insideOut'];
 
 /** The landmark that a warning speaks of, if any. @param {string} code */
 export function landmarkOf(code) {
@@ -29,18 +34,28 @@ export function placeIn(message) {
     ? /** @type {[number, number, number]} */ (place) : null;
 }
 
-/** @param {Record<Landmark, number> | null} counts of edges
- * @param {{ onVisit: (landmark: Landmark) => void, onMend: () => void }} acts */
-export function showLandmarks(counts, { onVisit, onMend }) {
+/** @param {Landmark | FaultPlace} name @param {number} total @param {string} color
+ * @param {() => void} onclick */
+function chip(name, total, color, onclick) {
+  const dot = element('span', { className: 'dot' });
+  dot.style.background = color;
+  return element('button', { type: 'button', className: 'chip', id: `landmark-${name}`, onclick },
+    dot, t(`landmark.${name}`, { count: count(total) }));
+}
+
+/** @param {{ edges: Record<Landmark, number> | null,
+ *   faults: import('remesher').FaultSummary | null }} found
+ * @param {{ onVisit: (landmark: Landmark) => void, onFault: (fault: FaultPlace) => void,
+ *   onMend: () => void }} acts */
+export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
   const box = byId('landmarks', HTMLElement);
-  const found = landmarks.filter((name) => counts?.[name]);
-  box.hidden = !found.length;
-  box.replaceChildren(...found.map((name) => {
-    const dot = element('span', { className: 'dot' });
-    dot.style.background = lineColors[name];
-    return element('button', { type: 'button', className: 'chip', id: `landmark-${name}`,
-      onclick: () => onVisit(name) }, dot,
-    t(`landmark.${name}`, { count: count(counts?.[name] ?? 0) }));
-  }), element('button', { type: 'button', className: 'chip', id: 'mend', onclick: onMend },
-    t('mend')));
+  const chips = [
+    ...landmarks.filter((name) => edges?.[name]).map((name) =>
+      chip(name, edges?.[name] ?? 0, lineColors[name], () => onVisit(name))),
+    ...faultPlaces.filter((name) => faults?.[name]).map((name) =>
+      chip(name, faults?.[name] ?? 0, lineColors.probe, () => onFault(name))),
+  ];
+  box.hidden = !chips.length;
+  box.replaceChildren(...chips, element('button', { type: 'button', className: 'chip', id: 'mend',
+    onclick: onMend }, t('mend')));
 }

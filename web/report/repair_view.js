@@ -23,10 +23,12 @@ function whatWasDone(repair) {
 export function repairView(repair) {
   if (!repair) return '';
   const mode = textIfAny(`choice.repair.${repair.mode}`) ?? repair.mode;
+  const why = textIfAny(`reason.${repair.reason}`);
   const done = whatWasDone(repair);
   const otherwise = t(repair.mode === 'holes' ? 'repair.nothing' : 'repair.made');
   return element('section', { id: 'repaired', className: 'repaired' },
     element('h2', {}, t('repair.title', { mode })),
+    why && element('p', { className: 'help' }, why),
     element('ul', {}, ...(done.length ? done : [otherwise])
       .map((text) => element('li', {}, text))));
 }

@@ -197,6 +197,17 @@
  * @property {number} insideOut Closed pieces that face inwards.
  * @property {'off' | 'holes' | 'solid' | 'wrap'} repair What `auto` would do; `off`: nothing is
  *   broken.
+ * @property {FaultPlaces} places Where.
+ */
+
+/**
+ * Where a mesh is broken: coordinates in the file's world, three for each place.
+ * @typedef {object} FaultPlaces
+ * @property {number[]} openLoops A vertex of each open loop, in their order.
+ * @property {number[]} selfIntersections The middle of the first triangle that meets others, of
+ *   each mesh that has any.
+ * @property {number[]} innerShells A vertex of each.
+ * @property {number[]} insideOut A vertex of each.
  */
 
 /**
@@ -221,6 +232,9 @@
  * What mending did.
  * @typedef {object} RepairSummary
  * @property {string} mode How it was mended.
+ * @property {'asked' | 'sound' | 'shells' | 'enclosed' | 'open'} reason Why so: it was asked for;
+ *   with its holes closed the surface is sound; closed pieces lie within others or face inwards;
+ *   what is seen parts inside from outside clearly; nothing does.
  * @property {number} holes Open loops closed.
  * @property {number} islands Loose open scraps taken off.
  * @property {number} shells Bodies inside of others, taken off.

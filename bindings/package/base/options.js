@@ -85,10 +85,11 @@ export const optionTable = [
       + 'within 1 %' },
   { name: 'exact', flag: '--exact', type: 'boolean', default: false,
     help: 'of quads: exactly the number of vertices' },
-  { name: 'textures', flag: '--textures T', type: 'choice', choices: ['keep', 'bake'],
-    default: 'keep',
-    help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted ' +
-      'from the old, so that seams hold no vertices' },
+  { name: 'textures', flag: '--textures T', type: 'choice', choices: ['auto', 'keep', 'bake'],
+    default: 'auto',
+    help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted '
+      + 'from the old, so that seams hold no vertices; auto: keep, but bake from glTF to glTF '
+      + 'where repair makes another surface' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
     unit: 'texels',
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
@@ -104,6 +105,12 @@ export const optionTable = [
     unit: '% of the diagonal', help: 'longer loops stay open; all are closed if not given' },
   { name: 'gap', flag: '--gap P', type: 'number', above: 0, max: 20,
     unit: '% of the diagonal', help: 'wrap closes openings up to this wide; 2 if not given' },
+  { name: 'cavities', flag: '--cavities', type: 'boolean', default: false,
+    help: 'solid keeps inner cavities: closed pieces that face into what they enclose' },
+  { name: 'sheets', flag: '--sheets S', type: 'choice', choices: ['thicken', 'drop'],
+    default: 'thicken',
+    help: 'of sheets, which enclose nothing, wrap makes thin solids behind what is seen of them, '
+      + 'or leaves them out' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
@@ -259,11 +266,20 @@ function canonical(option, value) {
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
+/** What some options say nothing without; each may be met by `auto`, too. */
+const ofRepairs = {
+  holesUpTo: { repairs: ['holes'], fault: 'No holes are closed, long or short.' },
+  cavities: { repairs: ['solid'], fault: 'No solid is made, with cavities or without.' },
+  sheets: { repairs: ['wrap', 'solid'], fault: 'Nothing is wrapped, sheets neither.' },
+};
+
 /** @param {Record<string, unknown>} given */
-function checkTogetherWithRepair({ repair = 'off', holesUpTo }) {
-  if (holesUpTo !== undefined && repair !== 'holes' && repair !== 'auto') {
-    throw new RemeshError('INVALID_OPTION', 'No holes are closed, long or short.',
-      'Ask for it: --repair holes, repair.');
+function checkTogetherWithRepair(given) {
+  const asked = String(given.repair ?? 'off');
+  for (const [name, { repairs, fault }] of Object.entries(ofRepairs)) {
+    const isSaid = given[name] !== undefined && given[name] !== byName.get(name)?.default;
+    if (!isSaid || asked === 'auto' || repairs.includes(asked)) continue;
+    throw new RemeshError('INVALID_OPTION', fault, `Ask for it: --repair ${repairs[0]}, repair.`);
   }
 }
 
@@ -302,7 +318,7 @@ function checkTogether(given, label) {
 
 /** The options of repair alone. */
 export const repairNames =
-  /** @type {const} */ (['repair', 'holesUpTo', 'gap']);
+  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets']);
 
 /**
  * The options of a repair, checked as checkOptions does; no others belong there.

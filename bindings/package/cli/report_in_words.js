@@ -37,11 +37,20 @@ function distanceInWords({ hausdorff, rms }) {
     + `point found, ${rms.toFixed(4)} % RMS, of the diagonal`;
 }
 
+const reasons = {
+  asked: 'as asked',
+  sound: 'for with holes closed it is sound',
+  shells: 'for pieces lie within others or face inwards',
+  enclosed: 'for what is seen encloses something',
+  open: 'for what is seen encloses nothing clearly',
+};
+
 /** @param {import('../base/messages.js').RepairSummary} repair */
-function repairInWords({ mode, holes, islands, shells, turned, lost, selfIntersections }) {
+function repairInWords({ mode, reason, holes, islands, shells, turned, lost, selfIntersections }) {
   const [before, after] = selfIntersections;
-  return `repair (${mode}): ${holes} holes closed, ${islands} islands and ${shells} inner shells `
-    + `removed, ${turned} triangles turned over, ${lost.toFixed(2)} % of the area lost\n`
+  return `repair (${mode}, ${reasons[reason]}):\n`
+    + `  ${holes} holes closed, ${islands} islands and ${shells} inner shells removed, `
+    + `${turned} triangles turned over, ${lost.toFixed(2)} % of the area lost\n`
     + `  triangles that pass through others: ${before} before, ${after} after`;
 }
 
@@ -52,16 +61,22 @@ const cures = {
   wrap: 'what would mend it: wrap, what can be reached from outside',
 };
 
+/** `, the first near (0.5, 2, 1)` @param {number[]} places */
+const firstOf = (places) => (places.length === 0 ? ''
+  : `, the first near (${places.slice(0, 3).map((x) => Number(x.toPrecision(4))).join(', ')})`);
+
 /** @param {import('../base/messages.js').FaultSummary} faults */
-function faultsInWords({ openLoops, selfIntersections, innerShells, insideOut, repair }) {
+function faultsInWords({ openLoops, selfIntersections, innerShells, insideOut, repair, places }) {
   const told = 10;
   const lengths = openLoops.slice(0, told).map((length) => `${length.toPrecision(3)} %`).join(', ');
   const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
     + `${openLoops.length > told ? ', …' : ''}`;
   return [
-    `faults: ${openLoops.length} open loops${loops}`,
-    `  triangles that pass through others ${selfIntersections}, inner shells ${innerShells}, `
-      + `bodies inside out ${insideOut}`,
+    `faults: ${openLoops.length} open loops${loops}${firstOf(places.openLoops)}`,
+    `  triangles that pass through others ${selfIntersections}`
+      + firstOf(places.selfIntersections),
+    `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
+    `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
     `  ${cures[repair]}`,
   ].join('\n');
 }

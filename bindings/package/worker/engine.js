@@ -106,6 +106,30 @@ function call(instance, job, ask) {
   }
 }
 
+/** @typedef {Extract<Job, { kind: 'remeshFile' }>} FileJob */
+
+const isGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
+
+/** Whether textures are painted anew, or will be if repair makes another surface.
+ * @param {FileJob} job */
+function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }) {
+  const mayBeMadeAnew = ['solid', 'wrap', 'auto'].includes(String(repair));
+  return textures === 'bake' || (textures === 'auto' && mayBeMadeAnew && !lods
+    && isGltf(file.name) && isGltf(file.output));
+}
+
+/** Images that nobody asked to be painted from need not be readable: textures are kept then.
+ * @param {import('../textures/bake.js').Bakery} bakery @param {FileJob} job */
+async function openedBy(bakery, { file, options }) {
+  try {
+    return await bakery.opened(file);
+  } catch (error) {
+    const isTold = error instanceof RemeshError && error.code !== 'CANCELLED';
+    if (options.textures === 'bake' || !isTold) throw error;
+    return file;
+  }
+}
+
 export class Engine {
   #loaded;
   #codecs;
@@ -133,13 +157,13 @@ export class Engine {
    */
   async run(job, onProgress) {
     const plainJob = 'file' in job ? await (await scripts.whole()).opened(job) : job;
-    if (plainJob.kind !== 'remeshFile' || plainJob.options.textures !== 'bake') {
+    if (plainJob.kind !== 'remeshFile' || !mayPaint(plainJob)) {
       return this.#run(plainJob, onProgress);
     }
     const { Bakery } = await import('../textures/bake.js');
     const bakery = new Bakery(this.#codecs, onProgress);
     try {
-      const file = await bakery.opened(plainJob.file);
+      const file = await openedBy(bakery, plainJob);
       return await bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
     } finally {
       bakery.end();

@@ -115,11 +115,11 @@ class Closer {
 ClosedHoles closeHoles(const TriangleMesh& input, double longest) {
   const KeptSurface kept = keptSurface(input);
   std::vector<Loop> loops = boundaryLoops(kept.built);
-  const std::size_t all = loops.size();
-  std::erase_if(loops, [&](const Loop& loop) { return loop.length > longest; });
   ClosedHoles result;
+  for (const Loop& loop : loops)
+    if (loop.length > longest) result.openAt.push_back(kept.built.positions[loop.vertices.front()]);
+  std::erase_if(loops, [&](const Loop& loop) { return loop.length > longest; });
   result.holes = loops.size();
-  result.open = all - loops.size();
   result.islands = kept.islands;
   result.trianglesRemoved = kept.trianglesRemoved;
   result.turned = kept.turned;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "base/triangle_mesh.h"
 
@@ -12,7 +13,7 @@ struct ClosedHoles {
   TriangleMesh mesh;              // all vertices given, then new ones; triangles given, then plugs
   std::size_t plugTriangles = 0;  // the last ones
   std::size_t holes = 0;          // closed
-  std::size_t open = 0;           // left, for they are longer than asked for
+  std::vector<Vec3> openAt;       // a vertex of each left, for they are longer than asked for
   std::size_t islands = 0;        // open scraps taken off
   std::size_t trianglesRemoved = 0;  // of islands, at pinches, without area or given twice
   std::size_t turned = 0;            // triangles turned over

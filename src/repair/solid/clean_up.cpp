@@ -175,14 +175,15 @@ class Cleaner {
   // Infinite if it would be too much.
   double costOf(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
-    const double length = (at(into) - at(from)).norm();
-    const double share = length < kShortEdge * rule_.spacing ? kToleranceOfShort : kTolerance;
-    const double most = share * rule_.spacing;
+    const double length = (at(into) - at(from)).squaredNorm();  // squared
+    const double shortest = kShortEdge * rule_.spacing;
+    const double most =
+        rule_.spacing * (length < shortest * shortest ? kToleranceOfShort : kTolerance);
     const double squared = sums_[from].at(at(into) - origin());
     if (squared > most * most) return std::numeric_limits<double>::infinity();
     // Of what costs nothing the shortest edges go first, which keeps triangles even.
     constexpr double kByLength = 1e-4;
-    return squared + kByLength * length * length;
+    return squared + kByLength * length;
   }
 
   void findChoices(Vertex from) {
@@ -341,8 +342,7 @@ void lockAround(const TriangleTree& triangles, double margin, const Contour& con
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   constexpr int kTries = 6;  // each locks more points; after the last the contour stays as it was
   if (contour.corners.empty()) return contour;
-  const Cleaner blank(contour, rule);
-  std::optional<Cleaner> cleaner(blank);
+  std::optional<Cleaner> cleaner(std::in_place, contour, rule);
   std::vector<Merger> mergers = cleaner->run();
   Cleaner::Result result = cleaner->take();
   TriangleMesh mesh = meshFrom(result.contour);
@@ -351,7 +351,7 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   for (int i = 0; i < kTries && !crossed.empty(); ++i) {
     const std::vector<Index> corners = cornersOf(crossed, mesh);
     lockAround(TriangleTree(mesh.positions, corners), i * rule.spacing, contour, isLocked);
-    cleaner.emplace(blank);
+    cleaner.emplace(contour, rule);
     mergers = cleaner->repeat(mergers, isLocked);
     result = cleaner->take();
     mesh = meshFrom(result.contour);

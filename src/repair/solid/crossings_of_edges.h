@@ -18,6 +18,12 @@ struct EdgeCrossing {
   int up;  // 1 if the triangle faces along the axis, -1 against it
 };
 
+inline Vec3 placeOf(const Lattice& lattice, const EdgeCrossing& c) {
+  Vec3 at = lattice.position(c.edge / 3);
+  at[Eigen::Index(c.edge % 3)] = c.at;
+  return at;
+}
+
 // Ascending by axis, line and coordinate. corners: three of the positions for each triangle.
 std::vector<EdgeCrossing> crossingsOfEdges(const Lattice& lattice, std::span<const Vec3> positions,
                                            std::span<const Index> corners);

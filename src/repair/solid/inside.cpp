@@ -55,7 +55,8 @@ void diffuse(const Lattice& lattice, const std::vector<char>& crossed, std::vect
 
 }  // namespace
 
-void fillCavities(const Lattice& lattice, std::vector<char>& isInside) {
+void fillCavities(const Lattice& lattice, std::span<const std::size_t> kept,
+                  std::vector<char>& isInside) {
   std::vector<char> isReached(isInside.size(), 0);
   std::vector<std::size_t> front = {0};
   isReached[0] = 1;
@@ -65,6 +66,7 @@ void fillCavities(const Lattice& lattice, std::vector<char>& isInside) {
     isReached[q] = 1;
     front.push_back(q);
   };
+  for (const std::size_t p : kept) visit(p);
   while (!front.empty()) {
     const std::size_t p = front.back();
     front.pop_back();
@@ -76,7 +78,8 @@ void fillCavities(const Lattice& lattice, std::vector<char>& isInside) {
   for (std::size_t p = 0; p < isInside.size(); ++p) isInside[p] = !isReached[p];
 }
 
-InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings) {
+InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                        std::span<const std::size_t> kept) {
   constexpr int kRounds = 6;  // a hole six cells wide has no say beyond itself
   const std::vector<std::uint8_t> votes = votesOf(lattice, crossings);
   const std::vector<char> crossed = crossedEdges(lattice, crossings);
@@ -93,7 +96,7 @@ InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> cr
   for (int round = 0; round < kRounds && disputed > 0; ++round)
     diffuse(lattice, crossed, field.shares);
   for (const float share : field.shares) field.isInside.push_back(share > 0.5F);
-  fillCavities(lattice, field.isInside);
+  fillCavities(lattice, kept, field.isInside);
   return field;
 }
 

@@ -13,14 +13,18 @@ namespace remesher {
 struct InsideField {
   std::vector<float> shares;   // per point: how sure it lies inside, 0 to 1
   std::vector<char> isInside;  // per point
-  double unsure = 0;  // of the points beside the surface, the share that half lines dispute
+  double unsure = 0;          // of the points beside the surface, the share that half lines dispute
+  std::vector<Index> sheets;  // triangles that nothing lies behind
 };
 
 // The crossings' triangles face outwards. The border of the lattice is outside, and so is only what
-// hangs together with it: cavities are filled.
-InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings);
+// hangs together with it, or with points of `kept`: other cavities are filled.
+InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                        std::span<const std::size_t> kept);
 
-// What is outside but does not hang together with the border, which is, becomes inside.
-void fillCavities(const Lattice& lattice, std::vector<char>& isInside);
+// What is outside but hangs together neither with the border, which is, nor with points of `kept`
+// that are, becomes inside.
+void fillCavities(const Lattice& lattice, std::span<const std::size_t> kept,
+                  std::vector<char>& isInside);
 
 }  // namespace remesher

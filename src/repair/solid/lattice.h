@@ -35,10 +35,10 @@ class Lattice {
   std::array<std::size_t, 3> place(std::size_t point) const {
     return {point / strides_[0], point / strides_[1] % counts_[1], point % counts_[2]};
   }
-  Vec3 position(std::size_t point) const {
-    const auto [x, y, z] = place(point);
-    return {at(0, x), at(1, y), at(2, z)};
+  Vec3 position(const std::array<std::size_t, 3>& i) const {
+    return {at(0, i[0]), at(1, i[1]), at(2, i[2])};
   }
+  Vec3 position(std::size_t point) const { return position(place(point)); }
 
   // Calls visit(point, place) for each point, ascending.
   template <class Visit>
@@ -47,6 +47,16 @@ class Lattice {
     for (std::array<std::size_t, 3> i{}; i[0] < counts_[0]; ++i[0])
       for (i[1] = 0; i[1] < counts_[1]; ++i[1])
         for (i[2] = 0; i[2] < counts_[2]; ++i[2]) visit(point++, i);
+  }
+
+  // The same, descending.
+  template <class Visit>
+  void forEachPointBackwards(Visit visit) const {
+    std::size_t point = size();
+    std::array<std::size_t, 3> i{};
+    for (i[0] = counts_[0]; i[0]-- > 0;)
+      for (i[1] = counts_[1]; i[1]-- > 0;)
+        for (i[2] = counts_[2]; i[2]-- > 0;) visit(--point, i);
   }
 
   bool isOnBorder(const std::array<std::size_t, 3>& i) const {

@@ -33,6 +33,13 @@ std::vector<double> volumesOf(const BuiltMesh& built, const OrientedPatches& pat
   return volumes;
 }
 
+std::vector<char> closedPatches(const BuiltMesh& built, const OrientedPatches& patches) {
+  std::vector<char> isClosed(patches.count, 1);
+  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h)
+    if (built.mesh.isBoundary(Halfedge(h))) isClosed[patches.patches[h / 3]] = 0;
+  return isClosed;
+}
+
 }  // namespace
 
 OrientedPatches orientedPatches(const BuiltMesh& built, const Lattice& lattice,
@@ -50,7 +57,16 @@ OrientedPatches orientedPatches(const BuiltMesh& built, const Lattice& lattice,
   const std::vector<double> volumes = volumesOf(built, result);
   for (std::size_t p = 0; p < result.count; ++p)
     result.turn.push_back(votes[p] != 0 ? votes[p] < 0 : volumes[p] < 0);
+  result.isClosed = closedPatches(built, result);
+  for (std::size_t p = 0; p < result.count; ++p)
+    result.isCavity.push_back(result.isClosed[p] && !result.isSeen[p] && result.turn[p]);
   return result;
+}
+
+OrientedPatches withCavitiesKept(OrientedPatches patches) {
+  for (std::size_t p = 0; p < patches.count; ++p)
+    if (patches.isCavity[p]) patches.turn[p] = 0;
+  return patches;
 }
 
 void turnCrossings(std::vector<EdgeCrossing>& crossings, const OrientedPatches& patches) {

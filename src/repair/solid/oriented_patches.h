@@ -15,14 +15,20 @@ namespace remesher {
 struct OrientedPatches {
   std::vector<Index> patches;  // per face of the built mesh: which piece it belongs to
   std::size_t count = 0;
-  std::vector<char> turn;    // per patch: whether it faces the wrong way
-  std::vector<char> isSeen;  // per patch: from outside
+  std::vector<char> turn;      // per patch: whether it faces the wrong way
+  std::vector<char> isSeen;    // per patch: from outside
+  std::vector<char> isClosed;  // per patch
+  // Per patch: the wall of a cavity, for it is closed, not seen, and faces into what it encloses.
+  std::vector<char> isCavity;
 };
 
 // Patches hang together across edges of two triangles. What is not seen faces away from the volume
-// that it encloses.
+// that it encloses, cavities too.
 OrientedPatches orientedPatches(const BuiltMesh& built, const Lattice& lattice,
                                 std::span<const EdgeCrossing> crossings);
+
+// The same, but that walls of cavities stay as they are given.
+OrientedPatches withCavitiesKept(OrientedPatches patches);
 
 // Turns crossings with their triangles.
 void turnCrossings(std::vector<EdgeCrossing>& crossings, const OrientedPatches& patches);

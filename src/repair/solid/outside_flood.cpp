@@ -2,6 +2,7 @@
 #include "repair/solid/outside_flood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -12,11 +13,7 @@ namespace remesher {
 
 namespace {
 
-Vec3 placeOf(const Lattice& lattice, const EdgeCrossing& c) {
-  Vec3 at = lattice.position(c.edge / 3);
-  at[Eigen::Index(c.edge % 3)] = c.at;
-  return at;
-}
+using Place = std::array<std::size_t, 3>;
 
 // Per point the distance from the nearest crossing, as two sweeps along neighbours find it: of the
 // crossings at neighbours one is nearest nearly always, and off by less than a cell if not.
@@ -32,35 +29,45 @@ class Distances {
     }
     constexpr int kSweeps = 2;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      for (std::size_t p = 0; p < nearest_.size(); ++p) ask(p, Towards::Lower);
-      for (std::size_t p = nearest_.size(); p-- > 0;) ask(p, Towards::Upper);
+      lattice.forEachPoint(
+          [&](std::size_t p, const Place& place) { ask(p, place, Towards::Lower); });
+      lattice.forEachPointBackwards(
+          [&](std::size_t p, const Place& place) { ask(p, place, Towards::Upper); });
     }
   }
 
-  double at(std::size_t p) const {
+  double at(std::size_t p, const Place& place) const {
     if (nearest_[p] == kNone) return std::numeric_limits<double>::infinity();
-    return (lattice_.position(p) - places_[nearest_[p]]).norm();
+    return (lattice_.position(place) - places_[nearest_[p]]).norm();
   }
 
  private:
   enum class Towards { Lower, Upper };
 
-  void offer(std::size_t p, Index crossing) {
-    if (crossing == kNone || crossing == nearest_[p]) return;
-    const Vec3 own = lattice_.position(p);
-    if (nearest_[p] == kNone ||
-        (own - places_[crossing]).squaredNorm() < (own - places_[nearest_[p]]).squaredNorm())
-      nearest_[p] = crossing;
+  double squaredDistance(const Vec3& p, Index crossing) const {
+    if (crossing == kNone) return std::numeric_limits<double>::infinity();
+    return (p - places_[crossing]).squaredNorm();
   }
 
-  void ask(std::size_t p, Towards towards) {
-    const auto place = lattice_.place(p);
+  void offer(std::size_t p, Index crossing) {
+    const Vec3 own = lattice_.position(p);
+    if (squaredDistance(own, crossing) < squaredDistance(own, nearest_[p])) nearest_[p] = crossing;
+  }
+
+  void ask(std::size_t p, const Place& place, Towards towards) {
+    const Vec3 own = lattice_.position(place);
+    Index best = nearest_[p];
+    double least = squaredDistance(own, best);
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool isLower = towards == Towards::Lower;
+      if (isLower ? place[axis] == 0 : place[axis] + 1 == lattice_.count(axis)) continue;
       const std::size_t stride = lattice_.stride(axis);
-      if (towards == Towards::Lower && place[axis] > 0) offer(p, nearest_[p - stride]);
-      if (towards == Towards::Upper && place[axis] + 1 < lattice_.count(axis))
-        offer(p, nearest_[p + stride]);
+      const Index next = nearest_[isLower ? p - stride : p + stride];
+      if (next == best) continue;
+      const double distance = squaredDistance(own, next);
+      if (distance < least) best = next, least = distance;
     }
+    nearest_[p] = best;
   }
 
   const Lattice& lattice_;
@@ -81,20 +88,39 @@ void forEachNeighbor(const Lattice& lattice, const std::vector<char>& crossed, s
 }
 
 std::vector<char> flooded(const Lattice& lattice, const Distances& distances, double clearance) {
+  std::vector<char> isFree(lattice.size());
+  lattice.forEachPoint(
+      [&](std::size_t p, const Place& place) { isFree[p] = distances.at(p, place) >= clearance; });
   std::vector<char> isReached(lattice.size(), 0);
   std::vector<std::size_t> front = {0};
-  const std::vector<char> none(lattice.size(), 0);
   isReached[0] = 1;
+  // Beyond the lattice's border its other side comes next, by number: it is free, too.
+  const auto visit = [&](std::size_t q) {
+    if (q >= isFree.size() || isReached[q] || !isFree[q]) return;
+    isReached[q] = 1;
+    front.push_back(q);
+  };
   while (!front.empty()) {
     const std::size_t p = front.back();
     front.pop_back();
-    forEachNeighbor(lattice, none, p, [&](std::size_t q, bool) {
-      if (isReached[q] || distances.at(q) < clearance) return;
-      isReached[q] = 1;
-      front.push_back(q);
-    });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      visit(p - lattice.stride(axis));
+      visit(p + lattice.stride(axis));
+    }
   }
   return isReached;
+}
+
+// Whether a neighbour has not been reached: from others the flood does not go on.
+bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::size_t p,
+               const Place& place) {
+  if (!isReached[p]) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t stride = lattice.stride(axis);
+    if (place[axis] > 0 && !isReached[p - stride]) return true;
+    if (place[axis] + 1 < lattice.count(axis) && !isReached[p + stride]) return true;
+  }
+  return false;
 }
 
 // Back to the surface: as far as the flood kept away from it, but through nothing. Half a cell more
@@ -105,8 +131,10 @@ void growBack(const Lattice& lattice, const std::vector<char>& crossed, double r
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<float> ways(isOutside.size(), std::numeric_limits<float>::infinity());
   std::vector<std::size_t> origins(isOutside.size());
-  for (std::size_t p = 0; p < isOutside.size(); ++p)
-    if (isOutside[p]) ways[p] = 0, origins[p] = p, queue.emplace(0.0F, p);
+  lattice.forEachPoint([&](std::size_t p, const Place& place) {
+    if (isOutside[p]) ways[p] = 0, origins[p] = p;
+    if (isAtFront(lattice, isOutside, p, place)) queue.emplace(0.0F, p);
+  });
   while (!queue.empty()) {
     const float way = queue.top().first;
     const std::size_t p = queue.top().second;
@@ -124,20 +152,23 @@ void growBack(const Lattice& lattice, const std::vector<char>& crossed, double r
   }
 }
 
-void thickenSheets(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
-                   InsideField& field) {
+void findSheets(const Lattice& lattice, std::span<const EdgeCrossing> crossings, Sheets sheets,
+                InsideField& field) {
   const std::vector<char> before = field.isInside;
   for (const EdgeCrossing& c : crossings) {
     const std::size_t p = c.edge / 3, q = p + lattice.stride(c.edge % 3);
-    if (!before[p] && !before[q]) field.isInside[c.up > 0 ? p : q] = 1;
+    if (before[p] || before[q]) continue;
+    field.sheets.push_back(c.triangle);
+    if (sheets == Sheets::Thicken) field.isInside[c.up > 0 ? p : q] = 1;
   }
 }
 
 }  // namespace
 
-void keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+bool keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
                    InsideField& field) {
   const std::vector<char> before = field.isInside;
+  bool isAny = false;
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const EdgeCrossing &in = crossings[i], &out = crossings[i + 1];
     if (in.edge != out.edge || in.up > 0 || out.up < 0) continue;
@@ -146,21 +177,23 @@ void keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossin
     const double low = lattice.at(axis, lattice.place(p)[axis]);
     const bool isLow = (in.at + out.at) / 2 - low < lattice.spacing() / 2;
     field.isInside[isLow ? p : q] = 1;
+    isAny = true;
   }
+  return isAny;
 }
 
 InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
-                         double gap) {
+                         const Reach& reach) {
   std::vector<char> crossed(lattice.size(), 0);  // bit by axis
   for (const EdgeCrossing& c : crossings)
     crossed[c.edge / 3] = char(crossed[c.edge / 3] | (1 << (c.edge % 3)));
-  const double clearance = gap / 2;
+  const double clearance = reach.gap / 2;
   std::vector<char> isOutside = flooded(lattice, Distances(lattice, crossings), clearance);
   growBack(lattice, crossed, clearance + 1.5 * lattice.spacing(), isOutside);
   InsideField field;
   for (const char outside : isOutside) field.isInside.push_back(!outside);
-  fillCavities(lattice, field.isInside);
-  thickenSheets(lattice, crossings, field);
+  fillCavities(lattice, {}, field.isInside);
+  findSheets(lattice, crossings, reach.sheets, field);
   for (const char inside : field.isInside) field.shares.push_back(inside ? 1.0F : 0.0F);
   return field;
 }

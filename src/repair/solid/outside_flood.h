@@ -3,17 +3,25 @@
 // whichever way the surface faces.
 #pragma once
 
+#include "base/options.h"
 #include "repair/solid/inside.h"
 
 namespace remesher {
 
-// gap: in lengths. Sheets that are reached from both sides are made one cell thick, towards what
-// their triangles face away from. The lattice reaches farther than half a gap on all sides.
-InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
-                         double gap);
+// The widest opening that is none, as a length; what becomes of sheets, which are reached from both
+// sides: they are made one cell thick, towards what their triangles face away from, or left out.
+struct Reach {
+  double gap;
+  Sheets sheets;
+};
 
-// Walls so thin that both of their sides pass one edge of the lattice get one of its ends.
-void keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+// The lattice reaches farther than half a gap on all sides.
+InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
+                         const Reach& reach);
+
+// Walls so thin that both of their sides pass one edge of the lattice get one of its ends. Whether
+// there are any.
+bool keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
                    InsideField& field);
 
 }  // namespace remesher

@@ -35,29 +35,70 @@ std::size_t countTurned(const TriangleMesh& input, const BuiltMesh& built,
   return turned;
 }
 
-std::vector<char> closedPatches(const BuiltMesh& built, const OrientedPatches& patches) {
-  std::vector<char> isClosed(patches.count, 1);
-  for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h)
-    if (built.mesh.isBoundary(Halfedge(h))) isClosed[patches.patches[h / 3]] = 0;
-  return isClosed;
+// Per patch a corner of its first triangle.
+std::vector<Vec3> cornersOf(const BuiltMesh& built, const OrientedPatches& patches) {
+  std::vector<Vec3> corners(patches.count);
+  for (std::size_t f = patches.patches.size(); f-- > 0;)
+    corners[patches.patches[f]] = built.positions[built.mesh.vertices(Face(Index(f)))[0]];
+  return corners;
 }
 
 // A piece that is seen faces outwards, as a rule; one that is not seen is the wall of a cavity, and
 // faces into it.
 void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosure& result) {
-  const std::vector<char> isClosed = closedPatches(built, patches);
+  const std::vector<Vec3> corners = cornersOf(built, patches);
   for (std::size_t p = 0; p < patches.count; ++p) {
-    if (!isClosed[p]) continue;
-    result.shells += !patches.isSeen[p];
-    result.inner += !patches.isSeen[p] && !patches.turn[p];
-    result.insideOut += patches.isSeen[p] && patches.turn[p];
+    if (!patches.isClosed[p]) continue;
+    if (!patches.isSeen[p] && !patches.isCavity[p]) result.innerAt.push_back(corners[p]);
+    if (patches.isSeen[p] && patches.turn[p]) result.insideOutAt.push_back(corners[p]);
   }
+}
+
+// Both ends of the edges that pass walls of cavities which are kept.
+std::vector<std::size_t> keptPoints(const Lattice& lattice, const OrientedPatches& patches,
+                                    std::span<const EdgeCrossing> crossings) {
+  std::vector<std::size_t> points;
+  for (const EdgeCrossing& c : crossings) {
+    const Index patch = patches.patches[c.triangle];
+    if (!patches.isCavity[patch] || patches.turn[patch]) continue;
+    points.push_back(c.edge / 3);
+    points.push_back(c.edge / 3 + lattice.stride(c.edge % 3));
+  }
+  return points;
+}
+
+// Per patch whether the border between inside and outside follows it anywhere.
+std::vector<char> onBorder(const Lattice& lattice, const OrientedPatches& patches,
+                           std::span<const EdgeCrossing> crossings,
+                           const std::vector<char>& isInside) {
+  std::vector<char> result(patches.count, 0);
+  for (const EdgeCrossing& c : crossings)
+    if (isInside[c.edge / 3] != isInside[c.edge / 3 + lattice.stride(c.edge % 3)])
+      result[patches.patches[c.triangle]] = 1;
+  return result;
+}
+
+// Closed pieces that are not on it.
+std::size_t countShells(const OrientedPatches& patches, const std::vector<char>& isShown) {
+  std::size_t shells = 0;
+  for (std::size_t p = 0; p < patches.count; ++p)
+    shells += patches.isClosed[p] && !patches.isSeen[p] && !isShown[p];
+  return shells;
+}
+
+std::size_t countSheets(const OrientedPatches& patches, const std::vector<Index>& triangles) {
+  std::vector<char> isSheet(patches.count, 0);
+  for (const Index triangle : triangles) {
+    const Index patch = patches.patches[triangle];
+    if (!patches.isClosed[patch]) isSheet[patch] = 1;  // closed ones only graze an edge
+  }
+  return std::size_t(std::count(isSheet.begin(), isSheet.end(), 1));
 }
 
 // Seen along the axes: the first and the last crossing of each line. Found again: near an edge that
 // the border between inside and outside passes.
-double lostShare(const Lattice& lattice, const InsideField& field,
-                 std::span<const EdgeCrossing> crossings) {
+void measureLost(const Lattice& lattice, const InsideField& field,
+                 std::span<const EdgeCrossing> crossings, Enclosure& result) {
   std::size_t seen = 0, lost = 0;
   const auto isFound = [&](const EdgeCrossing& c) {
     const std::size_t stride = lattice.stride(c.edge % 3), p = c.edge / 3;
@@ -66,10 +107,13 @@ double lostShare(const Lattice& lattice, const InsideField& field,
            field.isInside[p + 2 * stride] != first;
   };
   forEachCrossedLine(lattice, crossings, [&](const CrossedLine& line) {
-    for (const EdgeCrossing* c : {&line.crossings.front(), &line.crossings.back()})
-      ++seen, lost += !isFound(*c);
+    for (const EdgeCrossing* c : {&line.crossings.front(), &line.crossings.back()}) {
+      ++seen;
+      if (isFound(*c)) continue;
+      if (lost++ == 0) result.lostAt = placeOf(lattice, *c);
+    }
   });
-  return seen > 0 ? 100 * double(lost) / double(seen) : 0;
+  result.lost = seen > 0 ? 100 * double(lost) / double(seen) : 0;
 }
 
 }  // namespace
@@ -81,12 +125,15 @@ struct SolidGround::Known {
         built(buildMesh(mesh)),
         lattice(mesh, how.spacing, how.gap / 2),
         crossings(crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles())),
-        patches(orientedPatches(built, lattice, crossings)) {
+        patches(rule.keepsCavities ? withCavitiesKept(orientedPatches(built, lattice, crossings))
+                                   : orientedPatches(built, lattice, crossings)) {
     turnCrossings(crossings, patches);
-    field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, rule.gap)
-                                       : insideField(lattice, crossings);
-    keepThinWalls(lattice, crossings, field);
-    fillCavities(lattice, field.isInside);  // which walls so thin may have closed
+    const std::vector<std::size_t> kept = keptPoints(lattice, patches, crossings);
+    field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, {rule.gap, rule.sheets})
+                                       : insideField(lattice, crossings, kept);
+    // Which walls so thin may have closed, and sheets.
+    if (keepThinWalls(lattice, crossings, field) || !field.sheets.empty())
+      fillCavities(lattice, kept, field.isInside);
   }
 
   const TriangleMesh& input;
@@ -108,8 +155,13 @@ Enclosure SolidGround::enclosure() const {
   Enclosure result;
   result.turned = countTurned(known_->input, known_->built, known_->patches);
   countPieces(known_->built, known_->patches, result);
+  result.shells = countShells(
+      known_->patches, known_->rule.keepsCavities
+                           ? onBorder(known_->lattice, known_->patches, known_->crossings, isInside)
+                           : std::vector<char>(known_->patches.count, 0));
+  result.sheets = countSheets(known_->patches, known_->field.sheets);
   result.unsure = known_->field.unsure;
-  result.lost = lostShare(known_->lattice, known_->field, known_->crossings);
+  measureLost(known_->lattice, known_->field, known_->crossings, result);
   result.isAny = std::find(isInside.begin(), isInside.end(), 1) != isInside.end();
   return result;
 }

@@ -3,18 +3,24 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "base/options.h"
 #include "base/triangle_mesh.h"
 
 namespace remesher {
 
 // What is enclosed, and by what.
 struct Enclosure {
-  std::size_t turned = 0;     // triangles that faced the other way
-  std::size_t shells = 0;     // closed pieces that nobody sees, gone
-  std::size_t inner = 0;      // of these, those that face outwards: no walls of cavities
-  std::size_t insideOut = 0;  // closed pieces that are seen and face inwards
-  double lost = 0;            // percent of what is seen from along the axes and not on the result
+  std::size_t turned = 0;      // triangles that faced the other way
+  std::size_t shells = 0;      // closed pieces that nobody sees, gone
+  double lost = 0;             // percent of what is seen from along the axes and not on the result
+  std::optional<Vec3> lostAt;  // where, of the first of it
+  std::size_t sheets = 0;      // pieces that nothing lies behind, in part or as a whole
+  // A corner of each closed piece that nobody sees and that is no cavity; of each that is seen and
+  // faces inwards.
+  std::vector<Vec3> innerAt, insideOutAt;
   double unsure = 0;   // of the points beside the surface, the share whose side is in dispute
   bool isAny = false;  // whether anything is enclosed
 };
@@ -37,6 +43,8 @@ struct SolidRule {
   InsideBy by = InsideBy::Enclosure;
   double gap = 0;  // a length, for Reach
   Cleaning cleaning = Cleaning::None;
+  Sheets sheets = Sheets::Thicken;  // for Reach
+  bool keepsCavities = false;       // for Enclosure
 };
 
 // A surface of which it is known what lies inside. The input has to outlive it.

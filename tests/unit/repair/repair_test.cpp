@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "measure/mesh_report.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
@@ -94,6 +95,34 @@ TEST_CASE("repair: faults tell inner shells from cavities, and bodies that are i
   const FaultReport both = faultsOf(soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})}));
   CHECK(both.selfIntersections > 0);
   CHECK(both.repair == Repair::Solid);
+}
+
+TEST_CASE("repair: faults have places") {
+  const TriangleMesh ball = shapes::icosphere(5);
+  TriangleMesh shell = ball;
+  for (Vec3& p : shell.positions) p = 0.5 * p;
+  const FaultPlaces within = faultsOf(soups::joined({ball, shell})).places;
+  REQUIRE(within.innerShells.size() == 1);
+  CHECK(within.innerShells.front().norm() == doctest::Approx(0.5));
+  const FaultPlaces loops = faultsOf(shapes::grid(8, 6)).places;
+  CHECK(loops.openLoops.size() == 1);
+  const TriangleMesh moved = soups::moved(ball, {0.7, 0.1, 0.2});
+  REQUIRE(faultsOf(soups::joined({ball, moved})).places.selfIntersections.size() == 1);
+}
+
+TEST_CASE("repair: auto says why it does what it does") {
+  const TriangleMesh ball = shapes::icosphere(4);
+  CHECK(mended(ball).report.reason == "sound");
+  CHECK(mended(shapes::turnedOver(ball)).report.reason == "enclosed");
+  CHECK(mended(shapes::grid(9, 7)).report.reason == "open");
+}
+
+TEST_CASE("repair: only sheets, all to be dropped, are nothing") {
+  RemeshOptions options;
+  options.repair = Repair::Wrap;
+  options.sheets = Sheets::Drop;
+  options.edgeLength = 1;
+  CHECK_THROWS_AS(repairSurface(shapes::grid(3, 2), options), Error);
 }
 
 TEST_CASE("repair: auto does what faults say would mend") {

@@ -69,4 +69,26 @@ export default {
   'help.textureFormat': 'der neuen Texturen; ohne Angabe jpeg, aber png für Normalen und '
     + 'Durchsichtiges',
   'unit.texels': 'Texel',
+  'option.cavities': 'Hohlräume behalten',
+  'option.sheets': 'Blätter',
+  'help.cavities': 'solid behält innere Hohlräume: geschlossene Stücke, die in das zeigen, was '
+    + 'sie umschließen',
+  'help.sheets': 'aus Blättern, die nichts umschließen, macht wrap dünne Körper hinter dem, was '
+    + 'von ihnen zu sehen ist, oder lässt sie weg',
+  'choice.sheets.thicken': 'zu dünnen Körpern machen',
+  'choice.sheets.drop': 'weglassen',
+  'landmark.selfIntersections': '{count} Dreiecke durchdringen andere',
+  'landmark.innerShells': '{count} innere Hüllen',
+  'landmark.insideOut': '{count} Körper mit dem Inneren nach außen',
+  'reason.sound': 'Mit geschlossenen Löchern ist sie heil.',
+  'reason.shells': 'Stücke lagen in anderen oder zeigten nach innen.',
+  'reason.enclosed': 'Was zu sehen ist, umschließt etwas.',
+  'reason.open': 'Was zu sehen ist, umschließt nichts eindeutig.',
+  'warning.SEEN_PARTS_LOST': 'Teile, die von außen zu sehen sind, fehlen dem Ergebnis: sie sind '
+    + 'dünner, als es fein ist, oder liegen in Lücken, die es schließt.',
+  'warning.SHEETS_THICKENED': 'Aus Blättern, die nichts umschließen, wurden dünne Körper hinter '
+    + 'dem, was von ihnen zu sehen ist.',
+  'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
+    + 'Texturen neu gemalt.',
+  'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
 };

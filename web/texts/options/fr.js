@@ -70,4 +70,26 @@ export default {
   'help.textureFormat': 'des nouvelles textures ; sans indication jpeg, mais png pour les normales '
     + 'et la transparence',
   'unit.texels': 'texels',
+  'option.cavities': 'Garder les cavités',
+  'option.sheets': 'Feuilles',
+  'help.cavities': 'solid garde les cavités intérieures : des pièces fermées tournées vers ce '
+    + 'qu’elles enferment',
+  'help.sheets': 'des feuilles, qui n’enferment rien, wrap fait des solides minces derrière ce '
+    + 'que l’on en voit, ou les omet',
+  'choice.sheets.thicken': 'en faire des solides minces',
+  'choice.sheets.drop': 'les omettre',
+  'landmark.selfIntersections': '{count} triangles en traversent d’autres',
+  'landmark.innerShells': '{count} coques intérieures',
+  'landmark.insideOut': '{count} corps à l’envers',
+  'reason.sound': 'Ses trous fermés, elle est saine.',
+  'reason.shells': 'Des pièces étaient dans d’autres ou tournées vers l’intérieur.',
+  'reason.enclosed': 'Ce que l’on voit enferme quelque chose.',
+  'reason.open': 'Ce que l’on voit n’enferme rien clairement.',
+  'warning.SEEN_PARTS_LOST': 'Des parties visibles de l’extérieur manquent au résultat : elles '
+    + 'sont plus minces que sa finesse, ou dans des passages qu’il ferme.',
+  'warning.SHEETS_THICKENED': 'Des feuilles, qui n’enferment rien, sont devenues des solides '
+    + 'minces derrière ce que l’on en voit.',
+  'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
+    + 'repeintes.',
+  'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
 };

@@ -75,6 +75,26 @@ TEST_CASE("solid: shells within a body are gone") {
   }
 }
 
+TEST_CASE("solid: cavities stay where they are asked for, and what lies in them") {
+  const TriangleMesh ball = shapes::icosphere(6);
+  const TriangleMesh wall = shapes::turnedOver(scaledBy(shapes::icosphere(6), 0.7));
+  const TriangleMesh core = scaledBy(shapes::icosphere(4), 0.3);
+  SolidRule rule{0.08};
+  rule.keepsCavities = true;
+  const Solid hollow = solidOf(soups::joined({ball, wall}), rule);
+  checkPromise(hollow.mesh);
+  CHECK(inspectMesh(hollow.mesh).components == 2);
+  CHECK(volume(hollow.mesh) == doctest::Approx(volume(ball) + volume(wall)).epsilon(0.02));
+  CHECK(hollow.enclosure.shells == 0);
+  const Solid filled = solidOf(soups::joined({ball, core, wall}), rule);
+  CHECK(inspectMesh(filled.mesh).components == 3);
+  CHECK(filled.enclosure.shells == 0);
+  // What faces outwards within a body is no cavity.
+  const Solid solid = solidOf(soups::joined({ball, core}), rule);
+  CHECK(inspectMesh(solid.mesh).components == 1);
+  CHECK(solid.enclosure.shells == 1);
+}
+
 TEST_CASE("solid: sharp edges are kept") {
   // Turned, so that no side lies along the lattice.
   TriangleMesh cube = soups::cube(-1, 1);
@@ -153,6 +173,22 @@ TEST_CASE("solid: a sheet reached from both sides becomes a thin solid, its fron
   const DeviationBothWays d = measureDeviation(sheet, solid.mesh, Maximum::Sampled);
   CHECK(d.toResult.rms < spacing / 5);
   CHECK(d.toOriginal.maximum < 2 * spacing);
+}
+
+TEST_CASE("solid: sheets beside a body are dropped where that is asked for") {
+  const TriangleMesh ball = shapes::icosphere(6);
+  const TriangleMesh both = soups::joined({ball, soups::moved(shapes::grid(4, 4), {3, 0, 0})});
+  SolidRule rule{0.1, InsideBy::Reach, 0.3};
+  const Solid thick = solidOf(both, rule);
+  CHECK(inspectMesh(thick.mesh).components == 2);
+  CHECK(thick.enclosure.sheets == 1);
+  rule.sheets = Sheets::Drop;
+  const Solid alone = solidOf(both, rule);
+  checkPromise(alone.mesh);
+  CHECK(inspectMesh(alone.mesh).components == 1);
+  CHECK(alone.enclosure.sheets == 1);
+  CHECK(alone.enclosure.lost > 0);
+  CHECK(alone.enclosure.lostAt->x() > 1.5);
 }
 
 TEST_CASE("solid: groups and values come from the triangles that are seen") {
