@@ -12,7 +12,8 @@ import { chooseModel } from '../panel/chooser.js';
 import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
-import { modelFacts } from '../report/report_view.js';
+import { TargetField } from '../panel/target_field.js';
+import { losesLooks, modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -21,6 +22,8 @@ import { clearResult, remesh, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
+/** Of larger ones a second run, with twice as many vertices, would have to be waited for. */
+const largestTwice = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
@@ -44,7 +47,8 @@ async function showOriginal({ session, stage, surveying, painting, panel }) {
   }
   await surveying.shown('original');
   painting.begin();
-  panel.setPaintable(session.isGltf || (stage.viewer?.isTextured ?? true));
+  const isTextured = stage.viewer?.isTextured ?? true;
+  panel.setPaintable({ isPaintable: session.isGltf || isTextured, isTextured });
 }
 
 /** @param {Page} page @param {Values} wished what an address asked for */
@@ -53,6 +57,20 @@ function setForm({ panel, session }, wished) {
   const sample = sampleOf(session.source);
   if (sample) panel.setTarget(sample.vertices);
   if (Object.keys(wished).length) panel.setValues(wished);
+}
+
+/** As many vertices as the model has, or, where even triangles lose its looks with those, twice as
+ * many. Whoever named a number gets that.
+ * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
+async function remeshAtFirst(page, { wished, onForm }) {
+  await remesh(page);
+  const { shown, inspection, source } = page.session;
+  const isNamed = sampleOf(source) || TargetField.names.some((name) => name in wished);
+  const isFew = (inspection?.input.vertices ?? Infinity) <= largestTwice;
+  if (isNamed || !isFew || !shown || !losesLooks(shown.report)) return;
+  page.panel.askForTwice();
+  onForm();
+  await remesh(page);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
@@ -104,6 +122,6 @@ export function open(page, coming, { source, wished, onForm }) {
     onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     const isQuick = report.input.vertices <= largestAutomatic;
-    if (isQuick && !signal.aborted) await remesh(page);
+    if (isQuick && !signal.aborted) await remeshAtFirst(page, { wished, onForm });
   });
 }
