@@ -13,7 +13,7 @@ import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { TargetField } from '../panel/target_field.js';
-import { losesLooks, modelFacts } from '../report/report_view.js';
+import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -67,7 +67,7 @@ async function remeshAtFirst(page, { wished, onForm }) {
   const { shown, inspection, source } = page.session;
   const isNamed = sampleOf(source) || TargetField.names.some((name) => name in wished);
   const isFew = (inspection?.input.vertices ?? Infinity) <= largestTwice;
-  if (isNamed || !isFew || !shown || !losesLooks(shown.report)) return;
+  if (isNamed || !isFew || !shown?.report.prefer.includes('shape')) return;
   page.panel.askForTwice();
   onForm();
   await remesh(page);

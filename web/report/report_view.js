@@ -108,11 +108,6 @@ function note(warning, visitorOf) {
 /** Percent of the diagonal: what is farther away anyone sees. */
 const seenByAnyone = 0.5;
 
-/** Whether a result lost its original's looks, or has them only by the original's own triangles.
- * @param {RemeshReport} report */
-export const losesLooks = ({ fidelity, prefer }) =>
-  fidelity.hausdorff > seenByAnyone || prefer.includes('shape');
-
 /** Where shape was lost, if it was. @param {RemeshReport} report @param {() => void} onLargest */
 function loss({ fidelity }, onLargest) {
   if (fidelity.hausdorff <= seenByAnyone) return '';
