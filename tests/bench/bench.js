@@ -46,7 +46,7 @@ function run() {
       return runAblation(limits.cases,
         { folder: values.models, names: rest, steps: values.without });
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
-    case 'bake': return runBake(rest[0] ?? values.models);
+    case 'bake': return runBake(limits.bake, rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
     case 'page':
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });

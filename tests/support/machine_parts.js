@@ -146,8 +146,8 @@ export function sheetMetal() {
 
 /** What closes the ends of a thread: from its first and its last turn to discs.
  * @param {number} steps around @param {(i: number, j: number) => number} at
- * @param {{ rise: number, last: number, rings: [number, number] }} rows of one turn, of all, and the
- *   first vertices of the discs' rims, whose centres come after both */
+ * @param {{ rise: number, last: number, rings: [number, number] }} of rows: those of one turn, the
+ *   last, and the first vertices of the discs' rims, whose centres come after both */
 function threadEnds(steps, at, { rise, last, rings: [low, high] }) {
   const corners = [];
   for (let k = 0; k + 1 < steps; k += 1) {
