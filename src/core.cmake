@@ -103,6 +103,7 @@ add_library(linear OBJECT
   src/repair/solid/outside_flood.cpp
   src/repair/solid/solid.cpp
   src/simplify/attribute_quadrics.cpp
+  src/simplify/simplify.cpp
   src/textures/charts/chart_growth.cpp
   src/textures/charts/chart_joining.cpp
   src/textures/charts/chart_overlap.cpp
@@ -237,7 +238,6 @@ add_library(small OBJECT
   src/repair/holes/plug_attributes.cpp
   src/repair/repair.cpp
   src/repair_file.cpp
-  src/simplify/simplify.cpp
   src/textures/charts/unwrap.cpp
   src/textures/painting/look_borders.cpp
   src/textures/painting/new_surface.cpp
