@@ -7,6 +7,7 @@ import { test } from 'node:test';
 import { inspect, remesh, remeshScene } from 'remesher';
 
 import { rejectsWith } from './support/errors.js';
+import { engraved, gear, plate } from './support/machine_parts.js';
 import { torus } from './support/shapes.js';
 
 const ring = torus({ columns: 48, rows: 24 });
@@ -64,6 +65,24 @@ test('auto: shape where even triangles lose it, even where they do not', async (
   assert.ok(free.report.fidelity.rms < forced.report.fidelity.rms / 2);
   assert.equal(free.report.output.vertices, 150);
   assert.equal((await remesh(ring, { ratio: 1, worker: false })).report.prefer, 'even');
+});
+
+test('auto: a part with flat sides keeps its shape at its own number of vertices', async () => {
+  for (const make of [plate, gear, engraved]) {
+    const { report } = await remesh(make(), { ratio: 1, worker: false });
+    assert.equal(report.prefer, 'shape', make.name);
+    assert.ok(report.fidelity.hausdorff <= 0.05, `${make.name}: ${report.fidelity.hausdorff} %`);
+    assert.equal(report.output.vertices, report.input.vertices, make.name);
+  }
+});
+
+test('shape: more vertices than the original has stay where it is', async () => {
+  for (const mesh of [plate(), ring, drawn]) {
+    const { report } = await remesh(mesh, { ratio: 1.5, prefer: 'shape', worker: false });
+    assert.equal(report.prefer, 'shape');
+    assert.equal(report.output.vertices, Math.round(1.5 * report.input.vertices));
+    assert.ok(report.fidelity.hausdorff <= 0.05, `${report.fidelity.hausdorff} %`);
+  }
 });
 
 test('the report says it for each part where parts differ', async () => {

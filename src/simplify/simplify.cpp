@@ -78,6 +78,21 @@ class Simplification {
     }
   }
 
+  // Edges turn where the smaller angle of their triangles grows. Of all angles the smallest grow,
+  // so that it ends.
+  void widenAngles() {
+    for (bool hasTurned = true; hasTurned;) {
+      hasTurned = false;
+      for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+        const Halfedge h(i);
+        if (!mesh_.isAlive(h) || !mesh_.isEdge(h) || isSeam(h)) continue;
+        if (!EulerOperators::canFlip(mesh_, h) || !widens(h)) continue;
+        turn(h);
+        hasTurned = true;
+      }
+    }
+  }
+
  private:
   // Numbers stay small wherever the model lies.
   Vec3 at(Vertex v) const { return surface_.positions[v] - center_; }
@@ -257,6 +272,35 @@ class Simplification {
     for (const Halfedge h : around_) offer(h);
   }
 
+  // Whether to turn an edge does good, folds nothing, and moves the surface by no more than what
+  // has gone has moved it there.
+  bool widens(Halfedge h) const {
+    const Halfedge t = mesh_.twin(h);
+    const Vertex from = mesh_.origin(h), to = mesh_.tip(h);
+    const Vertex left = mesh_.opposite(h), right = mesh_.opposite(t);
+    const Vec3 a = at(from), b = at(to), c = at(left), d = at(right);
+    const double before = std::min(minAngle(a, b, c), minAngle(b, a, d));
+    if (!(std::min(minAngle(a, d, c), minAngle(b, c, d)) > before)) return false;
+    const Vec3 first = unitNormal(a, d, c), second = unitNormal(b, c, d);
+    for (const Vec3& old : {unitNormal(a, b, c), unitNormal(b, a, d)})
+      if (!old.isZero() && !(std::min(old.dot(first), old.dot(second)) > kTurned)) return false;
+    const Vec3 across = (b - a).cross(d - c).stableNormalized();
+    const double height = across.dot(c - a);
+    double cost = 0;
+    for (const Vertex v : {from, to, left, right}) cost += quadrics_[v].at(at(v)) / 4;
+    return height * height * (area(a, b, c) + area(b, a, d)) <= std::max(cost, 0.0);
+  }
+
+  void turn(Halfedge h) {
+    const Halfedge t = mesh_.twin(h);
+    auto& seams = surface_.seams;
+    const char before = seams[mesh_.prev(h)], after = seams[mesh_.prev(t)];
+    EulerOperators(surface_.mesh).flip(h);
+    seams[h] = after;
+    seams[t] = before;
+    seams[mesh_.prev(h)] = seams[mesh_.prev(t)] = 0;
+  }
+
   SimpleSurface& surface_;
   const HalfedgeMesh& mesh_;
   KeptAttributes* kept_;
@@ -276,6 +320,7 @@ void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept
   Simplification simplification(surface, kept);
   simplification.run(kTurned, vertices);
   simplification.run(kFarTurned, vertices);
+  if (kept == nullptr) simplification.widenAngles();
 }
 
 }  // namespace remesher

@@ -14,8 +14,15 @@ const counts = [2900, 1450, 870];
 
 const mean = (views, key) => views.reduce((sum, view) => sum + view[key], 0) / views.length;
 
-/** @param {string | undefined} folder where the model is */
-export async function runBake(folder) {
+/** What looks less alike than it should. @param {Record<string, number>} limits by the number of
+ * vertices, of textures kept @param {any[]} rows */
+const brokenLimits = (limits, rows) => rows
+  .filter(({ vertices, textures, ssim }) => textures === 'keep' && Number(ssim) < limits[vertices])
+  .map(({ vertices, ssim }) => `${vertices}, kept: SSIM ${ssim}, not ${limits[vertices]}`);
+
+/** @param {{ keep: Record<string, number> }} limits of SSIM
+ * @param {string | undefined} folder where the model is */
+export async function runBake(limits, folder) {
   if (!folder) throw new Error(`Give the folder that ${model} is in.`);
   const bytes = readFileSync(join(folder, model));
   const gallery = await openGallery();
@@ -44,5 +51,5 @@ export async function runBake(folder) {
   const heads = Object.keys(rows[0]);
   const table = [heads, heads.map(() => '---'), ...rows.map(Object.values)]
     .map((row) => `| ${row.join(' | ')} |`).join('\n');
-  return { table, broken: [] };
+  return { table, broken: brokenLimits(limits.keep, rows) };
 }

@@ -5,6 +5,7 @@
 //   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
+//   npm run bench -- parts [--models FOLDER] [case…]     machine parts, beside other programs
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [case…]     broken surfaces, repaired
@@ -18,6 +19,7 @@ import { runAblation } from './ablation.js';
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
 import { runPage } from './page.js';
+import { runParts } from './parts.js';
 import { runQuads } from './quads.js';
 import { runRepair } from './repair.js';
 import { runScale } from './scale.js';
@@ -44,10 +46,11 @@ function run() {
       return runAblation(limits.cases,
         { folder: values.models, names: rest, steps: values.without });
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
-    case 'bake': return runBake(rest[0] ?? values.models);
+    case 'bake': return runBake(limits.bake, rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);
     case 'page':
       return runPage(limits.page, { folder: values.models, runs: Number(values.runs) });
+    case 'parts': return runParts(limits.parts, { folder: values.models, names: rest });
     case 'quads': return runQuads(limits.quads, { folder: values.models, names: rest });
     case 'repair':
       return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json });

@@ -30,7 +30,8 @@ function readObj(text) {
   return fromLists(points, polygons);
 }
 
-function readOff(text) {
+/** @param {string} text */
+export function readOff(text) {
   const lines = text.replace(/#.*$/gm, '').split('\n').map((line) => line.trim()).filter(Boolean);
   const [pointCount, polygonCount] = lines[1].split(/\s+/).map(Number);
   const numbers = (line) => line.split(/\s+/).map(Number);

@@ -13,6 +13,7 @@ import { chooseModel } from '../panel/chooser.js';
 import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
+import { TargetField } from '../panel/target_field.js';
 import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
@@ -22,6 +23,8 @@ import { clearResult, remesh, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
+/** Of larger ones a second run, with twice as many vertices, would have to be waited for. */
+const largestTwice = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
@@ -45,7 +48,8 @@ async function showOriginal({ session, stage, surveying, painting, panel }) {
   }
   await surveying.shown('original');
   painting.begin();
-  panel.setPaintable(session.isGltf || (stage.viewer?.isTextured ?? true));
+  const isTextured = stage.viewer?.isTextured ?? true;
+  panel.setPaintable({ isPaintable: session.isGltf || isTextured, isTextured });
 }
 
 /** @param {Page} page @param {Values} wished what an address asked for */
@@ -54,6 +58,20 @@ function setForm({ panel, session }, wished) {
   const sample = sampleOf(session.source);
   if (sample) panel.setTarget(sample.vertices);
   if (Object.keys(wished).length) panel.setValues(wished);
+}
+
+/** As many vertices as the model has, or, where even triangles lose its looks with those, twice as
+ * many. Whoever named a number gets that.
+ * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
+async function remeshAtFirst(page, { wished, onForm }) {
+  await remesh(page);
+  const { shown, inspection, source } = page.session;
+  const isNamed = sampleOf(source) || TargetField.names.some((name) => name in wished);
+  const isFew = (inspection?.input.vertices ?? Infinity) <= largestTwice;
+  if (isNamed || !isFew || !shown?.report.prefer.includes('shape')) return;
+  page.panel.askForTwice();
+  onForm();
+  await remesh(page);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
@@ -116,6 +134,6 @@ export function open(page, coming, { source, wished, onForm }) {
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     isQuick = report.input.vertices <= largestAutomatic;
     isQuick &&= !signal.aborted;
-    if (isQuick) await remesh(page);
+    if (isQuick) await remeshAtFirst(page, { wished, onForm });
   }).then(() => { if (isQuick) findFaults(page); });
 }

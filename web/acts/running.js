@@ -33,7 +33,10 @@ export function showReport(page) {
     onCompare: (result) => page.busy(() => compareWith(page, result)),
   });
   byId('result', HTMLElement).replaceChildren(
-    ...reportView(shown.report, (warning) => visitorOf(page, warning)),
+    ...reportView(shown.report, {
+      visitorOf: (warning) => visitorOf(page, warning),
+      onLargest: () => page.surveying.visitLargest(),
+    }),
     ...(shown.number ? homeViews(page, shown) : []),
     ...(history ? [history] : []));
   byId('result', HTMLElement).hidden = false;

@@ -3,15 +3,15 @@
 
 /** @typedef {import('./address.js').Values} Values */
 /** values: what replaces all options but the target and those of textures; `share`, if any, the
- * target as a share of the input's vertices.
+ * target as a share of the input's vertices; `paints`: what has textures gets new ones.
  * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'quads' | 'print' | 'simulation',
- *   values: Values, share?: number }} Preset */
+ *   values: Values, share?: number, paints?: boolean }} Preset */
 
 /** @type {Preset[]} */
 export const presets = [
   { id: 'even', values: { adaptivity: 0 } },
   { id: 'accurate', values: { adaptivity: 1 } },
-  { id: 'lowPoly', values: { adaptivity: 1, gradation: 2 }, share: 0.1 },
+  { id: 'lowPoly', values: { prefer: 'shape' }, share: 0.1, paints: true },
   { id: 'quads', values: { quads: true } },
   { id: 'print', values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
   { id: 'simulation',
@@ -19,9 +19,10 @@ export const presets = [
 ];
 
 /** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values
- * @returns {Values} */
-export function withPreset({ values: own, share }, values) {
-  const { vertices, ratio, edgeLength, textures, textureSize, textureFormat } = values;
+ * @param {boolean} isTextured whether the model has textures @returns {Values} */
+export function withPreset({ values: own, share, paints }, values, isTextured) {
+  const { vertices, ratio, edgeLength, textureSize, textureFormat } = values;
+  const textures = paints && isTextured ? 'bake' : values.textures;
   const target = share ? { ratio: share } : { vertices, ratio, edgeLength };
   const kept = Object.entries({ ...target, textures, textureSize, textureFormat })
     .filter(([, value]) => value !== undefined);

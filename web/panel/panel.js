@@ -120,6 +120,7 @@ export class Panel {
   #textures = element('div', { className: 'textures', hidden: true });
   #repair = element('div', { className: 'repair' });
   #asked = element('p', { id: 'asked', className: 'help' });
+  #isTextured = false;
   /** Whether the result follows while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
   #acts;
@@ -174,7 +175,8 @@ export class Panel {
 
   #presets() {
     const buttons = presets.map((preset) => element('button', { type: 'button', className: 'chip',
-      id: `preset-${preset.id}`, onclick: () => this.#change(withPreset(preset, this.values())) },
+      id: `preset-${preset.id}`, onclick: () =>
+        this.#change(withPreset(preset, this.values(), this.#isTextured)) },
     t(`preset.${preset.id}`)));
     return element('div', { className: 'presets', role: 'group', 'aria-label': t('presets') },
       ...buttons, this.#asked);
@@ -290,8 +292,10 @@ export class Panel {
     this.#button.disabled = false;
   }
 
-  /** @param {boolean} isPaintable whether new textures can be painted from the model */
-  setPaintable(isPaintable) {
+  /** @param {{ isPaintable: boolean, isTextured: boolean }} model whether new textures can be
+   *   painted from it, and whether it has any */
+  setPaintable({ isPaintable, isTextured }) {
+    this.#isTextured = isTextured;
     this.#textures.hidden = !isPaintable;
     if (isPaintable) return;
     const others = Object.entries(this.values()).filter(([name]) => !ofTextures.includes(name));
@@ -301,6 +305,11 @@ export class Panel {
   /** @param {number} vertices to ask for */
   setTarget(vertices) {
     this.#target.setValue({ vertices });
+  }
+
+  /** Twice as many vertices as the model has, and why. */
+  askForTwice() {
+    this.#target.setTwice();
   }
 
   /** @param {'idle' | 'busy' | 'drafting'} state */

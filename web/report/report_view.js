@@ -105,13 +105,28 @@ function note(warning, visitorOf) {
     && element('button', { type: 'button', className: 'link', onclick }, t('visit')));
 }
 
+/** Percent of the diagonal: what is farther away anyone sees. */
+const seenByAnyone = 0.5;
+
+/** Where shape was lost, if it was. @param {RemeshReport} report @param {() => void} onLargest */
+function loss({ fidelity }, onLargest) {
+  if (fidelity.hausdorff <= seenByAnyone) return '';
+  return element('p', { className: 'notice', id: 'shape-lost' },
+    t('report.shapeLost', { distance: percent(fidelity.hausdorff) }),
+    element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
+}
+
 /** The report on a finished run.
- * @param {RemeshReport} report @param {(warning: Warning) => (() => void) | null} visitorOf */
-export function reportView(report, visitorOf) {
-  const { input, output, stopped, warnings } = report;
+ * @param {RemeshReport} report
+ * @param {{ visitorOf: (warning: Warning) => (() => void) | null, onLargest: () => void }} acts
+ *   onLargest: shows where the result is farthest from the original */
+export function reportView(report, { visitorOf, onLargest }) {
+  const { input, output, stopped, warnings, prefer } = report;
   const early = textIfAny(`stopped.${stopped}`);
   return [
     early ? element('p', { className: 'notice' }, early) : '',
+    loss(report, onLargest),
+    prefer.includes('shape') ? element('p', { className: 'notice' }, t('report.shape')) : '',
     ...warnings.map((warning) => note(warning, visitorOf)),
     repairView(report.repair),
     ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]

@@ -64,6 +64,8 @@ export default {
   'target.same': '{closely}: so viele, wie das Original hat.',
   'target.share': '{closely}; {share} der {count} des Originals.',
   'target.times': '{closely}; das {times}-fache der {count} des Originals.',
+  'target.twice': '{closely}; doppelt so viele wie das Original, denn gleichmäßige Dreiecke '
+    + 'brauchen sie.',
   'progress': 'Fortschritt',
   'preparing': 'Vorbereitung',
   'privacy': 'Ihre Dateien verlassen diesen Rechner nie.',
@@ -101,6 +103,10 @@ export default {
   'dots.other': 'andere Zahl',
   'report.largest': 'Größter Abstand',
   'report.rms': 'Mittlerer Abstand (RMS)',
+  'report.shapeLost': 'Form ging verloren: an der weitesten Stelle liegt das Ergebnis {distance} '
+    + 'der Diagonale vom Original entfernt. Mehr Punkte erhalten sie, oder der Vorzug „shape“. ',
+  'report.shape': 'Die Dreiecke sind nicht gleichmäßig: ihre Ecken sind die Punkte des Originals, '
+    + 'die seine Form am nötigsten braucht.',
   'report.time': 'Zeit',
   'report.angles': 'Kleinste Winkel',
   'report.key': 'Ergebnis, % der Dreiecke',

@@ -61,6 +61,7 @@ export default {
   'target.same': '{closely}: as many as the original has.',
   'target.share': '{closely}; {share} of the original’s {count}.',
   'target.times': '{closely}; {times} times the original’s {count}.',
+  'target.twice': '{closely}; twice as many as the original has, for even triangles need them.',
   'progress': 'Remeshing progress',
   'preparing': 'Preparing',
   'privacy': 'Your files never leave this computer.',
@@ -98,6 +99,10 @@ export default {
   'dots.other': 'another number',
   'report.largest': 'Largest distance',
   'report.rms': 'Mean distance (RMS)',
+  'report.shapeLost': 'Shape was lost: at its farthest the result is {distance} of the diagonal '
+    + 'from the original. More vertices keep it, or the preference “shape”. ',
+  'report.shape': 'The triangles are not even: their corners are those vertices of the original '
+    + 'that its shape needs most.',
   'report.time': 'Time',
   'report.angles': 'Smallest angles',
   'report.key': 'result, % of the triangles',

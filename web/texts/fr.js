@@ -65,6 +65,8 @@ export default {
   'target.same': '{closely} : autant que l’original.',
   'target.share': '{closely} ; {share} des {count} de l’original.',
   'target.times': '{closely} ; {times} fois les {count} de l’original.',
+  'target.twice': '{closely} ; deux fois plus que l’original, car des triangles réguliers les '
+    + 'demandent.',
   'progress': 'Avancement',
   'preparing': 'Préparation',
   'privacy': 'Vos fichiers ne quittent jamais cet ordinateur.',
@@ -102,6 +104,10 @@ export default {
   'dots.other': 'autre nombre',
   'report.largest': 'Plus grande distance',
   'report.rms': 'Distance moyenne (RMS)',
+  'report.shapeLost': 'La forme s’est perdue : au plus loin, le résultat est à {distance} de la '
+    + 'diagonale de l’original. Plus de sommets la gardent, ou la préférence « shape ». ',
+  'report.shape': 'Les triangles ne sont pas réguliers : leurs coins sont les sommets de '
+    + 'l’original dont sa forme a le plus besoin.',
   'report.time': 'Durée',
   'report.angles': 'Plus petits angles',
   'report.key': 'résultat, % des triangles',

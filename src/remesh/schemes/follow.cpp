@@ -162,7 +162,7 @@ bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, Textures textures) {
   std::size_t now = distinctPositions(original.mesh, original.positions);
-  const bool keepsLook = textures == Textures::Keep;
+  const bool keepsLook = textures != Textures::Bake;
   if (now < positions || (now == positions && !keepsLook)) return {};
   SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, keepsLook)};
   KeptAttributes attributes = attributesAsLengths(original, input);

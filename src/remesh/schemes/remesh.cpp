@@ -259,12 +259,21 @@ std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
   return vertices;
 }
 
-RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress) {
-  Plan plan = planRun(input, std::move(welding), options, progress);
-  if (options.quads) return remeshToQuads(std::move(plan), input, options, progress);
+// More vertices than the original has are given to its shape by a bound that nobody sees.
+RemeshOptions withOwnShape(RemeshOptions options) {
+  options.maxError = 100 * kSeen;
+  return options;
+}
+
+RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const RemeshOptions& asked,
+                            const Progress& progress) {
+  Plan plan = planRun(input, std::move(welding), asked, progress);
+  if (asked.quads) return remeshToQuads(std::move(plan), input, asked, progress);
+  const bool isWished = asked.prefer == Prefer::Shape;
+  const bool isFiner =
+      isWished && mayFollow(asked) && plan.vertices > plan.built.mesh.vertexCount();
+  const RemeshOptions options = isFiner ? withOwnShape(asked) : asked;
   const bool isRivalled = mayFollow(options);
-  const bool isWished = options.prefer == Prefer::Shape;
   const auto isForced = [&] {
     return options.textures == Textures::Bake &&
            countCorners(plan.curves, plan.built.mesh) > plan.vertices &&
@@ -297,7 +306,8 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
           vertices,
           original.warnings(),
           remeshed.coincident,
-          tree.ofInput()};
+          tree.ofInput(),
+          isFiner ? Prefer::Shape : Prefer::Even};
 }
 
 }  // namespace

@@ -5,13 +5,14 @@
 #include <functional>
 #include <utility>
 
+#include "original/curves/flat_regions.h"
+
 namespace remesher {
 
 namespace {
 
-// Of the diagonal: half a pixel in a picture a thousand pixels wide; where nothing is drawn two.
-constexpr double kSeen = 5e-4, kSeenPlain = 2e-3;
-// Times as near, where textures or colours show what is off; and where only shape does.
+// Times as near, where textures or colours show what is off; and where only shape does, for which
+// it may be off by so many times as much, too.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;  // times: it makes nothing twice as near
 constexpr Samples kGlimpse = {1000, 1};
@@ -22,7 +23,7 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
     return attribute.semantic.starts_with("TEXCOORD") || attribute.semantic.starts_with("COLOR");
   };
   const auto& groups = input.groups;
-  return textures == Textures::Keep &&
+  return textures != Textures::Bake &&
          std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to()) == groups.end() &&
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
@@ -34,14 +35,27 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
       input_(input),
       textures_(textures),
       isPlain_(isPlain(input, textures)),
-      seen_((isPlain_ ? kSeenPlain : kSeen) * original.surface().diagonal()) {}
+      seen_(kSeen * original.surface().diagonal()) {
+  if (isPlain_ && original.vertices() >= original.surface().mesh().vertexCount())
+    seen_ /= kMuchNearerPlain;
+}
 
 // What is so much nearer than what is seen, at a glimpse, need not be known better.
-double Rival::distanceOf(const WorkingMesh& even) const {
+double Rival::distanceOf(const WorkingMesh& even) {
   const BuiltMesh& built = original_.surface().built();
   const MeshTree tree(even.mesh(), even.positions());
   const double glimpsed = distanceTo(tree, built, kGlimpse);
+  if (muchNearer() * glimpsed > seen_) lookForFlats();
   return muchNearer() * glimpsed <= seen_ ? glimpsed : distanceTo(tree, built);
+}
+
+// What has flat sides shows each dent in them, and with its own number of vertices it needs none.
+// All else that is plain may be off by more.
+void Rival::lookForFlats() {
+  const BuiltMesh& built = original_.surface().built();
+  if (isPlain_ && !hasLookedForFlats_ && findFlatRegions(built.mesh, built.positions, 0).empty())
+    seen_ = kMuchNearerPlain * kSeen * original_.surface().diagonal();
+  hasLookedForFlats_ = true;
 }
 
 double Rival::muchNearer() const { return isPlain_ ? kMuchNearerPlain : kMuchNearer; }

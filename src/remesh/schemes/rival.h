@@ -10,6 +10,10 @@
 
 namespace remesher {
 
+// What is no farther away is not seen: half a pixel in a picture a thousand pixels wide, as a share
+// of the diagonal.
+constexpr double kSeen = 5e-4;
+
 // What `follow` makes of an original: taken where even triangles are visibly away from it and these
 // much nearer, or where even triangles cannot be so few. Made when it is first asked for.
 class Rival {
@@ -23,7 +27,8 @@ class Rival {
   std::optional<Followed> winner(const WorkingMesh& even, bool isReached);
 
  private:
-  double distanceOf(const WorkingMesh& even) const;
+  double distanceOf(const WorkingMesh& even);
+  void lookForFlats();
   double muchNearer() const;  // times, for even triangles to lose
   void look();
 
@@ -32,7 +37,7 @@ class Rival {
   Textures textures_;
   bool isPlain_;  // nothing is drawn on it
   double seen_;   // what is no farther is not seen
-  bool isSettled_ = false, hasLooked_ = false;
+  bool isSettled_ = false, hasLooked_ = false, hasLookedForFlats_ = false;
   std::optional<Followed> followed_;
 };
 

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "geometry/mesh_tree.h"
+#include "geometry/triangle.h"
 #include "mesh/check.h"
+#include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
 #include "support/shapes.h"
@@ -90,6 +92,22 @@ TEST_CASE("simplify: on what is flat triangles stay even, and its border where i
   });
   CHECK(longest < 12);
   CHECK(before.diagonal().isApprox(after.diagonal(), 0.01));
+}
+
+TEST_CASE("simplify: on what is flat no edge could turn to widen an angle") {
+  SimpleSurface surface = surfaceOf(shapes::grid(30, 30));
+  simplify(surface, 120);
+  const auto& p = surface.positions;
+  const HalfedgeMesh& mesh = surface.mesh;
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.isEdge(h) || mesh.isBoundary(h) || !EulerOperators::canFlip(mesh, h)) continue;
+    const Vec3 a = p[mesh.origin(h)], b = p[mesh.tip(h)];
+    const Vec3 c = p[mesh.opposite(h)], d = p[mesh.opposite(mesh.twin(h))];
+    const bool isConvex = areaVector(a, d, c).z() * areaVector(b, c, d).z() > 0;
+    const double now = std::min(minAngle(a, b, c), minAngle(b, a, d));
+    CHECK((!isConvex || std::min(minAngle(a, d, c), minAngle(b, c, d)) <= now + 1e-9));
+  }
 }
 
 TEST_CASE("simplify: triangles stay on their side of a seam") {
