@@ -198,6 +198,7 @@ add_library(small OBJECT
   src/remesh/accuracy/uncross.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
+  src/remesh/quads/extract/curve_following.cpp
   src/remesh/quads/extract/mending.cpp
   src/remesh/quads/field/sectors.cpp
   src/remesh/quads/mesh/quad_check.cpp
@@ -206,6 +207,9 @@ add_library(small OBJECT
   src/remesh/quads/pair/pairing.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/quad_patch.cpp
+  src/remesh/quads/shape/quad_tips.cpp
+  src/remesh/quads/shape/rewiring.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp

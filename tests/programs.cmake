@@ -111,6 +111,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp

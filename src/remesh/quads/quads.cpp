@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "remesh/quads/extract/curve_following.h"
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/mending.h"
@@ -16,6 +17,8 @@
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/shape/chords.h"
 #include "remesh/quads/shape/collapse.h"
+#include "remesh/quads/shape/quad_tips.h"
+#include "remesh/quads/shape/rewiring.h"
 #include "remesh/quads/shape/smoothing.h"
 
 namespace remesher {
@@ -47,16 +50,24 @@ double areaOf(const WorkingMesh& mesh) {
   return sum;
 }
 
-void shape(QuadMesh& quads, const WorkingMesh& ground) {
+void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
-  smoothToSquares(moving, kSmoothings);
+  const std::vector<char> isFixed(quads.vertices.size(), 0);
+  smoothToSquares(moving, kSmoothings, isFixed);
   mendCorners(moving);
+  untangle(moving, isFixed);
 }
 
-std::size_t countFolds(QuadMesh& quads, const WorkingMesh& ground) {
+void shape(QuadMesh& quads, const WorkingMesh& ground) {
+  settle(quads, ground);
+  rewire(quads, ground);
+}
+
+// Quads that fold, have hardly any area, or cut a corner of the original.
+std::size_t countFaults(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
-  std::size_t count = 0;
-  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) <= 0;
+  std::size_t count = countFar(quads, ground);
+  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) < kLeastSine;
   return count;
 }
 
@@ -69,19 +80,19 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
 // The quads of a map, if they are a surface like that of the mesh.
 struct Extracted {
   QuadMesh quads;
-  bool areCurvesFollowed;
-  std::size_t folds = 0;
+  std::size_t faults;  // curves that are not followed, and quads that are not sound
 };
 std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
   QuadMesh quads = extractQuads(part, map);
   dropUnsound(quads);
   if (quads.quads.empty()) return {};
   fillHoles(quads, part);
-  const bool areCurvesFollowed = followCurves(quads, part);
+  const std::size_t faults = followCurves(quads, part);
   removeDoublets(quads);
+  fillDoublets(quads, part);
   collapseFlatCorners(quads, part);
   if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
-  return Extracted{std::move(quads), areCurvesFollowed};
+  return Extracted{std::move(quads), faults};
 }
 
 // Rows are added for nothing, while each quad that is taken out leaves irregular vertices.
@@ -93,17 +104,12 @@ double countError(double count, double wanted) {
   return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
 
-// Whether one result is to be had rather than another: curves first, then folds, then the count.
+// Whether one result is to be had rather than another: by faults, then by the count.
 bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double wanted) {
   if (!b) return true;
-  if (a.areCurvesFollowed != b->areCurvesFollowed) return a.areCurvesFollowed;
-  if (a.folds != b->folds) return a.folds < b->folds;
+  if (a.faults != b->faults) return a.faults < b->faults;
   return countError(double(a.quads.vertices.size()), wanted) <
          countError(double(b->quads.vertices.size()), wanted);
-}
-
-bool isSound(const std::optional<Extracted>& made) {
-  return made && made->folds == 0 && made->areCurvesFollowed;
 }
 
 // Rounding makes of each scale another map, and numbers come in steps: scales to both sides of the
@@ -113,7 +119,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   std::optional<Extracted> best;
   double nearest = length, least = kFarthest;
   int shaped = 0;
-  for (int i = 0; i < kTries && shaped < kShaped && !isSound(best); ++i) {
+  for (int i = 0; i < kTries && shaped < kShaped && (!best || best->faults > 0); ++i) {
     const bool isFirst = i < kSteps;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
@@ -128,7 +134,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     std::optional<Extracted> made = extracted(part, map);
     if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) continue;
     shape(made->quads, part);
-    made->folds = countFolds(made->quads, part);
+    made->faults += countFaults(made->quads, part);
     ++shaped;
     if (isBetter(*made, best, vertices)) best = std::move(made);
   }
@@ -145,8 +151,18 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   const std::size_t before = mesh.vertices.size();
   if (before < least) divideChords(mesh, ground, goal.vertices);
   if (mesh.vertices.size() < least) divideShortestChord(mesh, ground, least - mesh.vertices.size());
-  made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(most, 8), goal.isExact});
-  if (mesh.vertices.size() != before || made.collapsed > 0) shape(mesh, ground);
+  // Room is left for vertices that wiring anew may add.
+  const std::size_t enough = mesh.vertices.size() > most ? (goal.vertices + most) / 2 : most;
+  made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(enough, 8), goal.isExact});
+  if (mesh.vertices.size() == before && made.collapsed == 0) return;
+  settle(mesh, ground);
+  MadeQuads rewired = made;
+  rewire(rewired.mesh, ground);
+  rewired.collapsed += collapseTo(rewired.mesh, ground, {std::max<std::size_t>(most, 8), false});
+  settle(rewired.mesh, ground);
+  const std::size_t count = rewired.mesh.vertices.size();
+  if (count < least || count > most) return;
+  if (countFaults(rewired.mesh, ground) < countFaults(mesh, ground)) made = std::move(rewired);
 }
 
 // What a part may have: its share of the vertices by area.
@@ -232,6 +248,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     if (!failed.empty())
       append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
     matchCount(result, goal, base);
+    reachTips(result.mesh, base);
     return result;
   };
   if (!goal.isExact) return made(1);

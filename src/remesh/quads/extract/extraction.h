@@ -12,8 +12,4 @@ namespace remesher {
 // like that of the mesh.
 QuadMesh extractQuads(const WorkingMesh& mesh, const SeamlessMap& map);
 
-// Marks the sides that follow the curves: those between neighbours on a chain. Vertices of a chain
-// that the quads do not follow from end to end are let go. Returns whether all chains are followed.
-bool followCurves(QuadMesh& quads, const WorkingMesh& mesh);
-
 }  // namespace remesher

@@ -30,6 +30,8 @@ class MovingQuads {
   // The place that v may move to nearest to p, if it may move.
   std::optional<Placement> placeNear(Index v, const Vec3& p) const;
 
+  void move(Index v, const Placement& place) { mesh_.vertices[v] = place; }
+
   // Moves v, unless a corner around it gets worse than both before and `enough`.
   bool moveUnlessWorse(Index v, const Placement& place, double enough);
 

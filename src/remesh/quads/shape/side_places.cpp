@@ -42,6 +42,10 @@ Placement middleOf(const QuadMesh& mesh, Index side, const WorkingMesh& ground) 
     return ground.onCurve({chain, arcs / 2});
   }
   const Vec3 p = (from.position + to.position) / 2;
+  return placeWithin(mesh, quad, p, ground);
+}
+
+Placement placeWithin(const QuadMesh& mesh, Index quad, const Vec3& p, const WorkingMesh& ground) {
   return ground.onSurface(closestPointFrom(ground.surface(), startIn(mesh, quad, p, ground), p));
 }
 

@@ -12,4 +12,7 @@ CurvePoint onChain(const Placement& place, Index chain, const WorkingMesh& groun
 // The middle of a side: on its curve, if it follows one.
 Placement middleOf(const QuadMesh& mesh, Index side, const WorkingMesh& ground);
 
+// The place of the original nearest to p that is reached within the quad's part of it.
+Placement placeWithin(const QuadMesh& mesh, Index quad, const Vec3& p, const WorkingMesh& ground);
+
 }  // namespace remesher

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/shape/smoothing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -75,12 +76,68 @@ void searchBetter(MovingQuads& quads, Index v) {
   }
 }
 
+// Of the quads around v: what is missing to 30°, squared and summed up.
+double missingAround(const MovingQuads& quads, Index v) {
+  double sum = 0;
+  quads.sides().forEachOutgoing(v, [&](Index side) {
+    const double missing = std::max(0.0, kEnough - quads.quality(side / 4));
+    sum += missing * missing;
+  });
+  return sum;
+}
+
+// Ways to go from v, of length 1: along the surface, or along a curve.
+std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
+  std::vector<Vec3> ways;
+  const Placement& here = quads.mesh().vertices[v];
+  if (here.kind == VertexKind::Curve) {
+    quads.sides().forEachOutgoing(v, [&](Index side) {
+      if (quads.mesh().curves[side / 4][side % 4] != here.on.chain) return;
+      const Vec3 way = quads.mesh().position(quads.sides().tip(side)) - here.position;
+      for (const double sign : {1.0, -1.0}) ways.push_back(sign * way.normalized());
+    });
+    return ways;
+  }
+  if (!(here.normal.squaredNorm() > 0)) return {};
+  const Vec3 x = here.normal.unitOrthogonal(), y = here.normal.cross(x);
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDirections;
+    ways.push_back(std::cos(angle) * x + std::sin(angle) * y);
+  }
+  return ways;
+}
+
+void searchLess(MovingQuads& quads, Index v, double missing) {
+  double reach = reachOf(quads, v) / 2;
+  for (int halving = 0; halving < kHalvings && missing > 0;) {
+    bool isBetter = false;
+    const Vec3 from = quads.mesh().position(v);
+    for (const Vec3& way : waysFrom(quads, v)) {
+      const auto place = quads.placeNear(v, from + reach * way);
+      if (!place) return;
+      const Placement before = quads.mesh().vertices[v];
+      quads.move(v, *place);
+      const double now = missingAround(quads, v);
+      if (now < (1 - kGain) * missing) {
+        missing = now;
+        isBetter = true;
+        break;
+      }
+      quads.move(v, before);
+    }
+    if (isBetter) continue;
+    reach /= 2;
+    ++halving;
+  }
+}
+
 }  // namespace
 
-void smoothToSquares(MovingQuads& quads, int passes) {
+void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed) {
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Vec3> targets = targetsOf(quads);
     for (Index v = 0; v < targets.size(); ++v) {
+      if (isFixed[v]) continue;
       const Vec3 p = quads.mesh().position(v);
       if (const auto place = quads.placeNear(v, p + kStep * (targets[v] - p)))
         quads.moveUnlessWorse(v, *place, kEnough);
@@ -97,6 +154,20 @@ void mendCorners(MovingQuads& quads) {
       searchBetter(quads, v);
     }
     if (isMended) return;
+  }
+}
+
+void untangle(MovingQuads& quads, std::span<const char> isFixed) {
+  for (int search = 0; search < kSearches; ++search) {
+    bool isDone = true;
+    for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {
+      if (isFixed[v] || quads.mesh().vertices[v].kind == VertexKind::Corner) continue;
+      const double missing = missingAround(quads, v);
+      if (!(missing > 0)) continue;
+      isDone = false;
+      searchLess(quads, v, missing);
+    }
+    if (isDone) return;
   }
 }
 

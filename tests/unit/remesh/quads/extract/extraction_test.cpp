@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "remesh/quads/extract/curve_following.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "support/working_meshes.h"
 
@@ -19,7 +20,7 @@ struct ExtractedQuads {
     const SeamlessMap map = maker.map(length);
     counted = maker.countVertices(map);
     quads = extractQuads(mesh, map);
-    areCurvesFollowed = followCurves(quads, mesh);
+    areCurvesFollowed = followCurves(quads, mesh) == 0;
   }
 
   OriginalSurface surface;

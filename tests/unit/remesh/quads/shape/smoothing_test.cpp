@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_check.h"
@@ -55,7 +56,7 @@ TEST_CASE("smoothing: quads come nearer to squares, vertices stay on the surface
     const QuadMesh before = smoothed.quads;
     const double uneven = smoothed.unevenness(), worst = smoothed.worst();
     MovingQuads moving(smoothed.quads, smoothed.ground);
-    smoothToSquares(moving, 8);
+    smoothToSquares(moving, 8, std::vector<char>(before.vertices.size(), 0));
     CHECK((smoothed.unevenness() < uneven || uneven < 1e-12));  // a cube's are squares already
     CHECK(smoothed.worst() >= std::min(worst, 0.5));
     CHECK(check(smoothed.quads) == "");

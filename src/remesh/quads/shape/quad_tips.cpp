@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/quad_tips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
+#include "original/surface/surface_walk.h"
+#include "remesh/quads/shape/quad_patch.h"
+#include "remesh/quads/shape/smoothing.h"
+
+namespace remesher {
+
+namespace {
+
+// Of the mean side of a quad: what is farther away is a tip.
+constexpr double kTip = 0.3;
+constexpr int kRounds = 5;
+
+constexpr double kSound = 0.4;  // the sine that corners keep
+
+// A vertex of the original.
+struct Tip {
+  Index vertex;
+  CurvePoint on;  // where it is no corner but on a curve
+  double distance = 0;
+  Index quad = kNone;  // that is nearest
+};
+
+// The corner at which the shorter diagonal begins: 0 or 1.
+Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad) {
+  const auto length = [&](Index k) {
+    return (mesh.position(quad[k + 2]) - mesh.position(quad[k])).squaredNorm();
+  };
+  return length(1) < length(0) ? 1 : 0;
+}
+
+double squaredDistance(const Vec3& p, const QuadMesh& mesh, const Four<Index>& quad) {
+  const auto to = [&](Index a, Index b, Index c) {
+    const Vec3 nearest = closestPoint(p, mesh.position(a), mesh.position(b), mesh.position(c));
+    return (nearest - p).squaredNorm();
+  };
+  const Index k = diagonalOf(mesh, quad);
+  return std::min(to(quad[k], quad[k + 1], quad[k + 2]),
+                  to(quad[k], quad[k + 2], quad[(k + 3) % 4]));
+}
+
+// From the middle of the diagonal to the original, squared.
+double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const WorkingMesh& ground) {
+  const Index k = diagonalOf(mesh, quad);
+  const Vec3 p = (mesh.position(quad[k]) + mesh.position(quad[k + 2])) / 2;
+  for (const Index v : quad)
+    if (mesh.vertices[v].kind == VertexKind::Interior) {
+      const SurfacePoint at = closestPointFrom(ground.surface(), mesh.vertices[v].at, p);
+      return (ground.surface().position(at) - p).squaredNorm();
+    }
+  return 0;
+}
+
+double meanSide(const QuadMesh& mesh) {
+  double sum = 0;
+  for (const Four<Index>& quad : mesh.quads)
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += (mesh.position(quad[(i + 1) % 4]) - mesh.position(quad[i])).norm();
+  return sum / double(4 * mesh.quads.size());
+}
+
+// All vertices of the original but those that are corners, which are there already.
+std::vector<Tip> possibleTips(const OriginalSurface& surface) {
+  const HalfedgeMesh& original = surface.mesh();
+  std::vector<Tip> tips;
+  std::vector<char> isOnCurve(original.vertexCapacity(), 0);
+  const auto& chains = surface.curves().chains();
+  for (Index i = 0; i < chains.size(); ++i)
+    for (std::size_t k = 0; k < chains[i].vertices.size(); ++k) {
+      const Vertex v = chains[i].vertices[k];
+      isOnCurve[v.index] = 1;
+      if (k > 0 && k + 1 < chains[i].vertices.size())
+        tips.push_back({v.index, {i, chains[i].arcs[k]}});
+    }
+  for (Index v = 0; v < original.vertexCapacity(); ++v)
+    if (original.isAlive(Vertex(v)) && !isOnCurve[v]) tips.push_back({v, {}});
+  return tips;
+}
+
+// The quads as triangles, to be asked for the nearest one.
+class QuadTree {
+ public:
+  explicit QuadTree(const QuadMesh& mesh) {
+    for (const Placement& place : mesh.vertices) positions_.push_back(place.position);
+    for (const Four<Index>& quad : mesh.quads) {
+      const Index k = diagonalOf(mesh, quad), a = quad[k], c = quad[k + 2];
+      indices_.insert(indices_.end(), {a, quad[k + 1], c, a, c, quad[(k + 3) % 4]});
+    }
+    tree_.emplace(positions_, indices_);
+  }
+
+  // The nearest quad, and how far it is.
+  std::pair<Index, double> nearest(const Vec3& p) {
+    const auto found = tree_->nearest(p, last_);
+    last_ = found.triangle;
+    return {found.triangle / 2, std::sqrt(found.squaredDistance)};
+  }
+
+ private:
+  std::vector<Vec3> positions_;
+  std::vector<Index> indices_;
+  std::optional<TriangleTree> tree_;
+  Index last_ = 0;  // places that are asked for one after another are near to each other
+};
+
+// Those farther than that, the farthest first.
+std::vector<Tip> farthestFirst(const std::vector<Tip>& possible, const QuadMesh& mesh,
+                               const OriginalSurface& surface, double least) {
+  QuadTree tree(mesh);
+  std::vector<Tip> tips;
+  for (Tip tip : possible) {
+    std::tie(tip.quad, tip.distance) = tree.nearest(surface.positions()[Vertex(tip.vertex)]);
+    if (tip.distance > least) tips.push_back(tip);
+  }
+  std::stable_sort(tips.begin(), tips.end(),
+                   [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
+  return tips;
+}
+
+class Reaching {
+ public:
+  Reaching(QuadMesh& mesh, const WorkingMesh& ground, double least)
+      : mesh_(mesh),
+        least_(least),
+        ground_(ground),
+        quads_(mesh.quads),
+        sides_(mesh.vertices.size(), quads_),
+        moving_(mesh, ground),
+        isHeld_(mesh.vertices.size(), 0),
+        ofQuad_(mesh.quads.size()) {}
+
+  // Squares are fitted anew around what has moved, which stays.
+  void settle() {
+    MovingQuads moving(mesh_, ground_);
+    smoothToSquares(moving, kRounds, isHeld_);
+    untangle(moving, isHeld_);
+  }
+
+  void run(const std::vector<Tip>& tips) {
+    std::vector<std::vector<Tip>> before(quads_.size());
+    ofQuad_.swap(before);
+    std::set<Index> isNew;
+    for (const Tip& tip : tips) isNew.insert(tip.vertex);
+    for (std::size_t q = 0; q < before.size(); ++q)
+      for (const Tip& tip : before[q])
+        if (!isNew.contains(tip.vertex)) ofQuad_[q].push_back(tip);
+    for (const Tip& tip : tips) ofQuad_[tip.quad].push_back(tip);
+    for (const Tip& tip : tips) reach(tip);
+  }
+
+ private:
+  // One of the corners of the nearest quad, the nearest first, moves to the tip.
+  void reach(const Tip& tip) {
+    const Vec3& p = position(tip);
+    Four<Index> corners = quads_[tip.quad];
+    const auto distance = [&](Index v) { return (mesh_.position(v) - p).squaredNorm(); };
+    std::sort(corners.begin(), corners.end(),
+              [&](Index a, Index b) { return distance(a) < distance(b); });
+    for (const Index v : corners) {
+      if (moveTo(v, tip)) return;
+    }
+  }
+
+  bool moveTo(Index v, const Tip& tip) {
+    const Placement& here = mesh_.vertices[v];
+    if (here.kind == VertexKind::Corner) return false;
+    const bool isOnCurve = here.kind == VertexKind::Curve;
+    if (isOnCurve && here.on.chain != tip.on.chain) return false;
+    const std::vector<Index> near = quadsNear(sides_, mesh_, sides_.outgoing(v) / 4);
+    const QuadPatch patch = patchOf(mesh_, sides_, near);
+    if (distanceFrom(patch.mesh, position(tip)) <= least_ * least_) return true;
+    const Placement place = isOnCurve ? ground_.onCurve(tip.on)
+                                      : ground_.onSurface(ground_.surface().at(Vertex(tip.vertex)));
+    if (tryAt(patch, near, v, place)) return true;
+    const Vec3 middle = (here.position + place.position) / 2;
+    const auto half = moving_.placeNear(v, middle);
+    return half && tryAt(patch, near, v, *half);
+  }
+
+  bool tryAt(QuadPatch patch, const std::vector<Index>& near, Index v, const Placement& place) {
+    const double farthest = farthestFrom(patch.mesh, near);
+    MovingQuads moving(patch.mesh, ground_);
+    const double least = std::min(worst(moving), kSound);
+    for (std::size_t i = 0; i < patch.outer.size(); ++i) {
+      patch.isRim[i] |= isHeld_[patch.outer[i]];
+      if (patch.outer[i] != v) continue;
+      moving.move(Index(i), place);
+      patch.isRim[i] = 1;
+    }
+    untangle(moving, patch.isRim);
+    if (worst(moving) < least || farthestFrom(patch.mesh, near) >= farthest) return false;
+    for (std::size_t i = 0; i < patch.outer.size(); ++i)
+      mesh_.vertices[patch.outer[i]] = patch.mesh.vertices[i];
+    isHeld_[v] = 1;
+    return true;
+  }
+
+  const Vec3& position(const Tip& tip) const {
+    return ground_.surface().positions()[Vertex(tip.vertex)];
+  }
+
+  static double worst(const MovingQuads& quads) {
+    double least = 1;
+    for (Index q = 0; q < quads.mesh().quads.size(); ++q) least = std::min(least, quads.quality(q));
+    return least;
+  }
+
+  static double distanceFrom(const QuadMesh& mesh, const Vec3& p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Four<Index>& quad : mesh.quads)
+      nearest = std::min(nearest, squaredDistance(p, mesh, quad));
+    return nearest;
+  }
+
+  // Of the tips near the patch the largest distance from it, squared.
+  double farthestFrom(const QuadMesh& patch, const std::vector<Index>& quads) const {
+    double farthest = 0;
+    for (const Index q : quads)
+      for (const Tip& tip : ofQuad_[q])
+        farthest = std::max(farthest, distanceFrom(patch, position(tip)));
+    for (const Four<Index>& quad : patch.quads)
+      farthest = std::max(farthest, fromOriginal(patch, quad, ground_));
+    return farthest;
+  }
+
+  QuadMesh& mesh_;
+  const double least_;
+  const WorkingMesh& ground_;
+  const std::vector<Four<Index>> quads_;
+  const QuadSides sides_;
+  const MovingQuads moving_;
+  std::vector<char> isHeld_;
+  std::vector<std::vector<Tip>> ofQuad_;
+};
+
+}  // namespace
+
+void reachTips(QuadMesh& mesh, const WorkingMesh& ground) {
+  const double least = kTip * meanSide(mesh);
+  const std::vector<Tip> possible = possibleTips(ground.surface());
+  Reaching reaching(mesh, ground, least);
+  std::vector<Placement> best = mesh.vertices;
+  double farthest = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= kRounds; ++round) {
+    const std::vector<Tip> tips = farthestFirst(possible, mesh, ground.surface(), least);
+    if (tips.empty()) return;
+    if (tips.front().distance < farthest) {
+      farthest = tips.front().distance;
+      best = mesh.vertices;
+    }
+    if (round == kRounds) break;
+    if (round > 0) reaching.settle();
+    reaching.run(tips);
+  }
+  mesh.vertices = std::move(best);
+}
+
+std::size_t countFar(const QuadMesh& mesh, const WorkingMesh& ground) {
+  const double least = kTip * meanSide(mesh);
+  std::size_t count = 0;
+  for (const Four<Index>& quad : mesh.quads)
+    count += fromOriginal(mesh, quad, ground) > least * least;
+  QuadTree tree(mesh);
+  for (Index v = 0; v < ground.mesh().vertexCapacity(); ++v)
+    count += tree.nearest(ground.position(Vertex(v))).second > least;
+  return count;
+}
+
+}  // namespace remesher

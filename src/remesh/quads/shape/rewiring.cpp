@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/rewiring.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/shape/quad_patch.h"
+#include "remesh/quads/shape/side_places.h"
+#include "remesh/quads/shape/smoothing.h"
+
+namespace remesher {
+
+namespace {
+
+// What is missing to quads that are sound, summed up, and how irregular they are.
+struct Fault {
+  double missing = 0;
+  int irregular = 0;
+  // What is only a little better is not worth another irregular vertex, and rounds end.
+  bool isClearlyBelow(const Fault& other) const {
+    return missing < other.missing - kLeastSine / 10;
+  }
+  double cost() const { return missing + kLeastSine / 10 * irregular; }
+};
+
+Fault faultOf(const MovingQuads& quads, const QuadPatch& patch) {
+  Fault fault;
+  for (Index q = 0; q < patch.mesh.quads.size(); ++q)
+    fault.missing += std::max(0.0, kLeastSine - quads.quality(q));
+  for (Index v = 0; v < patch.isRim.size(); ++v)
+    if (!patch.isRim[v] && !quads.sides().isBoundary(v))
+      fault.irregular += std::abs(quads.sides().valence(v) - 4);
+  return fault;
+}
+
+// The edge of a side turned by one corner of the hexagon around it, either way.
+std::optional<QuadPatch> turned(const QuadPatch& patch, const QuadSides& sides, Index side,
+                                bool isLeft) {
+  const Index other = sides.across(side);
+  if (other == kNone || patch.mesh.curves[side / 4][side % 4] != kNone) return {};
+  // Sides around the hexagon, from the tip of the edge on.
+  const std::array<Index, 6> around = {nextSide(side),  nextSide(nextSide(side)),  prevSide(side),
+                                       nextSide(other), nextSide(nextSide(other)), prevSide(other)};
+  QuadPatch result = patch;
+  const std::size_t first = isLeft ? 1 : 2;
+  for (const std::size_t half : {0, 1}) {
+    const Index quad = (half == 0 ? side : other) / 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index from = around[(first + 3 * half + i) % 6];
+      result.mesh.quads[quad][i] = sides.origin(from);
+      result.mesh.curves[quad][i] = i == 3 ? kNone : patch.mesh.curves[from / 4][from % 4];
+    }
+  }
+  return result;
+}
+
+// The corner that a side leaves and the one across from it become one.
+std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& sides, Index side,
+                                   const WorkingMesh& ground) {
+  Index a = sides.origin(side), c = sides.tip(nextSide(side));
+  const auto isFree = [&](Index v) {
+    return !patch.isRim[v] && patch.mesh.vertices[v].kind == VertexKind::Interior;
+  };
+  if (isFree(a)) std::swap(a, c);
+  if (!isFree(c)) return {};
+  QuadPatch result = patch;
+  QuadMesh& mesh = result.mesh;
+  for (const Index one : {side, nextSide(nextSide(side))}) {
+    const Index two = one == side ? nextSide(side) : prevSide(side);
+    const Index x = sides.across(one), y = sides.across(two);
+    if (x == kNone || y == kNone) return {};
+    Index &curveX = mesh.curves[x / 4][x % 4], &curveY = mesh.curves[y / 4][y % 4];
+    if (curveX != kNone && curveY != kNone) return {};
+    if (curveX == kNone) curveX = curveY;
+    curveY = curveX;
+  }
+  const Placement &from = patch.mesh.vertices[c], &to = patch.mesh.vertices[a];
+  if (isFree(a))
+    mesh.vertices[a] = ground.onSurface(
+        closestPointFrom(ground.surface(), to.at, (from.position + to.position) / 2));
+  for (Four<Index>& quad : mesh.quads) std::replace(quad.begin(), quad.end(), c, a);
+  std::vector<char> isGone(mesh.quads.size(), 0);
+  isGone[side / 4] = 1;
+  dropQuads(mesh, isGone);
+  result.dropUnusedVertices();
+  return result;
+}
+
+// Puts a smaller quad within, and four around it.
+void fill(QuadMesh& mesh, Index quad, const WorkingMesh& ground) {
+  const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
+  Vec3 middle = Vec3::Zero();
+  for (const Index v : corners) middle += mesh.position(v) / 4;
+  const Placement centre = placeWithin(mesh, quad, middle, ground);
+  Four<Index> inner{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 p = (middle + mesh.position(corners[i])) / 2;
+    inner[i] = Index(mesh.vertices.size());
+    mesh.vertices.push_back(ground.onSurface(closestPointFrom(ground.surface(), centre.at, p)));
+  }
+  mesh.quads[quad] = inner;
+  mesh.curves[quad] = {kNone, kNone, kNone, kNone};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = (i + 1) % 4;
+    mesh.quads.push_back({corners[i], corners[k], inner[k], inner[i]});
+    mesh.curves.push_back({curves[i], kNone, kNone, kNone});
+  }
+}
+
+QuadPatch filled(QuadPatch patch, Index quad, const WorkingMesh& ground) {
+  fill(patch.mesh, quad, ground);
+  patch.outer.resize(patch.mesh.vertices.size(), kNone);
+  patch.isRim.resize(patch.mesh.vertices.size(), 0);
+  return patch;
+}
+
+class Rewiring {
+ public:
+  Rewiring(const QuadPatch& patch, const WorkingMesh& ground)
+      : ground_(ground),
+        sides_(patch.mesh.vertices.size(), patch.mesh.quads),
+        kind_(kindOf(patch.mesh)),
+        start_(patch) {}
+
+  // The best way found to wire the patch, if there is a clearly better one. The bad quad is the
+  // first; those at its corners may change too.
+  std::optional<QuadPatch> run() {
+    consider(start_, true);
+    tryAt(0, true);
+    if (!best_) {
+      std::set<Index> beside;
+      for (Index i = 0; i < 4; ++i)
+        if (sides_.across(i) != kNone) beside.insert(sides_.across(i) / 4);
+      for (const Index quad : beside) tryAt(quad, false);
+    }
+    return std::move(best_);
+  }
+
+ private:
+  void tryAt(Index quad, bool isFirst) {
+    if (isFirst) consider(filled(start_, quad, ground_), false);
+    for (Index i = 0; i < 2; ++i)
+      consider(collapsed(start_, sides_, sideOf(quad, i), ground_), false);
+    for (Index i = 0; i < 4; ++i)
+      for (const bool isLeft : {false, true})
+        consider(turned(start_, sides_, sideOf(quad, i), isLeft), false);
+  }
+
+  void consider(std::optional<QuadPatch> patch, bool isStart) {
+    if (!patch) return;
+    if (!isStart && (!check(patch->mesh).empty() || !(kindOf(patch->mesh) == kind_))) return;
+    MovingQuads quads(patch->mesh, ground_);
+    if (isStart) before_ = faultOf(quads, *patch);
+    untangle(quads, patch->isRim);
+    const Fault fault = faultOf(quads, *patch);
+    if (!fault.isClearlyBelow(before_)) return;
+    if (best_ && fault.cost() >= least_.cost()) return;
+    least_ = fault;
+    best_ = std::move(patch);
+  }
+
+  const WorkingMesh& ground_;
+  const QuadSides sides_;
+  const SurfaceKind kind_;
+  const QuadPatch& start_;
+  std::optional<QuadPatch> best_;
+  Fault before_, least_;
+};
+
+}  // namespace
+
+void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
+  std::set<Four<Index>> tried;
+  for (bool isDone = false; !isDone;) {
+    isDone = true;
+    const std::vector<Four<Index>> quads = mesh.quads;
+    const QuadSides sides(mesh.vertices.size(), quads);
+    std::vector<Index> bad;
+    {
+      const MovingQuads moving(mesh, ground);
+      for (Index q = 0; q < quads.size(); ++q)
+        if (moving.quality(q) < kLeastSine && !tried.contains(quads[q])) bad.push_back(q);
+    }
+    for (const Index q : bad) {
+      tried.insert(quads[q]);
+      const std::vector<Index> near = quadsNear(sides, mesh, q);
+      const QuadPatch patch = patchOf(mesh, sides, near);
+      const std::optional<QuadPatch> better = Rewiring(patch, ground).run();
+      if (!better) continue;
+      putBack(mesh, *better, near);
+      isDone = false;
+      break;
+    }
+  }
+  dropUnusedVertices(mesh);
+}
+
+void fillDoublets(QuadMesh& mesh, const WorkingMesh& ground) {
+  const std::vector<Four<Index>> quads = mesh.quads;
+  const QuadSides sides(mesh.vertices.size(), quads);
+  if (!sides.isManifold()) return;
+  std::vector<char> isFilled(quads.size(), 0);
+  for (Index v = 0; v < sides.vertexCount(); ++v) {
+    if (sides.isBoundary(v) || sides.valence(v) != 2) continue;
+    const Index one = sides.outgoing(v) / 4, two = sides.across(sides.outgoing(v)) / 4;
+    if (isFilled[one] || isFilled[two]) continue;
+    isFilled[one] = 1;
+    fill(mesh, one, ground);
+  }
+}
+
+}  // namespace remesher

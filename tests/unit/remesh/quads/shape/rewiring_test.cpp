@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/rewiring.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/shape/quad_star.h"
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+namespace {
+
+constexpr Index kWide = 7;
+
+// A grid of quads on the vertices of a grid of triangles.
+QuadMesh quadsOn(const WorkingMesh& ground) {
+  QuadMesh mesh;
+  for (Index v = 0; v < ground.mesh().vertexCapacity(); ++v)
+    mesh.vertices.push_back(ground.placement(Vertex(v)));
+  const auto at = [&](double x, double y) {
+    for (Index v = 0; v < mesh.vertices.size(); ++v)
+      if ((mesh.position(v) - Vec3(x, y, 0)).norm() < 1e-9) return v;
+    return kNone;
+  };
+  for (Index y = 0; y + 1 < kWide; ++y)
+    for (Index x = 0; x + 1 < kWide; ++x) {
+      mesh.quads.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+      mesh.curves.push_back({kNone, kNone, kNone, kNone});
+    }
+  return mesh;
+}
+
+double worstOf(QuadMesh& mesh, const WorkingMesh& ground) {
+  const MovingQuads moving(mesh, ground);
+  double least = 1;
+  for (Index q = 0; q < mesh.quads.size(); ++q) least = std::min(least, moving.quality(q));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = quadsOn(ground);
+  const SurfaceKind kind = kindOf(mesh);
+  // Two quads beside each other, wired along the other diagonal of their hexagon.
+  const Index one = 14, two = 15;
+  const auto [a, b, c, d] = mesh.quads[one];
+  const Index e = mesh.quads[two][1], f = mesh.quads[two][2];
+  REQUIRE(mesh.quads[two][0] == b);
+  mesh.quads[one] = {a, f, c, d};
+  mesh.quads[two] = {a, b, e, f};
+  REQUIRE(check(mesh) == "");
+  for (const Index v : {b, c}) mesh.vertices[v].kind = VertexKind::Corner;  // they may not give way
+  REQUIRE(worstOf(mesh, ground) < kLeastSine);
+  rewire(mesh, ground);
+  CHECK(worstOf(mesh, ground) >= kLeastSine);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == kind);
+}
+
+TEST_CASE("rewiring: a vertex between two quads gets a third") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = quadsOn(ground);
+  const SurfaceKind kind = kindOf(mesh);
+  const auto [a, b, c, d] = mesh.quads[14];
+  const auto middle = Index(mesh.vertices.size());
+  mesh.vertices.push_back(mesh.vertices[a]);
+  mesh.vertices.back().position = (mesh.position(a) + mesh.position(c)) / 2;
+  mesh.quads[14] = {a, b, c, middle};
+  mesh.quads.push_back({a, middle, c, d});
+  mesh.curves.push_back({kNone, kNone, kNone, kNone});
+  REQUIRE(check(mesh) != "");
+  fillDoublets(mesh, ground);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == kind);
+}
