@@ -50,8 +50,8 @@ export class Page {
     showProgress(state === 'busy' ? { phase: t('preparing'), fraction: 0 } : null);
   }
 
-  /** Runs a job, sets the page's state meanwhile, and shows the job's error. The end of a job that a
-   * later job has overtaken changes neither the state nor the messages.
+  /** Runs a job, sets the page's state meanwhile, and shows the job's error. The end of a job that
+   * a later job has overtaken changes neither the state nor the messages.
    * @param {() => Promise<void>} job @param {'busy' | 'drafting'} [state] */
   async busy(job, state = 'busy') {
     const number = ++this.#jobs;
