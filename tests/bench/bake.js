@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much a textured model still looks like itself with few triangles: its textures kept, baked,
-// and the model simplified by meshoptimizer to as many triangles. Pictures from twelve sides.
+// Measures how well a textured model keeps its look with few triangles: with textures kept, with
+// textures baked, and simplified by meshoptimizer to as many triangles. Pictures from twelve sides.
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
@@ -14,7 +14,7 @@ const counts = [2900, 1450, 870];
 
 const mean = (views, key) => views.reduce((sum, view) => sum + view[key], 0) / views.length;
 
-/** @param {string | undefined} folder where the model is */
+/** @param {string | undefined} folder of the model */
 export async function runBake(folder) {
   if (!folder) throw new Error(`Give the folder that ${model} is in.`);
   const bytes = readFileSync(join(folder, model));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The benchmark: named models to named numbers of vertices, in this process, on one thread.
+// The benchmark: remeshes named models to named sizes, in this process, on one thread:
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
@@ -10,7 +10,7 @@
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [case…]     broken surfaces, repaired
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
-// only those from npm packages are run. The status is 1 when a limit is broken.
+// only the models from npm packages are run. The status is 1 if a limit is broken.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 
