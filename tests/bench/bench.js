@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The benchmark: remeshes named models to named sizes, in this process, on one thread:
+// The benchmark: named models to named numbers of vertices, in this process, on one thread.
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
