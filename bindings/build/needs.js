@@ -23,9 +23,8 @@ import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
 const platformFile = 'cmake/Modules/Platform/Emscripten.cmake';
 
 /**
- * Emscripten's own toolchain file. It lies beside the real emcc; in many systems the emcc on the
- * path is a link or a short script. em-config knows the folder, and so does the variable that emsdk
- * sets.
+ * Emscripten's own toolchain file. It lies near the real emcc; in many systems the emcc on the path
+ * is a link or a short script. em-config knows the folder, as does the variable that emsdk sets.
  * @param {System} system
  */
 export function findEmscripten(system) {

@@ -13,7 +13,7 @@ const exists = (/** @type {string} */ file) => existsSync(join(root, file));
 /** @type {Map<string, string[]>} */
 const known = new Map();
 
-/** The headers of ours that a file includes itself. @param {string} file */
+/** Our headers that a file includes directly. @param {string} file */
 function included(file) {
   const folders = [...new Set([...includeFolders, dirname(file)])];
   const headers = known.get(file) ?? [...readText(file).matchAll(/^#include "(.+)"/gm)]
@@ -45,7 +45,7 @@ function reached(file, next, found = new Set()) {
   return found;
 }
 
-/** The file and all of ours that it includes, directly or not. @param {string} file */
+/** The file and all our headers that it includes, directly or not. @param {string} file */
 export const withIncludes = (file) => [...reached(file, included)].sort();
 
 /** The file and all our files that its code can reach: its headers, and their implementations. */

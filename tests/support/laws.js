@@ -132,7 +132,7 @@ function lawsOfColors({ bytes, files = [] }) {
 }
 
 /**
- * The references by number that the validator does not know must exist.
+ * The targets of references by number that the validator does not check must exist.
  * @param {any} tree
  */
 export function lawsOfReferences(tree) {

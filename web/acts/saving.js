@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saves a result as files, a report or a picture, and copies its command line.
+// Saves a result as files, a report or a picture, and copies texts such as its command line.
 import { withExtension } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { packed } from '../files/archives.js';

@@ -36,7 +36,7 @@ export class Stage {
   isBrushing = false;
   #root = byId('stage', HTMLElement);
   #wireframe = byId('wireframe', HTMLButtonElement);
-  /** Null until the visitor chooses: the wireframe then suits untextured models only. */
+  /** Null until the visitor chooses; until then textured and thinned models show no wires. */
   #chosenWireframe = /** @type {boolean | null} */ (null);
   /** The latest request of each side; older ones that load later are not shown.
    * @type {Record<Side, number>} */
