@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Build step: lays the documentation beside the page, in docs/, and shows the link to it, which is
-// hidden where there is none. It is copied after all else: the service worker does not keep it.
+// Build step: copies the documentation to docs/ beside the page, and shows the link to it, which is
+// otherwise hidden. The documentation is copied last, so that the service worker does not keep it.
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -12,7 +12,7 @@ export function withDocumentation(html) {
   return html.replace(hidden, ' id="reading">');
 }
 
-/** @param {string} folder what `npm run docs` made @returns {import('vite').Plugin} */
+/** @param {string} folder made by `npm run docs` @returns {import('vite').Plugin} */
 export function documentation(folder) {
   let outDir = '';
   return {

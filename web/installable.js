@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Build step: what makes the page an application that can be installed and works offline, with
-// addresses that are relative to wherever it lies.
+// Build step: makes the page an application that can be installed and works offline. All its
+// addresses are relative, so that it can lie in any folder.
 import { join } from 'node:path';
 import { injectManifest } from '@serwist/build';
 import en from './texts/en.js';
@@ -40,7 +40,7 @@ export function installable() {
       const { warnings } = await injectManifest({
         swSrc: worker, swDest: worker, globDirectory: outDir,
         globPatterns: ['**/*.{html,js,css,wasm,woff2,obj,glb,svg,webmanifest}'],
-        // Nor what the page, which takes files only, never loads: the engine for arrays.
+        // The page takes files only, so it never loads the engine for arrays.
         globIgnores: ['offline.js', '**/{remesher_arrays,arrays_script}-*'],
         maximumFileSizeToCacheInBytes: 2 ** 24,
         dontCacheBustURLsMatching: /^assets\//,

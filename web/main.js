@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page's wiring: which act follows which event.
+// The page's wiring of events to acts.
 import { init } from 'remesher';
 import { codecs } from 'remesher/codecs';
 import { open, showFacts } from './acts/opening.js';
@@ -15,7 +15,7 @@ import { wireSettings } from './panel/settings.js';
 
 let wished = readAddress(location.hash);
 const first = wished.model ?? samples[0].id;
-// On their way while the page is still being made. What is wrong is told where it is needed.
+// Both load while the page is being made. Their errors are shown later, where they are awaited.
 const coming = namedFiles(first);
 coming.catch(() => {});
 init({ codecs }).catch(() => {});
@@ -46,7 +46,7 @@ function cancel() {
   page.session.cancel();
 }
 
-/** The address speaks for the next model only.
+/** The address's options apply to the next model only.
  * @param {Promise<import('./files/files.js').PathedFile[]>} items @param {string | null} source */
 function take(items, source) {
   const { values } = wished;
@@ -70,18 +70,18 @@ fillMenu();
 take(coming, first);
 
 addEventListener('beforeunload', (event) => {
-  if (page.session.isUnsaved) event.preventDefault();  // the browser asks
+  if (page.session.isUnsaved) event.preventDefault();  // the browser asks before it leaves
 });
-// Only once the visitor has been served: keeping the page takes as long as loading it.
+// Keeping the page takes as long as loading it, so it begins 3 seconds after the load.
 addEventListener('load', () => setTimeout(keepOffline, 3000));
 
 function keepOffline() {
   const { serviceWorker } = navigator;
-  // Where it is forbidden, the page needs the network, as any other.
+  // If service workers are forbidden, the page needs the network, like any other.
   serviceWorker?.register('./offline.js').catch(() => {});
 }
 
-addEventListener('hashchange', () => {  // typed by hand: the page's own changes do not tell
+addEventListener('hashchange', () => {  // typed by hand: the page's own changes fire no event
   wished = readAddress(location.hash);
   if (wished.model && wished.model !== page.session.source) {
     take(namedFiles(wished.model), wished.model);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The service worker: after the first visit the page needs no network. What there is to keep, the
-// build writes into it (installable.js).
+// The service worker: after the first visit the page needs no network. The build writes the list of
+// files to keep into it (installable.js).
 import { Serwist } from 'serwist';
 
 const precacheEntries = /** @type {any} */ (self).__SW_MANIFEST;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Build step: what the page has of the package, otherwise than other users.
+// Build step: leaves out package modules that the page does not need, and preloads WebAssembly.
 
 const nothing = '\0nothing';
 const exported = 'export const Engine = null, plainWorker = null, loadPackage = () => {};';
 
-/** A browser that reads the page has workers, and its worker has codecs: nothing runs in the page,
- * and no plain worker starts. */
+/** Modules that the page never uses. Its browsers have workers, and its worker has codecs, so that
+ * no engine runs in the page itself and no plain worker starts. */
 const unused = /\/(worker\/engine|plain_worker|textures\/bundled_packages)\.js$/;
 
 /** @returns {import('vite').Plugin} for the page, not for its workers */
@@ -18,7 +18,7 @@ export function withoutUnused() {
   };
 }
 
-/** The WebAssembly is on its way before any script has run.
+/** The WebAssembly begins to load before any script has run.
  * @returns {import('vite').Plugin} for the page */
 export function earlyWasm() {
   return {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Build step: writes the built-in models into the built page. Two come as JavaScript arrays in npm
-// packages, in the public domain; the others are formulas of ours.
+// Build step: writes the built-in models into the built page. Two are JavaScript arrays in npm
+// packages, in the public domain; our formulas make the others.
 import { createRequire } from 'node:module';
 import { samples } from './model/samples.js';
 import { gear } from './samples/gear.js';
@@ -16,7 +16,7 @@ function toObj({ positions, cells }) {
   return [...vertices, ...faces, ''].join('\n');
 }
 
-/** How each sample is made. @type {Record<import('./model/samples.js').Sample['id'],
+/** The maker of each sample. @type {Record<import('./model/samples.js').Sample['id'],
  *   () => string | Promise<Uint8Array>>} */
 const sources = {
   bunny: () => toObj(require('bunny')),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds the page, the documentation beside it, and serves them on this computer:
-// node web/serve.js [port]. PORT works, too; a port that is taken makes it try the next.
+// Builds the page, copies build/docs beside it if that exists, and serves both on this computer:
+// node web/serve.js [port]. The variable PORT works, too; if the port is taken, the next is tried.
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { build, preview } from 'vite';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the page becomes a folder of static files, in build/web: relative addresses, so that any
+// Builds the page as a folder of static files, build/web. Its addresses are relative, so that any
 // server and any path will do.
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -13,7 +13,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [sampleFiles(), wordsInPlace(), installable(), earlyWasm(), withoutUnused()],
-  // The codecs of images in one script: they are much alike, and packed together half as large.
+  // One script for all image codecs: they are much alike, and half as large if packed together.
   worker: { format: 'es', rolldownOptions: {
     output: { codeSplitting: { groups: [{ name: 'codecs', test: /@jsquash/ }] } } } },
   build: {
@@ -24,7 +24,7 @@ export default defineConfig({
     rolldownOptions: {
       input: { index: fileURLToPath(new URL('index.html', import.meta.url)),
         offline: fileURLToPath(new URL('offline.js', import.meta.url)) },
-      // A service worker speaks for the folder it lies in, and under one name for ever.
+      // A service worker controls the folder it lies in, and its name must never change.
       output: { entryFileNames: ({ name }) =>
         (name === 'offline' ? 'offline.js' : 'assets/[name]-[hash].js') },
     },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Build step: writes the English texts into the page's elements, so that they are read before any
-// script has run.
+// Build step: writes the English texts into the page's elements, so that they are visible before
+// any script has run.
 import en from './texts/en.js';
 
 const texts = /** @type {Record<string, string>} */ (en);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The npm package in dist/: our sources as they are, the WebAssembly, the decoders of compressed
-// glTF, and the types read from the comments.
+// Assembles the npm package in dist/: our sources unchanged, the WebAssembly, the decoders of
+// compressed glTF, and the types read from the comments.
 import {
   chmodSync, copyFileSync, cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync,
 } from 'node:fs';
@@ -11,22 +11,22 @@ import { optionDeclarations, withPlainImports } from './declarations.js';
 import { root, run, say } from './say.js';
 import { Stamp } from './stamp.js';
 
-/** What others have made and nobody reads here, shorter; comments go. @param {string} text */
+/** Minifies code that nobody reads in the package, without comments. @param {string} text */
 async function shortened(text) {
-  const { transform } = await import('esbuild'); // of the packages that the build has installed
+  const { transform } = await import('esbuild'); // one of the npm packages that the build installs
   return (await transform(text, { minify: true, format: 'esm', target: 'es2022' })).code;
 }
 
 /**
- * Modules of our own around the decoders of compressed glTF, complete in themselves: they work
- * under any bundler and without one, and a user of the package installs nothing else.
+ * Our modules around the decoders of compressed glTF. The modules import nothing: they work with
+ * any bundler and without one, and a user of the package installs nothing else.
  * @returns {Promise<Record<string, string>>} contents by file name
  */
 async function decoderModules() {
   const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
   const draco = 'draco3dgltf/draco_decoder_gltf';
-  // Without `process` the script does not take Node for granted; without the names of CommonJS no
-  // bundler takes it for a mixture of the two kinds of module, nor looks for Node's files.
+  // Without `process` the script does not assume Node. Without the names of CommonJS no bundler
+  // takes the script for a mixture of both kinds of module, or looks for Node's modules.
   return {
     'meshopt_decoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
 // Copyright (C) 2016-2026, by Arseny Kapoulkine
@@ -65,15 +65,15 @@ async function emitDeclarations() {
   }
 }
 
-/** The whole engine, and the one for arrays. */
+/** The whole engine, and the engine for arrays only. */
 const engines = ['remesher', 'remesher_arrays'];
 
 /** @param {string} engine */
 const filesOf = (engine) => [`build/wasm/${engine}.mjs`, `build/wasm/${engine}.wasm`];
 
 /**
- * Without the address of its WebAssembly, which it gets compiled: bundlers would lay the file
- * beside every program that might run the script.
+ * Removes the address of the WebAssembly, because the script gets the module compiled. With the
+ * address, bundlers would copy the file beside every program that might run the script.
  * @param {string} script
  */
 const withoutAddress = (script) =>
@@ -112,7 +112,7 @@ export async function assemblePackage() {
   stamp.set();
 }
 
-/** build/profile/package: dist/ with an engine for arrays whose functions have names. */
+/** Makes build/profile/package: dist/ with an engine for arrays that keeps its function names. */
 export function assembleProfile() {
   cpSync(join(root, 'dist'), join(root, 'build/profile/package'), { recursive: true });
   for (const file of ['remesher_arrays.mjs', 'remesher_arrays.wasm']) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What CMake and Ninja make of the core: the WebAssembly module, the unit tests, the judge.
+// Builds the core with CMake and Ninja: the WebAssembly modules, the unit tests, the fuzzer and the
+// measuring tools.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -10,8 +11,8 @@ import { includeFolders, isKnown } from './system.js';
 /** @typedef {import('./system.js').System} System */
 
 /**
- * What of a build is the system's: where headers are; and the warnings of compilers that we do not
- * know are no errors.
+ * The definitions that depend on the system: the folders of headers, and, for compilers that we do
+ * not know, warnings that are no errors.
  * @param {System} system
  */
 export function commonDefinitions(system) {
@@ -45,7 +46,8 @@ export function testDefinitions(system) {
  */
 
 /**
- * A folder configured otherwise begins anew: compilers cannot be changed in place.
+ * Configures a folder. With other definitions the folder begins anew, because CMake cannot change a
+ * compiler in place.
  * @param {Target} target
  */
 async function configure({ folder, definitions }) {
@@ -72,9 +74,9 @@ export const buildWebAssembly = (system) => buildTarget({
 });
 
 /**
- * What comes after the module, its linking and the package's types, uses one core: it begins as
- * early as it can, and the tests fill the other. The fuzzer's one unit is not left for the end,
- * where it would have a core to itself and the other none.
+ * The steps after compiling the module, its linking and the package's types, use one core. They
+ * begin as early as possible, and the unit tests, which give way, fill the other cores. The
+ * fuzzer's one unit is compiled with them: at the end it would keep one core busy, the others idle.
  * @param {System} system
  */
 const unitTests = (system) => ({
@@ -99,7 +101,7 @@ export const buildFuzz = (system) => buildTarget({
   definitions: [...commonDefinitions(system), ...testDefinitions(system), '-DREMESHER_FUZZ=ON'],
 });
 
-/** Finds the headers for those who only read them. @param {System} system */
+/** Finds the headers for tools that only read them. @param {System} system */
 export const configureUnitTests = (system) => configure(unitTests(system));
 
 /** @param {System} system */

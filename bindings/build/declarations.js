@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the package's TypeScript declarations have beside what tsc reads from the sources: the type
-// of the options, out of their table, so that an editor says of each what its row says.
+// TypeScript declarations that tsc does not read from the sources: the type of the options is made
+// from their table, so that an editor shows each option's row.
 
 import { defaultInWords, optionTable, rangeInWords } from '../package/base/options.js';
 
@@ -23,16 +23,16 @@ function typeOf(option) {
   return plainTypes[option.type] + (option.off ? " | 'off'" : '');
 }
 
-/** With a full stop, and with a capital unless a name or a sign begins it. @param {string} text */
+/** Adds a full stop, and a capital unless a name or a sign comes first. @param {string} text */
 const sentence = (text) => `${text.replace(/^[a-z]+(?!:)\b/, capitalized)}.`;
 
 /** @param {string} word */
 const capitalized = (word) => word[0].toUpperCase() + word.slice(1);
 
-/** A value as it is written in a program. @param {unknown} value */
+/** A value as JavaScript source. @param {unknown} value */
 const spelled = (value) => (typeof value === 'string' ? `'${value}'` : String(value));
 
-/** The lines an editor shows: text, range and unit, default. @param {Option} option */
+/** The lines that an editor shows: text, range and unit, default. @param {Option} option */
 export function documentationOf(option) {
   const unit = option.unit ? `, in ${option.unit}` : '';
   const value = defaultInWords(option, spelled);
@@ -40,7 +40,7 @@ export function documentationOf(option) {
     ...(value ? ['', `@default \`${value}\``] : [])];
 }
 
-/** The file base/remesh_options.d.ts. */
+/** The text of base/remesh_options.d.ts. */
 export function optionDeclarations() {
   const members = optionTable.map((option) => [
     '  /**',
@@ -61,8 +61,8 @@ export function optionDeclarations() {
 }
 
 /**
- * Declarations in which what comes from another module is imported by its name: an alias of an
- * `import()` would hide what it stands for from editors and from the reference.
+ * Replaces aliases of an `import()` by plain imports. An alias would hide the type behind it from
+ * editors and from the reference.
  * @param {string} text as tsc writes it
  */
 export function withPlainImports(text) {
@@ -70,7 +70,7 @@ export function withPlainImports(text) {
     'import type { $1 } from $2;\nexport type { $1 };');
 }
 
-/** A text in a cell of a Markdown table. @param {string} text */
+/** A text, escaped for a cell of a Markdown table. @param {string} text */
 const cell = (text) => text.replaceAll('|', '\\|');
 
 /** @param {Option} option */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The documentation as one site, into build/docs: the reference, out of the built package's
-// declarations and the table of options, the recipes and the papers. What TypeDoc complains of (a
-// link to nothing, a name without an export) is a failure. What is there already is not made again.
+// Builds the documentation as one site in build/docs: the reference, made from the built package's
+// declarations and the table of options, the recipes and the papers. Any complaint of TypeDoc (a
+// link to nothing, a name without an export) is a failure. A current site is not made again.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -18,11 +18,11 @@ const look = 'bindings/build/docs.css';
 /** @param {string} file @returns {string} */
 const read = (file) => readFileSync(join(root, file), 'utf8');
 
-/** In the order of their list. */
+/** The recipes in the order of docs/README.md. */
 const recipes = [...read('docs/README.md').matchAll(/\]\((recipes\/[\w-]+\.md)\)/g)]
   .map(([, path]) => `docs/${path}`);
 
-/** The pages beside the reference, as the navigation has them. @type {Record<string, string[]>} */
+/** The pages beside the reference, as in the navigation. @type {Record<string, string[]>} */
 const groups = {
   Guide: ['docs/README.md', optionsFile, 'docs/sizes.md', 'docs/comparison.md', 'SECURITY.md'],
   Recipes: recipes,
@@ -30,7 +30,7 @@ const groups = {
 };
 const papers = Object.values(groups).flat();
 
-/** By the manifest: declarations by the name they are imported by. */
+/** The manifest's entries: the declarations of each import name. */
 function entriesOf() {
   /** @type {Map<string, string>} */
   const entries = new Map();
@@ -41,7 +41,7 @@ function entriesOf() {
   return entries;
 }
 
-/** All that the site is made of. */
+/** All files that the site is made from. */
 function inputs() {
   const below = (/** @type {string} */ folder, /** @type {RegExp} */ pattern) =>
     readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
@@ -63,7 +63,8 @@ function configureTypes(files) {
   return tsconfig;
 }
 
-/** Under its heading, in its group. @param {DocumentReflection} page @param {string} file */
+/** Names a page by its heading and puts it into its group.
+ * @param {DocumentReflection} page @param {string} file */
 function place(page, file) {
   const [, heading] = /^# (.+)$/m.exec(read(file)) ?? [];
   page.name = heading ?? file;
@@ -94,7 +95,7 @@ async function make() {
       'Type Aliases', 'Variables', '*', 'Project'],
     treatWarningsAsErrors: true,
   });
-  app.renderer.on(PageEvent.END, (page) => {  // what scrolls can be reached by the keyboard
+  app.renderer.on(PageEvent.END, (page) => {  // the keyboard can reach all parts that scroll
     page.contents = page.contents?.replaceAll('<table>', '<table tabindex="0">');
   });
   let pages = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Brings what is missing where that can be done without asking, which is with apt; elsewhere says
-// what is missing and how to get it.
+// Installs missing tools with apt, which needs no questions. On other systems, says which tools are
+// missing and how to get them.
 import { advice, missingNeeds } from './needs.js';
 import { ask, BuildError, run, say } from './say.js';
 import { Stamp } from './stamp.js';
@@ -24,7 +24,7 @@ async function installDebianPackages(system, needs) {
 
 /**
  * @param {System} system
- * @param {readonly import('./needs.js').Part[]} parts what is to be built
+ * @param {readonly import('./needs.js').Part[]} parts to be built
  */
 export async function installTools(system, parts) {
   let missing = missingNeeds(system, parts);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the build needs, how it is found, and how each package manager calls it.
+// The tools and libraries that the build needs, how to find them, and their names in each package
+// manager.
 import { dirname, join } from 'node:path';
 
 import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
@@ -11,19 +12,19 @@ import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
 /**
  * @typedef {object} Need
  * @property {string} name
- * @property {Part[]} parts what is built or run with it
- * @property {(system: System) => string | undefined} find where it is
+ * @property {Part[]} parts that need it
+ * @property {(system: System) => string | undefined} find its place
  * @property {Partial<Record<Manager, string>>} packages
- * @property {string} [lighter] taken instead of apt's where the archive has it, as Debian's does
+ * @property {string} [lighter] taken instead of the apt package if the archive has it, as Debian's
  * @property {string} [ubuntu] the command for Ubuntu, whose archive has no browsers
- * @property {string} [variable] names the place where it is; PATH if it does not say
+ * @property {string} [variable] the environment variable that tells its place; PATH if not given
  */
 
 const platformFile = 'cmake/Modules/Platform/Emscripten.cmake';
 
 /**
- * Emscripten's own toolchain file. It lies where emcc really is, which is a link or a script of a
- * few lines in many systems; em-config knows, and so does the variable that emsdk sets.
+ * Emscripten's own toolchain file. It lies near the real emcc; in many systems the emcc on the path
+ * is a link or a short script. em-config knows the folder, as does the variable that emsdk sets.
  * @param {System} system
  */
 export function findEmscripten(system) {
@@ -40,7 +41,7 @@ export function findEmscripten(system) {
 }
 
 /**
- * A browser that tests can drive. Where there is one without windows, that: its pages take a fifth
+ * A browser that tests can drive. A browser without windows comes first: its pages take a fifth
  * less time.
  * @param {System} system
  */
@@ -54,7 +55,7 @@ export function findChromium(system) {
     ?? onMac.find((path) => system.exists(path));
 }
 
-/** The other engine that must give the same bytes. @param {System} system */
+/** A second JavaScript engine, which must give the same bytes. @param {System} system */
 export function findFirefox(system) {
   if (system.environment.REMESHER_FIREFOX) return system.environment.REMESHER_FIREFOX;
   const onMac = '/Applications/Firefox.app/Contents/MacOS/firefox';
@@ -63,9 +64,9 @@ export function findFirefox(system) {
 }
 
 /**
- * A clang++ that has the libraries of its sanitizers: it finds more than g++, in less time. Some
- * (Debian's from 17 on) name a folder called after the target, which is not there, and look into
- * the one called `linux` beside it.
+ * A clang++ that has its sanitizers' libraries: it finds more than g++, in less time. Some versions
+ * (Debian's from 17 on) print a folder named after the target, which does not exist, and use the
+ * folder `linux` beside it.
  * @param {System} system
  */
 export function findSanitizingClang(system) {
@@ -148,7 +149,7 @@ export const needs = [
 ];
 
 /**
- * What is asked for and not there.
+ * The needs of these parts that are not found.
  * @param {System} system
  * @param {readonly Part[]} parts
  */
@@ -157,14 +158,14 @@ export function missingNeeds(system, parts) {
     && !need.find(system));
 }
 
-/** How to install a package, by manager. @type {Record<string, string>} */
+/** Each manager's command to install a package. @type {Record<string, string>} */
 const installing = {
   apt: 'sudo apt-get install', dnf: 'sudo dnf install', pacman: 'sudo pacman -S',
   apk: 'sudo apk add', brew: 'brew install', nix: 'nix-shell -p',
 };
 
 /**
- * A line per missing thing, with the command that brings it.
+ * One line per missing need, with the command that installs it.
  * @param {System} system
  * @param {readonly Need[]} missing
  */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Whether the checkout is what a tag says, before anything of it is published:
+// Checks that the checkout agrees with a tag, before it is published:
 //   node bindings/build/release.js v1.2.3
 // prints that version's section of CHANGELOG.md, the release's notes, or says what does not agree.
-// GitHub's variables say which repository it is: npm takes a signed package from no other than the
-// one that its manifest names.
+// GitHub's variables name the repository: npm accepts a signed package only from the repository
+// that its manifest names.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +19,7 @@ import { BuildError, root, say } from './say.js';
  */
 
 /**
- * By their headings, `[1.2.3] - 2026-12-24` or `[Unreleased]`: what follows each.
+ * The sections' texts by their headings, `[1.2.3] - 2026-12-24` or `[Unreleased]`.
  * @param {string} changelog
  */
 export function sectionsOf(changelog) {

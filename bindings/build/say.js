@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the build speaks and starts other programs: a line per step on standard error, and what a
-// program printed only if it failed.
+// The build's messages and other programs: one line per step on standard error, and the output of a
+// program only if it failed.
 import { spawn, spawnSync } from 'node:child_process';
 import { constants, getPriority, setPriority } from 'node:os';
 import { dirname } from 'node:path';
@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 
 export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
-/** What the user can do something about: the message says what. */
+/** An error that the user can mend: the message says how. */
 export class BuildError extends Error {}
 
 /** @param {string} text */
@@ -19,12 +19,12 @@ export function say(text) {
 /**
  * @param {string} command
  * @param {readonly string[]} words
- * @param {{ givesWay?: boolean }} [options] to others that want the same cores
- * @returns {Promise<string>} what it printed
+ * @param {{ givesWay?: boolean }} [options] givesWay: runs at a lower priority than other programs
+ * @returns {Promise<string>} its output
  */
 export function run(command, words, { givesWay = false } = {}) {
   return new Promise((resolve, reject) => {
-    // On Windows npm and the like are scripts, which only a shell starts.
+    // On Windows npm and similar programs are scripts, which only a shell can start.
     const child = spawn(command, words, { cwd: root, shell: process.platform === 'win32' });
     if (givesWay && child.pid) {
       const { PRIORITY_LOW, PRIORITY_BELOW_NORMAL } = constants.priority;
@@ -44,7 +44,7 @@ export function run(command, words, { givesWay = false } = {}) {
 }
 
 /**
- * What a program answers at once; nothing if it is not there or fails.
+ * The trimmed output of a short program; '' if the program is missing or fails.
  * @param {string} command
  * @param {readonly string[]} words
  */

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Whether a step is to be done again: a file remembers the hash of what it was made of.
+// Tells whether a step must be done again: a stamp file keeps the hash of the step's inputs.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
 import { root } from './say.js';
 
-/** Whether these contents are those of the last time; and from now on they are. */
+/** isCurrent(): whether the inputs are the same as at the last set(). */
 export class Stamp {
-  /** @param {string} path @param {readonly string[]} files both from the root */
+  /** @param {string} path of the stamp @param {readonly string[]} files inputs, from the root */
   constructor(path, files) {
     this.path = join(root, path);
     const hash = createHash('sha256');

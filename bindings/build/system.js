@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the rest of the build wants to know of the computer it runs on, as one value: tests make up
-// others.
+// Everything that the build asks about its computer, as one value, so that tests can make up
+// systems.
 import { existsSync, readFileSync, realpathSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -14,8 +14,8 @@ import { ask } from './say.js';
  * @property {boolean} isRoot
  * @property {(path: string) => boolean} exists
  * @property {(path: string) => string} realPath
- * @property {(command: string, words: readonly string[]) => string} ask what a program prints;
- *   nothing if it is not there or fails
+ * @property {(command: string, words: readonly string[]) => string} ask a program's output; '' if
+ *   the program is missing or fails
  */
 
 /** @returns {System} */
@@ -43,7 +43,7 @@ const distributions = [
   ['nix', /^ID=.*\bnixos\b/m],
 ];
 
-/** Whose names of packages a user of this system wants to read. @param {System} system */
+/** The package manager whose package names help a user of this system. @param {System} system */
 export function packageManager(system) {
   if (system.environment.IN_NIX_SHELL) return 'nix';
   if (system.platform === 'darwin') return 'brew';
@@ -51,10 +51,10 @@ export function packageManager(system) {
   return distributions.find(([, pattern]) => pattern.test(system.osRelease))?.[0] ?? 'none';
 }
 
-/** Ubuntu, and what is made of it. @param {System} system */
+/** Ubuntu and distributions based on it. @param {System} system */
 export const isUbuntu = ({ osRelease }) => /^(ID|ID_LIKE)=.*\bubuntu\b/m.test(osRelease);
 
-/** Whose compilers have been held to no warnings: Debian 12 and 13. @param {System} system */
+/** Systems whose compilers give no warnings: Debian 12 and 13. @param {System} system */
 export const isKnown = ({ osRelease }) =>
   /^ID=debian$/m.test(osRelease) && /^VERSION_ID="?1[23]"?$/m.test(osRelease);
 
@@ -63,7 +63,7 @@ const splitPath = (list, system) =>
   (list ?? '').split(system.platform === 'win32' ? ';' : ':').filter(Boolean);
 
 /**
- * Where a program is; nothing if it is not on the path.
+ * A program's path; undefined if PATH does not have it.
  * @param {System} system
  * @param {string} name
  */
@@ -74,7 +74,7 @@ export function findProgram(system, name) {
     .find(system.exists);
 }
 
-/** Where headers may lie, those the user names first. @param {System} system */
+/** Folders that may have headers; the user's own come first. @param {System} system */
 export function includeFolders(system) {
   const { environment } = system;
   const nixFlags = (environment.NIX_CFLAGS_COMPILE ?? '').matchAll(/-isystem\s+(\S+)/g);
@@ -87,7 +87,8 @@ export function includeFolders(system) {
 }
 
 /**
- * The folder to include from; nothing if no folder has the header. Eigen has one of its own.
+ * The folder to include from; undefined if no folder has the header. Eigen's headers may lie in a
+ * subfolder eigen3.
  * @param {System} system
  * @param {string} header
  */

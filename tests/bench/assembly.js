@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// An assembly as CAD systems export it, made by formula: turned parts with sharp edges, long thin
-// triangles on what is flat, and triangles without area where a row of points is one point, or two
-// rows are one circle.
+// An assembly as CAD systems export it, by formula: turned parts with sharp edges, long thin
+// triangles on flat faces, and triangles without area where a row of points is a single point or
+// two rows are the same circle.
 
 const parts = 46;
 const segments = 53;
-// Radius and height along the outline of a part, from pole to pole; one point is there twice.
+// Radius and height along the outline of a part, from pole to pole; one point is listed twice.
 const outline = [[0, 0], [4, 0], [9, 0], [9, 3], [6, 3], [6, 3], [6, 8], [6, 14], [7, 15], [7, 19],
   [5, 19], [5, 24], [3, 26], [1, 26.5], [0, 26.5]];
 
@@ -24,7 +24,7 @@ function turnedPart(scale) {
   return { positions: new Float64Array(positions), indices: new Uint32Array(indices) };
 }
 
-/** A scene: each part is of its own size, in its own place. */
+/** A scene: parts of five sizes, each in its own place. */
 export function assembly() {
   return Array.from({ length: parts }, (_, n) => ({
     mesh: turnedPart(1 + (n % 5) / 4),

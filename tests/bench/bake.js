@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much a textured model still looks like itself with few triangles: its textures kept, baked,
-// and the model simplified by meshoptimizer to as many triangles. Pictures from twelve sides.
+// Measures how well a textured model keeps its look with few triangles: with textures kept, with
+// textures baked, and simplified by meshoptimizer to as many triangles. Pictures from twelve sides.
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 

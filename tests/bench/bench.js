@@ -11,7 +11,7 @@
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [case…]     broken surfaces, repaired
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
-// only those from npm packages are run. The status is 1 when a limit is broken.
+// only the models from npm packages are run. The status is 1 if a limit is broken.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 

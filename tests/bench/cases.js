@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Both schemes on every case, each at seven neighbouring numbers of vertices, with the limits that
-// the medians and the worst of `best` have to keep.
+// Runs both schemes on every case, each at seven neighbouring numbers of vertices. The medians and
+// the worst figures of `best` must keep the limits.
 import { brokenPromises, judge } from './judge.js';
 import { loadModel } from './models.js';
 import { neighboursOf, summed } from './neighbours.js';
@@ -19,7 +19,7 @@ const atMost = ['hausdorff', 'rms'];
 /**
  * @param {Record<string, number>} limits
  * @param {(name: string) => number} read
- * @param {string} of which of seven
+ * @param {string} of words for the message: the median or the worst of seven
  */
 function brokenLimits(limits, read, of) {
   return [
@@ -30,7 +30,7 @@ function brokenLimits(limits, read, of) {
   ];
 }
 
-/** Of the medians, of the worst, of the time. */
+/** The broken limits of the medians, of the worst figures, and of the time. */
 function brokenOfBest(limits, figures, timesYardstick) {
   return [
     ...brokenLimits(limits, (name) => figures[name].median, 'in the median'),
@@ -40,7 +40,7 @@ function brokenOfBest(limits, figures, timesYardstick) {
   ];
 }
 
-/** One number and its neighbours; the number itself is what is timed. */
+/** Runs a number of vertices and its neighbours; only the number itself is timed. */
 async function runScheme(mesh, limits, { scheme, runs, yardstick }) {
   const { vertices } = limits;
   const { report, seconds, bytes } = await timeRemesh(mesh, { vertices, scheme }, runs);

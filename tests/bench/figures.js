@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints how large the house is: modules in each folder, dials in each room of the algorithm, and
-// of each tree the longest files, the longest functions and those with most parameters.
+// Prints the sizes of the code: modules in each folder, dials in each room of the algorithm, and
+// for each tree the longest files, the longest functions and the functions with most parameters.
 //   npm run figures
 import { dialsOfRooms, mostDials } from '../support/dials.js';
 import { filesWithSizes, folderSizes, limits, shareOfLong } from '../support/figures.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a result is worth, said by the native measuring tool: it shares no more with the remesher
-// than a tree of triangles, tested against brute force, and proves the largest distance.
+// Judges a result by the native measuring tool. The tool shares only a tree of triangles, tested
+// against brute force, with the remesher, and proves the largest distance.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -23,7 +23,7 @@ export function judge(original, result) {
   }
 }
 
-/** What every result owes its original, whatever the case, as sentences about what is broken. */
+/** The broken promises that hold for every result, in words. */
 export function brokenPromises(judgement, vertices) {
   const { original, result } = judgement;
   const broken = [];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Whether many small runs leave memory as it was: npm run memory [-- RUNS], 10000 if not given.
-// A line for runs in the calling thread and one for runs in the worker. After a fifth of them to
-// warm up, two fifths are compared with the last two: bytes that a run leaves in JavaScript's heap,
-// and beside it; the whole process in each; and how many WebAssembly memories there were.
-// V8's compilers keep code and notes of their own for a long while, so they are off.
+// Measures whether many small runs leak memory: npm run memory [-- RUNS], 10000 if not given.
+// One line for runs in the calling thread and one for runs in the worker. The first fifth of the
+// runs is the warm-up; the next two fifths are compared with the last two: bytes that a run leaves
+// in JavaScript's heap, and beside it; the size of the whole process in each; and the number of
+// WebAssembly memories. V8's compilers keep code and data for a long time, so they are off.
 
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
@@ -12,7 +12,7 @@ import { remesh } from 'remesher';
 
 import { octahedron } from '../support/shapes.js';
 
-/** After all that can be freed is: several times, for finalizers free more. */
+/** The memory after garbage collection, done several times because finalizers free more. */
 async function memoryNow() {
   for (let i = 0; i < 3; i += 1) {
     globalThis.gc?.();
@@ -40,8 +40,8 @@ async function repeat(runs, worker) {
 }
 
 /**
- * The least of five moments among so many runs: now and then V8 holds some hundred kilobytes for a
- * moment.
+ * The least of five measurements during the runs, because V8 at times holds some hundred kilobytes
+ * for a moment.
  * @param {number} runs @param {boolean} worker
  */
 async function leastAmong(runs, worker) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models as plain arrays: OBJ and OFF files of a folder, or those that ship in npm packages
-// ("npm:name", "npm:name/part").
+// Models as plain arrays: OBJ and OFF files of a folder, or models from npm packages ("npm:name",
+// "npm:name/part").
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -40,8 +40,8 @@ export function readOff(text) {
   return fromLists(points, polygons.map(([size, ...corners]) => corners.slice(0, size)));
 }
 
-// Of a module without any of its own. Whoever requires it keeps its million little lists, and every
-// collection of garbage beside a run that is timed would look at all of them.
+// Runs a module that imports nothing, without require(): require() would keep the module's million
+// small lists, and every garbage collection during a timed run would visit all of them.
 function exportsOf(path) {
   const exports = {};
   runInNewContext(readFileSync(path, 'utf8'), { exports });

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How near and how even a result is changes with every vertex more: a figure of one number of
-// vertices is chance. Figures here are of seven neighbouring numbers: their median, and the worst.
+// A result's distances and angles change with every vertex more, so figures at a single number of
+// vertices are chance. Here figures are the median and the worst of seven neighbouring numbers.
 import { median } from './yardstick.js';
 
-/** Neighbours are so many vertices of a thousand apart. */
+/** Differences of the neighbours, in thousandths of the number of vertices. */
 const steps = [-9, -6, -3, 0, 3, 6, 9];
 
-/** Seven numbers within 1 % of one. @param {number} vertices */
+/** Seven numbers within 1 % of `vertices`. @param {number} vertices */
 export const neighboursOf = (vertices) =>
   steps.map((step) => Math.round(vertices * (1 + step / 1000)));
 
-/** Whether more of a figure is better. */
+/** The figures of which more is better. */
 const moreIsBetter = new Set(['above50', 'meanAngle', 'worstAngle', 'valence6']);
 
 /**

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How long visitors of the page wait, and for how long it does not answer. On a busy machine the
-// clock tells little: waiting is the clock's time or the browser's processor time, whichever is
-// less, in the best of several runs, each with an empty cache; the page's tasks are timed by what
-// its main thread computes.
+// Measures how long visitors of the page wait, and how long the page does not react. On a busy
+// machine the clock tells little. So a wait is the lesser of the clock's time and the browser's
+// processor time, in the best of several runs, each with an empty cache. The page's tasks are timed
+// by the processor time of its main thread.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -13,7 +13,7 @@ import { fixed, markdownTable } from './table.js';
 const samples = ['bunny', 'gear', 'scan', 'vase', 'teapot'];
 const categories = ['devtools.timeline', 'disabled-by-default-devtools.timeline'];
 
-/** What each process that this one has started has computed, in milliseconds; Linux tells. */
+/** Processor time of each process that this one has started, in milliseconds, by Linux's /proc. */
 function processorTimes() {
   const processes = new Map(readdirSync('/proc').filter((name) => /^\d+$/.test(name)).map((id) => {
     try {
@@ -21,7 +21,7 @@ function processorTimes() {
       const [parent, user, system] = [fields[1], fields[11], fields[12]].map(Number);
       return [Number(id), { parent, ticks: user + system }];
     } catch {
-      return [Number(id), { parent: 0, ticks: 0 }];  // it has just ended
+      return [Number(id), { parent: 0, ticks: 0 }];  // the process has just ended
     }
   }));
   const isOurs = (id) => id === process.pid || (id > 1 && isOurs(processes.get(id)?.parent ?? 0));
@@ -29,13 +29,13 @@ function processorTimes() {
     .map(([id, { ticks }]) => [id, 10 * ticks]));
 }
 
-/** What all have computed since; some of them have ended meanwhile.
+/** The processor time of all these processes since then; some have ended meanwhile.
  * @param {Map<number, number>} before */
 function computedSince(before) {
   return [...processorTimes()].reduce((sum, [id, now]) => sum + now - (before.get(id) ?? 0), 0);
 }
 
-/** Notes in the page when what first happens, and how long each draft takes, in milliseconds. */
+/** Notes in the page the time of each first event, and each draft's duration, in milliseconds. */
 function noteTimes() {
   const times = { drafts: [] };
   globalThis.times = times;
@@ -54,7 +54,7 @@ function noteTimes() {
   }).observe(document.body, { attributes: true, attributeFilter: ['data-state'] }));
 }
 
-/** What took longest within a task. */
+/** The longest events within a task. */
 function inside(task, events) {
   return events.filter(({ name, ts, dur, pid }) => pid === task.pid && !name.startsWith('Run')
     && ts >= task.ts && ts + dur <= task.ts + task.dur)
@@ -62,8 +62,8 @@ function inside(task, events) {
     .map(({ name, tdur }) => `${name} ${(tdur / 1000).toFixed(0)}`).join(', ');
 }
 
-/** The main thread's tasks while something is done, the longest first: milliseconds of its
- * processor each. */
+/** The main thread's tasks during an act, the longest first, each in milliseconds of processor
+ * time. */
 async function tasksOf(site, page, act) {
   await site.browser.startTracing(page, { categories });
   await act();
@@ -76,7 +76,7 @@ async function tasksOf(site, page, act) {
     .slice(0, 4).map((task) => ({ milliseconds: task.tdur / 1000, inside: inside(task, events) }));
 }
 
-/** From an empty cache to the sample's result. */
+/** The wait from an empty cache to the sample's result. */
 async function arrival(site) {
   const start = processorTimes();
   const { page } = await openPage(site, { prepare: noteTimes });
@@ -113,7 +113,7 @@ async function drafts(site, runs) {
   return rows;
 }
 
-/** A large file is opened and remeshed: how long the page does not answer. */
+/** How long the page does not react while a large file is opened and remeshed. */
 async function blocking(site, folder) {
   const path = join(folder, 'horse.obj');
   if (!existsSync(path)) return [];
@@ -132,7 +132,7 @@ async function blocking(site, folder) {
   return [['longest task with horse.obj, ms', tasks[0].milliseconds]];
 }
 
-/** What a frame draws of a model of 200 thousand triangles. */
+/** The draw calls and triangles of a frame with a model of 200 thousand triangles. */
 async function frame(site) {
   const { page } = await openPage(site, { hash: '#model=gear&vertices=500' });
   await settled(page);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether Parcel's projects can use every entry of the package, as tests/bundlers.test.js asks of
-// the other bundlers: npm run parcel. It installs Parcel, 111 MB, into a folder that goes away.
+// Tests that projects of Parcel can use every entry of the package, as tests/bundlers.test.js does
+// for the other bundlers: npm run parcel. Parcel, 111 MB, is installed into a temporary folder.
 
 import { strict as assert } from 'node:assert';
 import { join } from 'node:path';
@@ -17,9 +17,9 @@ try {
     600_000);
   linkPeers(folder);
   write('package.json', JSON.stringify({ type: 'module', private: true,
-    // Entries of packages are off unless they are asked for.
+    // Parcel ignores the entries of packages unless this option is on.
     '@parcel/resolver-default': { packageExports: true },
-    // Node's modules, of which glTF-Transform speaks for a class that is not for browsers.
+    // Modules of Node that glTF-Transform names for a class that is not for browsers.
     alias: { buffer: false, process: false, 'node:fs': false, 'node:path': false } }));
   write('page.js', moduleProgram(
     "const wasmUrl = new URL('npm:remesher/remesher.wasm', import.meta.url);", 'tell'));
@@ -28,8 +28,7 @@ try {
   call(join(folder, 'node_modules/.bin/parcel'), ['build', 'page.html', '--dist-dir', 'out',
     '--no-source-maps', '--no-cache', '--no-autoinstall'],
   folder, 600_000);
-  // Parcel writes an import map, and keeps more of glTF-Transform's functions than are used: some
-  // ask for eval().
+  // Parcel writes an import map, and keeps unused functions of glTF-Transform: some need eval().
   const { line, complaints } =
     await lineOfPage(browser, join(folder, 'out'), '/page.html', "'unsafe-inline' 'unsafe-eval'");
   assert.deepEqual({ line, complaints }, { line: expected, complaints: [] });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the time of runs went, by the phases of their reports.
+// The time of runs by the phases of their reports.
 import { fixed, markdownTable } from './table.js';
 
 /** Milliseconds, and their share of the run. */

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How much faster a pool is than one worker, on a machine that has nothing else to do; and how much
-// faster as many processes are that share nothing but the machine:
+// Measures how much faster a pool is than one worker, on an idle machine, and how much faster as
+// many separate processes are:
 //   node tests/bench/pool.js [size]     after npm run build; size 2 if not given
-// Equal jobs, four to each, all ways in turn three times, the least time of each.
+// Each way does 4 × size equal jobs. All ways run in turn three times; the least time of each
+// counts.
 
 import { fork } from 'node:child_process';
 import { once } from 'node:events';
@@ -27,7 +28,7 @@ async function timeOf(work) {
 const inPool = (/** @type {Pool} */ pool, /** @type {number} */ jobs) =>
   Promise.all(Array.from({ length: jobs }, () => pool.remesh(mesh, options)));
 
-/** A process of its own, told how many jobs to do. */
+/** A separate process, told how many jobs to do. */
 async function whenAsked() {
   process.on('message', async (/** @type {number} */ count) => {
     for (let i = 0; i < count; i += 1) await remesh(mesh, { ...options, worker: false });

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where the time of a remesh goes, function by function, in the WebAssembly build itself; it is
-// linked once more for that, with the names of its functions, in a folder of its own.
+// Profiles a remesh by function, in the WebAssembly build itself. The module is linked again for
+// that, with the names of its functions, in a separate folder.
 //   npm run profile -- MODEL VERTICES [--runs N] [--top N] [--quality draft]
-// MODEL is an OBJ or OFF file, or one from an npm package, as in limits.json. Times are a
-// function's own, without those it calls; small functions are part of the ones they were inlined
-// into. The
-// profile is left beside the build, for the tools of a browser.
+// MODEL is an OBJ or OFF file, or a model from an npm package, as in limits.json. A function's time
+// excludes the functions that it calls, and includes functions inlined into it. The profile is left
+// beside the build, for a browser's developer tools.
 import { writeFileSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
 import { basename, dirname, join } from 'node:path';
@@ -17,7 +16,7 @@ import { markdownTable } from './table.js';
 
 const folder = fileURLToPath(new URL('../../build/profile', import.meta.url));
 
-/** Milliseconds by function, the most first. */
+/** Milliseconds by function, largest first. */
 function ownTimes({ nodes, samples, timeDeltas }) {
   const names = new Map(nodes.map(({ id, callFrame }) =>
     [id, callFrame.functionName || '(other)']));
@@ -55,7 +54,7 @@ const { remesh } = await import(pathToFileURL(join(folder, 'package/node.js')).h
 const isPackaged = model.startsWith('npm:');
 const mesh = loadModel(isPackaged ? model : basename(model), dirname(model));
 const options = { vertices: Number(vertices), quality: values.quality, worker: false };
-let { report } = await remesh(mesh, options); // the engine's compilers have done their work
+let { report } = await remesh(mesh, options); // a warm-up for V8's compilers
 const runs = Number(values.runs);
 const profile = await profileOf(async () => {
   for (let k = 0; k < runs; k += 1) ({ report } = await remesh(mesh, options));

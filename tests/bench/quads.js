@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quads of named models, judged by an evaluator of its own: any mesh of quads can be put before it.
+// Quads of named models, judged by a separate evaluator that takes any mesh of quads.
 import { judge } from './judge.js';
 import { loadModel } from './models.js';
 import { timeRemesh } from './run.js';
@@ -13,7 +13,7 @@ const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
 const norm = (a) => Math.sqrt(dot(a, a));
 
-/** Of each corner of a quad: its angle in degrees, and its sine along the quad's normal. */
+/** For each corner of a quad: its angle in degrees, and its sine along the quad's normal. */
 function cornersOf(points) {
   const normal = cross(minus(points[2], points[0]), minus(points[3], points[1]));
   const size = norm(normal) || 1;
@@ -28,7 +28,7 @@ function cornersOf(points) {
   });
 }
 
-/** Vertices inside whose valence is not 4. */
+/** Number of inner vertices whose valence is not 4. */
 function countIrregular(quads) {
   const sides = new Map();
   for (let i = 0; i < quads.length; i += 1) {

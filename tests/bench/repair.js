@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Broken surfaces repaired, and remeshed from there: what repair promises, by the native judge.
+// Repairs broken surfaces and remeshes the results. The native judge checks repair's promises.
 import { writeFileSync } from 'node:fs';
 import { repair } from 'remesher';
 
@@ -14,7 +14,7 @@ import { fixed, markdownTable } from './table.js';
 const columns = ['model', 'mode', 'triangles', 's', 'open', 'crossing', 'RMS %', '→ vertices',
   'open', 'crossing', 'worst °', 'flat', 'RMS %', 's'];
 
-/** Both, the second one scaled and moved along x. */
+/** Two meshes as one, the second scaled and moved along x. */
 function joined(a, b, scale, by) {
   const moved = Array.from(b.positions, (value, i) => scale * value + (i % 3 === 0 ? by : 0));
   return {
@@ -24,16 +24,16 @@ function joined(a, b, scale, by) {
   };
 }
 
-/** Every so many triangles left out. */
+/** The mesh without every `every`-th triangle. */
 const torn = ({ positions, indices }, every) => ({ positions,
   indices: indices.filter((_, i) => Math.floor(i / 3) % every !== 0) });
 
-/** Every other triangle turned over. */
+/** The mesh with every other triangle turned over. */
 const turned = ({ positions, indices }) => ({ positions,
   indices: indices.map((_, i, all) => (Math.floor(i / 3) % 2 === 0 || i % 3 === 0
     ? all[i] : all[i % 3 === 1 ? i + 1 : i - 1])) });
 
-/** By formula. */
+/** Surfaces by formula. */
 const made = {
   shell: () => joined(torus(), torus(), 0.98, 0),
   crossed: () => joined(torus(), torus(), 1, 0.9),
@@ -52,7 +52,7 @@ const made = {
   askew: askewBoxes,
 };
 
-/** What must be so of all that is repaired. */
+/** The broken promises of a repaired surface. */
 function brokenPromises(name, result) {
   return ['boundaryEdges', 'nonManifoldEdges', 'selfIntersections', 'degenerateTriangles']
     .filter((fault) => result[fault] > 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One remesh, timed.
+// Times a remesh.
 import { remesh } from 'remesher';
 
 import { median } from './yardstick.js';

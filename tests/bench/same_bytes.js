@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Whether this build's results are those of another one, byte for byte: for work that is to change
-// no result. Both must have been built (npm run build).
+// Tells whether this build gives the same bytes as another build, for work that must not change any
+// result. Both must have been built (npm run build).
 //   node tests/bench/same_bytes.js OTHER_CHECKOUT MODELS_FOLDER [model…]
-// Every model to half its vertices, by every scheme, into every format. The status is 1 when
-// anything differs.
+// Every model is remeshed to half its vertices, by every scheme, into every format. The status is 1
+// if anything differs.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -14,7 +14,7 @@ import * as ours from 'remesher';
 const schemes = ['best', 'rounds'];
 const formats = ['glb', 'gltf', 'obj', 'off'];
 
-/** All that a run leaves, files and warnings, as one hash. */
+/** The files and warnings of a run, as one hash. */
 async function outcome({ remeshFile }, bytes, { name, output, scheme }) {
   const result = await remeshFile(bytes, { name, output, scheme, ratio: 0.5, worker: false });
   const hash = createHash('sha256').update(result.bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A large model to larger ones, once each: time per vertex and memory.
+// Remeshes a large model to larger ones, once each: time per vertex, and memory.
 import { loadModel } from './models.js';
 import { phaseTable } from './phases.js';
 import { timeRemesh } from './run.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report's Table 1, its rows beside ours: scheme rounds, with the fidelity its program used.
+// The rows of the report's Table 1 beside ours: scheme rounds, with the fidelity of its program.
 import { brokenPromises, judge } from './judge.js';
 import { loadModel } from './models.js';
 import { timeRemesh } from './run.js';
@@ -29,7 +29,8 @@ function brokenLimits(row, limits, { result, fidelity }) {
   return broken;
 }
 
-/** That the current mesh as the reference lets the surface shrink, and patches cost little more. */
+/** Checks that with the current mesh as the reference the surface shrinks, and that patches cost
+ * little more time. */
 function brokenComparison(row, limits, own, other) {
   const broken = [];
   if (own.hausdorff <= other.hausdorff) broken.push(`no farther off than ${row.worseThan}`);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How long people wait, in units that cancel the machine's speed: U is what meshoptimizer's
-// simplify takes for a horse to 10000 vertices in the same process, warm, measured before each run.
-// Both are times that the process computes, so that a busy machine does not count.
+// Measures how long people wait, in a unit U that cancels the machine's speed. U is the time of
+// meshoptimizer's simplify for a horse to 10000 vertices, warm, in the same process, before each
+// run. Both are processor times, so that other programs on the machine do not count.
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -17,7 +17,7 @@ const columns = ['case', 'U', 'at most', 'ms', 'memory MiB', 'worst Â°', 'mean Â
   'Hausdorff %', 'RMS %'];
 const horse = { model: 'horse.obj', vertices: 10000 };
 
-/** What a case runs: of a formula, a package or a folder; nothing where its model is missing. */
+/** The run of a case, by formula, package or folder; undefined if its model is missing. */
 function runnable({ model, vertices, quality, ...rest }, folder) {
   const options = { vertices, quality, worker: false };
   if (model === 'assembly') {
@@ -34,7 +34,7 @@ function runnable({ model, vertices, quality, ...rest }, folder) {
   return mesh && (() => remesh(mesh, options));
 }
 
-/** The medians of milliseconds of runs and of U between them, and the last report. */
+/** The medians of the runs' milliseconds and of U before them, and the last report. */
 async function timeInUnits(run, yardstick, runs) {
   const [times, units] = [[], []];
   let report;
@@ -57,7 +57,7 @@ export async function runWait(cases, { folder, names, runs }) {
     if (names.length > 0 && !names.some((wanted) => name.startsWith(wanted))) continue;
     const run = runnable(limits, folder);
     if (!run) continue;
-    if (runs > 1) await run(); // the engine's compilers have done their work
+    if (runs > 1) await run(); // a warm-up for V8's compilers
     const { time, unit, report } = await timeInUnits(run, yardstick, runs);
     const { output: { minAngle }, fidelity, memory } = report;
     rows.push([name, fixed(time / unit, 1), limits.units, fixed(time, 0),

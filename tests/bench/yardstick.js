@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A time that cancels the machine's speed: what meshoptimizer's simplify, WebAssembly too, takes to
-// the same number of vertices in the same process.
+// A unit of time that cancels the machine's speed: the time of meshoptimizer's simplify, which is
+// also WebAssembly, to the same number of vertices in the same process.
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 
@@ -12,12 +12,12 @@ export function median(values) {
   return sorted[Math.floor(sorted.length / 2)];
 }
 
-const warmUps = 5; // until the engine's compilers have done their work
+const warmUps = 5; // until V8's compilers are done
 
-/** Milliseconds that go by. */
+/** Elapsed milliseconds. */
 export const wallClock = () => performance.now();
 
-/** Milliseconds that this process computes: a busy machine counts only by its caches. */
+/** Milliseconds of this process's processor time: other programs slow it only by the caches. */
 export function ownClock() {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
@@ -25,10 +25,10 @@ export function ownClock() {
 
 setFlagsFromString('--expose-gc');
 
-/** Collected beside a run, what the yardstick left would be up to a third of a draft's time. */
+/** Collects the yardstick's garbage: during a run that would be up to a third of a draft's time. */
 export const collectGarbage = runInNewContext('gc');
 
-/** The median of seconds, or nothing where there is nothing to simplify. */
+/** The median in seconds; undefined if the mesh has too few triangles to simplify. */
 export async function timeYardstick({ positions, indices }, vertices, runs, clock = wallClock) {
   if (2 * vertices * 3 >= indices.length) return undefined;
   await MeshoptSimplifier.ready;

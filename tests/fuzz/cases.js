@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A case from a number: a surface, perhaps spoilt, as arrays or as a file, perhaps spoilt too, with
-// options. The same number is always the same case.
+// Makes a case from a seed: a surface as arrays or as a file, with options. Surface and file may be
+// spoilt. The same seed is always the same case.
 import { Dice } from './dice.js';
 import { files, meshOf } from './made_files.js';
 import { firstWithScenes, scenes } from './made_scenes.js';
@@ -11,7 +11,7 @@ import { spoilFile, spoilShape } from './mutations.js';
  * @typedef {object} Case
  * @property {number} seed
  * @property {string} description
- * @property {any} [mesh] arrays, or
+ * @property {any} [mesh] arrays; a case has either `mesh` or `file`
  * @property {{ name: string, bytes: Uint8Array, resources?: Record<string, Uint8Array> }} [file]
  * @property {Record<string, any>} options
  * @property {string} [output] the format asked for

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compressed glTF, spoilt: the decoders are JavaScript and WebAssembly of others, so that they are
-// fuzzed here and not among the native targets.
+// Cases of spoilt compressed glTF. The decoders are JavaScript and WebAssembly of others, so they
+// are fuzzed here and not by a native target.
 import { RemeshError } from 'remesher';
 
 import { decompress } from '../../dist/codecs/decompress.js';
@@ -17,7 +17,7 @@ export const meshopt = await meshoptCompressed(files.textured(shape));
 export const draco =
   await dracoCompressed({ positions, indices, texcoords: attributes.TEXCOORD_0.array });
 
-/** The broken laws of a case by its number: it is decoded, or refused in a sentence of our own. */
+/** The broken laws of a case: a file must be decoded, or refused in a sentence of our own. */
 export async function runCompressedCase(/** @type {number} */ seed) {
   const dice = new Dice(seed);
   let file = dice.pick([meshopt, draco]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the native fuzzers begin with, made on the spot: small surfaces as files of every kind, and
-// as the bytes that small_mesh.h reads. The words of a target are what its format calls things.
+// Makes the first inputs of the native fuzzers: small surfaces as files of every kind, and as the
+// bytes that small_mesh.h reads. A target's words are keywords of its format.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -141,7 +141,7 @@ async function compressed() {
     await dracoCompressed({ positions, indices, texcoords: attributes.TEXCOORD_0.array })];
 }
 
-/** Per target: the inputs, their greatest length while fuzzing, and words of the format. */
+/** For each target: the inputs, their greatest length while fuzzing, and words of the format. */
 export async function makeCorpora() {
   const contents = (list) => list.map(({ bytes }) => bytes);
   const gltfWords = ['POSITION', 'NORMAL', 'TEXCOORD_0', 'JOINTS_0', 'WEIGHTS_0', 'sparse',
@@ -169,7 +169,7 @@ export async function makeCorpora() {
   };
 }
 
-/** Writes the inputs of a target into a folder, a file each. @returns {string[]} their paths */
+/** Writes each input of a target to a file in a folder. @returns {string[]} their paths */
 export function writeInputs(folder, inputs) {
   mkdirSync(folder, { recursive: true });
   return inputs.map((bytes, i) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chances that are the same for the same seed [Marsaglia 2003, xorshift32].
+// Pseudo-random numbers, the same for the same seed [Marsaglia 2003, xorshift32].
 
 export class Dice {
   #state;
@@ -19,7 +19,7 @@ export class Dice {
     return this.#state / 2 ** 32;
   }
 
-  /** In [low, high). */
+  /** A number in [low, high). */
   number(low = 0, high = 1) {
     return low + (high - low) * this.#next();
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Runs every fuzz target for so long, as many side by side as there are cores:
+// Runs every fuzz target for a number of minutes, as many side by side as there are cores:
 //   npm run fuzz -- [--minutes number] [--target name]
-// What breaks one is kept in build/fuzz/findings; build/fuzz/fuzz runs it again when it is given
-// that file, with REMESHER_FUZZ_TARGET naming the target. What was found interesting stays in
-// build/fuzz/corpus, and the next run begins there.
+// Inputs that break a target are kept in build/fuzz/findings. To run such an input again, start
+// build/fuzz/fuzz with the file, and with the target's name in REMESHER_FUZZ_TARGET. Interesting
+// inputs stay in build/fuzz/corpus, and the next run begins with them.
 import { spawn } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -15,12 +15,12 @@ import { runCompressedCase } from './compressed_case.js';
 import { makeCorpora, writeInputs } from './corpora.js';
 
 const folder = join(root, 'build/fuzz');
-const longestInput = 120; // seconds for one input, on a machine that does other things as well
+const longestInput = 120; // seconds for one input, enough on a busy machine
 const grace = 300;
 
 /** @typedef {{ name: string, executions: number, log: string, isFound: boolean }} Outcome */
 
-/** The words of a libFuzzer run. */
+/** The arguments of a libFuzzer run. */
 function argumentsFor(name, { length, words, inputs }, seconds) {
   const [seeds, corpus] = ['seeds', 'corpus'].map((kind) => join(folder, kind, name));
   writeInputs(seeds, inputs);
@@ -47,7 +47,7 @@ function runNative(name, corpus, seconds) {
   }));
 }
 
-/** The decoders of compressed glTF. @returns {Promise<Outcome>} */
+/** Fuzzes the decoders of compressed glTF. @returns {Promise<Outcome>} */
 async function runCompressed(seconds) {
   const end = Date.now() + 1000 * seconds;
   let executions = 0;

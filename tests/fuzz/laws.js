@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Runs cases by number, and prints those that break a law:
+// Runs cases by their seeds, and prints the cases that break a law:
 //   npm run laws -- [--seed first] [--cases number] [--every nth] [--repair]
-// With --repair the laws are repair's, of other cases.
-// The same seed is the same case: one that was printed is seen again with --cases 1. The clock,
-// here that of the processor, only ends what does not end, and tells which case took longest for
-// its size.
+// With --repair, other cases are run under the laws of repair.
+// The same seed is the same case: --seed with --cases 1 runs a printed case again. Processor time
+// only ends runs that do not end, and tells which cases took longest for their size.
 import { parseArgs } from 'node:util';
 
 import { makeCase } from './cases.js';
@@ -12,11 +11,11 @@ import { firstWithScenes } from './made_scenes.js';
 import { makeRepairCase, runRepairCase } from './repair_case.js';
 import { runCase } from './run_case.js';
 
-const longestRun = 60; // seconds of the processor
+const longestRun = 60; // seconds of processor time
 const everyRepeated = 8;
 const timedAgain = 8;
 
-/** A signal that aborts when the process has worked for so long; `stop` ends the watch. */
+/** A signal that aborts after `longestRun` of processor time; `stop` ends the watch. */
 function watch() {
   const controller = new AbortController();
   const begin = process.cpuUsage();
@@ -32,7 +31,7 @@ function watch() {
 
 /** @typedef {{ seed: number, size: number, seconds: number }} Timing */
 
-/** The cases that took longest beside others of their size. @param {Timing[]} timings */
+/** The cases that took longest compared with others of their size. @param {Timing[]} timings */
 function slowest(timings) {
   const classOf = (/** @type {number} */ size) => Math.floor(Math.log2(size));
   /** @type {Map<number, number[]>} */
@@ -48,7 +47,7 @@ function slowest(timings) {
     .sort((a, b) => b.ratio - a.ratio).slice(0, timedAgain);
 }
 
-/** Once more: at first the engine's compilers may have been at work. @param {Timing} timing */
+/** Times a case again, because V8's compilers may have been at work. @param {Timing} timing */
 async function timeAgain({ seed, size, seconds }) {
   const { signal, seconds: again, stop } = watch();
   await runCase(makeCase(seed), { how: { signal } });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces as files of every format and kind: { name, bytes, resources }. What they have besides
-// positions is computed from these, so that any surface can be any file.
+// Surfaces as files of every format and kind: { name, bytes, resources }. All other attributes are
+// computed from the positions, so that any surface can be any file.
 import { GltfMaker } from '../support/gltf.js';
 import { scans } from './made_scans.js';
 
@@ -14,7 +14,7 @@ const normalsOf = ({ positions }) => Float32Array.from(flat(positions.map((p) =>
   return length > 0 ? p.map((x) => x / length) : [0, 0, 1];
 })));
 
-/** Every vertex carried half by one of three joints, half by the next. */
+/** Every vertex has weight one half for one of three joints and one half for the next. */
 const jointsOf = ({ positions }) => Uint8Array.from(flat(positions.map((_, i) =>
   [i % 3, (i + 1) % 3, 0, 0])));
 const weightsOf = ({ positions }) => Float32Array.from(flat(positions.map(() => [0.5, 0.5, 0, 0])));
@@ -93,7 +93,7 @@ function morphing(shape) {
   return maker;
 }
 
-/** Two halves with a material each, shown twice. */
+/** Two halves, each with a material, shown twice. */
 function instanced(shape) {
   const { maker, primitive } = plain(shape);
   const half = Math.ceil(shape.triangles.length / 2);
@@ -124,7 +124,7 @@ function offText({ positions, triangles }, keyword, extra) {
 
 const library = encode('newmtl paint\nKd 1 0 0\nmap_Kd made.png\n');
 
-/** By kind: a surface as a file. */
+/** For each kind: writes a surface as a file. */
 export const files = {
   plain: (shape) => plain(shape).maker.glb(),
   textured: (shape) => textured(shape).glb(),

@@ -7,7 +7,7 @@ import { STLExporter } from 'three/addons/exporters/STLExporter.js';
 const bytesOf = (written) => (typeof written === 'string' ? new TextEncoder().encode(written)
   : new Uint8Array(written.buffer ?? written, written.byteOffset ?? 0, written.byteLength));
 
-/** Colours and texture coordinates that follow from the place. */
+/** Colours and texture coordinates computed from the position. */
 function meshOf({ positions, triangles }) {
   const rows = (width, row) => new BufferAttribute(
     Float32Array.from(positions.flatMap(row)), width);
@@ -24,7 +24,7 @@ const ply = (shape, options) =>
 const stl = (shape, options) =>
   ({ name: 'made.stl', bytes: bytesOf(new STLExporter().parse(meshOf(shape), options)) });
 
-/** By kind: a surface as a file. */
+/** For each kind: writes a surface as a file. */
 export const scans = {
   ply: (shape) => ply(shape, { binary: true, littleEndian: true }),
   'ply in text': (shape) => ply(shape, {}),

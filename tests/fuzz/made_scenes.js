@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Surfaces as glTF files that show them several times or unevenly, have levels of detail, or say
-// things of them by number. Cases from `firstWithScenes` on have these kinds, too: those before
-// stay what they were.
+// Surfaces as glTF files that show them several times or unevenly scaled, have levels of detail, or
+// refer to them by number. Only cases from `firstWithScenes` on have these kinds, so that earlier
+// cases stay the same.
 import { GltfMaker } from '../support/gltf.js';
 
 export const firstWithScenes = 3_000_000;
@@ -22,7 +22,7 @@ function uneven(shape) {
   return maker;
 }
 
-/** What is shown, what is hidden by a size of 0, and what no scene has. */
+/** A mesh that is shown, one hidden by scale 0, and one that is in no scene. */
 function hidden(shape) {
   const maker = new GltfMaker();
   maker.show([primitiveOf(maker, shape)]);
@@ -56,7 +56,7 @@ function batch(shape) {
   return maker;
 }
 
-/** The two halves of a surface, which meet, as meshes of their own. */
+/** The two halves of a surface, which meet, as separate meshes. */
 function halves({ positions, triangles }) {
   const maker = new GltfMaker();
   const middle = Math.ceil(triangles.length / 2);
@@ -71,7 +71,7 @@ function halves({ positions, triangles }) {
   return maker;
 }
 
-/** A strip for each triangle, in one list. */
+/** One strip for each triangle, all in one list. */
 function restarted(shape) {
   const maker = new GltfMaker();
   const strips = Uint16Array.from(shape.triangles.flatMap((t, i) => (i > 0 ? [65535, ...t] : t)));
@@ -107,7 +107,7 @@ function referring(shape) {
   return maker;
 }
 
-/** By kind. */
+/** For each kind: writes a surface as a file. */
 export const scenes = Object.fromEntries(
   Object.entries({ uneven, hidden, levels, batch, halves, restarted, referring })
     .map(([kind, make]) => [kind, (shape) => make(shape).glb()]));

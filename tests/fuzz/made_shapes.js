@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small surfaces made by rule: smooth and sharp, open and closed, flat, and those that are no
-// manifold. Plain lists, to be changed before they become arrays.
+// Small surfaces by formula: smooth and sharp, open and closed, flat, and non-manifold. They are
+// plain lists, which can be changed before they become arrays.
 
 /** @typedef {{ positions: number[][], triangles: number[][] }} Shape */
 
@@ -20,7 +20,7 @@ function sheetOf(columns, rows, point) {
   return { positions, triangles };
 }
 
-/** Vertices of equal place made one. @param {Shape} shape @returns {Shape} */
+/** Welds vertices at equal positions. @param {Shape} shape @returns {Shape} */
 export function welded({ positions, triangles }) {
   const numbers = new Map();
   const kept = [];
@@ -114,7 +114,7 @@ const book = (pages) => ({
   triangles: Array.from({ length: pages }, (_, k) => [0, 1, k + 2]),
 });
 
-/** Each from a number of about how many cells it has along a side. */
+/** Makes each shape from its approximate number of cells along a side. */
 export const shapes = {
   tetrahedron,
   box: (n) => box(n),

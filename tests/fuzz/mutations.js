@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ways to spoil a surface, a text, a glTF tree or bytes. Each returns something new or changes a
-// copy that it was given; dice decide.
+// Ways to spoil a surface, a text, a glTF tree or bytes, chosen by dice. Each way returns a new
+// value, or changes a copy that it was given.
 import { openContainer, packGlb } from '../../bindings/package/codecs/gltf_container.js';
 
 /** @typedef {import('./dice.js').Dice} Dice */
@@ -10,7 +10,7 @@ export const wildNumbers = [0, -0, 1, -1, 0.5, 1e-30, 1e-12, 1e-6, 1e6, 1e12, 1e
 
 const triangleOf = (shape, dice) => dice.pick(shape.triangles);
 
-/** Of lists of positions and triangles. */
+/** Ways to spoil lists of positions and triangles. */
 const ofShapes = {
   'wild coordinate': (shape, dice) => {
     dice.pick(shape.positions)[dice.whole(0, 2)] = dice.pick(wildNumbers);
@@ -109,7 +109,7 @@ export function spoilText(text, dice, said) {
   return ofLines[name](text, dice);
 }
 
-/** Every list or object of a tree with the key of one of its members. */
+/** All pairs of a list or object in a tree and the key of one of its members. */
 function placesIn(tree) {
   if (typeof tree !== 'object' || tree === null) return [];
   return Object.keys(tree).flatMap((key) =>
@@ -175,7 +175,7 @@ const ofTrees = {
   },
 };
 
-/** In place; where the tree is too broken already it stays as it is. */
+/** Spoils a tree in place. A tree that is already too broken is not changed. */
 export function spoilTree(tree, dice, said) {
   const name = dice.pick(Object.keys(ofTrees));
   said.push(name);
@@ -186,7 +186,7 @@ export function spoilTree(tree, dice, said) {
   }
 }
 
-/** In place: a bit, a byte, or a float. */
+/** Spoils a bit, a byte, or a float in place. */
 export function spoilBytes(bytes, dice, said) {
   if (bytes.length < 4) return;
   said.push('bytes');
@@ -205,7 +205,7 @@ export function spoilBytes(bytes, dice, said) {
   }
 }
 
-/** A GLB with its tree or its buffer spoilt, put together again. */
+/** A GLB, packed again after its tree or its buffer was spoilt. */
 function spoilGlb(bytes, dice, said) {
   const { text, chunk = new Uint8Array() } = openContainer(bytes);
   const tree = JSON.parse(text);
@@ -221,7 +221,7 @@ function spoilGltf(bytes, dice, said) {
   return new TextEncoder().encode(JSON.stringify(tree));
 }
 
-/** The same file with something wrong in it, as its format has it; at times raw bytes. */
+/** The file with a fault in the terms of its format; at times with spoilt bytes. */
 export function spoilFile(file, dice, said) {
   const bytes = file.bytes.slice();
   if (dice.chance(0.1)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What repair promises, of any surface: what it makes, and what is remeshed from it, is closed, a
-// 2-manifold, faces outwards and passes through itself nowhere.
+// The laws of repair, for any surface: the repaired surface, and its remeshed surface, are closed
+// 2-manifolds, face outwards and do not intersect themselves.
 import { inspect, remesh, repair } from 'remesher';
 
 import { lawsOfErrors } from '../support/laws.js';

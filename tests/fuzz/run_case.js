@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One case run through the package's public functions, and judged.
+// Runs one case through the package's public functions, and judges the result.
 import { inspect, remesh, remeshFile } from 'remesher';
 
 import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReading, lawsOfReports }
@@ -19,7 +19,8 @@ async function runOnce({ mesh, file, options, output }, how) {
   return remeshFile(file.bytes, { ...options, name, resources, output, ...how });
 }
 
-/** Laws of what came out of a file. Other formats do not keep apart what lies in one place. */
+/** The laws of a file's result. The file is read again only in its own format: other formats weld
+ * vertices at the same position. */
 async function judgeFile({ file, output }, result, how) {
   const { name, bytes, files, report } = result;
   const before = { ...file, files: filesOf(file.resources) };
@@ -31,7 +32,7 @@ async function judgeFile({ file, output }, result, how) {
 }
 
 /**
- * The broken laws; `repeats`: whether it is run again, to the same bytes.
+ * The broken laws. `repeats`: whether the case is run again, which must give the same bytes.
  * @param {Case} input
  * @param {{ how?: object, repeats?: boolean }} [context]
  * @returns {Promise<{ broken: string[], size: number, code?: string }>}

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A torus whose texture is an atlas of charts, each cut out along its own rows and columns.
+// A torus whose texture is an atlas of charts, each a block of the torus's columns and rows.
 
 export const [columns, rows] = [64, 32];
 export const texels = 512;
 export const gutter = 8;  // texels around a chart
 
-/** Where on the way around the charts begin and end, in columns or rows of the torus. */
+/** The charts' first and last columns and rows on the torus. */
 export const wide = { around: [0, 20, 40, 64], across: [0, 12, 32] };
 /** The second chart of either kind is narrower than half an edge of a mesh of 400 vertices. */
 export const narrow = { around: [0, 31, 32, 64], across: [0, 15, 16, 32] };
 
 const spans = (cuts) => cuts.slice(1).map((end, i) => [cuts[i], end]);
 
-/** The charts, each in a cell of its own of a texture divided into rows and columns. */
+/** The charts, each in a separate cell of a texture divided into rows and columns. */
 export function layOut({ around, across }) {
   const cell = [texels / (around.length - 1), texels / (across.length - 1)];
   return spans(around).flatMap(([i0, i1], a) => spans(across).map(([j0, j1], b) => ({
@@ -22,14 +22,14 @@ export function layOut({ around, across }) {
   })));
 }
 
-/** Where a column and a row meet, which need not be whole numbers. */
+/** The point at a column and a row, which need not be whole numbers. */
 export function place(i, j) {
   const [u, v] = [(2 * Math.PI * (i % columns)) / columns, (2 * Math.PI * (j % rows)) / rows];
   const reach = 2 + 0.8 * Math.cos(v);
   return [reach * Math.cos(u), reach * Math.sin(u), 0.8 * Math.sin(v)];
 }
 
-/** Adds a chart as a grid of its own: places on a seam come once per chart. */
+/** Adds a chart as a separate grid: points on a seam are repeated in each chart. */
 export function addChart(mesh, { i0, i1, j0, j1, left, top, width, height }) {
   const first = mesh.positions.length / 3;
   for (let i = i0; i <= i1; i += 1) {

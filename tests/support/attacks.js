@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A folder tree with a model's folder in it, secrets around it, and the ways in which a model may
-// try to name them; and models that name what they are told.
+// A folder tree with a model's folder and secrets around it, the names by which a model may try to
+// reach the secrets, and models that refer to a given name.
 import { execFileSync } from 'node:child_process';
 import {
   closeSync, ftruncateSync, mkdirSync, mkdtempSync, openSync, readdirSync, readFileSync,
@@ -15,7 +15,7 @@ import { gltfParts, objText, torus } from './shape_files.js';
 
 export const secret = 'SECRET-e3b0c442';
 
-/** top/secret.png, top/models/…: returns the top, and what closes it. */
+/** Makes top/secret.png, top/models/… and returns the top, and a function that closes the tree. */
 export async function makeTree() {
   const top = mkdtempSync(join(tmpdir(), 'remesher-tree-'));
   const at = (...parts) => join(top, ...parts);
@@ -42,7 +42,7 @@ export async function makeTree() {
   return { top, close: () => server.close() };
 }
 
-/** Everything there is, but the content of what is no plain file. */
+/** All paths below a folder, with the contents of plain files. */
 export function contentsOf(folder) {
   const entries = readdirSync(folder, { withFileTypes: true })
     .sort((a, b) => (a.name < b.name ? -1 : 1));
@@ -55,7 +55,7 @@ export function contentsOf(folder) {
   });
 }
 
-/** Names of what is outside of top/models, or is no file of a model's, as it may spell them. */
+/** Spellings of names outside top/models, or of entries there that are no file of a model. */
 export function tricksFor(top) {
   return [
     '../secret.png', './../secret.png', 'inner/../../secret.png', 'inner/./.././../secret.png',
@@ -88,7 +88,7 @@ export function tricksFor(top) {
 
 const shape = torus(4, 3);
 
-/** A glTF with these in its JSON, and its buffer within. */
+/** A glTF with an embedded buffer, and with `more` in its JSON. */
 function gltfTree(more) {
   const { json, buffer } = gltfParts(shape);
   json.buffers[0].uri = `data:application/octet-stream;base64,${buffer.toString('base64')}`;
@@ -97,13 +97,13 @@ function gltfTree(more) {
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
-/** An OBJ with a library beside it, whose texture has this name. */
+/** An OBJ with a material library beside it, whose texture has the given name. */
 export const modelWithLibrary = {
   'library.obj': bytesOf(`mtllib beside.mtl\n${objText(shape)}`),
   'beside.mtl': (name) => bytesOf(`newmtl red\nmap_Kd ${name}\n`),
 };
 
-/** By the way in which they name a file: the bytes of models. */
+/** For each way to name a file: the bytes of a model that names it so. */
 export const carriers = {
   'library.obj': (name) => bytesOf(`mtllib ${name}\n${objText(shape)}`),
   'image.gltf': (name) => bytesOf(JSON.stringify(gltfTree({ images: [{ uri: name }] }))),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program that paints textures twice: of a coloured scan, which encodes an image, and of what
-// that has become, which decodes it. Its result is one line, for the same bytes the same.
+// A program that paints textures twice: from a coloured scan, which encodes an image, and from that
+// result, which decodes the image. It prints one line, which is the same if the bytes are the same.
 
 const body = `
 const columns = 24;
@@ -28,9 +28,9 @@ const line = [first, second].map(({ bytes }) => bytes.length + ' ' + sum(bytes))
 
 const imports = "import { init, remeshFile } from 'remesher';\n";
 
-/** For Node, which finds the codecs by itself. */
+/** The program for Node, which finds the codecs by itself. */
 export const nodeProgram = `${imports}${body}\nconsole.log(line);\n`;
 
-/** For a page, as a module whose default is the line. */
+/** The program for a page, as a module whose default export is the line. */
 export const pageProgram = `${imports}import { codecs } from 'remesher/codecs';
 await init({ codecs });${body}\nexport default line;\n`;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file with baked textures taken apart, and what each texel of it says.
+// Takes a file with baked textures apart, and reads the surface data of each texel.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
@@ -19,7 +19,7 @@ await init(new WebAssembly.Module(readFileSync(wasm)));
 /** @param {Uint8Array} bytes a PNG */
 const decodeImage = (bytes) => decodePng(bytes.slice().buffer);
 
-/** The tree, the first primitive's attributes and indices, its PNG images by name. */
+/** The glTF tree, the first primitive's attributes and indices, and the PNG images by name. */
 export async function baked(file) {
   const { tree, data } = openGltf(file);
   const [{ attributes, indices }] = tree.meshes[0].primitives;
@@ -35,7 +35,7 @@ export async function baked(file) {
   return { tree, primitive, images };
 }
 
-/** The colour between the texels around a texture coordinate. */
+/** The colour at a texture coordinate, interpolated between the texels around it. */
 export function bilinear({ width, height, data }, [u, v]) {
   const [x, y] = [u * width - 0.5, v * height - 0.5];
   const [x0, y0] = [Math.floor(x), Math.floor(y)];
@@ -46,7 +46,7 @@ export function bilinear({ width, height, data }, [u, v]) {
     + (x - x0) * at(x0 + 1, y0 + 1, k)));
 }
 
-/** A mip level below: the mean of four texels. */
+/** The next smaller mip level: each texel is the mean of four. */
 export function halved({ width, height, data }) {
   const [w, h] = [width / 2, height / 2];
   const half = new Uint8Array(4 * w * h);
@@ -61,7 +61,7 @@ export function halved({ width, height, data }) {
   return { width: w, height: h, data: half };
 }
 
-/** The light of a byte of sRGB, 0 to 1. */
+/** The linear light, 0 to 1, of an sRGB byte. */
 export const linear = (byte) => {
   const s = byte / 255;
   return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
@@ -74,10 +74,10 @@ const unit = (v) => {
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0]];
 
-/** The texels along a side that three numbers reach over: from the first to before the last. */
+/** The texels that three coordinates along a side span: the first, and the one after the last. */
 const span = (a, b, c) => [Math.floor(Math.min(a, b, c)), Math.ceil(Math.max(a, b, c))];
 
-/** What a texel says, given the weights of a triangle's corners. */
+/** A texel's position, colour and normal, given its barycentric weights in a triangle. */
 function texel({ primitive, images }, corners, weights, at) {
   const mix = (name) => {
     const [a, b, c] = corners.map((corner) => primitive[name][corner]);
@@ -94,7 +94,7 @@ function texel({ primitive, images }, corners, weights, at) {
   };
 }
 
-/** The same as below, of one triangle. */
+/** Visits the texels within one triangle. */
 function visitWithin(model, corners, visit) {
   const { primitive, images: { baseColor: { width, height } } } = model;
   const [a, b, c] = corners.map((i) =>
@@ -113,7 +113,7 @@ function visitWithin(model, corners, visit) {
   }
 }
 
-/** For every texel within a triangle: its place, its colour, and the normal that it stands for. */
+/** Visits every texel within a triangle, with its position, its colour and its decoded normal. */
 export function forEachTexel(model, visit) {
   const { indices } = model.primitive;
   for (let t = 0; t < indices.length; t += 3) visitWithin(model, indices.slice(t, t + 3), visit);

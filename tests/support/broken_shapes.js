@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Broken surfaces made by rule, as people bring them: scans taken twice, cracks, walls that meet.
+// Broken surfaces by formula, like those of real models: double scans, cracks, walls that meet.
 import { sheetOf, torus } from './shapes.js';
 
-/** Numbers from 0 to 1 that look like chance, the same each time. */
+/** Pseudo-random numbers from 0 to 1, the same each time. */
 function chance() {
   let state = 1;
   return () => {
@@ -11,7 +11,7 @@ function chance() {
   };
 }
 
-/** All as one.
+/** Joins meshes to one mesh.
  * @param {Array<{ positions: ArrayLike<number>, indices: ArrayLike<number> }>} parts */
 export function together(parts) {
   const positions = [];
@@ -31,7 +31,7 @@ const corners = [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1], [-1, -1, 1]
   [-1, 1, 1], [1, 1, 1]];
 const sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
 
-/** A box around a place, turned about z and then x. */
+/** A box around a point, turned about z and then x. */
 function box([x, y, z], size, turn = 0) {
   const [c, s, d, t] = [Math.cos(turn), Math.sin(turn), Math.cos(0.7 * turn), Math.sin(0.7 * turn)];
   const positions = corners.flatMap((corner) => {
@@ -43,18 +43,18 @@ function box([x, y, z], size, turn = 0) {
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
-/** Boxes askew that pass through each other. */
+/** Oblique boxes that intersect each other. */
 export const askewBoxes = () => together([
   box([0, 0, 0], [1, 1, 1], 0.3),
   box([0.5, 0.4, 0.6], [1, 0.5, 1.2], 0.9),
   box([-0.2, 0.5, 0.1], [2, 0.2, 0.2], -0.5),
 ]);
 
-/** Each in the next larger one. */
+/** Boxes, each inside the next larger one. */
 export const nestedBoxes = (count = 5) => together(Array.from({ length: count }, (_, i) =>
   box([0.01 * i, 0, 0], [1 - 0.15 * i, 1 - 0.15 * i, 1 - 0.15 * i])));
 
-/** Walls, a floor and a roof, each a thin box that reaches into others. */
+/** Walls, a floor and a roof, each a thin box that intersects others. */
 export const thinHouse = (wall = 0.02) => together([
   box([0, 0, 0], [2, 1.5, wall]),
   box([-1, 0, 0.5], [wall, 1.5, 1]), box([1, 0, 0.5], [wall, 1.5, 1]),
@@ -63,11 +63,11 @@ export const thinHouse = (wall = 0.02) => together([
   box([0, 0, 1], [2.2, 1.7, wall]),
 ]);
 
-/** So many rings far from each other. */
+/** Many rings far from each other. */
 export const manyBodies = (count = 20) => together(Array.from({ length: count }, (_, i) =>
   moved(torus({ columns: 24, rows: 12 }), [7 * (i % 5), 7 * Math.floor(i / 5), i % 3], 0.8)));
 
-/** A scan taken twice: noise, and each time other parts are missing. */
+/** Two noisy scans of a surface, with different parts missing. */
 export function doubledScan({ columns = 48, rows = 24, noise = 0.004 } = {}) {
   const next = chance();
   const scan = (/** @type {number} */ first) => {
@@ -78,7 +78,7 @@ export function doubledScan({ columns = 48, rows = 24, noise = 0.004 } = {}) {
   return together([scan(0), scan(7)]);
 }
 
-/** No triangle has a corner in common with another: each lies where chance put it. */
+/** A torus in which no two triangles have a common corner: each corner is moved at random. */
 export function cracked({ columns = 48, rows = 24, jitter = 0.002 } = {}) {
   const next = chance();
   const { positions, indices } = torus({ columns, rows });
@@ -87,14 +87,15 @@ export function cracked({ columns = 48, rows = 24, jitter = 0.002 } = {}) {
   return { positions: new Float32Array(loose), indices: indices.map((_, i) => i) };
 }
 
-/** A cube whose sides have as many cells as each likes: along its edges none meets another's. */
+/** A cube whose sides have different numbers of cells, so that their vertices along the cube's
+ * edges do not match. */
 export const tJunctions = () => together(sides.map(([p, q, , u], side) => {
   const cells = side + 3;
   return sheetOf(cells, (i, k) => corners[p].map((value, axis) => value
     + (i / cells) * (corners[q][axis] - value) + (k / cells) * (corners[u][axis] - value)));
 }));
 
-/** A strip with one side. */
+/** A Möbius strip. */
 export function moebiusStrip(columns = 60, rows = 6) {
   const positions = [];
   const indices = [];
@@ -111,7 +112,7 @@ export function moebiusStrip(columns = 60, rows = 6) {
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
-/** Triangles anywhere in a cube of side 1. */
+/** Random triangles in a cube of side 1. */
 export function looseTriangles(count = 40, size = 0.6) {
   const next = chance();
   const positions = Array.from({ length: count }, () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built page in Chromium, for tests: served from a folder of its own, with the handful of
-// gestures that a visitor makes.
+// The built page in Chromium, for tests: serves it from a separate folder, and performs a visitor's
+// gestures.
 import { readFileSync } from 'node:fs';
 import { after } from 'node:test';
 
@@ -9,10 +9,10 @@ import { preview } from 'vite';
 import { builtPage, configFile } from './built_page.js';
 import { startChromium } from './chromium.js';
 
-/** No step of a test waits longer: then it fails. */
+/** Longest wait of a test's step; after that the step fails. */
 const patience = 110_000;
 
-/** Serves the built page, and starts a browser; `close` undoes both. */
+/** Serves the built page, and starts a browser; `close` ends both. */
 export async function startSite({ isLean = false } = {}) {
   const build = { outDir: await builtPage() };
   const server = await preview({ configFile, logLevel: 'error', build, preview: { port: 0 } });
@@ -20,7 +20,7 @@ export async function startSite({ isLean = false } = {}) {
   return {
     url: server.resolvedUrls.local[0],
     browser,
-    /** The network is gone. */
+    /** Takes the network away. */
     stop: () => new Promise((resolve) => {
       server.httpServer.closeAllConnections();
       server.httpServer.close(resolve);
@@ -32,8 +32,8 @@ export async function startSite({ isLean = false } = {}) {
   };
 }
 
-/** Runs in a page: the graphics card, which is software, does all that it is told but draw, unless
- * `isSeen`. */
+/** Runs in a page: WebGL, which is in software, does everything except draw; it draws only while
+ * `isSeen` is set. */
 function drawNothing() {
   const { prototype } = WebGL2RenderingContext;
   for (const name of ['drawArrays', 'drawElements']) {
@@ -44,15 +44,15 @@ function drawNothing() {
   }
 }
 
-/** Runs in a page: the browser keeps no page for when there is no network. */
+/** Runs in a page: the page has no service worker, so it is not kept for use without network. */
 function keepNothing() {
   delete Navigator.prototype.serviceWorker;
 }
 
-/** A lean browser reads the canvas back itself, and complains of that. */
+/** A lean browser reads the canvas back itself, and warns of its own reading. */
 const isBrowsersOwn = (text) => text.includes('GPU stall due to ReadPixels');
 
-/** Runs in a page, which then complains where it does so itself. */
+/** Runs in a page, which then warns if the page's own code reads the canvas back. */
 function tellReading() {
   const { prototype } = WebGL2RenderingContext;
   const read = prototype.readPixels;
@@ -62,9 +62,9 @@ function tellReading() {
   };
 }
 
-/** A page with its complaints: whatever it wrote to the console as an error, or threw.
- * `wasm`: served instead of the package's own. `unseen`: nobody looks at its pictures, the drawing
- * of which takes a fourth of the time. `isKept`: for when there is no network. */
+/** A page with its complaints: console errors and warnings, thrown errors and failed requests.
+ * `wasm`: served instead of the package's own. `unseen`: nothing is drawn, because drawing takes a
+ * fourth of the time. `isKept`: whether the page is kept for use without network. */
 export async function openPage(site,
   { hash = '', prepare = () => {}, wasm, unseen = false, isKept = true, ...options } = {}) {
   const page = await site.browser.newPage({
@@ -91,8 +91,8 @@ export async function openPage(site,
   return { page, complaints };
 }
 
-/** The page that most tests of a file share, idle with its sample; closed behind the last of them.
- * Keeping it takes as long as loading it, and is not done unless asked for.
+/** The page that most tests of a file share, idle with its sample; closed after the last test.
+ * The page is not kept by default, because keeping it takes as long as loading it.
  * @param {Parameters<typeof openPage>[1]} options */
 export async function visit(options) {
   const site = await startSite({ isLean: true });
@@ -107,14 +107,14 @@ export async function visit(options) {
   }
 }
 
-/** Waits for a model of that name, and until it is remeshed. */
+/** Waits until a model of that name is open and remeshed. */
 export async function opened(page, name) {
   await page.waitForFunction((wanted) =>
     document.getElementById('model-name').textContent === wanted, name);
   await settled(page);
 }
 
-/** The run of the model that is opened next is cancelled as soon as the model is shown. */
+/** Cancels the run of the next opened model as soon as the model is shown. */
 export async function cancelAtOnce(page) {
   await page.evaluate(() => {
     const observer = new MutationObserver(() => {
@@ -151,7 +151,7 @@ export async function reportRow(page, label) {
   return row.locator('td').allTextContents();
 }
 
-/** The file that a click hands to the visitor. */
+/** The file that a click downloads. */
 export async function saved(page, button) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };

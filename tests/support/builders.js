@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages of a project as Vite and webpack build them, each from `page.js` in a folder, into `out`;
-// neither has anything to complain of.
+// Builds the pages of a project with Vite and with webpack, each from `page.js` in a folder, into
+// `out`. Neither may complain.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
@@ -8,7 +8,7 @@ import { promisify } from 'node:util';
 import { build as viteBuild, createLogger } from 'vite';
 import webpack from 'webpack';
 
-/** glTF-Transform speaks of Node's modules, for a class that is not for browsers. */
+/** glTF-Transform names Node's modules, for a class that is not for browsers. */
 export const isPeers = (/** @type {string} */ message) => message.includes('@gltf-transform');
 export const nodeModules = /^node:/;
 

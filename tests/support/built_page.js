@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page as the build makes it, once for all test files that look at the same sources.
+// Builds the page once for all test files that use the same sources.
 import { createHash } from 'node:crypto';
 import {
   existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync,
@@ -12,7 +12,7 @@ import { filesUnder, root } from './tree.js';
 
 export const configFile = join(root, 'web/vite.config.js');
 
-/** What stands in for all that the page is made of. */
+/** A hash of all files that the page is made from. */
 function fingerprint() {
   const hash = createHash('sha256');
   const files = [...filesUnder('web', /./), ...filesUnder('dist', /\.(js|mjs|wasm)$/)].sort();
@@ -29,7 +29,7 @@ export async function builtPage() {
   const folder = join(pages, print);
   if (existsSync(folder)) return folder;
   mkdirSync(pages, { recursive: true });
-  // Those of earlier sources go; another test file may be at work on the same as this one.
+  // Pages of other sources are removed. Another test file may be building the same page as this.
   for (const name of readdirSync(pages).filter((other) => !other.includes(print))) {
     rmSync(join(pages, name), { recursive: true, force: true });
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chromium as the tests start it: without a display, WebGL in software.
+// Starts Chromium for tests: without a display, with WebGL in software.
 import { chromium } from 'playwright-core';
 
 import { findChromium } from '../../bindings/build/needs.js';
@@ -11,7 +11,7 @@ const options = [
   '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
 ];
 
-/** What stands for a graphics card does WebGL, and nothing else of a page. */
+/** The software renderer does WebGL, and nothing else of a page. */
 const leanOptions = ['--disable-gpu-compositing', '--disable-gpu-rasterization'];
 
 export function startChromium({ isLean = false } = {}) {

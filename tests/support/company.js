@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Which C++ files can be compiled as one: most of what a tool does to a file it does to the
-// headers, which files in company share.
+// Finds groups ("companies") of C++ files that can be compiled as one. A tool spends most of its
+// time on the headers, which the files of a company share.
 import { dirname } from 'node:path';
 
 import { includeFolders, withIncludes } from './cpp_sources.js';
 import { readText } from './tree.js';
 
-/** More would be no faster, and take much memory. */
+/** Larger groups would be no faster, and take much memory. */
 const mostFiles = 140;
 
 /**
- * Of a function's parameters the types; those that a literal is taken for are one.
+ * The types of a function's parameters. Types that the same literal can stand for count as one.
  * @param {string} text from behind the parenthesis
  */
 function parameterTypes(text) {
@@ -21,8 +21,8 @@ function parameterTypes(text) {
 }
 
 /**
- * The names that a file gives to things outside of functions and classes; not to their members.
- * Functions go by their parameters, too: with other ones they are others.
+ * The names that a file defines outside functions and classes, without members. A function's name
+ * includes its parameters' types, so that overloads differ.
  */
 export function definedNames(text) {
   const head = /^(?!namespace|using namespace|template|TEST_CASE|#|\/|\})(\w[^(={;[\n]*)[(={;[]/gm;
@@ -37,10 +37,10 @@ export function definedNames(text) {
 }
 
 /**
- * A file with other names for what it keeps to itself, so that all of its company may use the same.
- * What it says as a member's name, too, keeps it.
+ * A file's text with its private names made unique, so that other files of the company may use the
+ * same names. A name that the file also uses as a member's is not changed.
  * @param {string} file @param {string} text
- * @param {string} headers what it includes of ours: names that are there are not its own
+ * @param {string} headers text of our headers that it includes: names in them are not private
  */
 export function renamed(file, text, headers) {
   const shared = new Set([...headers.matchAll(/\w+/g), ...text.matchAll(/(?<=\.|->|::)\w+/g)]
@@ -53,7 +53,8 @@ export function renamed(file, text, headers) {
   return text.replace(new RegExp(`(?<!^#.*)\\b(${own.join('|')})\\b`, 'gm'), `$1Of${place}`);
 }
 
-/** Its text for company; elsewhere a file would not find what it includes from beside it. */
+/** A file's text for its company. A file that includes another from its own folder stays as it is,
+ * because a copy elsewhere would not find the other. */
 export function textInCompany(/** @type {string} */ file) {
   const text = readText(file);
   const isBound = /^#include "[^/"]+"/m.test(text) && !includeFolders.includes(dirname(file));
@@ -61,8 +62,8 @@ export function textInCompany(/** @type {string} */ file) {
   return isBound ? text : renamed(file, text, headers());
 }
 
-/** What our headers in a file define, which none of its company may have for itself: types, and
- * functions by their parameters. */
+/** Names that our headers in a file define, and that no other file of its company may define:
+ * types, and functions with their parameters' types. */
 export function namesInHeaders(/** @type {string} */ file) {
   const headers = withIncludes(file).filter((part) => part.endsWith('.h')).map(readText);
   return headers.flatMap((text) => {
@@ -73,7 +74,8 @@ export function namesInHeaders(/** @type {string} */ file) {
   });
 }
 
-/** The constants within a file's functions, which would hide those that its company has outside. */
+/** The constants within a file's functions, which would hide constants outside functions in other
+ * files of its company. */
 export function innerConstants(/** @type {string} */ text) {
   return [...text.matchAll(/^ +(?:static )?constexpr [^=;]*?\b(k[A-Z]\w*) = /gm)]
     .map(([, name]) => name);
@@ -83,9 +85,9 @@ const share = (/** @type {Set<string>} */ taken, /** @type {string[]} */ names) 
   names.some((name) => taken.has(name));
 
 /**
- * The files in groups of like size, in which no two define one name, and none defines what another
- * has within. A file with macros of its own stays alone, since it may want headers read in its own
- * way.
+ * Puts the files into groups of similar size. In a group no two files define the same name, and no
+ * file defines a name that another has within. A file that defines macros stays alone, because its
+ * macros may change how headers are read.
  * @param {readonly string[]} files
  * @param {(file: string) => string} [read]
  * @param {(file: string) => string[]} [within]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compressed glTF files, made of others or of a mesh.
+// Compressed glTF files, made from other glTF files or from a mesh.
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import draco3d from 'draco3dgltf';
 
@@ -8,7 +8,7 @@ import { GltfMaker, openGltf } from './gltf.js';
 
 const largest = (numbers) => numbers.reduce((a, b) => Math.max(a, b), 0);
 
-/** A GLB with each of its buffer views compressed; indices are those without a stride. */
+/** A GLB with each buffer view compressed; buffer views without a stride are indices. */
 export async function meshoptCompressed(glb) {
   await MeshoptEncoder.ready;
   const { tree, data } = openGltf(glb);
@@ -37,7 +37,7 @@ export async function meshoptCompressed(glb) {
   return { name: 'made.glb', bytes: packGlb(result.tree, compressed) };
 }
 
-/** The bytes of a mesh with texture coordinates, and Draco's numbers of its attributes. */
+/** Draco's bytes of a mesh with texture coordinates, and Draco's ids of the attributes. */
 async function dracoEncoded({ positions, indices, texcoords }) {
   const draco = await draco3d.createEncoderModule({});
   const encoder = new draco.Encoder();

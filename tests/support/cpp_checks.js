@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What compilers say of C++ files without building them, one process per core. A file found clean
-// is looked at again only when something that the tool reads has changed: the file, our headers in
-// it, the rules, the flags, the tool, the libraries.
+// Checks C++ files with compilers, without building them, one process per core. A clean file is
+// checked again only if something that the tool reads has changed: the file, our headers in it, the
+// rules, the flags, the tool, the libraries.
 import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -15,20 +15,20 @@ import { readText, root } from './tree.js';
 
 const folder = join(root, 'build/checks');
 const libraries = 'build/test/deps-include';
-/** Of each library the header that holds its version. */
+/** The header of each library that has its version. */
 export const versions = ['Eigen/src/Core/util/Macros.h', 'fast_float/fast_float.h',
   'nlohmann/json.hpp', 'tiny_gltf.h', 'doctest/doctest.h']
   .map((header) => `${libraries}/${header}`);
 const includes = [...includeFolders.map((name) => `-I${name}`), '-isystem', libraries];
-/** The warnings are those of the build. */
+/** The warning flags of the build. */
 const warnings = () => readText('CMakeLists.txt').match(/-Wall[^)]*/)[0].trim().split(/\s+/);
 
 /**
  * @typedef {object} Tool
  * @property {string} command
- * @property {string[]} rules files that say what it looks for
- * @property {(file: string) => string[]} words how it is called
- * @property {(file: string) => string[]} within names in a file that are not its company's
+ * @property {string[]} rules files that configure its checks
+ * @property {(file: string) => string[]} words its arguments
+ * @property {(file: string) => string[]} within names in a file that its company may not define
  */
 
 /** @type {Tool} */
@@ -38,12 +38,12 @@ export const clangTidy = {
   within: namesInHeaders,
 };
 
-/** Its garbage collector takes a fifth of the time. */
+/** Turns off g++'s garbage collector, which takes a fifth of the time. */
 const unswept = ['--param', `ggc-min-heapsize=${4 * 2 ** 20}`];
 
 /**
- * g++ warns of what clang++ does not; its code is built for the benchmark only. What one file of
- * several keeps to itself it takes for what all of them share.
+ * g++ has warnings that clang++ lacks; g++ builds the code for the benchmark only. In a file that
+ * includes several others, g++ takes the private names of one for names that all of them share.
  * @type {Tool}
  */
 export const gcc = {
@@ -53,7 +53,7 @@ export const gcc = {
   within: (file) => [...namesInHeaders(file), ...innerConstants(readText(file))],
 };
 
-/** What all files have in common that a tool reads. @param {Tool} tool */
+/** A hash of everything that a tool reads for every file. @param {Tool} tool */
 function surroundings(tool) {
   const hash = createHash('sha256').update(tool.words('').join(' '));
   for (const command of new Set([tool.command, 'g++'])) {
@@ -79,22 +79,23 @@ async function ask(tool, file) {
   }
 }
 
-/** Where to include a file from that is in company: a copy if others may have names of its own. */
+/** The path by which to include a file in company: a copy if private names were changed. */
 function placeInCompany(/** @type {string} */ file) {
   const text = textInCompany(file);
   if (text === readText(file)) return join(root, file);
   const copy = join(folder, 'company', file);
   mkdirSync(dirname(copy), { recursive: true });
-  // Another run may be reading it: it is never empty for a moment.
+  // Another run may be reading the copy: an unchanged copy is not written again, which would empty
+  // it for a moment.
   if (!existsSync(copy) || readFileSync(copy, 'utf8') !== text) writeFileSync(copy, text);
   return copy;
 }
 
 /**
- * Of files as one. If there are complaints each half is asked for by itself, down to single files,
- * so that none comes of the company.
+ * Checks files as one. If there are complaints, each half is checked alone, down to single files,
+ * so that no complaint comes from the company.
  * @param {Tool} tool @param {string[]} files
- * @returns {Promise<{ clean: string[], said: string[] }>} clean files, what is said of the others
+ * @returns {Promise<{ clean: string[], said: string[] }>} clean files; complaints on the others
  */
 async function askTogether(tool, files) {
   if (files.length === 1) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The functions that a C++ source defines: name, line, lines and parameters. No parser: braces are
-// counted, in code laid out by clang-format (a space before a body, none before an initializer).
+// The functions that a C++ source defines: name, line, lines and parameters. There is no parser:
+// braces are counted, in code formatted by clang-format (a space before a body, none before an
+// initializer).
 
 /** The text with comments, literals and directives blanked; every line keeps its place. */
 function bare(text) {
@@ -12,7 +13,7 @@ function bare(text) {
     .replace(new RegExp(noise, 'gm'), (part) => part.replace(/[^\n]/g, ' '));
 }
 
-/** Where the bracket that opens here is closed. */
+/** The position at which the bracket that opens at `open` closes. */
 function closing(text, open) {
   const pairs = { '{': '}', '(': ')' };
   let depth = 0;
@@ -24,7 +25,7 @@ function closing(text, open) {
   return text.length;
 }
 
-/** Of a list between brackets, how many items: commas inside brackets of any kind separate none. */
+/** Number of items of a list: commas inside brackets of any kind do not separate items. */
 function itemsIn(list) {
   if (list.trim() === '') return 0;
   let depth = 0;
@@ -38,7 +39,7 @@ function itemsIn(list) {
   return items;
 }
 
-/** The name and the parameters of what a head declares; none: it declares no function. */
+/** The name and number of parameters of the function that a head declares; undefined if none. */
 function signature(head) {
   const named = /(operator\s*(?:\(\)|\w+|[^\s\w(]+)|[\w~]+)\s*\(/g;
   const noNames = /^(?:decltype|noexcept|alignas|requires|void|bool|int|double)$/;
@@ -50,7 +51,7 @@ function signature(head) {
   return undefined;
 }
 
-/** What a brace after this head opens. */
+/** The kind of block that a brace after this head opens. */
 function kindOf(head) {
   if (/^\s*(?:inline )?namespace\b|^\s*extern\b/.test(head)) return 'scope';
   const outside = head.replace(/\([^]*\)/, '()');

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which C++ files of ours have a part in another: what it includes, and what it can call.
+// Finds our C++ files on which another depends: files that it includes, and files that it can call.
 import { existsSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
 import { filesUnder, readText, root } from './tree.js';
 
-/** Where headers are looked for, as the build has it. */
+/** The build's include folders. */
 export const includeFolders = ['src', 'tests/unit'];
 
 const exists = (/** @type {string} */ file) => existsSync(join(root, file));
@@ -13,7 +13,7 @@ const exists = (/** @type {string} */ file) => existsSync(join(root, file));
 /** @type {Map<string, string[]>} */
 const known = new Map();
 
-/** The headers of ours that a file includes itself. @param {string} file */
+/** Our headers that a file includes directly. @param {string} file */
 function included(file) {
   const folders = [...new Set([...includeFolders, dirname(file)])];
   const headers = known.get(file) ?? [...readText(file).matchAll(/^#include "(.+)"/gm)]
@@ -23,8 +23,8 @@ function included(file) {
 }
 
 /**
- * What a header declares is in the file of its name; or, if there is none, in those of its folder
- * that include it.
+ * The files that implement a header: the source of its name or, if there is none, the sources in
+ * its folder that include it.
  * @param {string} header
  */
 function implementing(header) {
@@ -45,10 +45,10 @@ function reached(file, next, found = new Set()) {
   return found;
 }
 
-/** The file and all of ours that it includes, directly or not. @param {string} file */
+/** The file and all our headers that it includes, directly or not. @param {string} file */
 export const withIncludes = (file) => [...reached(file, included)].sort();
 
-/** The file and all of ours that its code can reach: what it includes, and what implements that. */
+/** The file and all our files that its code can reach: its headers, and their implementations. */
 export function withCallees(/** @type {string} */ file) {
   const next = (/** @type {string} */ at) =>
     at.endsWith('.h') ? [...included(at), ...implementing(at)] : included(at);

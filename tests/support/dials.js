@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Dials: the named numbers of the algorithm that somebody chose. Each costs evidence, so their
+// Dials are the algorithm's named constants that somebody chose. Each dial needs evidence, so their
 // number may only fall.
 import { filesUnder, readText } from './tree.js';
 
-/** The rooms of src that are the algorithm, and how many dials they may have together. */
+/** The rooms of src that are the algorithm, and the most dials that they may have together. */
 export const algorithm = ['mesh', 'geometry', 'original', 'remesh', 'simplify', 'textures'];
 export const mostDials = 452;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an editor shows: TypeScript's language server, asked over the Language Server Protocol.
+// The texts that an editor shows: TypeScript's language server, asked over the Language Server
+// Protocol.
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -49,7 +50,7 @@ export class Editor {
     });
   }
 
-  /** What a mouse at a place of a file brings up, as text. @returns {Promise<string>} */
+  /** The text shown when the mouse hovers over a place of a file. @returns {Promise<string>} */
   async hover(file, { line, character }) {
     const answer = await this.#ask('textDocument/hover',
       { textDocument: { uri: pathToFileURL(file).href }, position: { line, character } });

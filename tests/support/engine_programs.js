@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs by what they import. Each has `uses` to choose from, all with the engines that they make
-// the package load, in order; `laid` are those that a bundler lays beside its script.
+// Programs by the entries that they import. `uses`: the ways to run a program, each with the
+// engines that the package then loads, in order; `laid`: the engines that a bundler puts beside its
+// script.
 
 const mesh = `const mesh = {
   positions: new Float32Array([1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1]),

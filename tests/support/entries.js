@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program that takes something from every entry of the package and remeshes with it: what is run
-// in Node and in what bundlers make. Its result is one line.
+// A program that imports from every entry of the package and remeshes. It runs in Node and in the
+// pages that bundlers make, and prints one line.
 
 const octahedron = `{
   positions: new Float32Array([1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1]),
@@ -8,7 +8,7 @@ const octahedron = `{
     0, 3, 5]),
 }`;
 
-/** The names that it takes, by module. */
+/** The names that the program imports, by module. */
 const taken = {
   remesher: ['remesh', 'RemeshError'],
   'remesher/arrays': ['inspect'],
@@ -23,10 +23,10 @@ const taken = {
   '@gltf-transform/core': ['Document', 'Logger'],
 };
 
-/** What it prints. */
+/** The line that the program prints. */
 export const expected = '30 8 90 25 40 true glb true true true';
 
-/** The entries that the program reaches. */
+/** The package's entries that the program imports. */
 export const entries = Object.keys(taken).filter((name) => name.startsWith('remesher'));
 
 const body = `
@@ -53,9 +53,9 @@ const line = [own.report.output.vertices, input.triangles, report.output.vertice
   typeof gunzip === 'function', typeof codecs.worker === 'function'].join(' ');`;
 
 /**
- * As an ES module that tells its line by `tell`, for programs `console.log`.
- * @param {string} wasm how it learns `wasmUrl`, where remesher.wasm is: a statement
- * @param {string} tell a function
+ * The program as an ES module that passes its line to `tell`; in Node that is `console.log`.
+ * @param {string} wasm a statement that defines `wasmUrl`, the address of remesher.wasm
+ * @param {string} tell a function's name
  */
 export function moduleProgram(wasm, tell) {
   const imports = Object.entries(taken).map(([module, names]) =>
@@ -63,7 +63,7 @@ export function moduleProgram(wasm, tell) {
   return [...imports, wasm, body, `${tell}(line);`, ''].join('\n');
 }
 
-/** As CommonJS. */
+/** The program as CommonJS. */
 export function commonProgram() {
   const requires = Object.entries(taken).map(([module, names]) =>
     `const { ${names.join(', ')} } = require('${module}');`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a failure must look to a caller.
+// Asserts how a failure must look to a caller.
 import assert from 'node:assert/strict';
 
 import { RemeshError } from 'remesher';

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can go wrong around a run: disks that are full or may not be written, processes that are
-// killed at any moment.
+// Faults around a run: full or read-only disks, and processes that are killed at any moment.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { chmodSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, watch } from 'node:fs';
@@ -15,19 +14,19 @@ import { root } from './tree.js';
 
 const cli = join(root, 'dist/cli/cli.js');
 
-/** @returns the outcome, all at once */
+/** Runs the command line. @returns the outcome after its end */
 export function run(folder, ...words) {
   return spawnSync(process.execPath, [cli, ...words], { cwd: folder, encoding: 'utf8' });
 }
 
-/** The same with a limit to the length of each file, which works as a full disk does. */
+/** Runs the command line with a limit to the length of each file, which acts like a full disk. */
 export function runLimited(folder, kibibytes, words) {
   const command = `trap '' XFSZ; ulimit -f ${kibibytes}; exec "$@"`;
   return spawnSync('bash', ['-c', command, 'bash', process.execPath, cli, ...words],
     { cwd: folder, encoding: 'utf8' });
 }
 
-/** The same in this process, where the outcome alone matters. */
+/** Runs the command line's work in this process, for tests that need only the outcome. */
 export function runHere(folder, ...words) {
   const { inputs: [input], output, ...line } = parseCommandLine(words);
   return runFile({ ...line, input: join(folder, input), output: join(folder, output),
@@ -41,7 +40,8 @@ export function start(folder, ...words) {
   return { child, ended };
 }
 
-/** What copies a folder before each change to the names in one; both are told by variables. */
+/** A module that copies the folder WITNESSED into COPIES before each call that opens, links,
+ * renames or removes a file. */
 const witness = `data:text/javascript,${encodeURIComponent(`
   import { execFileSync } from 'node:child_process';
   import fs from 'node:fs';
@@ -59,9 +59,9 @@ const witness = `data:text/javascript,${encodeURIComponent(`
 `)}`;
 
 /**
- * One run, and what a SIGKILL would leave of a folder before each of the changes to it: that kills
- * between two of them and lets the process do nothing more.
- * @returns {string[]} folders, in the order of the changes; that folder itself is as at the end
+ * One run, and the states in which a SIGKILL before each change would leave a folder: SIGKILL ends
+ * a process between two changes, and the process can do nothing more.
+ * @returns {string[]} folders, in the order of the changes; `folder` itself has the last state
  */
 export function statesDuring(cwd, words, folder) {
   const copies = mkdtempSync(join(dirname(folder), 'states-'));
@@ -72,7 +72,7 @@ export function statesDuring(cwd, words, folder) {
   return Array.from(readdirSync(copies), (_, i) => join(copies, String(i)));
 }
 
-/** What asks the process to end at the moment when it is about to unlock. */
+/** A module that sends SIGTERM to its own process just before it removes the lock. */
 const endAtUnlock = `data:text/javascript,${encodeURIComponent(`
   import fs from 'node:fs';
   import { syncBuiltinESMExports } from 'node:module';
@@ -84,14 +84,14 @@ const endAtUnlock = `data:text/javascript,${encodeURIComponent(`
   syncBuiltinESMExports();
 `)}`;
 
-/** Runs, and gets a signal between the last change and the end of the lock. */
+/** Runs, and gets SIGTERM between the last change and the removal of the lock. */
 export function endedAtUnlock(cwd, words) {
   return spawnSync(process.execPath, ['--import', endAtUnlock, cli, ...words], { cwd });
 }
 
 /**
- * Runs, and sends a signal at a moment: after so many milliseconds, or so many after the first
- * change in a folder.
+ * Runs, and sends `signal` `after` milliseconds from the start, or from the first change in the
+ * folder `since`.
  */
 export async function interrupted(folder, words, { signal, after, since }) {
   const { child, ended } = start(folder, ...words);
@@ -105,7 +105,7 @@ export async function interrupted(folder, words, { signal, after, since }) {
   return ended;
 }
 
-/** Names and contents. */
+/** The names and contents of all files in a folder. */
 export function snapshot(folder) {
   return Object.fromEntries(readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -114,7 +114,8 @@ export function snapshot(folder) {
     .map((path) => [path.slice(folder.length + 1), readFileSync(path, 'latin1')]));
 }
 
-/** A file system of its own, where that may be made; tells how to make it read-only and undo it. */
+/** Mounts a small separate file system; undefined if that is not allowed. `freeze` makes it
+ * read-only, `undo` unmounts it. */
 export function mountSmall(folder, size) {
   mkdirSync(folder, { recursive: true });
   const { status } = spawnSync('mount', ['-t', 'tmpfs', '-o', `size=${size}`, 'tmpfs', folder]);
@@ -125,7 +126,7 @@ export function mountSmall(folder, size) {
   };
 }
 
-/** A folder in which nothing can be written, whoever asks. */
+/** A folder in which no user can write, not even root. */
 export function makeReadOnly(folder) {
   const mounted = mountSmall(folder, '64k');
   if (mounted) {
@@ -137,7 +138,7 @@ export function makeReadOnly(folder) {
   return { folder, undo: () => chmodSync(folder, 0o755) };
 }
 
-/** Marsaglia's xorshift: numbers from 0 to 1, the same every time. */
+/** Marsaglia's xorshift: pseudo-random numbers from 0 to 1, the same every time. */
 export function randomFrom(seed) {
   let state = seed;
   return () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sizes: modules in a folder, lines of a file, lines and parameters of a function. A header and its
-// source are one module; a function that has no name is part of the one it stands in.
+// Sizes of the code: modules in a folder, lines of a file, lines and parameters of a function. A
+// header and its source are one module; a function without a name counts as part of the function
+// around it.
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -12,12 +13,12 @@ import { filesUnder, readText, root } from './tree.js';
 
 /** @typedef {{ name: string, line: number, lines: number, parameters: number }} FunctionSize */
 
-/** What the house allows; `longFunctions` is a share, of more than `habit` lines. */
+/** The limits; `longFunctions` is the share of functions with more than `habit` lines. */
 export const limits = {
   modules: 15, fileLines: 400, functionLines: 60, habit: 30, longFunctions: 0.1, parameters: 4,
 };
 
-/** The name under which a function is known, if it has one. */
+/** A function's name, if it has one. */
 function nameOf({ id, parent }) {
   const given = id ?? (parent.type === 'VariableDeclarator' ? parent.id : parent.key);
   return given?.name;
@@ -41,13 +42,13 @@ export function jsFunctions(text) {
   return found;
 }
 
-/** What looks for functions, by its hash. */
+/** The hash of the code that finds functions. */
 const parser = createHash('sha256').update(process.version).update(
   ['tests/support/figures.js', 'tests/support/cpp_functions.js',
     'node_modules/.package-lock.json'].map(readText).join()).digest('hex');
 
 /**
- * The functions of each file. To parse JavaScript takes seconds: what was found in a text before is
+ * The functions of each file. Parsing JavaScript takes seconds, so the functions of a text are
  * remembered by its hash.
  * @param {string} top a folder
  * @param {readonly { path: string, text: string }[]} files
@@ -88,7 +89,7 @@ export function folderSizes(files) {
   return sizes;
 }
 
-/** The share of functions that are longer than the habit. @param {readonly FunctionSize[]} all */
+/** The share of functions longer than `habit` lines. @param {readonly FunctionSize[]} all */
 export function shareOfLong(all) {
   return all.filter(({ lines }) => lines > limits.habit).length / all.length;
 }

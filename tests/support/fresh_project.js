@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A new project of a user's: the tarball packed as for npm and installed into a folder of its own.
+// A user's new project: the package, packed as for npm, installed into a separate folder.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync }
   from 'node:fs';
@@ -8,7 +8,7 @@ import { dirname, join } from 'node:path';
 
 import { root } from './tree.js';
 
-/** What the adapters are for, its types, and the codecs of images. */
+/** The libraries of the adapters, their types, and the codecs of images. */
 const peers = ['three', '@types/three', '@gltf-transform', '@jsquash'];
 
 /**

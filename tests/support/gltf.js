@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glTF files made by tests, looked into, and judged by the Khronos validator.
+// Makes glTF files for tests, reads glTF files, and judges them by the Khronos validator.
 import validator from 'gltf-validator';
 
 import { openContainer, packGlb } from '../../bindings/package/codecs/gltf_container.js';
@@ -20,7 +20,7 @@ export class GltfMaker {
     return this.tree.bufferViews.push(properties) - 1;
   }
 
-  /** Rows padded to multiples of four bytes where they are not. */
+  /** Adds an accessor whose rows are padded to multiples of four bytes. */
   add(array, type, { normalized } = {}) {
     const width = components[type];
     const count = array.length / width;
@@ -39,7 +39,7 @@ export class GltfMaker {
     }, array);
   }
 
-  /** Numbers side by side, as indices and times are. */
+  /** Adds an accessor of unpadded numbers, as for indices and times. */
   addIndices(array) {
     return this.describe({
       bufferView: this.addView(array),
@@ -49,7 +49,7 @@ export class GltfMaker {
     });
   }
 
-  /** An accessor; with the bounds of its values if these are given. */
+  /** Adds an accessor, with bounds if its values are given and have three components. */
   describe(accessor, values) {
     const width = components[accessor.type];
     if (values && width === 3) {
@@ -60,7 +60,7 @@ export class GltfMaker {
     return this.tree.accessors.push(accessor) - 1;
   }
 
-  /** A scene that shows a mesh of these primitives once. */
+  /** Adds a scene that shows a mesh of these primitives once. */
   show(primitives) {
     this.tree.meshes = [{ primitives }];
     this.tree.nodes = [{ mesh: 0 }];
@@ -69,7 +69,7 @@ export class GltfMaker {
     return this;
   }
 
-  /** All views behind one another; fills in where they are. */
+  /** All views one after another; writes their offsets into the tree. */
   data() {
     const length = this.views.reduce((sum, { length: l }) => sum + Math.ceil(l / 4) * 4, 0);
     const data = new Uint8Array(length);
@@ -89,7 +89,7 @@ export class GltfMaker {
     return { name: 'made.glb', bytes: packGlb(this.tree, data) };
   }
 
-  /** A .gltf whose buffer is elsewhere. */
+  /** A .gltf whose buffer is a separate file. */
   gltf(uri = 'made.bin') {
     const data = this.data();
     const tree = { ...this.tree, buffers: [{ ...this.tree.buffers[0], uri }] };
@@ -104,7 +104,7 @@ export class GltfMaker {
   }
 }
 
-/** All that the validator says of a file, with those beside it. */
+/** All messages of the validator on a file, with the files beside it. */
 export async function issuesOf({ bytes, files = [] }) {
   const { issues } = await validator.validateBytes(new Uint8Array(bytes), {
     maxIssues: 0,
@@ -117,7 +117,7 @@ export async function issuesOf({ bytes, files = [] }) {
   return issues.messages;
 }
 
-/** What the validator calls an error, in words. */
+/** The validator's errors, in words. */
 export async function validate(file) {
   return (await issuesOf(file)).filter(({ severity }) => severity === 0)
     .map(({ code, message, pointer }) => `${pointer}: ${code}: ${message}`);
@@ -143,7 +143,7 @@ const readers = {
   5126: ['getFloat32', 4, 1],
 };
 
-/** The values of an accessor, one array per element; normalised integers as fractions. */
+/** The values of an accessor, one array per element; normalized integers become fractions. */
 export function valuesOf({ tree, data }, accessorNumber) {
   const accessor = tree.accessors[accessorNumber];
   const { byteOffset = 0, byteStride } = tree.bufferViews[accessor.bufferView];

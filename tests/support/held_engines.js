@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many instances are made by a program that has both arrays and files, and how many of them are
-// held at its end: in the calling thread, and by what serves a worker. A program of its own, for
-// it needs --expose-gc.
+// Counts the WebAssembly instances that a program with arrays and files makes, and the instances
+// that it still holds at its end: in the calling thread, and in the code that serves a worker. This
+// is a separate program because it needs --expose-gc.
 import { remesh, remeshFile } from 'remesher';
 
 import { serve } from '../../dist/worker/serve.js';
@@ -17,7 +17,7 @@ WebAssembly.instantiate = async (/** @type {any[]} */ ...given) => {
   return instance;
 };
 
-/** What is made by some work, and what is left after all that can be freed is. */
+/** The instances that some work makes, and those left after garbage collection. */
 async function countOf(work) {
   made = [];
   await work();
@@ -37,10 +37,10 @@ async function here() {
   await remesh(octahedron(), { ...options, worker: false });
 }
 
-/** @type {ReturnType<typeof serve>} lives on, as a worker's does */
+/** @type {ReturnType<typeof serve>} kept alive, as in a worker */
 let receive;
 
-/** The messages that a client sends. */
+/** Sends the messages of a client. */
 async function asInWorker() {
   receive = serve(() => {});
   const job = { kind: 'remesh', parts: [{ mesh: octahedron() }], options };

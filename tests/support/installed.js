@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A folder in which this package seems installed, for what papers print to be run.
+// A folder in which this package seems installed, to run the commands printed in the papers.
 import { chmodSync, mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { root } from './tree.js';
 
 /**
- * What `npm install` brings is there already; npx runs it without asking a registry.
+ * Links all that `npm install` would bring; npx runs it without asking a registry.
  * @param {string} folder
  * @returns {string} its node_modules, with npx in `.bin`
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Loaded first by every program of Node's that tests start: V8 optimises a function of WebAssembly
-// once it has run fifty times as long as usual. Most programs of tests run shorter than it takes to
-// optimise what they call.
+// Every Node program that tests start loads this file first. V8 then optimizes a WebAssembly
+// function after fifty times the usual running time: most test programs are shorter than the
+// optimization of the functions that they call.
 import { setFlagsFromString } from 'node:v8';
 
 setFlagsFromString('--wasm-tiering-budget=100000000');

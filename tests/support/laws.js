@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// What must hold of every run, whatever came in: of its error, of its report, of its mesh, of its
-// files. Each function returns the broken laws in words.
+// Laws that hold for every run on any input: laws of its error, its report, its mesh and its files.
+// Each function returns the broken laws in words.
 
 import { convertFile } from 'remesher';
 
 import { errorCodes } from '../../dist/base/errors.js';
 import { issuesOf, openGltf, valuesOf } from './gltf.js';
 
-/** Repairs after which other parts, holes and handles than before are to be expected. */
+/** Repairs that may change the numbers of components, holes and handles. */
 const repairs = new Set(['BACK_TO_BACK_TRIANGLES_REMOVED', 'DEGENERATE_TRIANGLES_REMOVED',
   'DUPLICATE_TRIANGLES_REMOVED', 'INCONSISTENT_ORIENTATION_FIXED', 'NON_MANIFOLD_EDGES_SPLIT',
   'NON_MANIFOLD_VERTICES_SPLIT', 'NON_ORIENTABLE_CUT', 'VERTICES_COINCIDE']);
 
-/** Whether triangles of no area are among those given, or nearly: angles in degrees. */
+/** Whether an input has triangles of no area, or nearly none: angles in degrees. */
 const isThin = (/** @type {any} */ { degenerateTriangles, minAngle }) =>
   degenerateTriangles > 0 || minAngle.worst < 0.1;
 
-/** The caller's fault, said in a sentence. @param {any} error */
+/** An error must be the caller's fault, said in a sentence. @param {any} error */
 export function lawsOfErrors(error) {
   const { code, message } = error;
   if (!errorCodes.includes(code)) return [`not a RemeshError: ${error.stack}`];
@@ -24,7 +24,7 @@ export function lawsOfErrors(error) {
   return /\.$/.test(message) ? [] : [`not a sentence: ${message}`];
 }
 
-/** @param {any} report @param {Record<string, any>} options those asked for */
+/** @param {any} report @param {Record<string, any>} options of the run */
 export function lawsOfReports(report, options) {
   const { input, output, fidelity, stopped, warnings } = report;
   const broken = [];
@@ -37,10 +37,10 @@ export function lawsOfReports(report, options) {
   const says = (/** @type {string} */ code) => warnings.some((/** @type {any} */ warning) =>
     warning.code === code && /near \(/.test(warning.message));
   const isRepaired = warnings.some((/** @type {any} */ { code }) => repairs.has(code));
-  // The numbers that are written hold less than those read: far from the origin, in singles.
+  // The written numbers can be less exact than those read: single precision far from the origin.
   const isRounded = warnings.some((/** @type {any} */ { code }) => code === 'VERTICES_COINCIDE')
     || says('SHAPE_LOST_TO_ROUNDING');
-  // What is sound stays sound. What is not may become worse where that is said, with the place.
+  // A sound surface stays sound. An unsound surface may become worse if a warning names the place.
   require(output.degenerateTriangles <= input.degenerateTriangles
     || ((isThin(input) || isRounded) && says('DEGENERATE_TRIANGLES_MADE')),
   `${output.degenerateTriangles} degenerate triangles, of ${input.degenerateTriangles}`);
@@ -56,7 +56,7 @@ export function lawsOfReports(report, options) {
       require(output[name] === input[name], `${name} ${output[name]}, was ${input[name]}`);
     }
   }
-  // It is made of points of the surface, or lies next to them.
+  // The result consists of points on the surface, or close to it.
   require(fidelity === undefined || fidelity.hausdorff <= 100 || says('SHAPE_LOST_TO_ROUNDING'),
     `${fidelity?.hausdorff} % of the diagonal away`);
   if (options.maxError !== undefined && fidelity !== undefined) {
@@ -69,10 +69,10 @@ export function lawsOfReports(report, options) {
 
 const areFinite = (/** @type {any} */ values) => values.every(Number.isFinite);
 
-/** How far a vector may be from unit length: a step of the smallest integers. */
+/** Largest deviation from unit length: a step of the smallest integers. */
 const unitTolerance = 0.02;
 
-/** Values of one attribute, an array per vertex. */
+/** The laws of one attribute; `rows` has an array of values per vertex. */
 function lawsOfAttribute(semantic, rows) {
   if (!rows.every(areFinite)) return [`${semantic} is not finite`];
   const isUnit = (/** @type {number[]} */ row) =>
@@ -83,13 +83,13 @@ function lawsOfAttribute(semantic, rows) {
   return [];
 }
 
-/** Rows of `width`. */
+/** The values as rows of `width`. */
 function rowsOf(values, width) {
   return Array.from({ length: values.length / width },
     (_, i) => Array.from(values.subarray(width * i, width * (i + 1))));
 }
 
-/** Of a mesh as arrays. */
+/** The laws of a mesh as arrays. */
 export function lawsOfMeshes({ positions, indices, attributes = {} }) {
   const broken = [];
   const count = positions.length / 3;
@@ -104,7 +104,7 @@ export function lawsOfMeshes({ positions, indices, attributes = {} }) {
 const isGltf = ({ name }) => /\.gl(b|tf)$/.test(name);
 
 /**
- * What the validator complains about, by code; errors and warnings. It does not survive every file.
+ * The validator's errors and warnings, by code. The validator itself fails on some files.
  */
 export async function complaints(file) {
   try {
@@ -115,7 +115,7 @@ export async function complaints(file) {
   }
 }
 
-/** Colours of a glTF file from 0 to 1; the validator looks at the rest. */
+/** Colours of a glTF file must be within 0 to 1; the validator checks the rest. */
 function lawsOfColors({ bytes, files = [] }) {
   const opened = openGltf({ bytes, files: [null, ...files] });
   const broken = [];
@@ -132,7 +132,7 @@ function lawsOfColors({ bytes, files = [] }) {
 }
 
 /**
- * Whether what the file says by number, beside what the validator knows of, is there.
+ * The targets of references by number that the validator does not check must exist.
  * @param {any} tree
  */
 export function lawsOfReferences(tree) {
@@ -166,7 +166,8 @@ export function lawsOfReferences(tree) {
   return broken;
 }
 
-/** What a file without glTF holds, in words; bytes may happen to look like some. */
+/** The text of a file other than glTF. Binary files become OBJ first, because their bytes could
+ * look like words. */
 async function wordsOf({ name, bytes }) {
   const isBinary = bytes.includes(0);
   const words = isBinary ? (await convertFile(bytes, { name, output: 'words.obj' })).bytes : bytes;
@@ -184,14 +185,14 @@ export async function lawsOfFiles(before, after) {
       (/^(v|vt|vn) /.test(line) ? line : ''))) ? ['a number is not finite'] : [];
   }
   const known = isGltf(before) ? await complaints(before) : new Map();
-  // What was wrong before is not known then, and may be so still.
+  // The input's faults are unknown then, and the result may still have them.
   if (known.has('VALIDATOR_FAILED')) return [];
-  // Of a mesh whose joints and weights do not match it does not ask for a skin.
+  // The validator asks for no skin if a mesh's joints and weights do not match.
   if (known.has('MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH')) {
     known.set('NODE_SKINNED_MESH_WITHOUT_SKIN', 'perhaps');
   }
-  // The first set of texture coordinates goes if it is of a type that means nothing; the second,
-  // to which materials may refer, stays.
+  // The first set of texture coordinates is dropped if its type is invalid; the second set stays,
+  // because materials may refer to it.
   if (known.has('MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT')) {
     known.set('MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY', 'perhaps');
   }
@@ -207,7 +208,7 @@ function lawsOfAngles(found, said) {
     : [`the file's mean angle is ${found.mean}°, not ${said.mean}°`];
 }
 
-/** The file says what the report does. @param {any} found its inspection @param {any} report */
+/** The file must agree with the report. @param {any} found its inspection @param {any} report */
 export function lawsOfReading(found, report) {
   return ['vertices', 'triangles', 'components', 'boundaryEdges', 'nonManifoldEdges',
     'eulerCharacteristic']

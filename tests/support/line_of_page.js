@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A folder as a web server shows it, under the content security policy that the README speaks of,
-// and what the program of a page there tells.
+// Serves a folder under the content security policy that the README describes, and returns the line
+// that a page's program there prints.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -12,7 +12,7 @@ const types = {
 
 const policy = "script-src 'self' 'wasm-unsafe-eval'";
 
-/** @param {string} folder @param {string} [allowed] what else scripts may do */
+/** @param {string} folder @param {string} [allowed] more sources for the policy's scripts */
 export async function serve(folder, allowed = '') {
   const scripts = `${policy} ${allowed}`;
   const server = createServer(async ({ url }, response) => {
@@ -34,11 +34,12 @@ export async function serve(folder, allowed = '') {
 
 /**
  * @param {import('playwright-core').Browser} browser
- * @param {string} folder what is served
+ * @param {string} folder to serve
  * @param {string} [path] of the page
- * @param {string} [allowed] what else its scripts may do than the policy says
- * @returns {Promise<{ line: string, complaints: string[] }>} what its program tells by `tell`, and
- *   what it wrote to the console or threw; no line if it throws, or says nothing for two minutes
+ * @param {string} [allowed] more sources for the policy's scripts
+ * @returns {Promise<{ line: string, complaints: string[] }>} the line that its program passes to
+ *   `tell`, and the complaints that it wrote to the console or threw; no line if the program throws
+ *   or is silent for two minutes
  */
 export async function lineOfPage(browser, folder, path = '/', allowed = '') {
   const { url, close } = await serve(folder, allowed);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which versions of LLVM's tools these sources are held to.
+// The versions of LLVM's tools that check these sources.
 import { spawnSync } from 'node:child_process';
 
 /** The versions of LLVM whose tools agree about these sources: those of Debian 12 and 13. */
 const agreeing = ['14', '19'];
 
 /**
- * Other versions have a taste of their own: they are not asked, and that is said.
+ * Other versions disagree about these sources: they are not used, and the test says so.
  * @param {import('node:test').TestContext} t @param {string} tool
- * @returns {string | undefined} which it is, if it is one of them
+ * @returns {string | undefined} the tool's version, if it is one of these versions
  */
 export function agreeingVersion(t, tool) {
   const { stdout } = spawnSync(tool, ['--version'], { encoding: 'utf8' });

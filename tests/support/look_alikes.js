@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models whose looks few vertices cannot carry: the colours of a scan lie in scraps of an atlas or
-// in its vertices, sheets touch, alpha is in a map, a skin bends.
+// Models whose looks a few vertices cannot carry: scans with colours in small charts of an atlas or
+// in their vertices, sheets that touch, alpha in a map, a skin that bends.
 import { addChart, columns, gutter, layOut, rows, texels } from './atlas_torus.js';
 import { GltfMaker } from './gltf.js';
 import { png } from './png.js';
@@ -8,7 +8,7 @@ import { skinnedTorus } from './skinned_torus.js';
 
 const unlit = { KHR_materials_unlit: {} };
 
-/** Spots that no few triangles can follow. */
+/** Spots that few triangles cannot follow. */
 const spots = (i, j) => [
   Math.round(127 + 100 * Math.cos((2 * Math.PI * i) / columns)),
   Math.round(127 + 100 * Math.cos((2 * Math.PI * j) / rows)),
@@ -17,8 +17,8 @@ const spots = (i, j) => [
 
 const every = (step, count) => Array.from({ length: count / step + 1 }, (_, i) => step * i);
 
-/** Where on the torus a texel of a chart's cell lies: gutters go on as the chart does, up to the
- * next cell, so that no seam shows on the original either. */
+/** The place on the torus of a texel in a chart's cell. Gutters continue the chart up to the next
+ * cell, so that the original shows no seam either. */
 function onTorus(charts, x, y) {
   const chart = charts.find(({ left, top, width, height }) => x >= left - gutter
     && y >= top - gutter && x < left + width + gutter && y < top + height + gutter);
@@ -54,7 +54,7 @@ const paint = (factor, rest) => ({
   ...rest,
 });
 
-/** A torus in 128 scraps of an atlas; nothing is between them. */
+/** A torus in an atlas of 128 small charts, with nothing between them. */
 function scrappyScan() {
   const maker = new GltfMaker();
   const charts = layOut({ around: every(4, columns), across: every(4, rows) });
@@ -63,7 +63,7 @@ function scrappyScan() {
   return maker.show([addPrimitive(maker, charts, 0)]).glb();
 }
 
-/** One half of a torus can be seen through. */
+/** A torus with one transparent half. */
 function halfGlass() {
   const maker = new GltfMaker();
   const charts = layOut({ around: every(8, columns), across: every(8, rows) });
@@ -76,7 +76,7 @@ function halfGlass() {
   ]).glb();
 }
 
-/** A strip folded over itself: checks of one colour lie close upon those of another. */
+/** A strip folded over itself: checks of one colour lie close to checks of another. */
 function foldedSheet() {
   const [long, wide, gap] = [96, 24, 0.02];
   const positions = [];
@@ -107,7 +107,7 @@ function foldedSheet() {
   }]).glb();
 }
 
-/** By name: how a file is made, and whether its joints are bent before it is looked at. */
+/** For each name: the maker of a file, and whether its joints are bent for the pictures. */
 export const lookAlikes = {
   'a scan in scraps': { make: scrappyScan },
   'a folded sheet': { make: foldedSheet },

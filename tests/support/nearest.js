@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest point of a mesh, found by trying every triangle: slow, and nothing to get wrong.
+// The nearest point of a mesh by brute force: slow, but too simple to be wrong.
 import { Triangle, Vector3 } from 'three';
 
 /** The vertex as a vector. */
@@ -15,7 +15,8 @@ export class NearestPoints {
       new Triangle(...[0, 1, 2].map((k) => vertexOf(positions, indices[3 * t + k]))));
   }
 
-  /** All triangles that are nearest but for `slack`, with the barycentric weights of the points. */
+  /** All triangles at most `slack` farther than the nearest, with the barycentric weights of their
+   * nearest points. */
   find(point, slack = 0) {
     const distances = this.triangles.map((triangle) =>
       triangle.closestPointToPoint(point, new Vector3()).distanceTo(point));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A figure of boxes on a floor, each box a mesh of its own, coloured by a palette: every face shows
-// one colour of a texture, and the face of the head has eyes and a mouth of a few cells.
+// A figure of boxes on a floor, each box a separate mesh, coloured by a palette: every side shows
+// one colour of a texture, and the front of the head has eyes and a mouth of a few cells.
 import { GltfMaker } from './gltf.js';
 import { png } from './png.js';
 
@@ -12,7 +12,7 @@ const across = 8;  // pixels of each colour
 const sides = [[2, 0, 1], [0, 1, 2], [1, 2, 0]].flatMap((axes) =>
   [1, -1].map((sign) => ({ axes, sign })));
 
-/** Six grids of cells with corners of their own; `colour(side, i, j)` is what a cell shows. */
+/** Six grids of cells that share no vertices; `colour(side, i, j)` is a cell's palette number. */
 function box({ size, cells, colour }) {
   const mesh = { positions: [], texcoords: [], indices: [], colours: [] };
   sides.forEach(({ axes: [normal, a, b], sign }, side) => {
@@ -48,7 +48,7 @@ function headColour(side, i, j) {
 
 const limb = { size: [0.3, 0.9, 0.3], cells: [2, 4, 2] };
 
-/** What stands where. */
+/** The boxes, with their places. */
 export const boxes = [
   { name: 'head', size: [1, 1, 1], cells: [6, 6, 6], colour: headColour, at: [0, 2.9, 0] },
   { name: 'body', size: [1, 1.4, 0.5], cells: [6, 8, 4], colour: faced, at: [0, 1.6, 0] },

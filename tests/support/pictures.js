@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two glTF files photographed from all sides in Chromium, and the pictures compared.
+// Renders two glTF files from all sides in Chromium, and compares the pictures.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
@@ -15,13 +15,13 @@ const page = `<!doctype html><script type="importmap">${JSON.stringify({ imports
 <script type="module" src="/tests/support/pictures_page.js"></script>`;
 const types = { js: 'text/javascript', glb: 'model/gltf-binary' };
 
-/** What is at a path of the site: the page, a model, or a script. */
+/** The content at a path of the site: the page, a model, or a script. */
 function contents(path, models) {
   if (path === '') return page;
   return models.has(path) ? Buffer.from(models.get(path)) : readFileSync(join(root, path));
 }
 
-/** A place to compare files in; `close` ends it. Nothing is fetched from anywhere else. */
+/** A page in which to compare files; `close` ends it. Nothing is fetched from elsewhere. */
 export async function openGallery() {
   const browser = await startChromium();
   const tab = await browser.newPage();
@@ -42,7 +42,7 @@ export async function openGallery() {
   await tab.waitForFunction('window.compare');
   return {
     /**
-     * For each of 12 views, or of those of `options`, what the two pictures have in common, see
+     * The comparison of the two pictures for each of 12 views, or of the views in `options`; see
      * pictures_page.js.
      * @returns {Promise<{ difference: number, pixels: number, strange: number, ssim: number }[]>}
      */

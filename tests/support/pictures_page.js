@@ -20,8 +20,8 @@ function directions() {
     corners.findIndex((other) => other.distanceTo(corner) < 1e-3) === i);
 }
 
-/** Textures that are seen aslant, or whose texels are longer than wide, are not filtered as wide as
- * long, if a viewer asks for it. */
+/** Sets anisotropic filtering: textures seen at a slant, or with texels longer than wide, are then
+ * not blurred as widely as along their length. */
 function filterAlong(model, anisotropy) {
   model.traverse(({ material }) => {
     const maps = Object.values(material ?? {}).filter((value) => value?.isTexture);
@@ -66,7 +66,7 @@ function similarity({ n, a, b, aa, bb, ab }) {
 
 const [windowSize, windowStep] = [8, 4];
 
-/** The sums over a window; `shown`: whether it shows something of either. */
+/** The sums over a window; `shown`: whether the window shows a part of either model. */
 function windowSums(a, b, left, top) {
   const sums = { n: windowSize * windowSize, a: 0, b: 0, aa: 0, bb: 0, ab: 0, shown: false };
   for (let i = 0; i < sums.n; i += 1) {
@@ -82,7 +82,7 @@ function windowSums(a, b, left, top) {
   return sums;
 }
 
-/** The mean over all windows of 8 × 8 pixels, four apart, that show something. */
+/** The mean over all windows of 8 × 8 pixels, four apart, that show a part of a model. */
 function ssim(a, b) {
   let [sum, windows] = [0, 0];
   for (let top = 0; top + windowSize <= size; top += windowStep) {
@@ -97,9 +97,9 @@ function ssim(a, b) {
 }
 
 /**
- * ssim: how alike they are to the eye, 1 at most.
+ * ssim: structural similarity, 1 at most.
  * difference: mean absolute difference of the colours, 0 to 1, over all `pixels` that show either.
- * strange: how many pixels of the second picture have the colour `forbidden`.
+ * strange: number of pixels of the second picture with the colour `forbidden`.
  */
 function difference(a, b, forbidden) {
   let [sum, pixels, strange] = [0, 0, 0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A PNG from a function of the pixel: 8-bit colours, nothing filtered.
+// A PNG from a function of the pixel: 8-bit colours, without filters.
 import { deflateSync } from 'node:zlib';
 
-/** The remainder of each byte. */
+/** The CRC remainder of each byte. */
 const rests = Uint32Array.from({ length: 256 }, (_, byte) => {
   let rest = byte;
   for (let k = 0; k < 8; k += 1) rest = (rest >>> 1) ^ (rest & 1 ? 0xedb88320 : 0);

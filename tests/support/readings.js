@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Which files of the checkout a test file can read: itself, what it imports, and whatever its text
-// or that of such a file names by a path, from the root or from where it stands. Of a folder that
-// is all that lies in it, but for programs that are made of the checkout, which go by their whole
-// names; of our package what its exports lead to.
+// Finds the files of the checkout that a test file can read: the file itself, its imports, and
+// every path that its text or the text of such a file names, from the root or from the file's
+// folder. A named folder means all files in it, except programs built from the checkout, which must
+// be named in full. Our package's name means the files of its exports.
 import { dirname, join, normalize } from 'node:path';
 
-/** Declarations speak of each other by the names of the scripts. */
+/** Declarations import each other by the names of the scripts. */
 const isTypes = /\.d\.m?ts$/;
-/** What leads on: programs, recipes, which are some, and the papers at the root by their links. */
+/** Files that name other files: programs, recipes, which contain programs, and papers at the root,
+ * by their links. */
 const leadsOn = /^(?!package).*\.(m?[jt]s|json|html|css|sh)$|^docs\/recipes\/|^\w+\.md$/;
 const isPaper = /^\w+\.md$/;
 
 /**
- * Whatever looks like a path, and single words if they are quoted, but for the part of the build
- * that is called as a folder is; comments read nothing.
+ * Every text that looks like a path, and quoted single words. In the build the word 'tests' is a
+ * part, not the folder. Comments do not count.
  * @param {string} file @param {string} whole
  */
 function pathsIn(file, whole) {
@@ -26,7 +27,7 @@ function pathsIn(file, whole) {
   return new Set([...paths, ...words]);
 }
 
-/** Every folder with the files of ours in it, however deep. @param {readonly string[]} files */
+/** Every folder with all our files below it. @param {readonly string[]} files */
 function foldersOf(files) {
   /** @type {Map<string, string[]>} */
   const folders = new Map();
@@ -39,7 +40,7 @@ function foldersOf(files) {
   return folders;
 }
 
-/** By the name it is imported by: where an entry of the package leads. @param {any} manifest */
+/** The files of the package's entries, by import name. @param {any} manifest */
 function entriesOf({ name, exports }) {
   const targets = (/** @type {any} */ entry) => (typeof entry === 'string'
     ? [normalize(entry)] : Object.values(entry).flatMap(targets));
@@ -48,14 +49,14 @@ function entriesOf({ name, exports }) {
 }
 
 /**
- * @param {readonly string[]} files all that may be read, by their paths from the root
+ * @param {readonly string[]} files that may be read, by their paths from the root
  * @param {(file: string) => string} read
- * @returns {(file: string) => string[]} of a file what it can read, sorted
+ * @returns {(file: string) => string[]} the files that a file can read, sorted
  */
 export function readings(files, read) {
   const all = new Set(files);
   const folders = foldersOf(files);
-  /** By npm, which is called from the root: the package, and the papers beside it. */
+  /** The files that npm reads, called from the root: the package, and the papers beside it. */
   const packed = files.filter((file) => file.startsWith('dist/') || !file.includes('/'));
   const entries = entriesOf(JSON.parse(read('package.json')));
   /** @type {Map<string, string[]>} */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which test files have passed before, with the very same files to read and the same programs: they
-// are not run again.
+// Remembers the test files that have passed. A test file is not run again while the files that it
+// can read and the programs are the same.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -12,21 +12,21 @@ import { readings } from './readings.js';
 import { filesUnder, readText, root } from './tree.js';
 
 const memory = join(root, 'build/checks');
-/** Programs that are made of the checkout. */
+/** Programs and a library built from the checkout. */
 const made = ['build/test/unit_tests', 'build/test/fuzz_replay', 'build/test/libremesher.a'];
-/** What every test reads without saying so: packages, and what Node starts the files with. */
+/** Files that every test reads without naming them: npm packages, and Node's first import. */
 const everywhere = ['node_modules/.package-lock.json', 'tests/support/late_tiering.js'];
 
 const isThere = (/** @type {string} */ file) => existsSync(join(root, file));
 
-/** Every file of the checkout, by git, which knows what is ignored. */
+/** Every file of the checkout, by git, which knows the ignored files. */
 function checkout() {
   const words = ['ls-files', '-z', '--cached', '--others', '--exclude-standard'];
   const { stdout } = spawnSync('git', words, { cwd: root, encoding: 'utf8' });
   return stdout.split('\0').filter((file) => file && isThere(file));
 }
 
-/** The programs that tests start, by what tells one version from another. */
+/** The versions of the programs that tests start. */
 function programs() {
   const chromium = findChromium(thisSystem());
   return [process.version, process.platform, process.arch,
@@ -34,9 +34,9 @@ function programs() {
 }
 
 /**
- * Where it is remembered that a test file has passed.
+ * The file that records the pass of each test file.
  * @param {readonly string[]} files
- * @returns {Map<string, string> | undefined} nothing where git is not there to ask
+ * @returns {Map<string, string> | undefined} undefined without git
  */
 function memories(files) {
   const parts = checkout();
@@ -63,8 +63,8 @@ function memories(files) {
 
 /**
  * @param {readonly string[]} files of tests
- * @returns {{ unknown: string[], remember: (file: string) => void }} those to run, and who is told
- *   which of them passed
+ * @returns {{ unknown: string[], remember: (file: string) => void }} unknown: the files to run;
+ *   remember: to be called for each file that passed
  */
 export function remembered(files) {
   const places = memories(files);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rooms of the tree and their order. A file may use its own room and those named after it here,
-// which all stand before it: what is not named is above, or beside, and neither is allowed.
+// The rooms of the tree and their order. A file may use its own room and the rooms listed for it
+// here, which all come before it. Other rooms are above or beside it and must not be used.
 
 /** @type {Record<string, string[]>} folders of src; '' is src itself, the public functions */
 export const coreRooms = {
@@ -56,7 +56,7 @@ export const coreRooms = {
     'textures', 'jobs'],
 };
 
-/** @type {Record<string, string[]>} folders of bindings/package; '': what is imported by name */
+/** @type {Record<string, string[]>} folders of bindings/package; '': modules imported by name */
 export const packageRooms = {
   base: [],
   codecs: ['base'],
@@ -69,7 +69,7 @@ export const packageRooms = {
   cli: ['base', 'codecs', 'files', 'api', ''],
 };
 
-/** @type {Record<string, string[]>} folders of web; '': the page, what builds and serves it */
+/** @type {Record<string, string[]>} folders of web; '': the page, its build and its server */
 export const pageRooms = {
   'texts/options': [],
   texts: ['texts/options'],
@@ -90,7 +90,7 @@ export const pageRooms = {
 const roomOf = (path) => path.split('/').slice(0, -1).join('/');
 
 /**
- * The arrows that do not point down: from a file to another, both by their paths from the top.
+ * The arrows that do not point down, from file to file, by their paths from the rooms' top.
  * @param {Record<string, string[]>} rooms
  * @param {Iterable<readonly [string, readonly string[]]>} arrows
  */
@@ -105,7 +105,7 @@ export function wrongArrows(rooms, arrows) {
 }
 
 /**
- * The first circle in a graph of names, or none.
+ * The first cycle in a graph of names, or none.
  * @param {Map<string, readonly string[]>} graph
  */
 export function findCircle(graph) {

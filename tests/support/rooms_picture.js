@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rooms of the core as a picture: a box for each, above all that it may use. A line leads to
-// what no other line leads to: where a room uses one that uses a third, the third has no line to it.
+// Draws the rooms of the core: a box for each room, above all rooms that it may use. A room has no
+// line to a room that it also reaches through another.
 
 const [boxWidth, boxHeight, gap, rise, margin] = [136, 26, 14, 62, 12];
 const letter = 6.2;
@@ -20,7 +20,8 @@ function floorsOf(rooms) {
   return floors;
 }
 
-/** The rooms that a room uses, but those that one of them uses. @param {Record<string, string[]>} rooms */
+/** The rooms that a room uses, except those that it also reaches through another.
+ * @param {Record<string, string[]>} rooms */
 function directly(rooms, /** @type {string} */ room) {
   const reached = new Set();
   const reach = (/** @type {string} */ other) => {
@@ -35,7 +36,7 @@ function directly(rooms, /** @type {string} */ room) {
 }
 
 /**
- * Floor by floor, each room near the middle of those that it uses.
+ * Places the rooms floor by floor, each near the middle of the rooms that it uses.
  * @param {Record<string, string[]>} rooms
  */
 function placesOf(rooms) {
@@ -60,7 +61,7 @@ function placesOf(rooms) {
 }
 
 /**
- * @param {Record<string, string[]>} rooms each with those that it may use; '' is the top
+ * @param {Record<string, string[]>} rooms each with the rooms that it may use; '' is the top
  * @param {string} top the name of the room ''
  */
 export function roomsPicture(rooms, top) {

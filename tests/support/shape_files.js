@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes made on the spot, as the files that people have.
+// Generated shapes, as files of common formats.
 
 /** A torus of m × n vertices, its triangles all alike along a ring. */
 export function torus(m, n) {
@@ -23,7 +23,7 @@ export function objText({ positions, triangles }) {
   return [...vertices, ...faces, ''].join('\n');
 }
 
-/** glTF as JSON, with its one buffer beside it. */
+/** A glTF's JSON and its only buffer, separately. */
 export function gltfParts({ positions, triangles }) {
   const points = new Float32Array(positions.flat());
   const indices = new Uint32Array(triangles.flat());

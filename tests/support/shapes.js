@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes made by rule, for tests through the package's public functions.
+// Meshes by formula, for tests through the package's public functions.
 
 /** A torus of 2 × columns × rows triangles: Euler characteristic 0, no boundary. */
 export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) {
@@ -17,7 +17,7 @@ export function torus({ columns = 48, rows = 24, radius = 2, tube = 0.8 } = {}) 
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
-/** A hollow torus, to the space in which small shafts lead, each through a cell of its net. */
+/** A hollow torus with small shafts to its inner space, each through a cell of its grid. */
 export function drilledTorus({ columns = 96, rows = 48, every = 8 } = {}) {
   const [outer, inner] = [0.8, 0.77].map((tube) => torus({ columns, rows, tube }));
   const beneath = columns * rows;
@@ -48,7 +48,7 @@ export function octahedron() {
   };
 }
 
-/** A ring whose tube is on one side an eighth as thick as on the other: there it bends most. */
+/** A ring whose tube is, on one side, an eighth as thick as on the other: it bends most there. */
 export function signetRing() {
   const [columns, rows, thick] = [160, 48, 0.8];
   const { positions, indices } = torus({ columns, rows, tube: thick });
@@ -64,7 +64,7 @@ export function signetRing() {
   return { positions, indices };
 }
 
-/** A square of so many cells along a side, two triangles each. @param {number} cells
+/** A square with `cells` cells along a side, two triangles each. @param {number} cells
  * @param {(row: number, column: number) => number[]} placeAt */
 export function sheetOf(cells, placeAt) {
   const positions = [];
@@ -116,7 +116,7 @@ export function offText({ positions, indices }) {
   return `${lines.join('\n')}\n`;
 }
 
-/** How many different positions the vertices have. */
+/** Number of different positions of the vertices. */
 export function distinctPositions(positions) {
   const seen = new Set();
   for (let i = 0; i < positions.length; i += 3) {

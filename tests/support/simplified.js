@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A glTF file as meshoptimizer simplifies it: what baked textures are measured by.
+// A glTF file simplified by meshoptimizer, for comparison with baked textures.
 import { NodeIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { dedup, weld } from '@gltf-transform/functions';
@@ -8,7 +8,7 @@ import { MeshoptSimplifier } from 'meshoptimizer';
 // As in the simplifier's own examples.
 const weights = { NORMAL: 0.5, TEXCOORD_0: 1, COLOR_0: 1 };
 
-/** What the simplifier looks at besides places, vertex after vertex. */
+/** The attributes that the simplifier uses besides positions, vertex by vertex. */
 function attributesOf(primitive, count) {
   const columns = Object.entries(weights).flatMap(([semantic, weight]) => {
     const accessor = primitive.getAttribute(semantic);
@@ -34,7 +34,7 @@ function simplifyPrimitive(primitive, ratio) {
   primitive.getIndices().setArray(result);
 }
 
-/** The file with about so many triangles, and with its textures as they are. */
+/** The file with about `triangles` triangles, and with its textures unchanged. */
 export async function simplified(bytes, triangles) {
   const io = new NodeIO().registerExtensions(ALL_EXTENSIONS);
   const document = await io.readBinary(bytes);

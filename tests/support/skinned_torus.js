@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A torus as files from an exporter are: two materials, each primitive with accessors of its own, a
-// texture, a skin of two joints, a morph target, and beside it a smaller torus that is shown twice.
+// A torus like an exporter's file: two materials, separate accessors for each primitive, a texture,
+// a skin of two joints, a morph target, and beside it a smaller torus that is shown twice.
 import { addChart, layOut, place, texels } from './atlas_torus.js';
 import { GltfMaker } from './gltf.js';
 import { png } from './png.js';
@@ -11,7 +11,7 @@ const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const wave = (x, length) => Math.round(127 + 100 * Math.sin((2 * Math.PI * x) / length));
 const texture = () => png(texels, texels, (x, y) => [wave(x, texels / 2), wave(y, texels), 90]);
 
-/** A half of the torus as a primitive. Joint 0 carries the left, joint 1 the right. */
+/** A half of the torus as a primitive. Joint 0 moves the left half, joint 1 the right half. */
 function addHalf(maker, chart, material) {
   const mesh = { positions: [], texcoords: [], indices: [] };
   addChart(mesh, chart);
@@ -51,7 +51,7 @@ const materialOf = (factor) => ({
   extensions: { KHR_materials_unlit: {} },
 });
 
-/** Where both halves meet, all around the tube. */
+/** The points where both halves meet, all around the tube. */
 export const meetingPlaces = [0, 32].flatMap((i) =>
   Array.from({ length: 32 }, (_, j) => place(i, j)));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A WebAssembly module that may grow to less than its own limit: what ends at 4 GB ends sooner.
+// Lowers the memory limit of a WebAssembly module, so that runs that would end at 4 GB end sooner.
 
 const memorySection = 5;
 const headerBytes = 8;
@@ -14,7 +14,7 @@ function readNumber(bytes, at) {
   return { value, length };
 }
 
-/** In as many bytes as there were. */
+/** Writes a number in as many bytes as it had before. */
 function writeNumber(bytes, { at, length, value }) {
   for (let i = 0; i < length; i += 1) {
     const isLast = i === length - 1;
@@ -22,7 +22,8 @@ function writeNumber(bytes, { at, length, value }) {
   }
 }
 
-/** The module's bytes with another maximum. @param {Uint8Array} wasm @param {number} megabytes */
+/** The module's bytes with another memory limit.
+ * @param {Uint8Array} wasm @param {number} megabytes */
 export function withMemory(wasm, megabytes) {
   const bytes = Uint8Array.from(wasm);
   let at = headerBytes;

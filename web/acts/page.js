@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all acts share: the session, the stage, the form, and the rule that a later job overtakes an
+// The parts that all acts share: the session, the stage and the form. A later job overtakes an
 // earlier one.
 import { byId } from '../base/dom.js';
 import { timeLeft, words } from '../base/format.js';
@@ -11,7 +11,7 @@ import { Stage } from '../view/stage.js';
 import { Painting } from './painting.js';
 import { Surveying } from './surveying.js';
 
-/** What the page is doing; a draft shows no progress, for it is over at once.
+/** The page's state. A draft shows no progress, because it is short.
  * @typedef {'idle' | 'busy' | 'drafting'} State */
 
 export class Page {
@@ -50,8 +50,8 @@ export class Page {
     showProgress(state === 'busy' ? { phase: t('preparing'), fraction: 0 } : null);
   }
 
-  /** Runs a job with the page busy around it, its errors shown. A job that a later one has
-   * overtaken no longer touches the page.
+  /** Runs a job, sets the page's state meanwhile, and shows the job's error. The end of a job that
+   * a later job has overtaken changes neither the state nor the messages.
    * @param {() => Promise<void>} job @param {'busy' | 'drafting'} [state] */
   async busy(job, state = 'busy') {
     const number = ++this.#jobs;

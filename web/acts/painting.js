@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Density is painted on the original with a brush, and handed to the runs that follow. It is kept
-// for the model it was painted on.
+// The visitor paints density on the original with a brush. Later runs use the density, and the
+// browser keeps it for the same model.
 import { addCommand } from '../base/commands.js';
 import { densityColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
@@ -20,15 +20,15 @@ export class Painting {
   #onStroke;
   /** @type {Dab[]} */
   #dabs = [];
-  /** Of the original on the stage. @type {Float32Array | null} */
+  /** Vertex positions of the original on the stage. @type {Float32Array | null} */
   #shownAt = null;
   #levels = new Float32Array();
-  /** The vertices as the core counts them, once they are known. @type {Float32Array | null} */
+  /** Vertex positions in the core's order, null until needed. @type {Float32Array | null} */
   #countedAt = null;
   #isPicking = false;
   #isStroke = false;
 
-  /** @param {Desk} page @param {() => void} onStroke one more is done */
+  /** @param {Desk} page @param {() => void} onStroke called after each stroke */
   constructor(page, onStroke) {
     this.#page = page;
     this.#onStroke = onStroke;
@@ -51,13 +51,13 @@ export class Painting {
     return this.#dabs;
   }
 
-  /** Where this model's dabs are remembered. */
+  /** Identifies the model whose dabs are remembered. */
   get #key() {
     const { model } = this.#page.session;
     return model && `${model.name} ${model.bytes.length}`;
   }
 
-  /** A new original is on the stage: what was painted on it before is there again. */
+  /** A new original is on the stage: dabs painted on it before are restored. */
   begin() {
     this.#shownAt = this.#page.stage.viewer?.view('original')?.soup().positions ?? null;
     this.#countedAt = null;
@@ -66,7 +66,7 @@ export class Painting {
     this.set(kept.key === this.#key && Array.isArray(kept.dabs) ? kept.dabs : []);
   }
 
-  /** @param {Dab[]} dabs instead of those there are */
+  /** @param {Dab[]} dabs replace all present dabs */
   set(dabs) {
     this.#dabs = [...dabs];
     if (dabs.length) remember('paint', JSON.stringify({ key: this.#key, dabs }));
@@ -104,7 +104,8 @@ export class Painting {
     this.#onStroke();
   }
 
-  /** @param {{ x: number, y: number }} at of the canvas; one question at a time */
+  /** Adds a dab, unless the last dab's place is still being found.
+   * @param {{ x: number, y: number }} at in the canvas */
   async #dabAt(at) {
     const { stage, surveying } = this.#page;
     const ray = stage.isBrushing ? stage.viewer?.rayAt(at) : null;
@@ -136,7 +137,7 @@ export class Painting {
   }
 
   #endStroke() {
-    if (this.#isPicking) {  // the last dab is still on its way
+    if (this.#isPicking) {  // the last dab's place is still being found
       setTimeout(() => this.#endStroke(), 20);
       return;
     }
@@ -146,7 +147,7 @@ export class Painting {
     this.#onStroke();
   }
 
-  /** What a run takes: nothing where nothing is painted.
+  /** The run's option `density`; empty if nothing is painted.
    * @returns {Promise<{ density?: Float32Array }>} */
   async option() {
     if (!this.#dabs.length) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run is asked for, and its result shown, with all that can be done with it.
+// Starts a run and shows its result, with the report, the history and the ways to save.
 import { byId } from '../base/dom.js';
 import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
@@ -17,7 +17,7 @@ import { savingActs } from './saving.js';
 /** @typedef {import('../model/session.js').Result} Result */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 
-/** Both sides' names, and the report on the right one, in the language of the day.
+/** Writes both sides' names, and the report on the right side, in the current language.
  * @param {Page} page */
 export function showReport(page) {
   const { session, stage } = page;
@@ -43,14 +43,14 @@ export function showReport(page) {
   showDistances(page);
 }
 
-/** What can be taken home of a result. @param {Page} page @param {Result} result */
+/** The views to save a result and its maps. @param {Page} page @param {Result} result */
 function homeViews(page, result) {
   const acts = savingActs(page);
   const maps = mapsView(result, acts.onFile);
   return [...(maps ? [maps] : []), takeawayView(page.session, acts)];
 }
 
-/** What shows the place that a warning speaks of, if it is known.
+/** A function that shows a warning's place, null if the place is unknown.
  * @param {Page} page @param {import('remesher').Warning} warning */
 function visitorOf({ surveying }, { code, message }) {
   const landmark = landmarkOf(code);
@@ -71,7 +71,7 @@ function showDistances({ surveying, panel }) {
   }));
 }
 
-/** Shows a result, and then how far it is from the original.
+/** Shows a result, and then its distances from the original.
  * @param {Page} page @param {Result} result */
 async function stageResult(page, result) {
   const { stage, surveying } = page;
@@ -111,7 +111,7 @@ export function clearResult({ stage }) {
   byId('result-count', HTMLElement).textContent = '';
 }
 
-/** For those who hear the page. @param {import('remesher').MeshReport} output */
+/** The announcement for screen readers. @param {import('remesher').MeshReport} output */
 function done({ vertices, minAngle, quads }) {
   if (!quads) {
     return t('done', { count: count(vertices), mean: degrees(minAngle.mean),
@@ -121,7 +121,7 @@ function done({ vertices, minAngle, quads }) {
     irregular: count(quads.irregular), mean: degrees(quads.angleDeviation.mean) });
 }
 
-/** @param {Page} page @param {RemeshOptions} [extra] what is not in the form */
+/** @param {Page} page @param {RemeshOptions} [extra] options that are not in the form */
 export async function remesh(page, extra = {}) {
   const { session, panel } = page;
   const values = panel.values();

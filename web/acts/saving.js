@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A result is taken home: as a file, a report, a picture, a line to type.
+// Saves a result as files, a report or a picture, and copies texts such as its command line.
 import { withExtension } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { packed } from '../files/archives.js';
@@ -9,7 +9,7 @@ import { announce, showNews } from '../panel/messages.js';
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
-/** How many levels of detail are made. */
+/** Number of levels of detail. */
 const levelCount = 4;
 
 /** @param {NamedBytes} file */
@@ -18,7 +18,7 @@ function save(file) {
   announce(t('saved', { name: file.name }));
 }
 
-/** One file as it is, several (an OBJ with its materials) as one ZIP.
+/** Saves one file as it is, several files (such as an OBJ with its materials) as one ZIP.
  * @param {NamedBytes[]} files */
 async function hand(files) {
   const zipName = withExtension(files[0].name, 'zip');

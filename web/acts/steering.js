@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Trying: while a slider moves, drafts follow; when it rests, the best result. Undo and redo over
-// what was asked for.
+// Live results: drafts while a slider moves, a full run when the slider rests. Undo and redo of
+// options and painted density.
 import { addCommand } from '../base/commands.js';
 import { byId } from '../base/dom.js';
 import { Timeline } from '../model/timeline.js';
 import { remesh } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
-/** What is undone and done again.
+/** The state that undo and redo restore.
  * @typedef {{ values: import('../model/address.js').Values,
  *   dabs: import('../model/density.js').Dab[] }} State */
 
 /** Milliseconds without a change after which a slider is at rest. */
 const rest = 400;
-/** A draft keeps the textures: painting them takes longer than a draft may. */
+/** A draft keeps the textures, because painting new ones takes too long for a draft. */
 const draft = /** @type {const} */ ({ quality: 'draft', textures: 'keep' });
-/** Models with more vertices take too long to follow. */
+/** Models with more vertices are too slow for live results. */
 const largestLive = 60_000;
 
 export class Steering {
@@ -47,7 +47,7 @@ export class Steering {
     return panel.isLive && (session.inspection?.input.vertices ?? Infinity) <= largestLive;
   }
 
-  /** A model came in: what the form says now is where undoing ends. */
+  /** A model was opened: undo goes back to the form's present values, and no further. */
   begin() {
     if (!this.#page) return;
     clearTimeout(this.#timer);
@@ -55,13 +55,13 @@ export class Steering {
     this.#showSteps();
   }
 
-  /** What the last moves asked for is no longer wanted: something else is, or nothing. */
+  /** Drops the drafts and the run that the last moves asked for and that have not begun. */
   stop() {
     clearTimeout(this.#timer);
     this.#isStale = false;
   }
 
-  /** A value moves. */
+  /** A value is changing. */
   move() {
     if (!this.#page || !this.#isLive) return;
     this.#isStale = true;
@@ -76,13 +76,13 @@ export class Steering {
     this.#showSteps();
   }
 
-  /** A stroke of the brush is done. */
+  /** A brush stroke has ended. */
   stroke() {
     this.settle();
     this.move();
   }
 
-  /** One draft after the other, the latest values always last: none waits in line.
+  /** Runs one draft after another, each with the latest values; drafts never queue.
    * @param {Page} page */
   async #draft(page) {
     this.#isDrafting = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a visitor can do, once each: a button (data-do), a key and a program run the same command.
+// The visitor's commands. A button (data-do), a key and a program run the same command.
 import { recall, remember } from './memory.js';
 
 /** @typedef {{ id: string, key: string, run: () => void }} Command key: '' for none */
@@ -7,7 +7,7 @@ import { recall, remember } from './memory.js';
 /** @type {Map<string, Command>} */
 const commands = new Map();
 
-/** Whether a key belongs to what has the focus, and not to the page. @param {Event} event */
+/** Whether a key belongs to the focused field, not to the page. @param {Event} event */
 export function isTyping({ target }) {
   const kinds = 'input:not([type=range], [type=checkbox], [type=radio]), select, textarea';
   return target instanceof Element && target.matches(kinds);
@@ -16,7 +16,7 @@ export function isTyping({ target }) {
 const singleKeys = 'single-keys';
 export const hasSingleKeys = () => recall(singleKeys) !== 'off';
 
-/** @param {boolean} isOn whether letters alone, without Ctrl, are keys */
+/** @param {boolean} isOn whether single letters, without Ctrl, run commands */
 export function setSingleKeys(isOn) {
   remember(singleKeys, isOn ? null : 'off');
   showShortcuts();
@@ -41,7 +41,7 @@ function spelled({ key, ctrlKey, metaKey, shiftKey }) {
   return `Control+${shiftKey ? 'Shift+' : ''}${letter}`;
 }
 
-/** Tells assistive technology which key does what a button does. */
+/** Tells assistive technology the key of each button's command. */
 function showShortcuts() {
   for (const node of document.querySelectorAll('[data-do]')) {
     const key = commands.get(/** @type {HTMLElement} */ (node).dataset.do ?? '')?.key;
@@ -62,7 +62,7 @@ function onKey(event) {
   command.run();
 }
 
-/** Once all commands are known. */
+/** To be called once all commands have been added. */
 export function wireCommands() {
   showShortcuts();
   addEventListener('keydown', onKey);

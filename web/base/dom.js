@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Two helpers that keep the other files about their own business. Text is always set as text, so a
-// file's name can never become markup.
+// Two helpers to make and to find elements. Text is always set as text, so a file's name can never
+// become markup.
 
 /** @typedef {Node | string | null | undefined | false} Child */
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
- * @param {Record<string, unknown>} [properties] of the element; those with a dash are attributes
+ * @param {Record<string, unknown>} [properties] of the element; names with a dash: attributes
  * @param {...Child} children
  * @returns {HTMLElementTagNameMap[Tag]}
  */

@@ -47,7 +47,7 @@ export function duration(milliseconds) {
   return `${fixed(milliseconds / 1000, milliseconds < 10000 ? 2 : 1)} s`;
 }
 
-/** Milliseconds that are left of a job, once that can be told; null until then.
+/** Estimated milliseconds left of a job; null while there is no estimate yet.
  * @param {number} elapsed milliseconds @param {number} fraction of the job that is done */
 export function timeLeft(elapsed, fraction) {
   const isKnown = elapsed > 2000 && fraction > 0.05;

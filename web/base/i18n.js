@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page's words in the visitor's language: one file of texts for each in web/texts, English
-// where one is not there. Elements name their text by data-text, their label by data-label,
-// what they are by data-role.
+// The page's words in the visitor's language: web/texts has one file for each language; missing
+// texts are English. Elements name their text by data-text, their label by data-label, and their
+// role description by data-role.
 import en from '../texts/en.js';
 import { recall, remember } from './memory.js';
 
@@ -36,10 +36,10 @@ export function onLanguage(listener) {
   listeners.push(listener);
 }
 
-/** The text of that name in the visitor's language, if any has it. @param {string} key */
+/** The text in the visitor's language, else in English, if any. @param {string} key */
 export const textIfAny = (key) => texts[key] ?? /** @type {Record<string, string>} */ (en)[key];
 
-/** @param {TextKey} key @param {Filling} [filling] what stands in for {names} in the text */
+/** @param {TextKey} key @param {Filling} [filling] values that replace {names} in the text */
 export function t(key, filling = {}) {
   return textIfAny(key).replace(/\{(\w+)\}/g, (whole, name) => String(filling[name] ?? whole));
 }
@@ -65,7 +65,7 @@ export async function setLanguage(code) {
   for (const listener of listeners) listener();
 }
 
-/** The visitor's choice, or the first of the browser's languages that there are texts for. */
+/** The visitor's choice, or the first of the browser's languages with texts. */
 export function firstLanguage() {
   const asked = [recall('language'), ...navigator.languages.map((tag) => tag.slice(0, 2))];
   return asked.find(isKnown) ?? 'en';

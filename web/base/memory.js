@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the browser keeps for the next visit. Where it keeps nothing, the page goes on without.
+// Values that the browser keeps for the next visit. The page also works if nothing is kept.
 
 const prefix = 'remesher.';
 

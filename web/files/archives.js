@@ -8,10 +8,10 @@ import { extensionOf, PageError, pathedFile } from './files.js';
 /** @typedef {import('./files.js').PathedFile} PathedFile */
 /** @typedef {import('./files.js').NamedBytes} NamedBytes */
 
-/** The most that one archive may unfold to: a bomb is refused before it goes off. */
+/** Largest unpacked size of one archive: a ZIP bomb is refused before it is unpacked. */
 const largestContent = 2 ** 30;
 
-/** What an archive holds beside what was put in it. @param {string} path */
+/** Folders, hidden files and macOS metadata: entries to skip. @param {string} path */
 const isByTheWay = (path) => path.endsWith('/') || /(?:^|\/)(?:__MACOSX\/|\.)/.test(path);
 
 /** @param {string} name @param {Uint8Array} bytes @returns {Promise<PathedFile[]>} */
@@ -33,7 +33,7 @@ async function unpack(name, bytes) {
     pathedFile(path, /** @type {BlobPart} */ (content)));
 }
 
-/** The files, with what archives among them hold instead of the archives.
+/** The files, each archive replaced by its contents.
  * @param {PathedFile[]} items @returns {Promise<PathedFile[]>} */
 export async function unpacked(items) {
   const lists = await Promise.all(items.map(async (item) => (extensionOf(item.path) === 'zip'

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Files as they come from a visitor: dropped, picked, whole folders of them.
+// Files from a visitor: dropped or picked, also whole folders.
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 /** @typedef {{ path: string, file: File }} PathedFile */
 
-/** A fault that the visitor can mend: what is wrong, and what to do. */
+/** An error that the visitor can mend, with a hint how. */
 export class PageError extends Error {
   /** @param {string} message @param {string} [hint] */
   constructor(message, hint) {
@@ -34,7 +34,7 @@ async function filesBelow(entry) {
   }
   const reader = /** @type {FileSystemDirectoryEntry} */ (entry).createReader();
   const found = [];
-  for (;;) {  // a reader hands out its entries in portions; an empty one is the last
+  for (;;) {  // a reader returns its entries in portions; the last portion is empty
     /** @type {FileSystemEntry[]} */
     const portion = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
     if (!portion.length) return found;
@@ -47,10 +47,10 @@ export function pickedFiles(files) {
   return Array.from(files, (file) => ({ path: file.webkitRelativePath || file.name, file }));
 }
 
-/** What a drop or a clipboard holds, folders walked through.
+/** All files of a drop or a clipboard, also those inside folders.
  * @param {DataTransfer} transfer @returns {Promise<PathedFile[]>} */
 export async function droppedFiles(transfer) {
-  // Both lists must be taken now: the transfer is empty after the first wait.
+  // Both lists must be read now: the transfer is empty after the first await.
   const entries = Array.from(transfer.items, (item) => item.webkitGetAsEntry?.() ?? null);
   const plain = pickedFiles(transfer.files);
   const folders = entries.filter((entry) => entry?.isDirectory);
@@ -59,7 +59,7 @@ export async function droppedFiles(transfer) {
   return nested.flat();
 }
 
-/** What text from a clipboard is, by how it begins. */
+/** Formats of pasted text, told by its beginning. */
 const beginnings = /** @type {[string, RegExp][]} */ ([
   ['off', /^\s*(?:ST|C|N)*OFF\b/], ['ply', /^ply\b/], ['stl', /^\s*solid\b[^]*\bfacet\b/],
   ['gltf', /^\s*\{[^]*"asset"/], ['obj', /^v[ \t]+\S/m],

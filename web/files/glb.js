@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a GLB is made of: the tree that a glTF has as text, and the bytes that it refers to.
+// Splits a GLB into its glTF tree and the binary data that the tree refers to.
 
 const [headerBytes, chunkHead] = [12, 8];
 
-/** Throws where it is none. @param {Uint8Array} glb @returns {{ tree: any, binary: Uint8Array }} */
+/** Throws if the bytes are not a GLB.
+ * @param {Uint8Array} glb @returns {{ tree: any, binary: Uint8Array }} */
 export function openGlb(glb) {
   const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
   const start = headerBytes + chunkHead;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a heap of files to the models among them, and from one of those to all that it refers to.
+// Finds the models among several files, and the files that a model refers to.
 import { formats, inWords, withoutGz } from 'remesher/formats';
 import { gunzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
@@ -13,7 +13,7 @@ import { openGlb } from './glb.js';
 /** @type {readonly string[]} */
 const known = formats;
 
-/** Out of its .gz, if it is in one.
+/** Reads a file, and decompresses a .gz.
  * @param {PathedFile} item @returns {Promise<NamedBytes>} */
 async function read({ path, file }) {
   return gunzip({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) });
@@ -24,7 +24,7 @@ async function read({ path, file }) {
 export function referencesOf(extension, bytes) {
   if (extension === 'obj' || extension === 'mtl') {
     const text = new TextDecoder().decode(bytes);
-    // What follows is trimmed apart: blanks on both sides would cost their number squared.
+    // trim() is separate: matching blanks at both ends would take time quadratic in their number.
     const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
     return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
   }
@@ -35,20 +35,20 @@ export function referencesOf(extension, bytes) {
     const uris = [...(gltf.buffers ?? []), ...(gltf.images ?? [])].map((item) => item?.uri);
     return uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
   } catch {
-    return [];  // the reader says better what is wrong with it
+    return [];  // the reader reports the error better
   }
 }
 
-/** A name as a file system would have it. @param {string} reference */
+/** The file name that a reference encodes. @param {string} reference */
 function plainName(reference) {
   try {
     return decodeURIComponent(reference);
   } catch {
-    return reference;  // a lone % is a character like others
+    return reference;  // a lone % is an ordinary character
   }
 }
 
-/** How well a file fits a name inside the model: its whole path, or only its last part.
+/** How well a file fits a reference in the model: 2 for the whole path, 1 for the name only.
  * @param {string} path @param {string} reference */
 function likeness(path, reference) {
   const wanted = plainName(reference).replaceAll('\\', '/').toLowerCase();
@@ -57,7 +57,7 @@ function likeness(path, reference) {
   return baseName(given) === baseName(wanted) ? 1 : 0;
 }
 
-/** Gives each file the name that the model uses for it. Read is only what the model names.
+/** Reads only the files that the model refers to, and gives each the name that the model uses.
  * @param {NamedBytes} model @param {PathedFile[]} others @returns {Promise<NamedBytes[]>} */
 async function resourcesOf(model, others) {
   /** @type {Map<string, NamedBytes>} */
@@ -76,10 +76,10 @@ async function resourcesOf(model, others) {
   return [...found.values()];
 }
 
-/** @param {PathedFile} item its place among the formats, -1 for what is no model */
+/** The format's place in the list, -1 if the file is no model. @param {PathedFile} item */
 const rank = ({ path }) => known.indexOf(extensionOf(withoutGz(path)));
 
-/** The models among some files, those of the richer formats first. There is at least one.
+/** The models among some files, richer formats first. Throws if there is none.
  * @param {PathedFile[]} items @returns {PathedFile[]} */
 export function modelsAmong(items) {
   const models = items.filter((item) => rank(item) >= 0).sort((a, b) => rank(a) - rank(b));
@@ -89,7 +89,7 @@ export function modelsAmong(items) {
     t('error.noModel.hint', { formats: inWords(known.map((format) => `.${format}`)) }));
 }
 
-/** One of the models with those of the files that it refers to.
+/** A model with the files that it refers to.
  * @param {PathedFile} chosen @param {PathedFile[]} items @returns {Promise<Model>} */
 export async function modelFrom(chosen, items) {
   const model = await read(chosen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models that lie beside the page on its own server: samples, and what an address names.
+// Models on the page's own server: samples, and files named in the page's address.
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError, pathedFile } from './files.js';
 import { referencesOf } from './models.js';
@@ -13,7 +13,7 @@ async function load(url) {
   return response?.ok && !isPage ? response.arrayBuffer() : null;
 }
 
-/** A file and those that it names, one step deep. What is missing, the reader will name.
+/** A file and the files it refers to, one step deep. The reader reports missing files.
  * @param {string} path from the page, on its own server @returns {Promise<PathedFile[]>} */
 export async function servedFiles(path) {
   const url = new URL(path, document.baseURI);

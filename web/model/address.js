@@ -25,7 +25,7 @@ export function readAddress(hash) {
   return { model: given.get('model'), values };
 }
 
-/** @param {string | null} model a sample; a visitor's own file is not named
+/** @param {string | null} model a sample; null for a visitor's own file
  * @param {Values} values @returns {string} */
 export function writeAddress(model, values) {
   const given = new URLSearchParams();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Several models with the same options, one after the other: one ZIP with a report on each.
+// Remeshes several models, one after the other, with the same options. The result is one ZIP, with
+// a report on each model.
 import { packed } from '../files/archives.js';
 import { modelFrom } from '../files/models.js';
 
@@ -9,7 +10,7 @@ import { modelFrom } from '../files/models.js';
 /** @typedef {{ name: string, report?: import('remesher').RemeshReport,
  *   error?: { message: string, hint?: string } }} Outcome */
 
-/** Names by folders, so that two models of one name do not meet. @param {string} path */
+/** The folder keeps models of the same name apart in the ZIP. @param {string} path */
 const folderOf = (path) => path.slice(0, path.lastIndexOf('/') + 1);
 
 /** @param {unknown} error */
@@ -18,7 +19,7 @@ const isAbort = (error) => error instanceof Error && error.name === 'AbortError'
 /**
  * @param {Session} session
  * @param {{ models: PathedFile[], items: PathedFile[], values: Values }} request `items`: the
- *   models and all that came with them
+ *   models and all files that came with them
  * @param {(name: string, index: number) => void} onStart of each model
  * @returns {Promise<{ file: import('../files/files.js').NamedBytes, outcomes: Outcome[] }>}
  */

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Density as it is painted: dabs of a round brush, each adding to or taking from the level around a
-// point. A level is a power of two: at level 1 twice as many vertices as at level 0.
+// Painted density: each dab of a round brush raises or lowers the level around a point. The density
+// is two to the power of the level: level 1 means twice as many vertices as level 0.
 
-/** radius in model units; strength in levels, at the middle; 0 wipes towards level 0.
+/** radius: in model units; strength: in levels, at the centre; 0 erases towards level 0.
  * @typedef {{ point: [number, number, number], radius: number, strength: number }} Dab */
 
 /** Levels are at most this far from 0. */
 export const largestLevel = 3;
 
-/** How much of a dab arrives, from 1 in the middle smoothly to 0 at the rim.
+/** The weight of a dab, falling smoothly from 1 at the centre to 0 at the rim.
  * @param {number} share squared distance over squared radius */
 const falloff = (share) => (1 - share) ** 2;
 
-/** @param {Float32Array} levels for each vertex: they are changed
+/** @param {Float32Array} levels of the vertices, changed in place
  * @param {Float32Array} positions @param {Dab} dab */
 export function applyDab(levels, positions, { point: [x, y, z], radius, strength }) {
   const squared = radius * radius;
@@ -33,10 +33,10 @@ export function levelsOf(positions, dabs) {
   return levels;
 }
 
-/** What the option `density` takes. @param {Float32Array} levels */
+/** The values for the option `density`. @param {Float32Array} levels */
 export const densityOf = (levels) => levels.map((level) => 2 ** level);
 
-/** The same dab on the other side of the plane at x.
+/** The dab mirrored in the plane at x.
  * @param {Dab} dab @param {number} x @returns {Dab} */
 export const mirrored = ({ point: [px, py, pz], ...rest }, x) =>
   ({ point: [2 * x - px, py, pz], ...rest });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The images inside a GLB, by what they show.
+// The images inside a GLB, with the names of their texture maps.
 import { openGlb } from '../files/glb.js';
 
-/** @typedef {{ name: string, type: string, bytes: Uint8Array }} Map name: what it shows, or '' */
+/** name: of the map, or ''. @typedef {{ name: string, type: string, bytes: Uint8Array }} Map */
 
 /** @param {Uint8Array} glb @returns {Map[]} in their order */
 export function mapsOf(glb) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What people remesh for, as options. Their names: preset.ID in the texts.
+// Presets: options for common purposes. Their names are preset.ID in the texts.
 
 /** @typedef {import('./address.js').Values} Values */
-/** values: what replaces all options but the target and those of textures; `share`, if any, the
- * target as a share of the input's vertices; `paints`: what has textures gets new ones.
+/** values: replace all options except the target and the texture options; `share`, if any: replaces
+ * the target by a share of the input's vertices; `paints`: textured models get new textures.
  * @typedef {{ id: 'even' | 'accurate' | 'lowPoly' | 'quads' | 'print' | 'simulation',
  *   values: Values, share?: number, paints?: boolean }} Preset */
 
@@ -18,7 +18,7 @@ export const presets = [
     values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' } },
 ];
 
-/** The options with a preset's in place of theirs. @param {Preset} preset @param {Values} values
+/** The options after a preset is applied. @param {Preset} preset @param {Values} values
  * @param {boolean} isTextured whether the model has textures @returns {Values} */
 export function withPreset({ values: own, share, paints }, values, isTextured) {
   const { vertices, ratio, edgeLength, textureSize, textureFormat } = values;

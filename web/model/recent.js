@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was opened before: names only, unless the visitor lets the browser keep the files.
+// Models opened before: only their names, unless the visitor lets the browser keep the files.
 import { clear, createStore, get, set } from 'idb-keyval';
 import { recall, remember } from '../base/memory.js';
 
@@ -20,10 +20,10 @@ export function recentNames() {
 
 export const keepsFiles = () => recall(setting) === 'on';
 
-/** Opened at the first use: most visitors never have it. */
+/** The database is opened at its first use: most visitors never need it. */
 const store = () => createStore('remesher', 'files');
 
-/** @param {string} name of the model @param {PathedFile[]} items it and what came with it */
+/** @param {string} name of the model @param {PathedFile[]} items the model and its other files */
 export async function addRecent(name, items) {
   const names = [name, ...recentNames().filter((other) => other !== name)].slice(0, most);
   remember('recent', JSON.stringify(names));
@@ -35,7 +35,7 @@ export async function keptFiles(name) {
   return keepsFiles() ? get(name, store()).catch(() => undefined) : undefined;
 }
 
-/** @param {boolean} keeps files from now on; else those kept are deleted */
+/** @param {boolean} keeps true: files are kept from now on; false: all kept files are deleted */
 export async function setKeepsFiles(keeps) {
   remember(setting, keeps ? 'on' : null);
   if (!keeps) await clear(store()).catch(() => {});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The built-in models. The build writes them as files beside the page (sample_files.js), so they
-// need no network. Their titles and where they are from: sample.ID and origin.ID in the texts.
+// need no network. Their titles and origins are sample.ID and origin.ID in the texts.
 
-/** vertices: a target that shows what remeshing does for it.
+/** vertices: a target that shows well what remeshing does.
  * @typedef {{ id: 'bunny' | 'gear' | 'scan' | 'vase' | 'teapot', file: string,
  *   vertices: number }} Sample */
 
-/** @type {Sample[]} The first one greets the visitor. */
+/** @type {Sample[]} The page opens the first sample if its address names no model. */
 export const samples = [
   { id: 'bunny', file: 'bunny.obj', vertices: 3000 },
   { id: 'gear', file: 'gear.obj', vertices: 4000 },

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The run on the page as others would ask for it: on a command line, in JavaScript.
+// The page's run as a command line and as JavaScript.
 import { optionTable } from 'remesher/options';
 import { withExtension } from '../base/format.js';
 
 /** @typedef {import('./address.js').Values} Values */
 
-/** A file's name as a shell takes it. @param {string} name */
+/** A file's name, quoted for a shell. @param {string} name */
 const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
 
 /** The same run on the command line. @param {string} input @param {Values} values */

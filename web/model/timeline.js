@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Undo and redo over plain states: a state is what JSON says of it.
+// Undo and redo over plain states. States are kept and compared as JSON.
 
-/** The steps that are remembered. */
+/** Largest number of remembered states. */
 const most = 200;
 
 /** @template State */
@@ -10,13 +10,13 @@ export class Timeline {
   #states = [];
   #at = -1;
 
-  /** Forgets all, and begins with this. @param {State} state */
+  /** Forgets all states, and begins with this state. @param {State} state */
   begin(state) {
     this.#states = [JSON.stringify(state)];
     this.#at = 0;
   }
 
-  /** A new state after the present one; what had been undone is gone. The same again is no step.
+  /** Adds a state after the present one and drops the undone states. An equal state is not added.
    * @param {State} state */
   add(state) {
     const text = JSON.stringify(state);
@@ -30,7 +30,7 @@ export class Timeline {
     return this.#states[this.#at + step] !== undefined;
   }
 
-  /** Goes back or forth. @param {1 | -1} step @returns {State | null} null: there is nothing */
+  /** Goes back or forth. @param {1 | -1} step @returns {State | null} null: no state there */
   go(step) {
     if (!this.can(step)) return null;
     this.#at += step;

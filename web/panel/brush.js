@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The brush's form, on the stage while density is painted.
+// The brush's form, shown on the stage while density is painted.
 import { byId, element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 
-/** size as a share of the model's diagonal; strength in levels.
+/** size: as a share of the model's diagonal; strength: in levels.
  * @typedef {{ mode: 'dense' | 'sparse' | 'erase', size: number, strength: number,
  *   isMirrored: boolean }} Brush */
 
@@ -47,5 +47,5 @@ export function hideBrush() {
   byId('brush', HTMLElement).hidden = true;
 }
 
-/** As the form says. @returns {Readonly<Brush>} */
+/** The brush as set in the form. @returns {Readonly<Brush>} */
 export const currentBrush = () => brush;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of several models to open, or all of them.
+// The dialog that asks which of several models to open, or all of them.
 import { byId, element } from '../base/dom.js';
 import { fileSize } from '../base/format.js';
 import { t } from '../base/i18n.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways a model comes in: dropped anywhere, pasted, picked from the disk, chosen from the menu
-// of samples and of models opened before.
+// The ways to open a model: drop it anywhere, paste it, pick it from the disk, or choose a sample
+// or a recent model from the menu.
 import { addCommand, isTyping } from '../base/commands.js';
 import { byId, element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
@@ -10,13 +10,13 @@ import { sampleOf, samples } from '../model/samples.js';
 import { servedFiles } from '../files/served.js';
 
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
-/** source: what an address can name it by, null for the visitor's own.
+/** source: the model's name in an address, null for the visitor's own files.
  * @typedef {(items: Promise<PathedFile[]>, source: string | null) => void} OnFiles */
 
 /** @param {OnFiles} onFiles */
 function wireDrop(onFiles) {
   const { classList } = document.body;
-  let depth = 0;  // dragenter and dragleave come for every element on the way
+  let depth = 0;  // dragenter and dragleave fire for every element under the pointer
   /** @param {DragEvent} event */
   const holdsFiles = ({ dataTransfer }) => dataTransfer?.types.includes('Files');
   addEventListener('dragenter', (event) => {
@@ -73,7 +73,7 @@ async function recentFiles(name) {
 
 const recentPrefix = 'recent:';
 
-/** The menu's entries, in the language of the day; the choice stays. */
+/** Fills the menu in the current language; the chosen entry stays. */
 export function fillMenu() {
   const menu = byId('samples', HTMLSelectElement);
   const { value } = menu;
@@ -107,7 +107,7 @@ function wireMenu(onFiles) {
   });
 }
 
-/** What an address names: a sample, or files beside the page with commas between them.
+/** The files that an address names: a sample, or files beside the page, separated by commas.
  * @param {string} source @returns {Promise<PathedFile[]>} */
 export async function namedFiles(source) {
   const sample = sampleOf(source);

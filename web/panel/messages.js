@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page tells its visitor: errors in a box, news to screen readers, progress in a bar.
+// Messages to the visitor: errors and news in boxes, announcements to screen readers, and progress
+// in a bar.
 import { byId, element } from '../base/dom.js';
 import { count, number } from '../base/format.js';
 import { t } from '../base/i18n.js';
@@ -14,7 +15,7 @@ export const isAbort = (/** @type {unknown} */ error) =>
   error instanceof Error && error.name === 'AbortError'
   || error instanceof DOMException && error.name === 'AbortError';
 
-/** Shows an error where one looks, or takes it away. A cancelled run is none.
+/** Shows an error and scrolls to it, or hides the box. A cancelled run is no error.
  * @param {unknown} [error] */
 export function showError(error) {
   const box = byId('error', HTMLElement);
@@ -30,7 +31,7 @@ export function showError(error) {
   box.scrollIntoView({ block: 'nearest' });
 }
 
-/** Good news in a box of its own; empty to take it away. @param {string} text */
+/** Shows good news in a separate box; an empty text hides the box. @param {string} text */
 export function showNews(text) {
   const box = byId('news', HTMLElement);
   box.textContent = text;
@@ -39,7 +40,7 @@ export function showNews(text) {
 }
 
 /** @param {{ phase: string, fraction: number } | null} event null: nothing runs
- * @param {number | null} [left] milliseconds, if that is known */
+ * @param {number | null} [left] milliseconds left, null: unknown */
 export function showProgress(event, left = null) {
   byId('progress', HTMLElement).hidden = !event;
   if (!event) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How options are called and explained in the visitor's language; in English by the package itself.
+// Names and explanations of options in the visitor's language, else the package's English ones.
 import { optionTable } from 'remesher/options';
 import { sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
@@ -9,7 +9,7 @@ import { textIfAny } from '../base/i18n.js';
 /** @param {Option} option */
 export const optionName = ({ name }) => textIfAny(`option.${name}`) ?? words(name);
 
-/** What the option is for, or what the choice means.
+/** The option's purpose, or the choice's meaning.
  * @param {Option} option @param {string | number | boolean} [choice] */
 export const optionHelp = ({ name, help }, choice) => textIfAny(`means.${name}.${choice}`)
   ?? sentence(textIfAny(`help.${name}`) ?? help);
@@ -20,7 +20,7 @@ export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choi
 /** @param {Option} option */
 export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
 
-/** What was asked for beside the target, in a line.
+/** The chosen options except the target, in one line.
  * @param {import('../model/address.js').Values} values */
 export function valuesInWords(values) {
   return optionTable.filter(({ name }) =>

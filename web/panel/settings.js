@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dialog with the list of keys and what the visitor may choose about the page.
+// The dialog with the list of keys and the page's settings.
 import {
   addCommand, allCommands, hasSingleKeys, setSingleKeys,
 } from '../base/commands.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How fine the result shall be: a number of vertices with a slider, or a share of the input's, or
-// an edge length. Just one of them is ever asked for.
+// The result's target: a number of vertices with a slider, a share of the input's vertices, or an
+// edge length. Only one of the three is set at a time.
 import { optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { count, number } from '../base/format.js';
@@ -9,10 +9,10 @@ import { optionHelp, optionName } from './option_words.js';
 
 /** @typedef {import('../model/address.js').Values} Values */
 
-/** A first run shall not take long, whatever was dropped. */
+/** Largest default number of vertices, so that the first run is short even for a large model. */
 const largestDefault = 100_000;
 
-/** Two significant digits: what a person would have typed. @param {number} value */
+/** Rounds to two significant digits, as a person would type. @param {number} value */
 function rounded(value) {
   const unit = 10 ** Math.max(0, Math.floor(Math.log10(value)) - 1);
   return Math.round(value / unit) * unit;
@@ -25,7 +25,7 @@ export class TargetField {
   static names = ['vertices', 'ratio', 'edgeLength'];
 
   #inputVertices = 0;
-  /** Whether the result has just the number asked for; else nearly. */
+  /** Whether the result has exactly the target number of vertices; else nearly. */
   #isExact = true;
   /** Whether twice the input's number was the page's own idea. */
   #isTwice = false;
@@ -35,7 +35,7 @@ export class TargetField {
   #slider = element('input', { id: 'target-slider', type: 'range', min: '0', max: '1',
     step: '0.002' });
   #hint = element('p', { className: 'help', id: 'target-hint' });
-  /** What belongs above the rest of the form. */
+  /** The field's elements, to be placed above the rest of the form. */
   view = element('div', { className: 'target' },
     element('div', { className: 'target-line' }, this.#kind, this.#number),
     this.#slider, this.#hint);
@@ -50,7 +50,7 @@ export class TargetField {
     });
   }
 
-  /** Its words, in the language of the day. */
+  /** Writes the field's words in the current language. */
   build() {
     const { value } = this.#kind;
     const rows = optionTable.filter(({ name }) => TargetField.names.includes(name));
@@ -72,7 +72,7 @@ export class TargetField {
     return { least: Math.max(20, own / 50), most: Math.max(2000, own * 10) };
   }
 
-  /** The slider is logarithmic, and rests on the input's own number when near it.
+  /** The slider is logarithmic, and snaps to the input's number of vertices.
    * @param {number} position */
   #fromSlider(position) {
     const { least, most } = this.#range;
@@ -125,7 +125,7 @@ export class TargetField {
       : t('target.times', { closely, times: number(share, times), count: count(original) });
   }
 
-  /** Of quads the number is met within 1 % only, unless exactly that was asked for.
+  /** Quads meet the number only within 1 %, unless the option `exact` is set.
    * @param {Values} values of the whole form */
   follow({ quads, exact }) {
     this.#isExact = !quads || Boolean(exact);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the distances between result and original are spread, where they are largest, and a handle to
-// ask for less: dragging it sets the largest error.
+// The distribution of distances between result and original, the place of the largest, and a handle
+// to allow less: dragging the handle sets the largest error.
 import { distanceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
 import { percent } from '../base/format.js';

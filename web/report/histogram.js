@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smallest angles before and after, as bars: six steps of ten degrees, in percent of the triangles.
+// A bar chart of smallest angles before and after: six steps of ten degrees, in percent of the
+// triangles.
 import { angleColors } from '../base/colors.js';
 import { number, share } from '../base/format.js';
 import { t } from '../base/i18n.js';

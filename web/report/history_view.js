@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results so far: any of them shown again, any two compared.
+// The list of results so far. The visitor can show any of them again, and compare any two.
 import { element } from '../base/dom.js';
 import { count, degrees, percent } from '../base/format.js';
 import { t } from '../base/i18n.js';
@@ -11,7 +11,7 @@ import { valuesInWords } from '../panel/option_words.js';
 /** @param {Result} result */
 export const resultName = ({ number }) => (number ? t('history.name', { number }) : t('draft'));
 
-/** The mean of the smallest angles, or of how far those of quads are from 90°.
+/** The mean of the smallest angles, or, for quads, the mean deviation of their angles from 90°.
  * @param {import('remesher').MeshReport} output */
 const angleFigure = ({ quads, minAngle }) =>
   (quads ? `90 ± ${degrees(quads.angleDeviation.mean)}` : degrees(minAngle.mean));
@@ -43,7 +43,7 @@ function comparison({ results, baseline, shown }, onCompare) {
     element('label', { htmlFor: 'baseline' }, t('history.compare')), menu);
 }
 
-/** Nothing while there is only one.
+/** The list, null while there is only one result.
  * @param {Session} session
  * @param {{ onShow: (result: Result) => void,
  *   onCompare: (baseline: Result | null) => void }} acts */

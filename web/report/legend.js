@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the colours on the stage mean, and the triangle under the pointer.
+// The legend of the colours on the stage, and the figures of the face under the pointer.
 import { angleColors, densityColors, distanceColors, gradient } from '../base/colors.js';
 import { byId, element } from '../base/dom.js';
 import { degrees, length, percent } from '../base/format.js';
@@ -18,7 +18,7 @@ function bar(label, colors, marks) {
   return [element('b', {}, label), strip, marksBelow(marks)];
 }
 
-/** One bar, which of triangles tells another thing than of quads.
+/** The bar of colours by angle, labelled for triangles, for quads, or for both.
  * @param {import('../view/viewer.js').Faces[]} faces */
 function angleBar(faces) {
   const triangles = ['0°', '30°', '60°'], quads = ['60°', '30°', '0°'];
@@ -40,8 +40,8 @@ const distanceMarks = (largest, diagonal) => ['0', lengthInWords(largest / 2, di
 /**
  * @param {import('../view/viewer.js').Shading} shading
  * @param {{ distance: { largest: number, diagonal: number } | null,
- *   faces: import('../view/viewer.js').Faces[] }} known the largest distance of all, if it is
- *   known; what is shown
+ *   faces: import('../view/viewer.js').Faces[] }} known distance: null while it is measured;
+ *   faces: the kinds shown
  */
 export function showLegend(shading, { distance, faces }) {
   const box = byId('legend', HTMLElement);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The textures that were painted for a result: each to look at, and to save.
+// The textures that were painted for a result. The visitor can look at each, and save it.
 import { byId, element } from '../base/dom.js';
 import { fileSize, withExtension } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';
@@ -11,7 +11,7 @@ import { mapsOf } from '../model/maps.js';
 const extensions = /** @type {Record<string, string>} */ (
   { 'image/png': 'png', 'image/jpeg': 'jpg', 'image/webp': 'webp' });
 
-/** What a map shows, in words. @param {Map} map @param {Map[]} all */
+/** A map's title. @param {Map} map @param {Map[]} all */
 function titleOf(map, all) {
   const title = textIfAny(`map.${map.name}`) ?? map.name;
   const alike = all.filter(({ name }) => name === map.name);

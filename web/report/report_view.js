@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report on a run: what got better, by how much the surface moved, what to know, and the files.
+// The report on a run: warnings, repairs, the mesh before and after, distances, and time.
 import { valenceColors } from '../base/colors.js';
 import { element } from '../base/dom.js';
 import { count, decimal, degrees, duration, percent, share } from '../base/format.js';
@@ -41,8 +41,8 @@ function row(label, values) {
     ...values.map((value) => element('td', {}, value)));
 }
 
-/** What is told of both meshes: of triangles, of quads, and, where the two differ, how many faces
- * the original has before what is told of the result.
+/** The table rows on both meshes: rows on triangles or rows on quads. If only one of the meshes has
+ * quads, the original's number of faces comes first, then the rows on the result.
  * @param {MeshReport} input @param {MeshReport} output */
 function meshRows(input, output) {
   const { quads } = output;
@@ -59,7 +59,7 @@ function meshRows(input, output) {
 
 const valences = /** @type {const} */ (['three', 'five', 'other']);
 
-/** What the dots on the stage mean. */
+/** The key to the dots on the stage. */
 const dotKey = () => element('p', { className: 'key', id: 'dot-key' }, `${t('dots')} `,
   ...valences.map((name) => {
     const dot = element('span', { className: 'dot' });
@@ -94,8 +94,8 @@ function histogramWithKey(before, after) {
 }
 
 /** @param {Warning} warning
- * @param {(warning: Warning) => (() => void) | null} visitorOf what shows the place that a warning
- *   speaks of, if it is known */
+ * @param {(warning: Warning) => (() => void) | null} visitorOf returns a function that shows the
+ *   warning's place, null if the place is unknown */
 function note(warning, visitorOf) {
   const { code, message, count: times } = warning;
   const { text, original } = saidAs('warning', code, message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All that can be taken home of a result: files, report, picture, and the run as others would ask
-// for it, to copy with one click.
+// Everything to save of a result: files, report, picture, and the run as a command line and as
+// JavaScript, to copy with one click.
 import { formats } from 'remesher/formats';
 import { element } from '../base/dom.js';
 import { t } from '../base/i18n.js';
@@ -14,7 +14,7 @@ import { commandLine, javaScript } from '../model/snippets.js';
 const button = (label, onclick, className = '') =>
   element('button', { type: 'button', className, onclick }, label);
 
-/** A button a format; the first is the one that most people want.
+/** One button per format; the first format is the one that most people want.
  * @param {(format: string) => void} onFormat */
 function files(onFormat) {
   return formats.map((format, i) => {

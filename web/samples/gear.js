@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A mechanical part by formula: a gear with a hub and a bore. All its edges are sharp, and its
-// triangles as long and thin as those that CAD programs export.
+// A mechanical part by formula: a gear with a hub and a bore. Its edges are sharp, and its
+// triangles are long and thin, as CAD programs export them.
 
 /** @typedef {{ positions: number[][], cells: number[][] }} PolygonMesh */
 
 const teeth = 14;
-/** A tooth in turns of its pitch, and its outline's radius there. */
+/** Points of a tooth's outline: angle as a share of the pitch, and radius. */
 const tooth = [[0, 1], [0.18, 1.22], [0.42, 1.22], [0.6, 1]];
 const [bore, hub, halfPlate, halfHub] = [0.34, 0.58, 0.14, 0.27];
 
-/** The section at one angle, around: height and radius of each corner. @param {number} outline */
+/** The closed section at one angle: radius and height of each corner. @param {number} outline */
 const section = (outline) => [
   [bore, -halfHub], [hub, -halfHub], [hub, -halfPlate], [outline, -halfPlate],
   [outline, halfPlate], [hub, halfPlate], [hub, halfHub], [bore, halfHub],

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a scanner sees of a relief, by formula: an open surface with a ragged border and a hole, its
-// points as uneven as a scanner's, and a little noise on them.
+// A scanned relief by formula: an open surface with a ragged border and a hole, whose points are as
+// uneven as a scanner's, with a little noise.
 
 const columns = 84;
 const side = 2;
 
-/** The same number between 0 and 1 for the same cell. @param {number} i @param {number} j */
+/** A pseudo-random number between 0 and 1, fixed by i and j. @param {number} i @param {number} j */
 function chance(i, j) {
   const value = Math.sin(12.9898 * i + 78.233 * j) * 43758.5453;
   return value - Math.floor(value);
@@ -19,14 +19,14 @@ function relief(x, y) {
   return 0.5 * Math.exp(-1.6 * r * r) + rings + petals;
 }
 
-/** Whether the scanner saw that place. @param {number} x @param {number} y */
+/** Whether the scanner saw the place. @param {number} x @param {number} y */
 function isSeen(x, y) {
   const turn = Math.atan2(y, x);
   const border = 0.86 + 0.06 * Math.sin(3 * turn) + 0.03 * Math.sin(11 * turn);
   return Math.hypot(x, y) < border && Math.hypot(x - 0.34, y - 0.2) > 0.09;
 }
 
-/** @param {number} i @param {number} j a point of the grid, moved off it */
+/** A grid point, randomly moved. @param {number} i @param {number} j */
 function pointAt(i, j) {
   const spread = 0.62 * side / columns;
   const x = side * (i / columns - 0.5) + spread * (chance(i, j) - 0.5);

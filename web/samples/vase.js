@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A textured model by formula: a glazed vase, its pattern painted texel by texel.
+// A textured model by formula: a glazed vase whose pattern is painted texel by texel.
 import { Document, NodeIO } from '@gltf-transform/core';
 import { encode } from 'fast-png';
 
 const [columns, rows, texels, height] = [48, 40, 512, 1.5];
 
-/** The outside's radius over its height from 0 to 1. @param {number} v */
+/** The outer radius at height v from 0 to 1. @param {number} v */
 const radius = (v) => 0.34 + 0.26 * Math.sin(Math.PI * (1.12 * v + 0.08)) ** 2
   + 0.1 * Math.max(0, v - 0.8) * 5 * Math.max(0, v - 0.8) * 5 - 0.05 * v;
 
-/** How much wider it gets with v. @param {number} v */
+/** The derivative of the radius. @param {number} v */
 const slope = (v) => 0.26 * 1.12 * Math.PI * Math.sin(2 * Math.PI * (1.12 * v + 0.08))
   + 5 * Math.max(0, v - 0.8) - 0.05;
 
@@ -32,7 +32,7 @@ function picture() {
   return encode({ width: texels, height: texels, data, channels: 3 });
 }
 
-/** A seam from bottom to top: the first column is there twice, with both its u. */
+/** The first column of vertices exists twice, with u 0 and 1: the seam from bottom to top. */
 function surface() {
   const positions = [], normals = [], texcoords = [], indices = [];
   for (let j = 0; j <= rows; ++j) {

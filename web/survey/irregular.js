@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The vertices inside a surface of quads around which there are not four of them.
+// The irregular vertices inside a quad surface: those with a valence other than four.
 import { forEachPolygon } from '../triangles/polygons.js';
 import { welded } from './topology.js';
 
 /** @typedef {import('./topology.js').Soup} Soup */
 /** @typedef {import('../triangles/polygons.js').Irregular} Irregular */
 
-/** How many edges each vertex has, 0 for those at a border, by the numbers of first vertices.
+/** The valence of each vertex after welding, 0 for border vertices and duplicates.
  * @param {import('../triangles/polygons.js').Polygons} polygons
  * @param {ArrayLike<number>} vertices of the corners @param {number} count */
 function valencesInside(polygons, vertices, count) {
@@ -27,7 +27,7 @@ function valencesInside(polygons, vertices, count) {
   return valences.map((valence, vertex) => (isBorder[vertex] ? 0 : valence));
 }
 
-/** @param {Soup} soup @returns {Irregular} none, where it knows of no quads */
+/** @param {Soup} soup @returns {Irregular} empty if the soup has no polygons */
 export function irregularVertices({ positions, indices, polygons }) {
   if (!polygons) return { places: new Float32Array(), valences: [] };
   const first = welded(positions);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The vertices of an OFF file, in their order: the order in which the core counts them.
+// The vertices of an OFF file, in the file's order, which is the core's order.
 
 /** @typedef {import('./surface.js').Point} Point */
 
-/** @param {{ bytes: Uint8Array, origin: Point }} request `bytes` with texture coordinates or
- *   without; from where the vertices are told @returns {Float32Array} */
+/** @param {{ bytes: Uint8Array, origin: Point }} request bytes: with texture coordinates or
+ *   without @returns {Float32Array} positions relative to `origin` */
 export function offVertices({ bytes, origin }) {
   const lines = new TextDecoder().decode(bytes).split('\n');
   const count = Number(lines[1].split(' ')[0]);

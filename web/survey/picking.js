@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The face that a ray hits, a triangle or a quad, with its angles, its edges and how far its
-// corners are from another surface.
+// The face that a ray hits, a triangle or a polygon, with its angles, its edge lengths and the
+// distance of its corners from another surface.
 import { Vector3 } from 'three';
 import { cornersOfPolygon } from '../triangles/polygons.js';
 
 /** @typedef {import('./surface.js').Surface} Surface */
 /** @typedef {import('./surface.js').Point} Point */
 /**
- * lengths[i] of the edge behind corners[i], angles[i] in degrees there; distance: the largest of
- * the corners', null without another surface.
+ * lengths[i]: of the edge after corners[i]; angles[i]: at corners[i], in degrees; distance: the
+ * largest of the corners, null without another surface.
  * @typedef {{ triangle: number, point: Point, corners: Point[], angles: number[],
  *   lengths: number[], distance: number | null }} Pick
  */
@@ -22,7 +22,7 @@ function anglesOf(corners) {
   });
 }
 
-/** The corners of the face that a triangle is part of. @param {Surface['soup']} soup
+/** The corners of the face with this triangle. @param {Surface['soup']} soup
  * @param {number} triangle */
 function cornersOfFace({ positions, indices, polygons }, triangle) {
   const k = polygons ? polygons.findLastIndex((first) => first <= triangle) : 0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A surface that can be asked: how far a point is from it, and what a ray hits. The search itself
-// is three-mesh-bvh's.
+// A surface that answers how far a point is from it, and where a ray hits it. three-mesh-bvh does
+// the search.
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 
 /** @typedef {import('./topology.js').Soup} Soup */
 /** @typedef {[number, number, number]} Point */
-/** distance in model units, from `point` of one surface to `nearest` on the other.
+/** distance: in model units, from `point` on one surface to `nearest` on the other.
  * @typedef {{ distance: number, point: Point, nearest: Point }} Place */
 
 export class Surface {
@@ -37,7 +37,7 @@ export class Surface {
     return this.#tree.raycastFirst(ray, DoubleSide);
   }
 
-  /** The unit normal of the triangle with these corners. @param {number} triangle */
+  /** The triangle's unit normal. @param {number} triangle */
   #normal(triangle) {
     const { positions, indices } = this.soup;
     const [a, b, c] = [0, 1, 2].map((k) =>
@@ -45,8 +45,8 @@ export class Surface {
     return b.sub(a).cross(c.sub(a)).normalize();
   }
 
-  /** A direction from which a place of the surface is seen, with nothing in the way: the wished one
-   * if it will do, else one near the normal.
+  /** A direction from which a place of the surface is visible: the wished direction if it is clear,
+   * else a clear one near the normal. If none is clear: the wished direction.
    * @param {Point} point @param {Point} wished @returns {Point} of unit length */
   viewOf(point, wished) {
     const place = new Vector3(...point);
@@ -61,13 +61,13 @@ export class Surface {
     return (directions.find(isClear) ?? directions[0]).toArray();
   }
 
-  /** The length of its box's diagonal. */
+  /** The length of the bounding box's diagonal. */
   get #size() {
     return this.#tree.getBoundingBox(new Box3()).getSize(new Vector3()).length();
   }
 
-  /** Visits all vertices, then the middles of all triangles: what distances are measured at.
-   * @param {(point: Vector3, vertex: number) => void} visit vertex: -1 for a middle */
+  /** Visits the sample points of distances: all vertices, then the centroids of all triangles.
+   * @param {(point: Vector3, vertex: number) => void} visit vertex: -1 for a centroid */
   forEachPlace(visit) {
     const { positions, indices } = this.soup;
     const point = new Vector3(), corner = new Vector3();
@@ -82,10 +82,10 @@ export class Surface {
 
 const binCount = 30;
 
-/** The farthest place of one surface from another, and the distances of its vertices.
+/** The place of one surface that is farthest from another, and the distances of its vertices.
  * @param {Surface} from @param {Surface} to
- * @returns {{ values: Float32Array, all: Float32Array, largest: Place }} `all`: also those of the
- *   middles of triangles */
+ * @returns {{ values: Float32Array, all: Float32Array, largest: Place }} all: of the vertices, then
+ *   of the triangles' centroids */
 function distancesFrom(from, to) {
   const values = new Float32Array(from.soup.positions.length / 3);
   /** @type {number[]} */
@@ -104,17 +104,18 @@ function distancesFrom(from, to) {
 }
 
 /**
- * values: for each vertex of the result; bins: shares of all places, from 0 to the largest.
+ * values: for each vertex of the result; bins: shares of all sample points, from distance 0 to the
+ * largest.
  * @typedef {{ values: Float32Array, largest: Place, bins: number[] }} Distances
  */
 
-/** Between result and original, both ways. @param {Surface} result @param {Surface} original
+/** Distances between two surfaces, both ways. @param {Surface} result @param {Surface} original
  * @returns {Distances} */
 export function measureDistances(result, original) {
   const there = distancesFrom(result, original);
   const back = distancesFrom(original, result);
   const { point, nearest, distance } = back.largest;
-  // What is told is a place of the result, where the colours are.
+  // The place must be on the result, because the colours are there.
   const largest = distance > there.largest.distance
     ? { distance, point: nearest, nearest: point } : there.largest;
   const bins = new Array(binCount).fill(0);

@@ -23,7 +23,7 @@ export class Survey {
    * @template {keyof Questions} Name
    * @param {Name} question
    * @param {Parameters<Questions[Name]>[0]} [request]
-   * @param {Transferable[]} [transfer] what of the request is handed over
+   * @param {Transferable[]} [transfer] the request's buffers that move to the worker
    * @returns {Promise<ReturnType<Questions[Name]>>}
    */
   ask(question, request, transfer = []) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker that knows both surfaces: whatever takes longer than a frame is asked of it.
+// The worker that holds the surfaces, and answers questions that take longer than a frame.
 import { irregularVertices } from './irregular.js';
 import { offVertices } from './off.js';
 import { pick } from './picking.js';
@@ -14,9 +14,9 @@ import { findEdges } from './topology.js';
 /** @type {Partial<Record<Side, Surface>>} */
 const surfaces = {};
 
-/** What can be asked, by name. */
+/** The questions, by name. */
 const questions = {
-  /** @param {{ side: Side, soup: Soup | null }} request null: there is none any more */
+  /** @param {{ side: Side, soup: Soup | null }} request soup: null removes the surface */
   setSurface({ side, soup }) {
     if (soup?.indices.length) surfaces[side] = new Surface(soup);
     else delete surfaces[side];

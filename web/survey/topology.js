@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the edges of a triangle soup tell, once equal positions are one vertex: where the surface is
-// open, where more than two triangles meet, where neighbours face opposite ways, and how sharply
-// it bends.
+// Classifies the edges of a triangle soup after equal positions are welded: boundary edges, edges
+// of more than two triangles, edges whose triangles face opposite ways, and sharp edges with the
+// angles by which the surface bends there.
 
 /** @typedef {import('../triangles/soup.js').Soup} Soup */
 
-/** What tells places apart, as the core has it: zero but for the rounding of a full turn is zero.
+/** Positions by which vertices are welded, as in the core: a coordinate of at most 2^-50 times the
+ * vertex's largest, such as the rounding error of a full turn's sine, becomes zero.
  * @param {Float32Array} positions */
 function canonicalPlaces(positions) {
   const places = positions.slice();
@@ -19,7 +20,7 @@ function canonicalPlaces(positions) {
   return places;
 }
 
-/** The number of the first vertex at each vertex's place, by a table that is at most half full.
+/** For each vertex the first vertex at its place, found in a hash table that is at most half full.
  * @param {Float32Array} positions */
 export function welded(positions) {
   const places = new Uint32Array(canonicalPlaces(positions).buffer);
@@ -57,7 +58,7 @@ function normalsOf({ positions: p, indices }) {
   return normals;
 }
 
-/** In the order of their keys below `count`; those of one key stay in the order that they had.
+/** Sorts corners by their keys, which are below `count`; corners of equal keys keep their order.
  * @param {Uint32Array} corners @param {Uint32Array} keys of each corner @param {number} count */
 function orderedBy(corners, keys, count) {
   const start = new Uint32Array(count + 1);
@@ -68,7 +69,7 @@ function orderedBy(corners, keys, count) {
   return result;
 }
 
-/** Calls back with the corners from which each edge starts, in their order.
+/** Calls back for each edge with its corners, one per triangle, at which the edge starts.
  * @param {Uint32Array} indices @param {Uint32Array} vertices
  * @param {(corners: Uint32Array) => void} visit */
 function forEachEdge(indices, vertices, visit) {
@@ -88,8 +89,8 @@ function forEachEdge(indices, vertices, visit) {
   }
 }
 
-/** Pairs of points, six numbers each.
- * @param {Soup} soup @param {number[]} corners where each starts */
+/** Edges as pairs of points, six numbers each.
+ * @param {Soup} soup @param {number[]} corners at which the edges start */
 function segments({ positions, indices }, corners) {
   const result = new Float32Array(6 * corners.length);
   corners.forEach((corner, i) => {
@@ -101,7 +102,7 @@ function segments({ positions, indices }, corners) {
   return result;
 }
 
-/** Bends below this, in degrees, are nobody's feature. */
+/** Edges that bend by fewer degrees cannot be features. */
 const leastBend = 5;
 
 /**

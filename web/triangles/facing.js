@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where an open surface faces: a mask is looked at from outside.
+// The direction an open surface faces: a mask should be seen from outside.
 import { Vector3 } from 'three';
 
-/** A closed surface has no net area at all; below this share of its area one counts as closed. */
+/** A closed surface's area vectors sum to zero. A surface counts as closed if their sum is below
+ * this share of its area. */
 const leastShare = 0.2;
 
-/** The direction in which surfaces together are open, null if they are closed.
+/** The direction that the surfaces together face, null if they count as closed.
  * @param {import('./soup.js').Soup} soup */
 export function openSide({ positions: p, indices }) {
   const sum = new Vector3();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals for a geometry that came without: smooth over bends, broken at creases, so that a cube
+// Normals for a geometry without them: smooth over small bends, split at creases, so that a cube
 // looks like a cube and a sphere like a sphere.
 import { BufferAttribute } from 'three';
 import { breath } from '../base/breath.js';
@@ -7,12 +7,12 @@ import { positionsOf } from './positions.js';
 
 /** @typedef {import('three').BufferGeometry} BufferGeometry */
 /** faces: area-weighted normals, three numbers a face; sizes: their lengths; list: the corners of
- * vertex v from start[v] to start[v + 1]; normals: three numbers a corner, found one by one.
+ * vertex v from start[v] to start[v + 1]; normals: three numbers a corner, filled in portions.
  * @typedef {{ corners: ArrayLike<number>, faces: Float32Array, sizes: Float32Array,
  *   start: Uint32Array, list: Uint32Array, normals: Float32Array }} Work */
 
 const creaseCosine = Math.cos(40 * Math.PI / 180);
-/** Corners between two breaths. */
+/** Number of corners between two pauses. */
 const portion = 60_000;
 
 /** @param {Float32Array} p three a vertex @param {ArrayLike<number>} corners */
@@ -43,8 +43,8 @@ function cornersByVertex(corners, vertices) {
   return { start, list };
 }
 
-/** The normals of some corners: each of the faces around its vertex that do not bend away from its
- * own by a crease. @param {Work} work @param {number} first @param {number} end
+/** Finds the normals of some corners: the sum over the faces around the vertex, except faces across
+ * a crease from the corner's own. @param {Work} work @param {number} first @param {number} end
  * @returns {boolean} whether there are creases */
 function smooth({ corners, faces, sizes, start, list, normals }, first, end) {
   let hasCreases = false;
@@ -69,7 +69,7 @@ function smooth({ corners, faces, sizes, start, list, normals }, first, end) {
   return hasCreases;
 }
 
-/** One normal a vertex, where all its corners have the same. @param {Work} work
+/** One normal a vertex, for a geometry without creases. @param {Work} work
  * @param {number} vertices */
 function perVertex({ start, list, normals }, vertices) {
   const result = new Float32Array(3 * vertices);
@@ -81,7 +81,7 @@ function perVertex({ start, list, normals }, vertices) {
   return result;
 }
 
-/** The geometry itself with normals, or, where it has creases, one with a vertex a corner.
+/** The geometry itself with normals, or, if it has creases, a copy with one vertex per corner.
  * @param {BufferGeometry} geometry @returns {Promise<BufferGeometry>} */
 export async function withNormals(geometry) {
   if (geometry.getAttribute('normal') || !geometry.index) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Quads, and other polygons, of a geometry that is made of triangles: FB_ngon_encoding says that
-// triangles in a row with the same first corner are one. Three corners a triangle, in its order.
+// Quads and other polygons of a triangle geometry: by FB_ngon_encoding, consecutive triangles with
+// the same first corner are one polygon. Corner 3 t + i is corner i of triangle t.
 import { allCorners } from './thinning.js';
 
-/** The first triangle of each polygon, and the number of all triangles behind them.
+/** The first triangle of each polygon, then the number of all triangles.
  * @typedef {Uint32Array} Polygons */
-/** Vertices where not four quads meet; places: three numbers each.
+/** Irregular vertices, where other than four quads meet; places: three numbers each.
  * @typedef {{ places: Float32Array, valences: number[] }} Irregular */
 
-/** Null where the file knows triangles only, or where not all of them are drawn.
+/** Null if the file has triangles only, or if not all triangles are drawn.
  * @param {import('three').Mesh} mesh as the loader makes it @returns {Polygons | null} */
 export function polygonsOf({ userData, geometry }) {
   const { index } = geometry;
@@ -23,7 +23,7 @@ export function polygonsOf({ userData, geometry }) {
   return firsts.length < count ? Uint32Array.from([...firsts, count]) : null;
 }
 
-/** The corners of one polygon, in turn: two of its first triangle, one of each after that.
+/** The corners of a polygon in order: two of its first triangle, then the third of each triangle.
  * @param {number} first triangle @param {number} end the triangle behind its last */
 export function cornersOfPolygon(first, end) {
   const corners = [3 * first, 3 * first + 1];
@@ -43,7 +43,7 @@ export function forEachPolygon(polygons, visit) {
  * @param {import('three').BufferGeometry} geometry @param {Polygons} polygons */
 export function outlineOf(geometry, polygons) {
   const vertices = /** @type {ArrayLike<number>} */ (allCorners(geometry));
-  // The edges that have their lower end in common are a chain, from the latest.
+  // The edges with the same lower end vertex form a linked list, latest first.
   const latest = new Int32Array(geometry.attributes.position.count).fill(-1);
   /** @type {number[]} */
   const earlier = [];

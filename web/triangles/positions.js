@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a geometry's vertices are, in whatever form its file has them.
+// The positions of a geometry's vertices, in whatever form the file stores them.
 
-/** Three coordinates a vertex, in the geometry's own space; not to be changed.
+/** Three coordinates a vertex, in the geometry's own space. Callers must not change them.
  * @param {import('three').BufferGeometry} geometry @returns {Float32Array} */
 export function positionsOf({ attributes: { position } }) {
   const isPlain = 'isBufferAttribute' in position && position.itemSize === 3;

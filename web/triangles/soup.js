@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// All triangles of a scene where it is shown, as two arrays that can travel to a worker.
+// All triangles of a scene in world coordinates, as arrays that can be sent to a worker.
 import { positionsOf } from './positions.js';
 import { allCorners, cornerCount } from './thinning.js';
 
-/** Three coordinates a vertex, three vertices a triangle; polygons: where there are any.
+/** Three coordinates a vertex, three vertices a triangle; polygons: null if there are none.
  * @typedef {{ positions: Float32Array, indices: Uint32Array,
  *   polygons: import('./polygons.js').Polygons | null }} Soup */
 
-/** Of all geometries together: where some have none, each triangle is one.
+/** The polygons of all geometries together: in a geometry without any, each triangle is one.
  * @param {import('three').BufferGeometry[]} geometries */
 function allPolygons(geometries) {
   if (!geometries.some(({ userData }) => userData.polygons)) return null;
@@ -23,8 +23,8 @@ function allPolygons(geometries) {
   return Uint32Array.from([...firsts, triangle]);
 }
 
-/** Points where a matrix moves them. @param {Float32Array} from @param {Float32Array} to
- * @param {number[]} matrix three.js's sixteen numbers, of which the last row says nothing */
+/** Transforms points by a matrix. @param {Float32Array} from @param {Float32Array} to
+ * @param {number[]} matrix sixteen numbers in three.js's order; the last row is ignored */
 function move(from, to, [a, b, c, , d, e, f, , g, h, i, , x, y, z]) {
   for (let k = 0; k < from.length; k += 3) {
     const [u, v, w] = [from[k], from[k + 1], from[k + 2]];

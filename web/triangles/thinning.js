@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Of a very large model a part of the triangles is drawn, spread evenly over the surface: more than
-// that no screen shows. All vertices stay, and whoever asks for the surface gets all its triangles.
+// A very large model is drawn with fewer triangles, spread evenly over the surface: a screen cannot
+// show more. All vertices stay, and allCorners still returns all triangles of the surface.
 import { BufferAttribute } from 'three';
 import { positionsOf } from './positions.js';
 
 /** @typedef {import('three').BufferGeometry} BufferGeometry */
-/** How many triangles are drawn, of how many.
+/** The number of drawn triangles, and of all.
  * @typedef {{ shown: number, all: number }} Thinned */
 
 const mostShown = 1_000_000;
 
-/** Every corner of the surface, drawn or not, as vertices; null: the vertices in turn.
+/** The vertex of every corner of the surface, drawn or not; null: corner i is vertex i.
  * @param {BufferGeometry} geometry @returns {ArrayLike<number> | null} */
 export const allCorners = ({ index, userData }) => userData.allCorners ?? index?.array ?? null;
 
-/** How many they are. @param {BufferGeometry} geometry */
+/** The number of corners, drawn or not. @param {BufferGeometry} geometry */
 export const cornerCount = (geometry) =>
   allCorners(geometry)?.length ?? geometry.attributes.position.count;
 
@@ -34,9 +34,9 @@ function thinOne(geometry, share, simplifier) {
 }
 
 /**
- * @param {BufferGeometry[]} geometries whose index is replaced where there are too many triangles;
- *   one that is shown in several places is there as often
- * @param {number} [most] triangles in all
+ * @param {BufferGeometry[]} geometries get a new index if there are too many triangles; a geometry
+ *   shown in several places is listed as often
+ * @param {number} [most] drawn triangles in all
  * @returns {Promise<Thinned | null>} null if all are drawn
  */
 export async function thin(geometries, most = mostShown) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How good each face is, as its colour: a triangle by its smallest angle, a quad by how far from
-// 90° its worst one is, other polygons likewise.
+// Colours faces by quality: a triangle by its smallest angle, a quad by the largest deviation of
+// its angles from 90°, other polygons by the deviation from a regular polygon's angles.
 import { BufferAttribute, Color } from 'three';
 import { angleColors } from '../base/colors.js';
 import { cornersOfPolygon } from './polygons.js';
@@ -26,7 +26,7 @@ function squaredDistance(p, i, j) {
 const ofTriangle = (p, [a, b, c]) => smallestAngle(squaredDistance(p, a, b),
   squaredDistance(p, b, c), squaredDistance(p, c, a));
 
-/** How far the worst angle of a polygon is from those of a regular one, in degrees.
+/** The largest deviation of a polygon's angles from those of a regular polygon, in degrees.
  * @param {ArrayLike<number>} p @param {number[]} corners */
 function largestDeviation(p, corners) {
   const count = corners.length;
@@ -42,7 +42,8 @@ function largestDeviation(p, corners) {
   return largest;
 }
 
-/** Steps of ten degrees: 0 is the worst. @param {ArrayLike<number>} p @param {number[]} corners */
+/** The face's quality in steps of ten degrees: 0 is the worst.
+ * @param {ArrayLike<number>} p @param {number[]} corners */
 const stepOf = (p, corners) => (corners.length === 3
   ? Math.min(5, Math.floor(ofTriangle(p, corners) / 10))
   : 5 - Math.min(5, Math.floor(largestDeviation(p, corners) / 10)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cut through the models: a plane across one of their axes takes away what lies before it, so
-// that inner shells are seen.
+// A cut through the models: a plane across one axis hides the part in front of it, so that inner
+// shells are visible.
 import { Plane, Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
 import { byId, element } from '../base/dom.js';
@@ -19,7 +19,7 @@ export class Cutting {
     value: '0.5', oninput: () => this.refresh() });
   /** @type {Axis} */
   #axis = 2;
-  /** Which way along the axis is taken away. */
+  /** The direction along the axis, 1 or -1, in which the model is cut away. */
   #side = 1;
 
   /** @param {import('./viewer.js').Viewer} viewer */
@@ -44,7 +44,7 @@ export class Cutting {
     this.#setAxis(/** @type {Axis} */ (sizes.indexOf(Math.max(...sizes))));
   }
 
-  /** From the side that the eye is on. @param {Axis} axis */
+  /** The part on the eye's side is cut away. @param {Axis} axis */
   #setAxis(axis) {
     this.#axis = axis;
     this.#side = this.#viewer.eye.direction[axis] < 0 ? -1 : 1;
@@ -62,7 +62,7 @@ export class Cutting {
     return element('label', { className: 'inline-check' }, input, names[axis]);
   }
 
-  /** The models, or what is asked of the cut, are others. */
+  /** To be called after the models or the cut's settings have changed. */
   refresh() {
     if (!this.isOn) {
       this.#viewer.setCut(null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The eye: one camera for all panes, how it is turned, and what it is pointed at.
+// The eye: one camera for all panes, its turning, and the target it looks at.
 import {
   Box3, MathUtils, MOUSE, PerspectiveCamera, Spherical, TOUCH, Vector3,
 } from 'three';
@@ -8,7 +8,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 /** @typedef {[number, number, number]} Triple */
 
 const fieldOfView = 32;
-/** Milliseconds of a flight to a place. */
+/** Duration of a flight to a place, in milliseconds. */
 const flight = 350;
 
 const isStill = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -32,12 +32,12 @@ export class Eye {
     canvas.addEventListener('keydown', (event) => this.#onKey(event));
   }
 
-  /** Lets the turning glide on; tells onMove while it does. */
+  /** Lets the turning glide on, and calls onMove while the eye moves. */
   update() {
     this.#controls.update();
   }
 
-  /** Whether dragging turns the model; else the other button does, or two fingers.
+  /** Whether dragging turns the model; else the right button or two fingers turn it.
    * @param {boolean} isOn */
   setTurning(isOn) {
     this.#controls.mouseButtons.RIGHT = isOn ? MOUSE.PAN : MOUSE.ROTATE;
@@ -45,27 +45,27 @@ export class Eye {
     this.#controls.touches.ONE = isOn ? TOUCH.ROTATE : null;
   }
 
-  /** How far away what it looks at is. */
+  /** Distance from the eye to its target. */
   get distance() {
     return this.camera.position.distanceTo(this.#controls.target);
   }
 
-  /** The model's size. */
+  /** The length of the box's diagonal. */
   get diagonal() {
     return this.#box.getSize(new Vector3()).length();
   }
 
-  /** Around the model. */
+  /** The model's bounding box. */
   get box() {
     return this.#box;
   }
 
-  /** The model's middle. */
+  /** The box's centre. */
   get center() {
     return this.#box.getCenter(new Vector3());
   }
 
-  /** What to look at, from its open side if it has one.
+  /** Looks at a model, from its open side if it has one.
    * @param {Box3} box @param {Vector3 | null} front */
   setSubject(box, front) {
     this.#box.copy(box);
@@ -73,8 +73,8 @@ export class Eye {
     this.fit();
   }
 
-  /** A pane narrower than high sees as wide as it would be high.
-   * @param {number} aspect @returns {number} half of what it sees, at distance 1 */
+  /** In a pane narrower than high the field of view applies to the width.
+   * @param {number} aspect @returns {number} half the visible height at distance 1 */
   aim(aspect) {
     const half = Math.tan(MathUtils.degToRad(fieldOfView / 2)) / Math.min(1, aspect);
     this.camera.fov = MathUtils.radToDeg(2 * Math.atan(half));
@@ -83,7 +83,7 @@ export class Eye {
     return half;
   }
 
-  /** How far the eye must be, looking along -direction, to see every corner of the model's box.
+  /** The distance from which the eye, looking along -direction, sees all corners of the box.
    * @param {Vector3} direction of unit length */
   #fittingDistance(direction) {
     const half = this.aim(this.aspect) * 0.92;  // a margin
@@ -102,7 +102,7 @@ export class Eye {
     return distance;
   }
 
-  /** From the side that the model shows: its open one, or the broader one, a little from above. */
+  /** The direction of the first view: from the open side, or the broader one, a little above. */
   #direction() {
     const { x, z } = this.#box.getSize(new Vector3());
     const [dx, dz] = z > 1.2 * x ? [1, 0.45] : [0.45, 1];
@@ -130,12 +130,12 @@ export class Eye {
     this.#onMove();
   }
 
-  /** From what it looks at to the eye itself. @returns {Triple} */
+  /** The unit vector from the target to the eye. @returns {Triple} */
   get direction() {
     return this.camera.position.clone().sub(this.#controls.target).normalize().toArray();
   }
 
-  /** Flies to a place, to see it from a direction.
+  /** Flies to a view of a place from a direction.
    * @param {Triple} point @param {Triple} direction */
   visit(point, direction) {
     const from = this.#controls.target.clone();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One model on the stage: its own materials, plain clay, flat, its normals, or coloured by a value,
-// with or without its wireframe. Owns what it puts on the graphics card, and frees it.
+// with or without its wireframe. It frees its graphics memory.
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial,
   MeshNormalMaterial, MeshStandardMaterial,
@@ -11,19 +11,19 @@ import { colorByAngle } from '../triangles/triangle_angles.js';
 /** @typedef {'textured' | 'plain' | 'flat' | 'normals' | 'angles' | 'distance' | 'density'
  *   } Shading */
 /** @typedef {Mesh<BufferGeometry, MeshStandardMaterial>} Surface */
-/** The same triangles several times: as the file has them, as lines, and coloured when asked for.
+/** The same triangles several times: as in the file, as lines, and coloured if needed.
  * @typedef {{ surface: Surface, own: import('three').Material | null, lines: Mesh,
  *   colored: Partial<Record<Shading, Mesh>> }} Part */
 
-/** A scene and what must be known of it. origin: the stage's, in the scene's world; bounds: from
- * there; front: where it is open, if it is.
+/** A scene ready to be shown. origin: the stage's, in the scene's world; bounds: relative to
+ * `origin`; front: the direction in which the scene is open, null if closed.
  * @typedef {{ scene: import('three').Group, bounds: import('three').Box3,
  *   origin: import('three').Vector3, front: import('three').Vector3 | null }} Prepared */
 
-/** Pushes surfaces back a little, so that lines on them are drawn whole. */
+/** Moves surfaces back a little, so that they do not hide lines on them. */
 const behindLines = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
-// What all models are shown with: no model takes along what the card compiled for it.
+// Materials shared by all models, so that their compiled shaders outlive each model.
 const normals = new MeshNormalMaterial({ side: DoubleSide, ...behindLines });
 const painted = new MeshStandardMaterial({ roughness: 0.85, metalness: 0, side: DoubleSide,
   vertexColors: true, ...behindLines });
@@ -44,7 +44,7 @@ function clayOf(color) {
   return made;
 }
 
-/** Whether a file gave the surface a look of its own; else clay shows the shape better.
+/** Whether the file gives the surface textures or colours; else clay shows the shape better.
  * @param {Surface} surface */
 function hasOwnLook({ material, geometry }) {
   const { map, normalMap, emissiveMap, color } = material;
@@ -62,7 +62,7 @@ export function surfacesOf(scene) {
   return surfaces;
 }
 
-/** A copy beside the original that follows the same node, skeleton and pose.
+/** A hidden copy of a surface that follows the same node, skeleton and pose.
  * @param {Surface} surface @param {BufferGeometry} geometry
  * @param {import('three').Material} material */
 function companion(surface, geometry, material) {
@@ -74,7 +74,7 @@ function companion(surface, geometry, material) {
   return copy;
 }
 
-/** The same vertices with colours of their own. @param {BufferGeometry} geometry */
+/** The same vertices with separate colours, at first white. @param {BufferGeometry} geometry */
 function recolored(geometry) {
   const copy = new BufferGeometry();
   for (const [name, attribute] of Object.entries(geometry.attributes)) {
@@ -87,8 +87,8 @@ function recolored(geometry) {
   return copy.setAttribute('color', new BufferAttribute(new Float32Array(3 * count).fill(1), 3));
 }
 
-/** What is drawn as lines: the edges of polygons, without diagonals. A mesh shows as lines the
- * edges of its triangles, and a triangle a, b, b is the edge a–b, in any skin and pose.
+/** The geometry for the wireframe: the edges of polygons, without diagonals. A wireframe draws the
+ * edges of triangles, and a triangle a, b, b draws the edge a–b, in any skin and pose.
  * @param {BufferGeometry} geometry */
 function wires(geometry) {
   /** @type {{ outline?: Uint32Array }} */
@@ -139,7 +139,7 @@ export class ModelView {
     return this.#parts.map(({ surface }) => surface);
   }
 
-  /** A guess from the box, good enough to fade the lines of a mesh too fine to see. */
+  /** An estimate from the box, good enough to fade the lines of a mesh too fine to see. */
   #typicalEdgeLength() {
     const { x, y, z } = this.bounds.getSize(this.bounds.min.clone());
     let triangles = 1;
@@ -147,12 +147,12 @@ export class ModelView {
     return Math.sqrt(3 * (x * y + y * z + z * x) / triangles);
   }
 
-  /** Whether its file says which triangles are quads. */
+  /** Whether the file says which triangles are quads. */
   get hasQuads() {
     return this.#surfaces.some(({ geometry }) => geometry.userData.polygons);
   }
 
-  /** All its triangles, where the stage shows them. */
+  /** All triangles of the model, in the stage's coordinates. */
   soup() {
     return soupOf(this.#surfaces);
   }
@@ -183,13 +183,13 @@ export class ModelView {
     }
   }
 
-  /** What cannot be shown, colours that are not known or materials that are not there, is shown
-   * plain. @param {Shading} shading */
+  /** A shading whose colours or materials the model does not have is shown as plain clay.
+   * @param {Shading} shading */
   setShading(shading) {
     const materials = { flat: this.#clay.flat, normals };
     for (const part of this.#parts) {
       const { surface, colored, own } = part;
-      // Those of a part that stands for the whole would be no triangle's.
+      // The drawn triangles of a thinned model are not its own, so they have no angles to show.
       if (shading === 'angles' && !this.thinned) colored.angles ??= this.#coloredByAngle(part);
       surface.visible = !colored[shading];
       for (const [name, mesh] of Object.entries(colored)) mesh.visible = name === shading;
@@ -203,7 +203,7 @@ export class ModelView {
     for (const { lines } of this.#parts) lines.visible = isVisible;
   }
 
-  /** For the picture that comes next. @param {number} pixels the length of a typical edge there */
+  /** Fades the lines of the next picture. @param {number} pixels the length of a typical edge */
   setEdgePixels(pixels) {
     wire.opacity = 0.5 * Math.min(1, Math.max(0.06, (pixels - 1) / 11));
   }

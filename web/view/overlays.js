@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines, dots and a mark that lie over a surface: feature curves, borders, the triangle under the
-// pointer, irregular vertices of quads, the place of the largest distance.
+// Lines, dots and a mark over a surface: feature curves, borders, the triangle under the pointer,
+// irregular vertices of quads, the place of the largest distance.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, Group, Points, PointsMaterial, Sprite,
   SpriteMaterial,
@@ -12,7 +12,7 @@ import { lineColors, valenceColors } from '../base/colors.js';
 
 /** @typedef {keyof typeof lineColors} LineKind */
 
-/** A ring, for the mark. */
+/** The mark's picture: a ring. */
 function ring() {
   const canvas = new OffscreenCanvas(64, 64);
   const context = canvas.getContext('2d');
@@ -29,7 +29,7 @@ function ring() {
   return new CanvasTexture(canvas);
 }
 
-/** A disc, to be coloured. */
+/** The dots' picture: a white disc, coloured by the vertex colours. */
 function disc() {
   const canvas = new OffscreenCanvas(32, 32);
   const context = canvas.getContext('2d');
@@ -46,7 +46,7 @@ function disc() {
 const colorOf = (valence) => new Color(valence === 3 ? valenceColors.three
   : valence === 5 ? valenceColors.five : valenceColors.other);
 
-/** A little nearer to the eye, where the surface does not cut them.
+/** Draws the dots a little nearer to the eye, so that the surface does not cut them.
  * @param {{ vertexShader: string }} shader */
 function nearer(shader) {
   const part = '#include <project_vertex>';
@@ -146,7 +146,7 @@ export class Overlays {
     if (point) this.#mark.position.set(...point);
   }
 
-  /** The surface below is gone. */
+  /** Removes all overlays: their surface is gone. */
   clear() {
     for (const kind of [...this.#lines.keys()]) this.#remove(kind);
     this.setMark(null);

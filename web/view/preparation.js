@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must be known of a scene before it is shown, found in portions between which the page
-// answers.
+// Prepares a scene to be shown. The work is done in portions, between which the page can react.
 import { Box3, Sphere } from 'three';
 import { breath } from '../base/breath.js';
 import { openSide } from '../triangles/facing.js';
@@ -10,7 +9,7 @@ import { originNear } from '../triangles/origin.js';
 import { outlineOf, polygonsOf } from '../triangles/polygons.js';
 import { soupOf } from '../triangles/soup.js';
 
-/** The geometry as it is drawn, which knows its polygons.
+/** The geometry to draw, with normals and, if the file has them, polygons.
  * @param {import('./model_view.js').Surface} surface as loaded */
 async function drawn(surface) {
   const { geometry } = surface;
@@ -21,13 +20,13 @@ async function drawn(surface) {
   return result;
 }
 
-/** @param {import('three').Group} scene as loaded: it is moved to where the stage shows it
- * @param {import('three').Vector3 | null} origin the stage's, in the model's world; null: its own
+/** @param {import('three').Group} scene as loaded; it is moved so that `origin` becomes zero
+ * @param {import('three').Vector3 | null} origin in the model's world; null: from its bounds
  * @returns {Promise<import('./model_view.js').Prepared>} */
 export async function prepare(scene, origin) {
   const surfaces = surfacesOf(scene);
   scene.updateMatrixWorld(true);
-  const shaded = new Map();  // a geometry can be shown in several places
+  const shaded = new Map();  // several surfaces can share a geometry
   for (const surface of surfaces) {
     const { geometry } = surface;
     if (!shaded.has(geometry)) shaded.set(geometry, await drawn(surface));
@@ -40,7 +39,7 @@ export async function prepare(scene, origin) {
   scene.updateMatrixWorld(true);
   bounds.translate(shown.clone().negate());
   for (const { geometry } of surfaces) {
-    // Good enough to tell what is in view, and known already.
+    // The box is already computed, and its sphere is good enough for culling.
     geometry.boundingSphere ??= geometry.boundingBox?.getBoundingSphere(new Sphere()) ?? null;
   }
   await breath();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a number between 0 and 1 to a colour between those of a list.
+// Maps a number between 0 and 1 to a colour, interpolated between the colours of a list.
 import { Color } from 'three';
 
 /** @param {readonly string[]} colors evenly spread from 0 to 1

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a glTF to a three.js group, textures included. Files that the glTF names are
-// served from memory, so nothing is fetched.
+// Makes a three.js group, with textures, from the bytes of a glTF. Files that the glTF names come
+// from memory, so nothing is fetched.
 import { Cache, LoadingManager } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
 
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 
-Cache.enabled = false;  // two files may use one name
+Cache.enabled = false;  // different files may have the same name
 
 /** @param {Uint8Array} bytes */
 const blobUrl = (bytes) => URL.createObjectURL(new Blob([/** @type {BlobPart} */ (bytes)]));

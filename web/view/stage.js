@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The view's controls: comparison, shading, wireframe, divider, keys. Works without a viewer, too:
-// where there is no WebGL the page says so and goes on.
+// The view's controls: comparison, shading, wireframe, divider, keys. Without WebGL the page says
+// so, and works without a viewer.
 import { Vector3 } from 'three';
 import { addCommand, isTyping } from '../base/commands.js';
 import { byId } from '../base/dom.js';
@@ -19,16 +19,16 @@ import { Viewer } from './viewer.js';
 
 const narrow = '(max-width: 760px)';
 
-/** @param {Event} event whether the space bar would press what has the focus */
+/** @param {Event} event whether the space bar would press the focused element */
 const isPressing = ({ target }) => target instanceof Element
   && target.matches('button, summary, select, input');
 
 export class Stage {
-  /** None where the browser has no 3-D. @type {Viewer | null} */
+  /** Null if the browser has no WebGL. @type {Viewer | null} */
   viewer = null;
   /** @type {Cutting | null} */
   #cutting = null;
-  /** Of what is shown, in the original's world. */
+  /** The stage's origin, in the original's world. */
   origin = new Vector3();
   /** Called after the shading has changed. */
   onShading = () => {};
@@ -36,9 +36,10 @@ export class Stage {
   isBrushing = false;
   #root = byId('stage', HTMLElement);
   #wireframe = byId('wireframe', HTMLButtonElement);
-  /** Wires suit bare shapes and hide textures, until the visitor says otherwise. */
+  /** Null until the visitor chooses; until then textured and thinned models show no wires. */
   #chosenWireframe = /** @type {boolean | null} */ (null);
-  /** What was asked for later is shown, though it was ready sooner. @type {Record<Side, number>} */
+  /** The latest request of each side; older ones that load later are not shown.
+   * @type {Record<Side, number>} */
   #turns = { original: 0, baseline: 0, result: 0 };
   /** @type {import('./viewer.js').Compare} */
   #compare = 'side';
@@ -63,7 +64,7 @@ export class Stage {
     this.setShading('plain');
   }
 
-  /** A line on the stage itself; empty to take it away. @param {string} text */
+  /** Shows a line of text on the stage; an empty text hides it. @param {string} text */
   say(text) {
     const message = byId('stage-message', HTMLElement);
     message.textContent = text;
@@ -73,7 +74,7 @@ export class Stage {
   #wireDivider() {
     const divider = byId('divider', HTMLInputElement);
     const apply = () => {
-      // The thumb stays within the track, so its middle does not travel the whole width.
+      // The thumb stays within the track, so its centre does not travel the whole width.
       const thumb = 36, width = divider.clientWidth || 1;
       const x = thumb / 2 + divider.valueAsNumber * (width - thumb);
       this.viewer?.setDivider(x / width);
@@ -181,8 +182,8 @@ export class Stage {
     if (side === 'original') this.#suit(this.viewer.isTextured, Boolean(thinned));
   }
 
-  /** What suits the model, where the visitor did not choose: so many lines that not all triangles
-   * are drawn would only be grey. @param {boolean} isTextured @param {boolean} isThinned */
+  /** Chooses wireframe and shading for the model, unless the visitor chose. The many lines of a
+   * thinned model would only be grey. @param {boolean} isTextured @param {boolean} isThinned */
   #suit(isTextured, isThinned) {
     this.#setWireframe(this.#chosenWireframe ?? !(isTextured || isThinned));
     const button = this.#root.querySelector('[data-shading=textured]');
@@ -191,7 +192,7 @@ export class Stage {
     this.setShading(isPlain ? (isTextured ? 'textured' : 'plain') : this.#shading);
   }
 
-  /** The stage as a PNG; null where there is no 3-D.
+  /** The stage as a PNG; null without WebGL.
    * @param {{ scale: number, hasBackground: boolean }} how */
   async picture({ scale, hasBackground }) {
     const picture = this.viewer?.picture(scale);
@@ -205,7 +206,7 @@ export class Stage {
     return new Uint8Array(await (await picture.convertToBlob()).arrayBuffer());
   }
 
-  /** Where not all triangles are drawn, how many are. */
+  /** Says how many triangles are drawn, if not all are. */
   #tellThinned() {
     const left = this.viewer?.view('baseline') ?? this.viewer?.view('original');
     for (const [id, view] of Object.entries({ 'left-thinned': left,
@@ -217,14 +218,14 @@ export class Stage {
     }
   }
 
-  /** What the left side is called. @param {string} text @param {number} vertices */
+  /** Sets the left side's name. @param {string} text @param {number} vertices */
   nameLeft(text, vertices) {
     byId('left-name', HTMLElement).textContent = text;
     byId('original-count', HTMLElement).textContent = count(vertices);
     this.#tellThinned();
   }
 
-  /** What the right side is called. @param {string} text @param {number} vertices */
+  /** Sets the right side's name. @param {string} text @param {number} vertices */
   nameRight(text, vertices) {
     byId('right-name', HTMLElement).textContent = text;
     byId('result-count', HTMLElement).textContent = count(vertices);

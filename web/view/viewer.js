@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stage's picture: two models on one canvas under one eye, each in its share of the width.
-// Draws only when something changed.
+// The stage's picture: two models on one canvas, seen by one eye, each in its share of the width.
+// The picture is drawn only after a change.
 import {
   DirectionalLight, HemisphereLight, NeutralToneMapping, PMREMGenerator, Scene, Vector3,
   WebGLRenderer,
@@ -10,9 +10,9 @@ import { Eye } from './eye.js';
 import { ModelView } from './model_view.js';
 import { Overlays } from './overlays.js';
 
-/** baseline: another result, in the original's place.
+/** baseline: another result, shown in place of the original.
  * @typedef {'original' | 'baseline' | 'result'} Side */
-/** @typedef {'side' | 'wipe'} Compare beside each other, or one over the other */
+/** @typedef {'side' | 'wipe'} Compare side by side, or in the same place with a divider */
 /** @typedef {import('./model_view.js').Shading} Shading */
 /** @typedef {'triangles' | 'quads'} Faces */
 /** @typedef {{ x: number, width: number }} Span of the canvas, in CSS pixels */
@@ -31,7 +31,7 @@ export class Viewer {
   #room = null;
   /** @type {Record<Side, ModelView | null>} */
   #views = { original: null, baseline: null, result: null };
-  /** What lies over each. @type {Record<Side, Overlays>} */
+  /** The overlays of each side. @type {Record<Side, Overlays>} */
   overlays = { original: new Overlays(), baseline: new Overlays(), result: new Overlays() };
   #isDrawing = false;
   /** @type {Shading} */
@@ -42,7 +42,7 @@ export class Viewer {
   #divider = 0.5;
   #holdsOriginal = false;
 
-  /** Throws where the browser offers no WebGL.
+  /** Throws if the browser has no WebGL.
    * @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.#canvas = canvas;
@@ -50,7 +50,7 @@ export class Viewer {
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.setScissorTest(true);
     this.#renderer.info.autoReset = false;
-    this.#renderer.debug.checkShaderErrors = false;  // asking makes the page wait for the card
+    this.#renderer.debug.checkShaderErrors = false;  // the check makes the page wait for the GPU
     this.eye = new Eye(canvas, () => this.draw());
     this.#light();
     canvas.addEventListener('webglcontextrestored', () => this.#restore());
@@ -58,7 +58,7 @@ export class Viewer {
     this.eye.fit();
   }
 
-  /** Lights travel with the eye, so that no side of a model is dark. */
+  /** The key light moves with the eye, so that no side of a model is dark. */
   #light() {
     this.#key.position.set(-0.7, 1, 0.9);
     this.eye.camera.add(this.#key);
@@ -66,7 +66,7 @@ export class Viewer {
     for (const { group } of Object.values(this.overlays)) this.#scene.add(group);
   }
 
-  /** Shiny materials need a room to mirror; plain clay needs none, and is lit more. */
+  /** Shiny materials need a room to reflect; plain clay needs none, but more light. */
   #setLights() {
     const isTextured = this.isTextured && this.#shading === 'textured';
     if (isTextured) this.#room ??= this.#makeRoom();
@@ -82,7 +82,7 @@ export class Viewer {
     return texture;
   }
 
-  /** What was drawn by the card itself is lost with it. */
+  /** The graphics card rendered the room, so it is lost with the WebGL context. */
   #restore() {
     this.#room = null;
     this.#setLights();
@@ -105,7 +105,7 @@ export class Viewer {
     this.eye.aspect = width && clientHeight ? width / clientHeight : 1;
   }
 
-  /** Soon; many wishes before then are one. */
+  /** Draws in the next frame; several calls before then draw once. */
   draw() {
     if (this.#isDrawing) return;
     this.#isDrawing = true;
@@ -116,12 +116,12 @@ export class Viewer {
     });
   }
 
-  /** @returns {Side} what is on the left */
+  /** @returns {Side} the model on the left */
   get #left() {
     return this.#views.baseline ? 'baseline' : 'original';
   }
 
-  /** The panes, from left to right: what each shows, what may be drawn on, what the eye sees.
+  /** The panes, from left to right: the side, the drawn part (cut) and the eye's view (pane).
    * @returns {Pane[]} */
   #panes() {
     const width = this.#canvas.clientWidth;
@@ -158,7 +158,7 @@ export class Viewer {
     Object.assign(this.#canvas.dataset, { calls, triangles });
   }
 
-  /** The ray under a point of the canvas, and on which model it falls.
+  /** The ray through a point of the canvas, and the side whose pane has the point.
    * @param {{ x: number, y: number }} at in CSS pixels
    * @returns {{ side: Side, origin: Triple, direction: Triple } | null} */
   rayAt({ x, y }) {
@@ -174,7 +174,7 @@ export class Viewer {
     return { side, origin: camera.position.toArray(), direction: direction.toArray() };
   }
 
-  /** The canvas as it is, `scale` times as large, on a canvas of its own.
+  /** A copy of the canvas, `scale` times as large.
    * @param {number} scale */
   picture(scale) {
     const { clientWidth, clientHeight } = this.#canvas;
@@ -188,10 +188,10 @@ export class Viewer {
     return copy;
   }
 
-  /** Shows a model on its side, or nothing there; the eye moves only for a new original.
+  /** Shows a model on its side, null: nothing. The eye moves only for a new original.
    * @param {Side} side @param {import('./model_view.js').Prepared | null} prepared
-   * @param {import('../triangles/thinning.js').Thinned | null} [thinned] if not all its
-   * triangles are there */
+   * @param {import('../triangles/thinning.js').Thinned | null} [thinned] null: all its triangles
+   *   are drawn */
   show(side, prepared, thinned = null) {
     const old = this.#views[side];
     if (old) {
@@ -219,7 +219,7 @@ export class Viewer {
     return this.#views[side];
   }
 
-  /** What is shown: triangles, quads, or one on each side. @returns {Faces[]} */
+  /** The kinds of faces shown: triangles, quads, or both. @returns {Faces[]} */
   get faces() {
     const shown = [this.#views[this.#left], this.#views.result].filter((view) => view !== null);
     return [...new Set(shown.map((view) => (view.hasQuads ? 'quads' : 'triangles')))];
@@ -246,7 +246,7 @@ export class Viewer {
     this.draw();
   }
 
-  /** @param {import('three').Plane | null} plane behind which nothing is drawn; null: all is */
+  /** @param {import('three').Plane | null} plane nothing is drawn behind it; null: no cut */
   setCut(plane) {
     this.#renderer.clippingPlanes = plane ? [plane] : [];
     this.draw();
@@ -263,13 +263,13 @@ export class Viewer {
     this.draw();
   }
 
-  /** @param {number} share of the width that the left side gets */
+  /** @param {number} share of the width for the left side */
   setDivider(share) {
     this.#divider = share;
     this.draw();
   }
 
-  /** Shows the original on the right, too, for a look at what changed.
+  /** Shows the original on the right, too, to compare it with the result.
    * @param {boolean} holds */
   holdOriginal(holds) {
     this.#holdsOriginal = holds;
