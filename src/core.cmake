@@ -30,10 +30,6 @@ add_library(fast OBJECT
   src/remesh/operators/smoothing.cpp
   src/remesh/operators/split.cpp
   src/remesh/operators/working_mesh.cpp
-  src/remesh/quads/map/rounding.cpp
-  src/remesh/quads/map/untangle.cpp
-  src/remesh/quads/shape/quad_star.cpp
-  src/remesh/quads/shape/smoothing.cpp
   src/remesh/steps/adapt.cpp
   src/remesh/steps/delaunay.cpp
   src/remesh/steps/polish.cpp
@@ -51,7 +47,6 @@ add_library(linear OBJECT
   src/io/gltf/gltf_accessor.cpp
   src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
-  src/jobs/part_report.cpp
   src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/salient_vertices.cpp
@@ -73,42 +68,18 @@ add_library(linear OBJECT
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
   src/remesh/gate/nearness.cpp
-  src/remesh/quads/extract/extraction.cpp
-  src/remesh/quads/extract/holes.cpp
-  src/remesh/quads/extract/map_walk.cpp
-  src/remesh/quads/field/cross_field.cpp
-  src/remesh/quads/field/curvature_directions.cpp
-  src/remesh/quads/field/face_frames.cpp
-  src/remesh/quads/field/singularities.cpp
-  src/remesh/quads/map/cut.cpp
-  src/remesh/quads/map/integer_rows.cpp
-  src/remesh/quads/map/seamless_map.cpp
-  src/remesh/quads/map/seamless_system.cpp
-  src/remesh/quads/map/spacing.cpp
-  src/remesh/quads/mesh/quad_sides.cpp
-  src/remesh/quads/shape/side_places.cpp
-  src/remesh/transfer/attribute_mix.cpp
-  src/repair/holes/fairing.cpp
-  src/repair/holes/loop_triangulation.cpp
-  src/repair/holes/refinement.cpp
-  src/repair/solid/apex.cpp
+  src/remesh/quads/map/rounding.cpp
+  src/remesh/quads/map/untangle.cpp
+  src/remesh/quads/shape/quad_star.cpp
+  src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
   src/repair/solid/contour.cpp
   src/repair/solid/crossings_of_edges.cpp
   src/repair/solid/inside.cpp
-  src/repair/solid/outside_flood.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
-  src/textures/charts/chart_growth.cpp
-  src/textures/charts/chart_joining.cpp
-  src/textures/charts/chart_overlap.cpp
-  src/textures/charts/chart_packing.cpp
-  src/textures/charts/chart_relaxing.cpp
-  src/textures/painting/canvas.cpp
   src/textures/painting/paint_source.cpp
   src/textures/painting/painter.cpp
-  src/textures/painting/side_finder.cpp
-  src/textures/painting/texture.cpp
 )
 add_library(small OBJECT
   src/base/legible.cpp
@@ -164,6 +135,7 @@ add_library(small OBJECT
   src/jobs/part_borders.cpp
   src/jobs/part_joining.cpp
   src/jobs/part_places.cpp
+  src/jobs/part_report.cpp
   src/jobs/part_run.cpp
   src/jobs/part_scale.cpp
   src/jobs/part_targets.cpp
@@ -198,11 +170,23 @@ add_library(small OBJECT
   src/remesh/accuracy/uncross.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
-  src/remesh/quads/extract/curve_following.cpp
+  src/remesh/quads/extract/extraction.cpp
+  src/remesh/quads/extract/holes.cpp
+  src/remesh/quads/extract/map_walk.cpp
   src/remesh/quads/extract/mending.cpp
+  src/remesh/quads/field/cross_field.cpp
+  src/remesh/quads/field/curvature_directions.cpp
+  src/remesh/quads/field/face_frames.cpp
   src/remesh/quads/field/sectors.cpp
+  src/remesh/quads/field/singularities.cpp
+  src/remesh/quads/map/cut.cpp
+  src/remesh/quads/map/integer_rows.cpp
+  src/remesh/quads/map/seamless_map.cpp
+  src/remesh/quads/map/seamless_system.cpp
+  src/remesh/quads/map/spacing.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_parts.cpp
+  src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp
   src/remesh/quads/pair/pairing.cpp
   src/remesh/quads/shape/chords.cpp
@@ -210,6 +194,7 @@ add_library(small OBJECT
   src/remesh/quads/shape/quad_patch.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp
+  src/remesh/quads/shape/side_places.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
@@ -228,26 +213,40 @@ add_library(small OBJECT
   src/remesh/steps/left_out.cpp
   src/remesh/steps/split_obtuse.cpp
   src/remesh/steps/subdivide.cpp
+  src/remesh/transfer/attribute_mix.cpp
   src/remesh/transfer/attribute_transfer.cpp
   src/remesh/transfer/chart_keeper.cpp
   src/remesher.cpp
   src/repair/holes/close_holes.cpp
+  src/repair/holes/fairing.cpp
   src/repair/holes/kept_surface.cpp
+  src/repair/holes/loop_triangulation.cpp
   src/repair/holes/plug.cpp
   src/repair/holes/plug_attributes.cpp
+  src/repair/holes/refinement.cpp
   src/repair/repair.cpp
+  src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp
   src/repair/solid/contour_attributes.cpp
   src/repair/solid/lattice.cpp
   src/repair/solid/oriented_patches.cpp
+  src/repair/solid/outside_flood.cpp
   src/repair/solid/solid.cpp
   src/repair_file.cpp
+  src/textures/charts/chart_growth.cpp
+  src/textures/charts/chart_joining.cpp
+  src/textures/charts/chart_overlap.cpp
+  src/textures/charts/chart_packing.cpp
+  src/textures/charts/chart_relaxing.cpp
   src/textures/charts/unwrap.cpp
+  src/textures/painting/canvas.cpp
   src/textures/painting/look_borders.cpp
   src/textures/painting/new_surface.cpp
   src/textures/painting/paint_source_setup.cpp
   src/textures/painting/shading.cpp
+  src/textures/painting/side_finder.cpp
   src/textures/painting/tangents.cpp
+  src/textures/painting/texture.cpp
   src/textures/repaint.cpp
 )
 add_library(doors OBJECT

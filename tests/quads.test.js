@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import bunny from 'bunny';
 import { convertFile, inspect, remesh, remeshFile } from 'remesher';
 
 import { openGltf, validate, valuesOf } from './support/gltf.js';
@@ -52,6 +53,20 @@ test('the surface is closed, of its own kind, with as many vertices within 1 %',
   assert.ok(angleDeviation.mean <= angleDeviation.p95);
   assert.ok(angleDeviation.p95 <= angleDeviation.worst);
 });
+
+test('tips are reached: quads are as near as even triangles of as many vertices, or half as far again',
+  async () => {
+    const rabbit = {
+      positions: Float32Array.from(bunny.positions.flat()),
+      indices: Uint32Array.from(bunny.cells.flat()),
+    };
+    for (const vertices of [1500, 2000, 3000]) {
+      const quads = (await remesh(rabbit, { quads: true, vertices })).report;
+      const even = (await remesh(rabbit, { vertices: quads.output.vertices })).report;
+      const times = quads.fidelity.hausdorff / even.fidelity.hausdorff;
+      assert.ok(times <= 1.5, `${vertices}: ${times.toFixed(2)} times as far`);
+    }
+  });
 
 test('an open surface keeps its openings', async () => {
   const open = sheet();

@@ -6,7 +6,6 @@
 #include <optional>
 #include <tuple>
 
-#include "remesh/quads/extract/curve_following.h"
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/mending.h"
@@ -248,7 +247,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     if (!failed.empty())
       append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
     matchCount(result, goal, base);
-    reachTips(result.mesh, base);
+    reachTips(result.mesh, base, kSmoothings);
     return result;
   };
   if (!goal.isExact) return made(1);

@@ -125,10 +125,62 @@ class MapExtraction {
   QuadMesh result_;
 };
 
+// The vertices on each chain, by how far along it they are.
+using OnChain = std::vector<std::pair<double, Index>>;
+
+std::vector<OnChain> verticesOnChains(const QuadMesh& quads, const WorkingMesh& mesh) {
+  const auto& chains = mesh.surface().curves().chains();
+  std::vector<OnChain> on(chains.size());
+  std::map<Vertex, Index> corners;
+  for (Index v = 0; v < quads.vertices.size(); ++v) {
+    const Placement& place = quads.vertices[v];
+    if (place.kind == VertexKind::Curve) on[place.on.chain].emplace_back(place.on.arc, v);
+    if (place.kind == VertexKind::Corner) corners[mesh.originalCorner(place.at)] = v;
+  }
+  for (Index c = 0; c < chains.size(); ++c) {
+    for (const bool isLast : {false, true}) {
+      const auto corner =
+          corners.find(isLast ? chains[c].vertices.back() : chains[c].vertices.front());
+      if (corner != corners.end())
+        on[c].emplace_back(isLast ? chains[c].length() : 0, corner->second);
+    }
+    std::sort(on[c].begin(), on[c].end());
+  }
+  return on;
+}
+
 }  // namespace
 
 QuadMesh extractQuads(const WorkingMesh& mesh, const SeamlessMap& map) {
   return MapExtraction(mesh, map).run();
+}
+
+std::size_t followCurves(QuadMesh& quads, const WorkingMesh& mesh) {
+  std::map<std::pair<Index, Index>, std::vector<Index>> sides;
+  for (Index q = 0; q < quads.quads.size(); ++q)
+    for (Index i = 0; i < 4; ++i) {
+      const Index a = quads.quads[q][i], b = quads.quads[q][(i + 1) % 4];
+      sides[std::minmax(a, b)].push_back(sideOf(q, i));
+    }
+  std::size_t left = 0;
+  const std::vector<OnChain> onChains = verticesOnChains(quads, mesh);
+  for (Index c = 0; c < onChains.size(); ++c) {
+    const OnChain& on = onChains[c];
+    bool isWhole = on.size() >= 2 || on.empty();
+    for (std::size_t i = 0; i + 1 < on.size(); ++i)
+      isWhole &= sides.contains(std::minmax(on[i].second, on[i + 1].second));
+    left += isWhole ? 0 : 1;
+    for (std::size_t i = 0; isWhole && i + 1 < on.size(); ++i)
+      for (const Index side : sides[std::minmax(on[i].second, on[i + 1].second)])
+        quads.curves[side / 4][side % 4] = c;
+    if (!isWhole)
+      for (const auto& [arc, v] : on) {
+        Placement& place = quads.vertices[v];
+        if (place.kind == VertexKind::Curve)
+          place = {place.position, place.normal, place.at, {}, VertexKind::Interior, Vec3::Zero()};
+      }
+  }
+  return left;
 }
 
 }  // namespace remesher

@@ -12,4 +12,9 @@ namespace remesher {
 // like that of the mesh.
 QuadMesh extractQuads(const WorkingMesh& mesh, const SeamlessMap& map);
 
+// Marks the sides that follow the curves: those between neighbours on a chain. Vertices of a chain
+// that the quads do not follow from end to end become inner vertices. Returns the number of these
+// chains.
+std::size_t followCurves(QuadMesh& quads, const WorkingMesh& mesh);
+
 }  // namespace remesher

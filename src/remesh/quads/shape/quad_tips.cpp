@@ -22,9 +22,6 @@ namespace {
 
 // Of the mean side of a quad: what is farther away is a tip.
 constexpr double kTip = 0.3;
-constexpr int kRounds = 5;
-
-constexpr double kSound = 0.4;  // the sine that corners keep
 
 // A vertex of the original.
 struct Tip {
@@ -143,9 +140,9 @@ class Reaching {
         ofQuad_(mesh.quads.size()) {}
 
   // Squares are fitted anew around what has moved, which stays.
-  void settle() {
+  void settle(int smoothings) {
     MovingQuads moving(mesh_, ground_);
-    smoothToSquares(moving, kRounds, isHeld_);
+    smoothToSquares(moving, smoothings, isHeld_);
     untangle(moving, isHeld_);
   }
 
@@ -193,7 +190,7 @@ class Reaching {
   bool tryAt(QuadPatch patch, const std::vector<Index>& near, Index v, const Placement& place) {
     const double farthest = farthestFrom(patch.mesh, near);
     MovingQuads moving(patch.mesh, ground_);
-    const double least = std::min(worst(moving), kSound);
+    const double least = std::min(worst(moving), 2 * kLeastSine);
     for (std::size_t i = 0; i < patch.outer.size(); ++i) {
       patch.isRim[i] |= isHeld_[patch.outer[i]];
       if (patch.outer[i] != v) continue;
@@ -248,21 +245,20 @@ class Reaching {
 
 }  // namespace
 
-void reachTips(QuadMesh& mesh, const WorkingMesh& ground) {
+void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
   const double least = kTip * meanSide(mesh);
   const std::vector<Tip> possible = possibleTips(ground.surface());
   Reaching reaching(mesh, ground, least);
   std::vector<Placement> best = mesh.vertices;
   double farthest = std::numeric_limits<double>::infinity();
-  for (int round = 0; round <= kRounds; ++round) {
+  for (;;) {
     const std::vector<Tip> tips = farthestFirst(possible, mesh, ground.surface(), least);
     if (tips.empty()) return;
-    if (tips.front().distance < farthest) {
-      farthest = tips.front().distance;
-      best = mesh.vertices;
-    }
-    if (round == kRounds) break;
-    if (round > 0) reaching.settle();
+    if (!(tips.front().distance < farthest)) break;
+    const bool isFirst = std::isinf(farthest);
+    farthest = tips.front().distance;
+    best = mesh.vertices;
+    if (!isFirst) reaching.settle(smoothings);
     reaching.run(tips);
   }
   mesh.vertices = std::move(best);

@@ -10,8 +10,7 @@ namespace remesher {
 
 namespace {
 
-constexpr double kEnough = 0.5;  // the sine of 30°
-constexpr double kStep = 0.8;    // of the way: all quads are fitted before any vertex moves
+constexpr double kStep = 0.8;  // of the way: all quads are fitted before any vertex moves
 constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
 constexpr double kGain = 0.01;  // of the worst sine: less is not worth another try
 

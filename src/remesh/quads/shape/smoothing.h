@@ -9,6 +9,8 @@
 
 namespace remesher {
 
+constexpr double kEnough = 0.5;  // the sine of 30°: corners beyond are sound
+
 // So many times for each vertex in turn but those that are marked. No corner gets worse than 30° by
 // it.
 void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed);

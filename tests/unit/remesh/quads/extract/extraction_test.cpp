@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "remesh/quads/extract/curve_following.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "support/working_meshes.h"
 
