@@ -22,7 +22,7 @@ import { thisSystem } from './build/system.js';
 
 /** The unit tests, which remember what passed; what fails is told when it is their turn. */
 function testAhead() {
-  const words = ['--test', 'tests/unit.test.js'];
+  const words = ['--test', 'tests/house/unit.test.js'];
   return run(process.execPath, words, { givesWay: true }).catch(() => {});
 }
 

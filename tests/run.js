@@ -2,12 +2,12 @@
 // Runs test files side by side:
 //   node tests/run.js               all of them, but those that could only pass again, and lint_cpp
 //   node tests/run.js --again       all of them but lint_cpp
-//   node tests/run.js web gltf      those whose names contain one of the words
+//   node tests/run.js page gltf     those whose paths contain one of the words
 // Node's own runner leaves one core idle, which is half of a machine with two. One file more than
 // there are cores runs at a time, for those of the page often wait. The files that take longest
 // begin first.
 import { availableParallelism } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { run } from 'node:test';
 import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
@@ -19,7 +19,7 @@ import { filesUnder, root } from './support/tree.js';
 const longestRun = 900_000;
 
 /** Minutes that only who changes the sources need spend: `npm run lint` does. */
-const onlyAsked = ['tests/lint_cpp.test.js'];
+const onlyAsked = ['tests/house/lint_cpp.test.js'];
 
 /**
  * Those of eight seconds and more; the last to end is one of the short ones. The first that needs
@@ -29,19 +29,19 @@ const longest = ['lint_cpp', 'unit', 'lint', 'web_trust', 'bundlers', 'faults', 
   'web_everyone', 'web_in', 'web', 'bake', 'queue', 'recipes', 'web_paint', 'web_steer', 'web_see',
   'package', 'readme', 'rendering'];
 const rank = (/** @type {string} */ file) => {
-  const at = longest.findIndex((name) => file === `tests/${name}.test.js`);
+  const at = longest.indexOf(basename(file, '.test.js'));
   return at < 0 ? longest.length : at;
 };
 
 const { values, positionals: words } = parseArgs({
   options: { again: { type: 'boolean' } }, allowPositionals: true,
 });
-const files = filesUnder('tests', /^tests\/\w+\.test\.js$/)
+const files = filesUnder('tests', /\.test\.js$/)
   .filter((file) => (words.length === 0 ? !onlyAsked.includes(file)
     : words.some((word) => file.includes(word))))
   .sort((a, b) => rank(a) - rank(b));
 if (files.length === 0) {
-  console.error(`No test file has one of these in its name: ${words.join(' ')}`);
+  console.error(`No test file has one of these in its path: ${words.join(' ')}`);
   process.exit(1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tests/legible.test.js holds the package's own to the same cases.
+// tests/formats/legible.test.js holds the package's own to the same cases.
 #include "base/legible.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How sizes change along edges, and targets that are refused. That edges are as long as they are
-// asked to be is tests/sizes.test.js, in optimised code.
+// asked to be is tests/package/sizes.test.js, in optimised code.
 #include "remesh/schemes/targets.h"
 
 #include <doctest/doctest.h>

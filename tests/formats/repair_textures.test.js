@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Where repair makes another surface textures are painted anew, from what is seen; where it closes
+// holes they stay.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { remeshFile } from 'remesher';
+
+import { baked, forEachTexel } from '../support/baked.js';
+import { GltfMaker, validate } from '../support/gltf.js';
+import { png } from '../support/png.js';
+import { torus } from '../support/shapes.js';
+
+const seen = [200, 60, 40];
+const hidden = [20, 220, 30];
+const image = png(64, 64, (x) => (x < 32 ? seen : hidden));
+
+/** A torus of one colour with another in it, of another colour, that nobody sees. */
+function shells(isWhole = true) {
+  const { positions, indices } = torus({ columns: 32, rows: 16 });
+  const maker = new GltfMaker();
+  Object.assign(maker.tree, {
+    images: [{ bufferView: maker.addView(image), mimeType: 'image/png' }],
+    textures: [{ source: 0 }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
+  });
+  const inner = Array.from(positions, (_, i) => {
+    const [a, b, c] = positions.slice(i - (i % 3), i - (i % 3) + 3);
+    const ring = Math.hypot(a, b) / 2;
+    return [a / ring + 0.7 * (a - a / ring), b / ring + 0.7 * (b - b / ring), 0.7 * c][i % 3];
+  });
+  const count = positions.length / 3;
+  const texcoords = Array.from({ length: 4 * count }, (_, i) =>
+    (i % 2 ? 0.5 : 0.25 + (i < 2 * count ? 0 : 0.5)));
+  const outside = isWhole ? [] : Array.from(indices).slice(30);
+  maker.show([{
+    attributes: {
+      POSITION: maker.add(Float32Array.from([...positions, ...inner]), 'VEC3'),
+      TEXCOORD_0: maker.add(Float32Array.from(texcoords), 'VEC2'),
+    },
+    indices: maker.addIndices(Uint32Array.from(isWhole
+      ? [...indices, ...Array.from(indices, (v) => v + count)] : outside)),
+    material: 0,
+  }]);
+  return maker.glb();
+}
+
+const mended = (file, options) => remeshFile(file.bytes,
+  { name: file.name, output: 'glb', vertices: 800, textureFormat: 'png', ...options });
+
+const isPainted = ({ report }) =>
+  report.warnings.some(({ code }) => code === 'TEXTURES_PAINTED');
+
+test('a solid is painted from what is seen, never from an inner shell', async () => {
+  const result = await mended(shells(), { repair: 'auto', textureSize: 256 });
+  assert.equal(result.report.repair.mode, 'solid');
+  assert.ok(isPainted(result));
+  assert.deepEqual(await validate(result), []);
+  let count = 0;
+  forEachTexel(await baked(result), ({ colour }) => {
+    for (let k = 0; k < 3; k += 1) assert.ok(Math.abs(colour[k] - seen[k]) < 8, `${colour}`);
+    count += 1;
+  });
+  assert.ok(count > 1000, `${count}`);
+});
+
+test('textures are kept where that is asked for, and where only holes are closed', async () => {
+  assert.ok(!isPainted(await mended(shells(), { repair: 'solid', textures: 'keep' })));
+  const closed = await mended(shells(false), { repair: 'auto' });
+  assert.equal(closed.report.repair.mode, 'holes');
+  assert.ok(!isPainted(closed));
+});

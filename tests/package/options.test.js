@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The one table of options, and all that is made from it.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
+
+import { remesh } from 'remesher';
+import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options';
+
+import { helpText, parseCommandLine } from '../../dist/cli/cli_arguments.js';
+import { instantiate } from '../../dist/worker/engine.js';
+import { drilledTorus } from '../support/shapes.js';
+
+const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
+  assert.equal(error.code, code);
+  assert.match(`${error.message} ${error.hint}`, pattern);
+  return true;
+});
+
+test('defaults of the table are those of the core', async () => {
+  const wasm = await readFile(new URL('../../dist/remesher.wasm', import.meta.url));
+  const instance = await instantiate(
+    { engine: 'whole', module: await WebAssembly.compile(wasm) });
+  const core = instance.defaultOptions();
+  assert.deepEqual(Object.keys(core).sort(), optionTable.map(({ name }) => name).sort());
+  for (const { name, default: value } of optionTable) {
+    if (core[name] !== null) assert.equal(value, core[name], name);
+    else assert.ok(value === undefined || value === 'off' || typeof value === 'object', name);
+  }
+});
+
+test('a default that depends on the scheme is the core’s own: it changes no byte', async () => {
+  const byScheme = optionTable.filter(({ default: value }) => typeof value === 'object');
+  assert.ok(byScheme.length > 0);
+  const surface = drilledTorus();
+  const positionsWith = async (/** @type {import('remesher').RemeshOptions} */ options) =>
+    (await remesh(surface, { vertices: 2500, worker: false, ...options })).mesh.positions;
+  for (const [scheme, otherScheme] of [['best', 'rounds'], ['rounds', 'best']]) {
+    const untold = await positionsWith({ scheme });
+    for (const option of byScheme) {
+      const { name } = option;
+      const [own, other] = [scheme, otherScheme].map((one) => defaultOf(option, one));
+      assert.deepEqual(await positionsWith({ scheme, [name]: own }), untold, `${scheme} ${name}`);
+      assert.notDeepEqual(await positionsWith({ scheme, [name]: other }), untold,
+        `${scheme} ${name}: the shape shows no difference`);
+    }
+  }
+});
+
+test('every default passes its own check', () => {
+  for (const option of optionTable) {
+    for (const scheme of ['best', 'rounds']) {
+      const value = defaultOf(option, scheme);
+      if (value !== undefined) checkOptions({ [option.name]: value });
+    }
+  }
+});
+
+test('ranges hold at their ends', () => {
+  for (const { name, min, max, above } of optionTable) {
+    if (min !== undefined) {
+      checkOptions({ [name]: min });
+      refused({ [name]: min - 1 }, 'INVALID_OPTION', new RegExp(`^${name} must be`));
+    }
+    if (max !== undefined) {
+      checkOptions({ [name]: max });
+      if (max < 1000) refused({ [name]: max + 1 }, 'INVALID_OPTION', /must be/);
+    }
+    if (above !== undefined) refused({ [name]: above }, 'INVALID_OPTION', /above/);
+  }
+});
+
+test('values of the wrong type are refused', () => {
+  refused({ vertices: 10.5 }, 'INVALID_OPTION', /whole number/);
+  refused({ vertices: '10' }, 'INVALID_OPTION', /a whole number from 1 to \d+, not '10'/);
+  refused({ vertices: Object.create(null) }, 'INVALID_OPTION', /not an object/);
+  refused({ ratio: NaN }, 'INVALID_OPTION', /NaN/);
+  refused({ scheme: 'fast' }, 'INVALID_OPTION', /best, rounds/);
+  refused({ scheme: ['best'] }, 'INVALID_OPTION', /best, rounds, not Array/);
+  refused({ scheme: { toString: () => 'best' } }, 'INVALID_OPTION', /not Object/);
+  refused({ splitObtuse: 1 }, 'INVALID_OPTION', /true or false/);
+  refused({ density: [1, 2] }, 'INVALID_OPTION', /Float32Array/);
+  refused({ featureEdges: [[1]] }, 'INVALID_OPTION', /pairs/);
+  refused({ featureEdges: new Uint32Array(3) }, 'INVALID_OPTION', /pairs/);
+});
+
+test('an unknown name is refused, and the nearest named', () => {
+  refused({ vertexes: 3 }, 'UNKNOWN_OPTION', /Did you mean vertices\?/);
+  refused({ splitobtuse: true }, 'UNKNOWN_OPTION', /splitObtuse/);
+  assert.equal(nearest('zzzzzzzz', ['vertices']), undefined);
+});
+
+test('two targets contradict each other', () => {
+  refused({ vertices: 100, ratio: 0.5 }, 'INVALID_OPTION', /vertices and ratio contradict/);
+});
+
+test('what is not set does not travel', () => {
+  assert.deepEqual(checkOptions({ vertices: undefined, maxError: 'off' }), {});
+});
+
+test('arrays are copied into the form the core reads', () => {
+  const density = new Float32Array([1, 2]);
+  const checked = checkOptions({ density, featureEdges: [[0, 1], [1, 2]] });
+  assert.notEqual(checked.density, density);
+  assert.deepEqual(checked.density, density);
+  assert.deepEqual(checked.featureEdges, new Uint32Array([0, 1, 1, 2]));
+});
+
+/** What some flags say nothing without. */
+const beside = {
+  cavities: ['--repair', 'solid'],
+  gap: ['--repair', 'wrap'],
+  holesUpTo: ['--repair', 'holes'],
+  lodFiles: ['--lods', '0.5'],
+  sheets: ['--repair', 'wrap'],
+  textureSize: ['--textures', 'bake'],
+  textureFormat: ['--textures', 'bake'],
+};
+
+test('every flag is the kebab case of its name, is parsed, and is in the help', () => {
+  for (const option of optionTable.filter(({ flag }) => flag)) {
+    const flag = `--${option.name.replace(/[A-Z]/g, (c) => `-${c.toLowerCase()}`)}`;
+    assert.equal(option.flag.split(' ')[0], flag);
+    assert.ok(helpText().includes(`  ${flag} `) || helpText().includes(`  ${flag}\n`), flag);
+    const value = option.choices?.[0] ?? (option.type === 'boolean' ? undefined : '2');
+    if (option.name === 'adaptivity') continue; // there is no 2
+    const words = ['in.off', '-o', 'out.off', flag, ...(value === undefined ? [] : [value]),
+      ...(beside[option.name] ?? [])];
+    assert.ok(option.name in parseCommandLine(words).options, flag);
+  }
+});
+
+test('flags take their value as the next word or after =', () => {
+  assert.equal(parseCommandLine(['a', '-o', 'b.off', '--ratio', '0.5']).options.ratio, 0.5);
+  assert.equal(parseCommandLine(['a', '-o', 'b.off', '--ratio=0.5']).options.ratio, 0.5);
+  const { options } = parseCommandLine(['a', '-o', 'b.off', '--feature-angle', 'off']);
+  assert.equal(options.featureAngle, 'off');
+});

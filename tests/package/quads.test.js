@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Quads instead of triangles: a surface of the same kind, of quads alone, in arrays and in files.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import bunny from 'bunny';
+import { convertFile, inspect, remesh, remeshFile } from 'remesher';
+
+import { openGltf, validate, valuesOf } from '../support/gltf.js';
+import {
+  distinctPositions, eulerCharacteristic, offText, sheet, torus,
+} from '../support/shapes.js';
+
+const round = torus();
+const bytes = new TextEncoder().encode(offText(round));
+const asked = { quads: true, vertices: 1500 };
+
+/** The four corners of each quad. */
+const fours = (quads) => Array.from({ length: quads.length / 4 },
+  (_, i) => [...quads.subarray(4 * i, 4 * i + 4)]);
+
+/** How many quads each edge has, by its two ends. */
+function sidesOf(quads) {
+  const sides = new Map();
+  for (const quad of fours(quads)) {
+    for (let i = 0; i < 4; i += 1) {
+      const edge = [quad[i], quad[(i + 1) % 4]].sort((a, b) => a - b).join();
+      sides.set(edge, (sides.get(edge) ?? 0) + 1);
+    }
+  }
+  return sides;
+}
+
+const facesOf = (text) => text.split('\n').filter((line) => line.startsWith('f '))
+  .map((line) => line.split(' ').slice(1).map((corner) => Number(corner.split('/')[0])));
+
+test('quads come beside their triangles, two to each, from the same first corner', async () => {
+  const { mesh } = await remesh(round, asked);
+  assert.equal(mesh.indices.length / 3, 2 * mesh.quads.length / 4);
+  fours(mesh.quads).forEach(([a, b, c, d], i) => {
+    assert.deepEqual([...mesh.indices.subarray(6 * i, 6 * i + 6)], [a, b, c, a, c, d]);
+  });
+});
+
+test('the surface is closed, of its own kind, with as many vertices within 1 %', async () => {
+  const { mesh, report } = await remesh(round, asked);
+  assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
+  assert.equal(eulerCharacteristic(mesh), 0);
+  assert.ok(Math.abs(report.output.vertices - 1500) <= 15, `${report.output.vertices}`);
+  const { count, scaledJacobian, angleDeviation } = report.output.quads;
+  assert.equal(count, mesh.quads.length / 4);
+  assert.ok(scaledJacobian.min > 0 && scaledJacobian.mean <= 1);
+  assert.ok(angleDeviation.mean <= angleDeviation.p95);
+  assert.ok(angleDeviation.p95 <= angleDeviation.worst);
+});
+
+test('tips are reached: quads are as near as even triangles of as many vertices, or half as far again',
+  async () => {
+    const rabbit = {
+      positions: Float32Array.from(bunny.positions.flat()),
+      indices: Uint32Array.from(bunny.cells.flat()),
+    };
+    for (const vertices of [1500, 2000, 3000]) {
+      const quads = (await remesh(rabbit, { quads: true, vertices })).report;
+      const even = (await remesh(rabbit, { vertices: quads.output.vertices })).report;
+      const times = quads.fidelity.hausdorff / even.fidelity.hausdorff;
+      assert.ok(times <= 1.5, `${vertices}: ${times.toFixed(2)} times as far`);
+    }
+  });
+
+test('an open surface keeps its openings', async () => {
+  const open = sheet();
+  const before = (await inspect(open)).input;
+  const { mesh, report } = await remesh(open, { quads: true, vertices: 900 });
+  assert.equal(report.output.eulerCharacteristic, before.eulerCharacteristic);
+  assert.equal(report.output.nonManifoldEdges, 0);
+  const alone = [...sidesOf(mesh.quads).values()].filter((count) => count === 1).length;
+  assert.equal(alone, report.output.boundaryEdges);
+});
+
+test('exact is exact', async () => {
+  for (const vertices of [1000, 1501]) {
+    const { mesh } = await remesh(round, { quads: true, exact: true, vertices });
+    assert.equal(distinctPositions(mesh.positions), vertices);
+    assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
+  }
+});
+
+test('along sharp edges no two vertices come to one place', async () => {
+  // Around the tube its edges bend by 45 degrees: all of them are features.
+  const sharp = torus({ columns: 16, rows: 8 });
+  for (const vertices of [200, 300]) {
+    for (const exact of [false, true]) {
+      const { mesh, report } = await remesh(sharp, { quads: true, vertices, exact });
+      assert.equal(distinctPositions(mesh.positions), mesh.positions.length / 3);
+      assert.deepEqual(report.warnings.filter(({ code }) => code === 'VERTICES_COINCIDE'), []);
+      assert.equal(eulerCharacteristic(mesh), 0);
+    }
+  }
+});
+
+test('OBJ, OFF and PLY have faces of four corners, which go from one to the other', async () => {
+  const obj = await remeshFile(bytes, { name: 'a.off', output: 'a.obj', ...asked });
+  const faces = facesOf(new TextDecoder().decode(obj.bytes));
+  assert.equal(faces.length, obj.report.output.quads.count);
+  assert.ok(faces.every((face) => face.length === 4));
+  let last = { bytes: obj.bytes, name: 'a.obj' };
+  for (const name of ['b.ply', 'c.off', 'd.glb', 'e.obj']) {
+    const { bytes: next } = await convertFile(last.bytes, { name: last.name, output: name });
+    last = { bytes: next, name };
+    const { input } = await inspect(next, { name });
+    assert.equal(input.quads.count, faces.length, name);
+  }
+  assert.equal(facesOf(new TextDecoder().decode(last.bytes)).length, faces.length);
+});
+
+test('glTF has triangles in the order of FB_ngon_encoding', async () => {
+  const { bytes: glb, report } =
+    await remeshFile(bytes, { name: 'a.off', output: 'a.glb', ...asked });
+  const file = openGltf({ bytes: glb });
+  const { tree } = file;
+  assert.deepEqual(tree.extensionsUsed, ['FB_ngon_encoding']);
+  const [primitive] = tree.meshes[0].primitives;
+  assert.deepEqual(primitive.extensions, { FB_ngon_encoding: {} });
+  const indices = valuesOf(file, primitive.indices).flat();
+  assert.equal(indices.length, 6 * report.output.quads.count);
+  for (let i = 0; i < indices.length; i += 6) {
+    assert.equal(indices[i], indices[i + 3]);
+    if (i > 0) assert.notEqual(indices[i], indices[i - 3]);
+  }
+  assert.deepEqual(await validate({ bytes: glb }), []);
+});
+
+test('triangles made of quads are said to be triangles', async () => {
+  const quads = await remeshFile(bytes, { name: 'a.off', output: 'a.glb', ...asked });
+  const { bytes: glb, report } =
+    await remeshFile(quads.bytes, { name: 'a.glb', output: 'b.glb', vertices: 500 });
+  assert.equal(report.output.quads, undefined);
+  assert.equal(openGltf({ bytes: glb }).tree.meshes[0].primitives[0].extensions, undefined);
+});

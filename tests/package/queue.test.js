@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// The example for several machines, with a real Redis on a port of its own: two hundred jobs, three
+// worker processes, one of them killed in the middle of a job; and GNU parallel, for those who need
+// no queue.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { after, test } from 'node:test';
+
+import { inspect } from 'remesher';
+
+import { offText, torus } from '../support/shapes.js';
+import { root } from '../support/tree.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'remesher-queue-'));
+const limit = 150_000;
+
+/** @type {import('node:child_process').ChildProcess[]} */
+const children = [];
+after(() => {
+  for (const child of children) child.kill('SIGKILL');
+  rmSync(folder, { recursive: true });
+});
+
+async function freePort() {
+  const server = createServer().listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  server.close();
+  await once(server, 'close');
+  return port;
+}
+
+/**
+ * A program with its lines as they come; it is killed when the test's time is up.
+ * @param {string} command @param {string[]} words @param {NodeJS.ProcessEnv} [environment]
+ */
+function start(command, words, environment = {}) {
+  const child = spawn(command, words, { cwd: folder, timeout: limit, killSignal: 'SIGKILL',
+    env: { ...process.env, ...environment }, stdio: ['ignore', 'pipe', 'inherit'] });
+  children.push(child);
+  /** @type {string[]} */
+  const lines = [];
+  /** @type {((line: string) => void)[]} */
+  const listeners = [];
+  createInterface(child.stdout).on('line', (line) => {
+    lines.push(line);
+    for (const listener of listeners) listener(line);
+  });
+  return { child, lines, ended: once(child, 'exit'),
+    onLine: (/** @type {(line: string) => void} */ listener) => listeners.push(listener) };
+}
+
+/** @returns {Promise<string>} its address, once it answers */
+async function startRedis() {
+  const port = await freePort();
+  const redis = start('redis-server', ['--port', String(port), '--bind', '127.0.0.1',
+    '--save', '', '--appendonly', 'no', '--dir', folder]);
+  await new Promise((resolve, reject) => {
+    redis.onLine((line) => line.includes('Ready to accept connections') && resolve(undefined));
+    redis.child.on('exit', () => reject(new Error(redis.lines.join('\n'))));
+  });
+  return `redis://127.0.0.1:${port}`;
+}
+
+/** Models with a hole that differ, by their names. @param {number} count @param {string} place */
+function writeModels(count, place) {
+  mkdirSync(join(folder, place));
+  for (let i = 0; i < count; i += 1) {
+    const mesh = torus({ columns: 12, rows: 8, radius: 2 + i / count });
+    const torn = { ...mesh, indices: mesh.indices.slice(0, -3) };
+    writeFileSync(join(folder, place, `torus${i}.off`), offText(torn));
+  }
+}
+
+/** @param {string} line `begins …/torus7.off` */
+const named = (line) => /(torus\d+)\.off/.exec(line)?.[1];
+const linesOf = (/** @type {{ lines: string[] }} */ { lines }, /** @type {string} */ verb) =>
+  lines.filter((line) => line.startsWith(verb)).map(named);
+
+test('two hundred jobs are done once each, though a worker dies in the middle of one',
+  { timeout: limit }, async () => {
+    const environment = { REDIS_URL: await startRedis(), LOCK_MILLISECONDS: '2000' };
+    writeModels(200, 'models');
+    const run = (/** @type {string} */ name, /** @type {string[]} */ ...words) =>
+      start(process.execPath, [join(root, 'examples/queue', name), ...words], environment);
+    const workers = [1, 2, 3].map(() => run('worker.js'));
+    const [victim, ...others] = workers;
+    // Its lines come before the work on the file: it dies with that undone.
+    victim.onLine((line) => {
+      if (line.startsWith('begins') && victim.lines.length > 6) victim.child.kill('SIGKILL');
+    });
+    const producer = run('producer.js', 'models', 'results', '60', '{ "repair": "holes" }');
+    assert.deepEqual(await producer.ended, [0, null]);
+
+    assert.deepEqual(await victim.ended, [null, 'SIGKILL']);
+    const orphan = linesOf(victim, 'begins').find((name) =>
+      !linesOf(victim, 'ends').includes(name));
+    assert.ok(orphan, 'it died in mid-job');
+    assert.ok(others.some((worker) => linesOf(worker, 'ends').includes(orphan)), 'others did it');
+    const ends = workers.flatMap((worker) => linesOf(worker, 'ends'));
+    assert.deepEqual([ends.length, new Set(ends).size], [200, 200]);
+    assert.ok(others.every((worker) => linesOf(worker, 'ends').length > 10), 'all take part');
+
+    assert.equal(producer.lines.at(-1), '200 of 200 files are in results/');
+    assert.equal(new Set(producer.lines.slice(0, -1)).size, 200);
+    const results = readdirSync(join(folder, 'results'));
+    assert.deepEqual(results.sort(),
+      Array.from({ length: 200 }, (_, i) => `torus${i}.glb`).sort());
+    for (const name of results) {
+      const { input } = await inspect(readFileSync(join(folder, 'results', name)), { name });
+      assert.equal(input.vertices, 60, name);
+      assert.equal(input.boundaryEdges, 0, name);
+    }
+
+    for (const { child } of others) child.kill('SIGTERM');
+    for (const { ended } of others) assert.deepEqual(await ended, [0, null]);
+  });
+
+test('GNU parallel spreads files over processes, and over machines with --sshlogin', () => {
+  writeModels(6, 'scans');
+  mkdirSync(join(folder, 'out'));
+  const remesher = `${process.execPath} ${join(root, 'dist/cli/cli.js')}`;
+  execFileSync('parallel', ['--will-cite', '--jobs', '2', '--halt', 'soon,fail=1',
+    `${remesher} {} -o out/{/.}.glb --vertices 60 --quiet`,
+    ':::', ...readdirSync(join(folder, 'scans')).map((name) => join('scans', name))],
+  { cwd: folder, timeout: 60_000, stdio: ['ignore', 'pipe', 'inherit'] });
+  assert.deepEqual(readdirSync(join(folder, 'out')).sort(),
+    Array.from({ length: 6 }, (_, i) => `torus${i}.glb`));
+});

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// What README.md prints for programs and the command line runs as it is printed.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { convertFile } from 'remesher';
+
+import { linkInstalled } from '../support/installed.js';
+import { offText, plyText, sheet, stl, torus } from '../support/shapes.js';
+import { readText } from '../support/tree.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'remesher-readme-'));
+after(() => rmSync(folder, { recursive: true }));
+const packages = linkInstalled(folder);
+const text = readText('README.md');
+
+const off = offText(torus({ columns: 40, rows: 20 }));
+const converted = async (/** @type {string} */ output) =>
+  (await convertFile(new TextEncoder().encode(off), { name: 'torus.off', output })).bytes;
+const colours = ['red', 'green', 'blue'].map((name) => `\nproperty uchar ${name}`).join('');
+const coloured = plyText(sheet()).replace('float z', `float z${colours}`)
+  .replace(/^[-\d.e]+ [-\d.e]+ [-\d.e]+$/gm, '$& 200 100 0');
+
+for (const place of ['scans', 'models']) mkdirSync(join(folder, place));
+for (const [name, content] of Object.entries({
+  'package.json': '{ "type": "module", "private": true }', 'horse.obj': await converted('obj'),
+  'horse.glb': await converted('glb'), 'models/b.off': off, 'scans/a.stl': stl(torus()),
+  'scan.stl': stl(torus()),
+})) writeFileSync(join(folder, name), content);
+
+/** @param {string} command @param {string[]} words @returns what it prints */
+function outputOf(command, words) {
+  const { status, stdout, stderr } = spawnSync(command, words, { cwd: folder, encoding: 'utf8',
+    timeout: 120_000, stdio: ['ignore', 'pipe', 'pipe'],
+    env: { ...process.env, PATH: `${join(packages, '.bin')}:${process.env.PATH}` } });
+  assert.equal(status, 0, stderr);
+  return stdout;
+}
+
+const report = [/10000 vertices, \d+ bytes/, /minimum angle: mean \d\d\.\d°, worst \d\d\.\d°/,
+  /distance to the original: \d\.\d{3} % of the diagonal/];
+
+/** Of each program, in their order: what it finds, what is asked of it then, and the answer. */
+const programs = [
+  { finds: '', asks: '', answer: new RegExp(report.map(({ source }) => source).join('\n')) },
+  { finds: `const files = [new File([${JSON.stringify(off)}], 'a.off')];`,
+    asks: 'results[0].name + results[0].report.output.vertices', answer: /^a\.off400$/ },
+  { finds: `import { Group, Mesh, TorusGeometry } from 'three';
+const mesh = new Mesh(new TorusGeometry(1, 0.4, 20, 40));
+const gltf = { scene: new Group().add(new Mesh(mesh.geometry)) };`,
+  asks: 'report.output.vertices', answer: /^10000$/ },
+  { finds: `import { NodeIO } from '@gltf-transform/core';
+const document = await new NodeIO().read('horse.glb');`,
+  asks: "document.getRoot().listAccessors().map((each) => each.getCount()).join(' ')",
+  answer: /\b10000\b/ },
+  { finds: `const file = new File([${JSON.stringify(coloured)}], 'scan.ply');`,
+    asks: "String(bytes.slice(0, 4)) + String(bytes).includes('255,216,255')",
+    answer: /^103,108,84,70true$/ },
+];
+
+test('the programs do what is said beside them', { timeout: 240_000 }, () => {
+  const printed = [...text.matchAll(/```js\n([^]*?)```/g)];
+  assert.equal(printed.length, programs.length);
+  for (const [i, { finds, asks, answer }] of programs.entries()) {
+    writeFileSync(join(folder, 'program.js'),
+      `${finds}\n${printed[i][1]}\n${asks && `console.log(${asks});`}`);
+    assert.match(outputOf(process.execPath, ['program.js']).trim(), answer);
+  }
+  const [, said] = text.match(/prints\n\n((?: {4}.+\n)+)/) ?? [];
+  assert.match(said.replace(/^ {4}/gm, '').trim(), programs[0].answer);
+});
+
+test('the commands work', { timeout: 240_000 }, () => {
+  const [, part] = text.match(/## Command line\n\n((?: {4}.+\n)+)/) ?? [];
+  const commands = part.trim().split(/\n */);
+  assert.ok(commands.length >= 5);
+  for (const command of commands) outputOf('bash', ['-ec', `set -o pipefail; ${command}`]);
+  assert.deepEqual(readdirSync(join(folder, 'out')), ['a.glb', 'b.glb']);
+});

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The recipes in docs, each in a folder of its own: the files that it prints are written, its
+// commands are run as they are printed, and what it promises is there.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import {
+  existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { inspect, remeshFile } from 'remesher';
+
+import { startChromium } from '../support/chromium.js';
+import { linkInstalled } from '../support/installed.js';
+import { offText, torus } from '../support/shapes.js';
+import { serve } from '../support/line_of_page.js';
+import { filesUnder, readText, root } from '../support/tree.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'remesher-recipes-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const packages = linkInstalled(folder);
+
+const model = new TextEncoder().encode(offText(torus({ columns: 40, rows: 20 })));
+const as = async (/** @type {string} */ output) => (await remeshFile(model,
+  { name: 'model.off', output, vertices: 700, quality: 'draft' })).bytes;
+const models = Promise.all([as('model.obj'), as('model.glb')]);
+
+/**
+ * Does all that a recipe says.
+ * @param {string} name @returns {Promise<{ place: string, printed: string }>}
+ */
+async function follow(name) {
+  const place = join(folder, name);
+  mkdirSync(join(place, 'scans'), { recursive: true });
+  writeFileSync(join(place, 'package.json'), '{ "type": "module", "private": true }');
+  for (const scan of ['a', 'b', 'c']) writeFileSync(join(place, 'scans', `${scan}.off`), model);
+  const [obj, glb] = await models;
+  writeFileSync(join(place, 'model.obj'), obj);
+  writeFileSync(join(place, 'model.glb'), glb);
+  const text = readText(`docs/recipes/${name}.md`);
+  for (const [, file, content] of text.matchAll(/`([\w.]+)`:\n\n```\w+\n([\s\S]*?)```/g)) {
+    writeFileSync(join(place, file), content);
+  }
+  let printed = '';
+  for (const [, commands] of text.matchAll(/```sh\n([\s\S]*?)```/g)) {
+    const { status, stdout, stderr } = spawnSync('bash', ['-ec', commands], { cwd: place,
+      encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'pipe', 'pipe'],
+      env: { ...process.env, PATH: `${join(packages, '.bin')}:${process.env.PATH}` } });
+    assert.equal(status, 0, `${commands}${stderr}`);
+    printed += stdout;
+  }
+  return { place, printed };
+}
+
+/** @param {string} path */
+async function verticesIn(path) {
+  const { input } = await inspect(readFileSync(path), { name: basename(path) });
+  return input.vertices;
+}
+
+/** What each recipe promises. @type {Record<string, () => Promise<void>>} */
+const recipes = {
+  async node() {
+    const { place, printed } = await follow('node');
+    assert.match(printed, /^500 vertices, \d\.\d\d % away\n$/);
+    assert.equal(await verticesIn(join(place, 'model.glb')), 500);
+  },
+  async vite() {
+    const { place } = await follow('vite');
+    await visit(join(place, 'dist'));
+  },
+  async three() {
+    const { printed } = await follow('three');
+    assert.ok(readText('docs/recipes/three.md').includes(`prints \`${printed.trim()}\``), printed);
+  },
+  async 'gltf-transform'() {
+    const { place } = await follow('gltf-transform');
+    assert.equal(await verticesIn(join(place, 'smaller.glb')), 350);
+  },
+  async batch() {
+    const { place, printed } = await follow('batch');
+    assert.deepEqual(readdirSync(join(place, 'out')), ['a.glb', 'b.glb', 'c.glb']);
+    assert.equal(printed, 'a.off 400\nb.off 400\nc.off 400\n');
+  },
+  async queue() {
+    const { place } = await follow('queue');
+    assert.deepEqual(readdirSync(join(place, 'out')), ['a.glb', 'b.glb', 'c.glb']);
+    assert.equal(await verticesIn(join(place, 'out/b.glb')), 500);
+    for (const [, file] of readText('docs/recipes/queue.md').matchAll(/ node (\w+\.js)/g)) {
+      assert.ok(existsSync(join(root, 'examples/queue', file)), file);
+    }
+  },
+  async lods() {
+    const { place, printed } = await follow('lods');
+    assert.deepEqual(printed.match(/^\d+/gm), ['500', '250', '125', '50']);
+    assert.equal(await verticesIn(join(place, 'model_lod3.ply')), 50);
+    assert.match(readFileSync(join(place, 'model.glb'), 'latin1'), /MSFT_lod/);
+  },
+  async density() {
+    const { printed } = await follow('density');
+    // Eight to one would be 889, were there no way from one size to the other; none, 500.
+    const [above] = printed.match(/^\d+/) ?? [];
+    assert.ok(above > 700 && above < 889, printed);
+  },
+  async quads() {
+    const { place, printed } = await follow('quads');
+    const { input } = await inspect(readFileSync(join(place, 'quads.obj')), { name: 'quads.obj' });
+    assert.equal(input.quads.count, input.triangles / 2);
+    assert.ok(Math.abs(input.vertices - 600) <= 6);
+    // As many quads as vertices around a ring, and twice as many edges.
+    assert.match(printed, /true 800\nof 800 quads, \d+ irregular vertices\n1600 edges\n/);
+  },
+  async printing() {
+    const { place, printed } = await follow('printing');
+    assert.match(printed, /^(holes|solid) true$/m);
+    for (const name of ['model.stl', 'mended.stl', 'print.stl']) {
+      const { input } = await inspect(readFileSync(join(place, name)), { name });
+      assert.deepEqual([input.boundaryEdges, input.vertices], [0, 700], name);
+    }
+  },
+  async seams() {
+    const { printed } = await follow('seams');
+    assert.equal(printed, '800 all normals still those of a side: true\n');
+  },
+};
+
+/** As a visitor: a file is remeshed, then another given up. @param {string} built */
+async function visit(built) {
+  const browser = await startChromium();
+  const { url, close } = await serve(built);
+  try {
+    const page = await browser.newPage();
+    page.setDefaultTimeout(100_000);
+    await page.goto(url);
+    const give = (/** @type {Uint8Array} */ bytes) => page.setInputFiles('input',
+      { name: 'torus.off', mimeType: 'application/octet-stream', buffer: Buffer.from(bytes) });
+    await give(model);
+    await page.waitForSelector('a[download="torus.glb"]');
+    assert.equal(await page.textContent('p'), '2000 vertices: torus.glb');
+    assert.ok(await page.evaluate(() => document.querySelector('progress').value) > 0.5);
+    await give(new TextEncoder().encode(offText(torus({ columns: 400, rows: 200 }))));
+    await page.click('button:enabled');
+    await page.waitForSelector('p:text("Cancelled.")');
+  } finally {
+    await browser.close();
+    close();
+  }
+}
+
+test('every recipe is tried, and listed', () => {
+  const written = filesUnder('docs/recipes', /\.md$/).map((file) => basename(file, '.md'));
+  assert.deepEqual(Object.keys(recipes).sort(), written.sort());
+  const list = readText('docs/README.md');
+  assert.deepEqual(written.filter((name) => !list.includes(`(recipes/${name}.md)`)), []);
+});
+
+for (const [name, recipe] of Object.entries(recipes)) {
+  test(`${name}: the recipe does what it says`, { timeout: 240_000 }, recipe);
+}

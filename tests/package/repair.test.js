@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Repair, alone and before remeshing: holes closed and the rest as it was; bodies united; sheets
+// wrapped.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { inspect, remesh, repair, repairFile } from 'remesher';
+
+import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
+import { reportInWords } from '../../dist/cli/report_in_words.js';
+import { makeRepairCase, runRepairCase } from '../fuzz/repair_case.js';
+import * as broken from '../support/broken_shapes.js';
+import { rejectsWith } from '../support/errors.js';
+import { eulerCharacteristic, offText, sheet, torus } from '../support/shapes.js';
+
+/** Without the triangles from one number to another. */
+function withHole({ positions, indices }, from, to) {
+  const kept = Array.from(indices).filter((_, i) => i < 3 * from || i >= 3 * to);
+  return { positions, indices: Uint32Array.from(kept) };
+}
+
+/** Both, the second one moved along x. */
+function joined(a, b, by) {
+  const moved = b.positions.map((value, i) => value + (i % 3 === 0 ? by : 0));
+  return {
+    positions: Float32Array.from([...a.positions, ...moved]),
+    indices: Uint32Array.from([...a.indices,
+      ...Array.from(b.indices, (v) => v + a.positions.length / 3)]),
+  };
+}
+
+const whole = torus();
+const open = withHole(whole, 10, 16);
+
+test('a hole is closed, and what was there is there bit for bit', async () => {
+  const { mesh, report } = await repair(open);
+  assert.equal(report.repair.mode, 'holes');
+  assert.ok(report.repair.holes >= 1);
+  assert.deepEqual(report.repair.selfIntersections, [0, 0]);
+  assert.ok(report.input.boundaryEdges > 0);
+  assert.equal(report.output.boundaryEdges, 0);
+  assert.equal(eulerCharacteristic(mesh), eulerCharacteristic(whole));
+  assert.deepEqual(mesh.positions.slice(0, open.positions.length), open.positions);
+  assert.deepEqual(mesh.indices.slice(0, open.indices.length), open.indices);
+});
+
+test('holes longer than asked for stay open, with a warning', async () => {
+  const { report } = await repair(open, { holesUpTo: 0.001 });
+  assert.equal(report.repair.holes, 0);
+  assert.equal(report.output.boundaryEdges, report.input.boundaryEdges);
+  assert.ok(report.warnings.some(({ code }) => code === 'HOLES_LEFT_OPEN'));
+});
+
+test('a file is mended in its own format or another', async () => {
+  const bytes = new TextEncoder().encode(offText(open));
+  const { name, bytes: result } = await repairFile(bytes, { name: 'open.off', output: 'stl' });
+  assert.equal(name, 'open.stl');
+  const { input } = await inspect(result, { name });
+  assert.equal(input.boundaryEdges, 0);
+});
+
+test('what is remeshed is mended first, if asked for', async () => {
+  const { report } = await remesh(open, { vertices: 400, repair: 'holes' });
+  assert.equal(report.repair.mode, 'holes');
+  assert.ok(report.input.boundaryEdges > 0);
+  assert.equal(report.output.boundaryEdges, 0);
+  assert.equal(report.output.vertices, 400);
+  assert.equal((await remesh(open, { vertices: 400 })).report.repair, undefined);
+});
+
+test('without a number of vertices it is the input’s, whatever repair has made of it', async () => {
+  for (const [input, mode] of [[whole, 'solid'], [open, 'wrap'], [open, 'auto']]) {
+    for (const ratio of [undefined, 2]) {
+      const { report } = await remesh(input, { ratio, repair: mode });
+      assert.equal(report.output.vertices, (ratio ?? 1) * report.input.vertices, mode);
+    }
+  }
+});
+
+test('overlapping bodies become one that passes through itself nowhere', async () => {
+  const both = joined(whole, whole, 0.9);
+  const { mesh, report } = await repair(both);
+  assert.equal(report.repair.mode, 'solid');
+  assert.ok(report.repair.selfIntersections[0] > 0);
+  assert.equal(report.repair.selfIntersections[1], 0);
+  assert.deepEqual([report.output.components, report.output.boundaryEdges,
+    report.output.nonManifoldEdges], [1, 0, 0]);
+  assert.ok(mesh.positions instanceof Float32Array);
+  assert.deepEqual((await repair(both)).mesh, mesh);
+});
+
+test('an open sheet is wrapped, and can be remeshed then', async () => {
+  const { report } = await remesh(sheet(), { vertices: 600, repair: 'wrap', gap: 3 });
+  assert.equal(report.repair.mode, 'wrap');
+  assert.equal(report.output.vertices, 600);
+  assert.equal(report.output.boundaryEdges, 0);
+});
+
+/** What must be so of all that is repaired. */
+async function assertSound(mesh, what) {
+  const { input, faults } = await inspect(mesh, { faults: true });
+  assert.deepEqual([input.boundaryEdges, input.nonManifoldEdges, input.degenerateTriangles,
+    faults.selfIntersections, faults.insideOut], [0, 0, 0, 0, 0], what);
+}
+
+const { askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan, cracked, tJunctions,
+  moebiusStrip, looseTriangles } = broken;
+for (const make of [askewBoxes, nestedBoxes, thinHouse, manyBodies, doubledScan, cracked,
+  tJunctions, moebiusStrip, looseTriangles]) {
+  test(`${make.name}: repaired, and remeshed from there, it is sound`, async () => {
+    const shape = make();
+    await assertSound((await repair(shape, { repair: 'auto' })).mesh, 'repaired');
+    const { mesh, report } = await remesh(shape, { repair: 'auto', vertices: 2000 });
+    await assertSound(mesh, 'remeshed');
+    assert.equal(report.output.vertices, 2000);
+  });
+}
+
+test('far from the origin, where single precision has few digits, all of it is sound', async () => {
+  const torusAt = (/** @type {number} */ offset) => {
+    const { positions, indices } = torus({ columns: 12, rows: 8 });
+    return { positions: positions.map((x, i) => (i % 3 === 0 ? x + offset : x)), indices };
+  };
+  await rejectsWith(repair(torusAt(1e8), { repair: 'wrap' }), 'NO_TRIANGLES', /too small/);
+  for (const offset of [8e4, 1e6]) {
+    const shape = torusAt(offset);
+    await assertSound((await repair(shape, { repair: 'wrap' })).mesh, `repaired, ${offset}`);
+    const { mesh } = await remesh(shape, { repair: 'wrap', vertices: 900 });
+    await assertSound(mesh, `remeshed, ${offset}`);
+  }
+});
+
+// Sheets back to back of which scraps remain, and three that lie far away.
+for (const seed of [14, 40, 44, 50]) {
+  test(`case ${seed} of the laws, which broke one`, async () => {
+    assert.deepEqual((await runRepairCase(makeRepairCase(seed))).broken, []);
+  });
+}
+
+test('what repair makes gets no curves where its lattice happens to be flat', async () => {
+  const { report } = await remesh(askewBoxes(), { repair: 'auto', vertices: 2000 });
+  assert.equal(report.repair.mode, 'solid');
+  assert.ok(report.output.minAngle.worst > 15, `${report.output.minAngle.worst}`);
+});
+
+test('rooms with walls thinner than the lattice are filled as others are', async () => {
+  for (const vertices of [2000, 20000]) {
+    const { report } = await remesh(thinHouse(), { repair: 'auto', vertices, quality: 'draft' });
+    assert.equal(report.output.components, 1, `${vertices}`);
+  }
+});
+
+test('an inspection tells what is broken, and what would mend it', async () => {
+  assert.equal((await inspect(open)).faults, undefined);
+  const sound = (await inspect(whole, { faults: true })).faults;
+  assert.deepEqual(sound, { openLoops: [], selfIntersections: 0, innerShells: 0, insideOut: 0,
+    repair: 'off',
+    places: { openLoops: [], selfIntersections: [], innerShells: [], insideOut: [] } });
+  const { faults } = await inspect(open, { faults: true });
+  assert.ok(faults.openLoops.length >= 1);
+  assert.ok(faults.openLoops.every((length, i, all) => length > 0 && !(length > all[i - 1])));
+  assert.equal(faults.repair, 'holes');
+  assert.equal(faults.places.openLoops.length, 3 * faults.openLoops.length);
+  const bytes = new TextEncoder().encode(offText(open));
+  const ofFile = await inspect(bytes, { name: 'open.off', faults: true });
+  assert.equal(ofFile.faults.openLoops.length, faults.openLoops.length);
+  const crossed = (await inspect(joined(whole, whole, 0.9), { faults: true })).faults;
+  assert.ok(crossed.selfIntersections > 0);
+  assert.equal(crossed.repair, 'solid');
+  const [x, y, z] = crossed.places.selfIntersections;
+  assert.ok(Math.abs(Math.hypot(Math.hypot(x, y) - 2, z) - 0.8) < 0.1
+    || Math.abs(Math.hypot(Math.hypot(x - 0.9, y) - 2, z) - 0.8) < 0.1, `${x} ${y} ${z}`);
+  const inwards = { ...whole, indices: whole.indices.slice().reverse() };
+  assert.equal((await inspect(inwards, { faults: true })).faults.insideOut, 1);
+  await rejectsWith(inspect(open, { faults: 1 }), 'INVALID_OPTION', /faults must be true or false/);
+});
+
+test('faults are said in words', async () => {
+  const words = reportInWords(await inspect(open, { faults: true }));
+  assert.match(words, /faults: \d+ open loops, around, of the diagonal: [\d.]+ %/);
+  assert.match(words, /what would mend it: holes/);
+});
+
+/** One within the other, which faces into what it encloses. */
+function hollow() {
+  const { positions, indices } = torus({ columns: 24, rows: 12 });
+  const thinner = positions.map((x, i) => {
+    const [a, b, c] = positions.slice(i - (i % 3), i - (i % 3) + 3);
+    const ring = Math.hypot(a, b);
+    return [a / ring * 2 + 0.4 * (a - a / ring * 2), b / ring * 2 + 0.4 * (b - b / ring * 2),
+      0.4 * c][i % 3];
+  });
+  return joined({ positions, indices }, { positions: thinner, indices: indices.toReversed() }, 0);
+}
+
+test('cavities are filled, or kept where that is asked for', async () => {
+  for (const [cavities, components] of [[false, 1], [true, 2]]) {
+    const { mesh, report } = await repair(hollow(), { repair: 'solid', cavities });
+    assert.equal(report.output.components, components);
+    assert.equal(report.repair.shells, 2 - components);
+    await assertSound(mesh, `cavities: ${cavities}`);
+    const remeshed = await remesh(hollow(), { repair: 'solid', cavities, vertices: 1500 });
+    assert.equal(remeshed.report.output.components, components);
+    await assertSound(remeshed.mesh, `remeshed, cavities: ${cavities}`);
+  }
+});
+
+test('sheets become thin solids, or are left out; both is said with a place', async () => {
+  const both = joined(torus({ columns: 24, rows: 12 }), sheet(), 6);
+  for (const [sheets, components, code] of
+    [['thicken', 2, 'SHEETS_THICKENED'], ['drop', 1, 'SHEETS_DROPPED']]) {
+    const { mesh, report } = await repair(both, { repair: 'wrap', sheets });
+    assert.equal(report.output.components, components);
+    assert.ok(report.warnings.some((warning) => warning.code === code), code);
+    assert.equal(report.repair.lost > 1, sheets === 'drop', `${report.repair.lost} %`);
+    const lost = report.warnings.find((warning) => warning.code === 'SEEN_PARTS_LOST');
+    if (sheets === 'drop') assert.match(lost.message, /near \([5-9][.\d]*, /);
+    await assertSound(mesh, sheets);
+  }
+  const square = { positions: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0),
+    indices: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+  await rejectsWith(repair(square, { repair: 'wrap', sheets: 'drop' }), 'NO_TRIANGLES',
+    /only sheets/);
+});
+
+test('what thin solids made of sheets enclose is filled', async () => {
+  const { mesh, report } = await repair(cracked(), { repair: 'wrap' });
+  assert.ok(report.warnings.some(({ code }) => code === 'SHEETS_THICKENED'));
+  assert.equal((await repair(mesh, { repair: 'solid' })).report.repair.shells, 0);
+});
+
+test('the report says why a mode was chosen', async () => {
+  const inwards = { ...whole, indices: whole.indices.slice().reverse() };
+  for (const [mesh, options, mode, reason] of [
+    [open, {}, 'holes', 'sound'], [inwards, {}, 'solid', 'enclosed'], [sheet(), {}, 'wrap', 'open'],
+    [open, { repair: 'solid' }, 'solid', 'asked']]) {
+    const { report } = await repair(mesh, options);
+    assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
+    assert.match(reportInWords(report), new RegExp(`repair \\(${mode}, (as asked|for .*)\\)`));
+  }
+});
+
+test('options that say nothing to a repair are refused', async () => {
+  await rejectsWith(repair(open, { vertices: 100 }), 'INVALID_OPTION', /vertices does not belong/);
+  await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION', /No holes are closed/);
+  await rejectsWith(repair(open, { repair: 'wrap', cavities: true }), 'INVALID_OPTION',
+    /No solid is made/);
+  await rejectsWith(remesh(open, { sheets: 'drop' }), 'INVALID_OPTION', /Nothing is wrapped/);
+  await rejectsWith(
+    remesh(open, { repair: 'holes', density: new Float32Array(open.positions.length / 3).fill(1) }),
+    'INVALID_OPTION', /density/);
+  assert.throws(() => parseCommandLine(['repair', 'a.stl', '-o', 'b.stl', '--ratio', '0.5']),
+    /does not remesh: --ratio/);
+  assert.equal(parseCommandLine(['repair', 'a.stl', '-o', 'b.stl']).command, 'repair');
+});

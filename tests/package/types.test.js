@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What a person sees who hovers over the package's functions and options in an editor.
+import assert from 'node:assert/strict';
+import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, describe, test } from 'node:test';
+
+import { defaultOf, optionTable, rangeInWords } from 'remesher/options';
+
+import { Editor } from '../support/editor.js';
+import { readText, root } from '../support/tree.js';
+
+/** Each function's parameters and what it gives, as a program would have to know them. */
+const functions = {
+  init: 'init(options?: InitOptions): Promise<void>',
+  remesh: 'remesh(mesh: Mesh, options?: RemeshOptions & RunOptions): Promise<RemeshResult>',
+  remeshScene: 'remeshScene(parts: PlacedMesh[], options?: RemeshOptions & RunOptions): '
+    + 'Promise<RemeshSceneResult>',
+  remeshFile: 'remeshFile(bytes: Bytes, options?: RemeshOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<RemeshFileResult>',
+  repair: 'repair(mesh: Mesh, options?: RepairOptions & RunOptions): Promise<RepairResult>',
+  repairFile: 'repairFile(bytes: Bytes, options?: RepairOptions & FileOptions & OutputOptions '
+    + '& RunOptions): Promise<RepairFileResult>',
+  convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
+    + 'Promise<ConvertFileResult>',
+  inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
+    + 'RunOptions): Promise<Inspection>',
+};
+
+const program = [
+  `import { ${Object.keys(functions).join(', ')} } from 'remesher';`,
+  ...Object.keys(functions).map((name) => `${name};`),
+  'remesh({ positions: new Float32Array(9), indices: new Uint32Array(3) }, {',
+  ...optionTable.map(({ name }) => `  ${name}: undefined,`),
+  '  signal: undefined,',
+  '  onProgress: undefined,',
+  '  worker: undefined,',
+  '});',
+  '',
+].join('\n');
+
+/** Where a line of the program begins with these characters. */
+function placeOf(beginning) {
+  const line = program.split('\n').findIndex((text) => text.trim().startsWith(beginning));
+  return { line, character: program.split('\n')[line].indexOf(beginning) + 1 };
+}
+
+/** Words as they are read, however an editor breaks its lines. */
+const flat = (text) => text.replace(/\s+/g, ' ');
+
+const settings = {
+  'nodenext, in Node': { module: 'nodenext' },
+  'nodenext, in browsers': { module: 'nodenext', customConditions: ['browser'] },
+  'bundler, in Node': { module: 'esnext', moduleResolution: 'bundler', customConditions: ['node'] },
+  'bundler, in browsers': { module: 'esnext', moduleResolution: 'bundler' },
+};
+
+test('Node and browsers are given the same functions', async () => {
+  const [inNode, inBrowsers] = await Promise.all(
+    [import('remesher'), import('../../dist/index.js')]);
+  assert.deepEqual(Object.keys(inNode), Object.keys(inBrowsers));
+  assert.deepEqual(Object.keys(inNode).sort(), [...Object.keys(functions), 'RemeshError'].sort());
+  const arrays = await Promise.all([import('remesher/arrays'), import('../../dist/arrays.js')]);
+  assert.deepEqual(...arrays.map((module) => Object.keys(module)));
+  assert.deepEqual(Object.keys(arrays[0]).filter((name) => !(name in inNode)), []);
+});
+
+for (const [name, options] of Object.entries(settings)) {
+  describe(name, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'remesher-types-'));
+    mkdirSync(join(folder, 'node_modules'));
+    symlinkSync(root, join(folder, 'node_modules/remesher'));
+    writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
+    writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
+      compilerOptions: { strict: true, target: 'es2022', lib: ['es2022', 'dom'], types: [],
+        ...options },
+    }));
+    const file = join(folder, 'program.ts');
+    writeFileSync(file, program);
+    const editor = await Editor.open(folder);
+    editor.show(file, program);
+    after(() => {
+      editor.close();
+      rmSync(folder, { recursive: true });
+    });
+
+    test('a function shows its parameters by name, and what it does', async () => {
+      for (const [word, signature] of Object.entries(functions)) {
+        const shown = flat(await editor.hover(file, placeOf(`${word};`)));
+        assert.ok(shown.includes(`function ${signature}`), shown);
+        assert.doesNotMatch(shown, /import\(/);
+        const documented = new RegExp(`\\/\\*\\*\\n((?: \\*.*\\n)+)export function ${word}\\(`)
+          .exec(readText('bindings/package/index.js'));
+        const [first] = documented[1].replace(/^ \* ?/gm, '').split('\n\n');
+        assert.ok(shown.includes(flat(first).trim()), shown);
+        assert.match(shown, /@param `\w+` — \S.*@returns — \S/);
+      }
+    });
+
+    test('an option shows its text, range, unit and default', async () => {
+      for (const option of optionTable) {
+        const shown = flat(await editor.hover(file, placeOf(`${option.name}:`)));
+        assert.ok(shown.includes(`RemeshOptions.${option.name}?: `), shown);
+        const expected = [option.help.slice(1), rangeInWords(option).slice(1), option.unit ?? ''];
+        for (const words of expected) assert.ok(shown.includes(words), `${words}: ${shown}`);
+        for (const choice of option.choices ?? []) assert.ok(shown.includes(`"${choice}"`), shown);
+        for (const scheme of ['best', 'rounds']) {
+          const value = defaultOf(option, scheme);
+          if (value === undefined) assert.doesNotMatch(shown, /@default/);
+          else assert.match(shown, new RegExp(`@default.*${value}`));
+        }
+      }
+    });
+
+    test('what belongs to the call shows its text', async () => {
+      assert.match(await editor.hover(file, placeOf('signal')), /AbortSignal[^]*AbortError/);
+      assert.match(await editor.hover(file, placeOf('onProgress')), /ProgressEvent[^]*how far/);
+      assert.match(await editor.hover(file, placeOf('worker')), /boolean[^]*calling thread/);
+    });
+  });
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The page for everyone: no barriers in any state, all by keyboard, narrow windows, other languages
+// and colours, no motion.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { barriers, beside } from '../support/barriers.js';
+import { drop, opened, settled, visit } from '../support/browser_page.js';
+import { objText, torus } from '../support/shape_files.js';
+
+const { page, complaints } = await visit(
+  { hash: '#model=gear&vertices=500', unseen: true, viewport: { width: 900, height: 560 } });
+
+const ring = objText(torus(16, 8));
+
+/** What brings the page into each state, one after the other, and out of it again. */
+const states = [
+  ['a result', () => page.waitForSelector('#distances:not([hidden])')],
+  ['options and snippets open', async () => {
+    await page.click('.more > summary');
+    await page.click('.command > summary');
+  }],
+  ['distances', () => page.click('[data-shading=distance]')],
+  ['painting', () => page.click('#paint'), () => page.click('#brush-done')],
+  ['several results', async () => {
+    await page.click('#preset-even');
+    await page.waitForSelector('.history-entry');
+    await settled(page);
+    assert.match(await page.textContent('#progress-phase'), /^[A-Z]/);
+  }],
+  ['settings', () => page.click('[data-do=settings]'), () => page.click('#settings-close')],
+  ['the chooser', async () => {
+    await drop(page, { 'one.obj': ring, 'two.obj': ring });
+    await page.waitForSelector('#chooser[open]');
+  }, async () => {
+    await page.click('#chooser-close');
+    await settled(page);
+  }],
+  ['an error', async () => {
+    await drop(page, { 'notes.txt': 'hello' });
+    await page.waitForSelector('#error:visible');
+    await settled(page);
+  }],
+];
+
+for (const [name, enter, leave] of states) {
+  test(`axe finds no barriers: ${name}`, async () => {
+    await enter();
+    assert.deepEqual(await barriers(page), []);
+    await leave?.();
+  });
+}
+
+test('? lists every key there is, and letters can be turned off', async () => {
+  await page.focus('#canvas');
+  await page.keyboard.press('?');
+  await page.waitForSelector('#settings[open]');
+  const keys = await page.locator('#key-list dt').allTextContents();
+  for (const key of ['O', 'W', 'F', 'E', 'I', 'P', 'C', '1', '?', 'CtrlZ', 'CtrlShiftZ']) {
+    assert.ok(keys.includes(key), `${key} among ${keys.join(' ')}`);
+  }
+  await page.uncheck('#single-keys');
+  await page.keyboard.press('Escape');
+  const pressed = () => page.getAttribute('#wireframe', 'aria-pressed');
+  const first = await pressed();
+  await page.focus('#canvas');
+  await page.keyboard.press('w');
+  assert.equal(await pressed(), first);
+  assert.equal(await page.getAttribute('#wireframe', 'aria-keyshortcuts'), null);
+  await page.click('[data-do=settings]');
+  await page.check('#single-keys');
+  await page.keyboard.press('Escape');
+  await page.focus('#canvas');
+  await page.keyboard.press('w');
+  assert.notEqual(await pressed(), first);
+});
+
+test('the tab key reaches every control, in the order in which they are seen', async () => {
+  await page.focus('#samples');
+  const reached = new Set(['samples']);
+  for (let i = 0; i < 120; ++i) {
+    await page.keyboard.press('Tab');
+    const id = await page.evaluate(() => {
+      const node = document.activeElement;
+      return node === document.body ? '' : node.id || node.dataset.do || node.textContent;
+    });
+    if (!id) break;
+    reached.add(id);
+  }
+  for (const id of ['samples', 'open', 'settings', 'canvas', 'divider', 'compare.side', 'fit',
+    'target', 'target-slider', 'preset-print', 'option-scheme', 'visit-largest', 'baseline']) {
+    assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
+  }
+});
+
+test('other languages: all in them, no barriers, no sideways scrolling', async () => {
+  // A sheet with a triangle turned over, asked for more than it can: a border, a fault, an error.
+  await drop(page, { 'sheet.obj': ['v 0 0 0', 'v 1 0 0', 'v 1 1 0', 'v 0 1 0', 'v 2 0 0',
+    'f 1 2 3', 'f 1 3 4', 'f 2 3 5', ''].join('\n') });
+  await opened(page, 'sheet.obj');
+  for (const [language, word, chip, fault] of [
+    ['de', 'Neu vernetzen', /offene Kanten/, 'umgedreht'],
+    ['fr', 'Remailler', /arêtes de bord/, 'retournés']]) {
+    await page.click('[data-do=settings]');
+    await page.selectOption('#language', language);
+    await page.click('#settings-close');
+    await page.waitForSelector(`form button:text-is("${word}")`);
+    assert.equal(await page.getAttribute('html', 'lang'), language);
+    assert.match(await page.textContent('#landmark-boundary'), chip);
+    // What the core says is said in the language, and stays below in its own words.
+    const said = page.locator('#result .notice', { hasText: fault });
+    assert.match(await said.locator('[lang=en]').textContent(), /turned over/);
+    assert.deepEqual(await barriers(page), []);
+  }
+  await page.click('[data-do=settings]');
+  await page.selectOption('#language', 'en');
+  await page.click('#settings-close');
+});
+
+test('360 pixels are wide enough, from right to left, too', async () => {
+  for (const direction of ['ltr', 'rtl']) {
+    await page.evaluate((dir) => { document.documentElement.dir = dir; }, direction);
+    for (const width of [360, 900]) {
+      await page.setViewportSize({ width, height: 640 });
+      await page.waitForTimeout(100);
+      assert.ok(await beside(page) <= 0, `${direction} at ${width}`);
+      const heights = await page.locator('.field label').evaluateAll((labels) =>
+        labels.map((label) => label.clientHeight));
+      assert.ok(heights.length > 8 && Math.max(...heights) < 70, `labels ${heights.join(' ')}`);
+    }
+  }
+  await page.evaluate(() => { document.documentElement.dir = 'ltr'; });
+});
+
+/** Where an element is in the window. */
+const box = (selector) => page.locator(selector).evaluate((element) => {
+  const { left, right, top, bottom } = element.getBoundingClientRect();
+  return { left, right, top, bottom };
+});
+
+test('what explains the picture covers no tools, on how many lines they ever stand', async () => {
+  await page.click('[data-shading=distance]');
+  await page.waitForSelector('#legend:not([hidden])');
+  for (const width of [1300, 1024, 800, 390]) {
+    await page.setViewportSize({ width, height: 768 });
+    assert.ok((await box('#legend')).bottom <= (await box('.toolbar')).top, `at ${width}`);
+  }
+});
+
+test('a run is in view, and can be cancelled, however short the window', async () => {
+  for (const [width, height] of [[1024, 420], [390, 560]]) {
+    await page.setViewportSize({ width, height });
+    await page.fill('#target', '100000');
+    await page.press('#target', 'Enter');
+    await page.waitForSelector('#progress:not([hidden])');
+    await page.evaluate(() => scrollTo(0, 0));
+    const { top, bottom } = await box('#cancel');
+    await page.locator('#cancel').dispatchEvent('click');
+    await settled(page);
+    assert.ok(top >= 0 && bottom <= height, `${top} to ${bottom} of ${height}`);
+  }
+  await page.setViewportSize({ width: 900, height: 560 });
+});
+
+test('colours of the visitor’s own, dark ones, and no motion', async () => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  assert.deepEqual(await barriers(page), []);
+  const outline = await page.evaluate(() =>
+    getComputedStyle(document.querySelector('[data-shading][aria-pressed=true]')).outlineStyle);
+  assert.equal(outline, 'solid');
+  await page.emulateMedia({ forcedColors: 'none', colorScheme: 'dark', reducedMotion: 'reduce' });
+  assert.deepEqual(await barriers(page), []);
+  assert.equal(await page.evaluate(() =>
+    getComputedStyle(document.querySelector('button.primary')).transitionDuration), '0s');
+  assert.deepEqual(complaints, []);
+});

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+// What the page shows beside the surfaces: distances, creases, borders and faults, the triangle
+// under the pointer, and the places that warnings speak of.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { remesh } from 'remesher';
+import { BufferAttribute, BufferGeometry, Color, Mesh, SphereGeometry } from 'three';
+
+import { angleColors } from '../../web/base/colors.js';
+import { irregularVertices } from '../../web/survey/irregular.js';
+import { outlineOf, polygonsOf } from '../../web/triangles/polygons.js';
+import { soupOf } from '../../web/triangles/soup.js';
+import { colorByAngle } from '../../web/triangles/triangle_angles.js';
+import { withNormals } from '../../web/triangles/normals.js';
+import { drop, opened, reportRow, settled, visit } from '../support/browser_page.js';
+import { objText, torus } from '../support/shape_files.js';
+import { torus as torusArrays } from '../support/shapes.js';
+
+const { page, complaints } = await visit(
+  { hash: '#model=gear&vertices=600', viewport: { width: 800, height: 480 } });
+
+const picture = () => page.locator('#canvas').screenshot();
+
+/** Opens a shape from its text. */
+async function open(name, text) {
+  await drop(page, { [name]: text });
+  await opened(page, name);
+}
+
+const number = (text) => Number(text.replace(/[^\d.].*/, ''));
+
+test('the largest distance is near what the report says, and one click away', async () => {
+  await page.waitForSelector('#distances:not([hidden])');
+  const text = await page.textContent('#visit-largest');
+  const found = number(/\(([\d.]+) %\)/.exec(text)[1]);
+  const told = number((await reportRow(page, 'Largest distance'))[1]);
+  assert.ok(found > 0.4 * told && found < 1.02 * told, `${found} % beside ${told} %`);
+  const earlier = await picture();
+  await page.click('#visit-largest');
+  await page.waitForSelector('#legend:not([hidden]) .legend-marks span >> nth=2');
+  assert.match(await page.textContent('#legend'), /Distance to the original.*%/);
+  assert.equal(await page.getAttribute('[data-shading=distance]', 'aria-pressed'), 'true');
+  assert.notDeepEqual(await picture(), earlier);
+});
+
+test('every view is a picture of its own, by button and by key', async () => {
+  await page.click('[data-do=fit]');
+  await page.click('#wireframe');
+  const pictures = [];
+  for (const view of ['plain', 'flat', 'normals', 'angles', 'distance']) {
+    await page.click(`[data-shading=${view}]`);
+    await page.waitForTimeout(150);
+    pictures.push(String(await picture()));
+  }
+  // On a gear, whose faces are all flat, smooth is flat.
+  assert.ok(new Set(pictures).size >= 4);
+  assert.equal(await page.isDisabled('[data-shading=textured]'), true);
+  await page.focus('#canvas');
+  await page.keyboard.press('5');
+  assert.equal(await page.getAttribute('[data-shading=angles]', 'aria-pressed'), 'true');
+  await page.keyboard.press('w');
+});
+
+test('creases are counted as the angle changes', async () => {
+  await page.focus('#canvas');
+  await page.keyboard.press('e');
+  const creases = async () => Number(await page.getAttribute('#features', 'data-count'));
+  // A section has eight corners; of those around a tooth's flank some bend less.
+  const first = await creases();
+  assert.ok(first >= 8 * 56, `${first} creases`);
+  await page.keyboard.press('e');
+  await page.click('.more > summary');
+  await page.fill('#option-featureAngle', '120');
+  assert.equal(await page.getAttribute('#features', 'aria-pressed'), 'true');
+  assert.equal(await creases(), 0);
+  await page.fill('#option-featureAngle', 'off');
+  assert.equal(await creases(), 0);
+  await page.fill('#option-featureAngle', '');
+  assert.equal(await creases(), first);
+  await settled(page);
+});
+
+/** A mesh as the loader makes it of a file whose triangles are polygons. */
+function polygonMesh(positions, indices) {
+  const mesh = new Mesh(new BufferGeometry()
+    .setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3))
+    .setIndex(new BufferAttribute(Uint32Array.from(indices), 1)));
+  mesh.userData.gltfExtensions = { FB_ngon_encoding: {} };
+  mesh.geometry.userData.polygons = polygonsOf(mesh);
+  return mesh;
+}
+
+test('quads are drawn without diagonals, and dots are where not four of them meet', async () => {
+  const { mesh: { positions, indices }, report } =
+    await remesh(torusArrays(), { quads: true, vertices: 400 });
+  const mesh = polygonMesh(positions, indices);
+  const { polygons } = mesh.geometry.userData;
+  const { count, irregular } = report.output.quads;
+  assert.equal(polygons.length - 1, count);
+  assert.equal(outlineOf(mesh.geometry, polygons).length / 2, 2 * count, 'an edge for two quads');
+  const { valences, places } = irregularVertices(soupOf([mesh]));
+  assert.equal(valences.length, irregular);
+  assert.equal(places.length, 3 * irregular);
+  // Around a ring those of fewer and of more quads cancel.
+  assert.equal(valences.reduce((sum, valence) => sum + 4 - valence, 0), 0);
+  delete mesh.userData.gltfExtensions;
+  assert.equal(polygonsOf(mesh), null);
+});
+
+test('a square is coloured as good, and the longer the slant of a quad the worse', () => {
+  const reds = angleColors.map((color) => Math.fround(new Color(color).r));
+  const steps = [0, 0.3, 0.6, 3].map((slant) => {
+    const mesh = polygonMesh([0, 0, 0, 1, 0, 0, 1 + slant, 1, 0, slant, 1, 0], [0, 1, 2, 0, 2, 3]);
+    const corners = mesh.geometry.toNonIndexed();
+    colorByAngle(corners, mesh.geometry.userData.polygons);
+    const { array } = corners.getAttribute('color');
+    for (let i = 3; i < array.length; i += 3) assert.equal(array[i], array[0], 'one colour a quad');
+    return reds.indexOf(array[0]);
+  });
+  // 90°, then arctan 0.3 off it, and so on.
+  assert.deepEqual(steps, [5, 4, 2, 0]);
+});
+
+test('a pointer finds its triangle', async () => {
+  await page.click('[data-do=fit]');
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.move(box.x + 0.635 * box.width, box.y + 0.4 * box.height);
+  await page.mouse.move(box.x + 0.64 * box.width, box.y + 0.4 * box.height);
+  await page.waitForSelector('#probe:not([hidden])');
+  const text = await page.textContent('#probe');
+  const angles = /Angles ([\d.]+)° ([\d.]+)° ([\d.]+)°/.exec(text).slice(1).map(Number);
+  assert.ok(Math.abs(angles[0] + angles[1] + angles[2] - 180) < 0.3, text);
+  assert.match(text, /Edges .*\nDistance .*%/);
+  await page.mouse.move(5, 5);
+});
+
+test('borders, faults and flips of the input are counted and shown', async () => {
+  const fault = (lines) => `${lines.join('\n')}\n`;
+  const sheet = ['v 0 0 0', 'v 1 0 0', 'v 1 1 0', 'v 0 1 0', 'v 2 0 0', 'v 2 1 0', 'v 1 0 1',
+    'v 1 -2.4e-16 0'];
+  // Two squares side by side, but for rounding, a fin on their common edge, and one triangle
+  // turned over.
+  await open('faults.obj', fault([...sheet, 'f 1 2 3', 'f 1 3 4', 'f 8 5 6', 'f 8 3 6',
+    'f 2 3 7']));
+  await page.waitForSelector('#landmark-nonManifold');
+  assert.match(await page.textContent('#landmark-nonManifold'), /^1 /);
+  assert.match(await page.textContent('#landmark-flipped'), /^1 /);
+  assert.match(await page.textContent('#landmark-boundary'), /^8 /);
+  const earlier = await picture();
+  await page.click('#landmark-nonManifold');
+  await page.waitForFunction(() => document.getElementById('status').textContent
+    .includes('at that place'));
+  assert.notDeepEqual(await picture(), earlier);
+  await page.click('#result .notice button >> nth=0');
+});
+
+test('a model far from the origin is measured as the same one near it', async () => {
+  const ring = torus(24, 12);
+  const positions = ring.positions.map(([x, y, z]) =>
+    [x + 431234.5, y + 5412345.75, z + 312.25]);
+  const told = [];
+  for (const [name, shape] of [['near.obj', ring], ['far.obj', { ...ring, positions }]]) {
+    await open(name, objText(shape));
+    await page.waitForSelector('#distances:not([hidden])');
+    assert.ok(await page.isHidden('#landmarks'), 'no fault is seen where there is none');
+    told.push([number(/\(([\d.]+) %\)/.exec(await page.textContent('#visit-largest'))[1]),
+      await page.getAttribute('#features', 'data-count')]);
+  }
+  const [[distance, creases], [farDistance, farCreases]] = told;
+  assert.equal(farCreases, creases);
+  assert.ok(Math.abs(farDistance - distance) < 0.1 * distance, `${told}`);
+});
+
+test('dragging on the distances sets the largest error', async () => {
+  await open('ring.obj', objText(torus(24, 12)));
+  await page.waitForSelector('#distances:not([hidden])');
+  await page.focus('#error-handle');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => location.hash.includes('maxError='));
+  await settled(page);
+  const asked = Number(await page.inputValue('#option-maxError'));
+  const told = number((await reportRow(page, 'Largest distance'))[1]);
+  assert.ok(asked > 0 && told <= asked, `${told} % within ${asked} %`);
+});
+
+/** A geometry of three.js. */
+function geometryOf({ positions, triangles }) {
+  const geometry = new BufferGeometry().setIndex(triangles.flat());
+  return geometry.setAttribute('position',
+    new BufferAttribute(Float32Array.from(positions.flat()), 3));
+}
+
+/** A box of twelve triangles over eight corners. */
+const box = { positions: [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]),
+  triangles: [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 6, 7],
+    [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]] };
+
+test('normals follow bends, and break at creases', async () => {
+  const { attributes: { position, normal } } = await withNormals(geometryOf(box));
+  assert.equal(normal.count, 36);
+  for (let i = 0; i < 36; i += 1) {
+    const own = [normal.getX(i), normal.getY(i), normal.getZ(i)];
+    const axis = own.findIndex((value) => Math.abs(value) === 1);
+    assert.deepEqual(own.filter((_, k) => k !== axis).map(Math.abs), [0, 0]);
+    assert.equal(own[axis], 2 * position.getComponent(i, axis) - 1, 'outwards');
+  }
+  const ring = torus(80, 60);
+  const smooth = await withNormals(geometryOf(ring));
+  assert.equal(smooth.attributes.normal.count, ring.positions.length);
+  ring.positions.forEach(([x, y, z], i) => {
+    const share = 1 - 2 / Math.hypot(x, z);  // from the middle of the tube outwards
+    const exact = [share * x / 0.8, y / 0.8, share * z / 0.8];
+    const cosine = exact.reduce((sum, value, k) =>
+      sum + value * smooth.attributes.normal.getComponent(i, k), 0);
+    assert.ok(cosine > 0.999, `${cosine}`);
+  });
+});
+
+test('turning the model draws two meshes with their lines and nothing else', async () => {
+  const { calls, triangles } = await page.evaluate(() =>
+    ({ ...document.getElementById('canvas').dataset }));
+  assert.ok(Number(calls) <= 8, `${calls} calls`);
+  assert.ok(Number(triangles) <= 4 * 576 + 100, `${triangles} triangles`);
+  assert.deepEqual(complaints, []);
+});
+
+test('quads: nearly as many as asked for, exactly on request, in their own figures', async () => {
+  await open('ring.obj', objText(torus(24, 12)));
+  await page.fill('#target', '400');
+  await page.click('#preset-quads');
+  await settled(page);
+  await page.waitForSelector('#dot-key');
+  assert.match(await page.textContent('#target-hint'), /^Within 1 %; /);
+  const [triangles, none] = await reportRow(page, 'Triangles');
+  assert.deepEqual([triangles, none], ['576', '']);
+  const count = number((await reportRow(page, 'Quads'))[1]);
+  assert.ok(Math.abs(count - 400) <= 4, `${count} quads`);
+  assert.match((await reportRow(page, 'Angles off 90°, mean'))[1], /^\d+\.\d°$/);
+  await page.click('[data-shading=angles]');
+  assert.match(await page.textContent('#legend'), /Smallest angles.*Of quads: angles off 90°/);
+  await page.check('#option-exact');
+  await settled(page);
+  assert.match(await page.textContent('#target-hint'), /^Exactly; /);
+  assert.equal((await reportRow(page, 'Vertices'))[1], '400');
+  assert.match(await page.textContent('.command'), /--quads --exact/);
+});
+
+/** A ball around the origin, and one inside it that faces the same way; with a hole, if wished. */
+function ballInBall({ missing = 0 } = {}) {
+  const parts = [1, 0.5].map((radius) => new SphereGeometry(radius, 16, 10).toNonIndexed());
+  parts[0].setDrawRange(0, parts[0].attributes.position.count - 3 * missing);
+  const places = parts.flatMap(({ attributes: { position }, drawRange }) =>
+    [...position.array.subarray(0, 3 * Math.min(position.count, drawRange.count))]);
+  const faces = Array.from({ length: places.length / 9 }, (_, t) => [3 * t, 3 * t + 1, 3 * t + 2]);
+  return `${places.map((x, i) => (i % 3 ? ` ${x}` : `\nv ${x}`)).join('')}\n`
+    + faces.map((face) => `f ${face.map((v) => v + 1).join(' ')}\n`).join('');
+}
+
+test('pieces where none belong are listed, and shown in their place', async () => {
+  await open('inner.obj', ballInBall());
+  await page.waitForSelector('#landmark-innerShells');
+  assert.match(await page.textContent('#landmark-innerShells'), /^1 inner/);
+  const earlier = await picture();
+  await page.click('#landmark-innerShells');
+  await page.waitForFunction(() => document.getElementById('status').textContent
+    .includes('at that place'));
+  assert.notDeepEqual(await picture(), earlier);
+  assert.ok(await page.isVisible('#mend'));
+});
+
+test('what is broken is mended by one click, and said; each mode has its sentence', async () => {
+  await open('shells.obj', ballInBall({ missing: 20 }));
+  assert.match(await page.textContent('#option-repair-help'), /a hole stays a hole/);
+  assert.equal(await page.isVisible('#option-gap'), false);
+  await page.click('#mend');
+  await settled(page);
+  await page.waitForSelector('#repaired');
+  assert.match(await page.textContent('#repaired'), /^Repair: .*(hole|shell)/);
+  assert.equal(await page.inputValue('#option-repair'), 'auto');
+  assert.match(await page.textContent('.command'), /--repair auto/);
+  await page.selectOption('#option-repair', 'wrap');
+  assert.match(await page.textContent('#option-repair-help'), /openings wider than the gap/);
+  await page.locator('#handle-gap').fill('5');
+  assert.equal(await page.inputValue('#option-gap'), '5');
+  assert.equal(await page.isVisible('#option-holesUpTo'), false);
+  await settled(page);
+  await page.waitForFunction(() => /Repair: wrap/.test(document.querySelector('#repaired h2')
+    ?.textContent ?? ''));
+  await settled(page);
+});
+
+test('the presets for printing and simulation mend', async () => {
+  for (const preset of ['print', 'simulation']) {
+    await page.click(`#preset-${preset}`);
+    assert.equal(await page.inputValue('#option-repair'), 'auto');
+    await settled(page);
+  }
+  await page.click('#preset-even');
+  assert.equal(await page.inputValue('#option-repair'), '');
+  await settled(page);
+});
+
+test('a cut shows what is inside, as deep as it goes', async () => {
+  // Only what is drawn counts: not what lies over it, nor the ring of what keys reach.
+  await page.evaluate(() => {
+    document.querySelector('#canvas').style.outline = 'none';
+    for (const part of document.querySelectorAll('.foot, .cutting')) part.style.opacity = '0';
+  });
+  await page.click('[data-do=fit]');
+  await page.focus('#canvas');
+  await page.waitForTimeout(300);
+  const whole = String(await picture());
+  await page.keyboard.press('x');
+  assert.equal(await page.getAttribute('#cut', 'aria-pressed'), 'true');
+  await page.waitForTimeout(300);
+  const half = String(await picture());
+  await page.locator('#cut-depth').fill('0.9');
+  await page.waitForTimeout(300);
+  const deep = String(await picture());
+  assert.equal(new Set([whole, half, deep]).size, 3);
+  await page.focus('#canvas');
+  await page.keyboard.press('x');
+  assert.equal(await page.isVisible('#cut-depth'), false);
+  await page.waitForTimeout(300);
+  assert.ok(String(await picture()) === whole, 'without a cut all is as it was');
+  assert.deepEqual(complaints, []);
+});

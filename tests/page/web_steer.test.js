@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Trying on the page: drafts follow a slider, purposes set options, steps are undone, results so
+// far are shown again and compared.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+
+import { drop, opened, reportRow, settled, visit } from '../support/browser_page.js';
+import { presets, withPreset } from '../../web/model/presets.js';
+import { plate } from '../support/machine_parts.js';
+import { objText, torus } from '../support/shape_files.js';
+import { offText } from '../support/shapes.js';
+
+const { page, complaints } = await visit({ hash: '#model=gear&vertices=500',
+  viewport: { width: 800, height: 480 }, unseen: true, prepare: noteStates });
+
+before(async () => {
+  await drop(page, { 'ring.obj': objText(torus(24, 12)) });
+  await opened(page, 'ring.obj');
+});
+
+/** Notes in the page what it was doing, one after the other. */
+function noteStates() {
+  globalThis.states = [];
+  addEventListener('DOMContentLoaded', () => {
+    new MutationObserver(() => globalThis.states.push(document.body.dataset.state))
+      .observe(document.body, { attributes: true, attributeFilter: ['data-state'] });
+  });
+}
+
+const result = async () => (await reportRow(page, 'Vertices'))[1];
+const value = (selector) => page.inputValue(selector);
+
+/** Waits for a result of the best quality, and until nothing goes on. */
+async function best(vertices) {
+  await page.waitForFunction((wanted) => document.body.dataset.state === 'idle'
+    && document.querySelector('.takeaway')
+    && document.getElementById('result-count').textContent === wanted, vertices);
+}
+
+test('a draft follows the slider, and the best comes when it rests', async () => {
+  await page.evaluate(() => { globalThis.states = []; });
+  await page.focus('#target-slider');
+  await page.keyboard.press('End');
+  const most = await value('#target');
+  assert.equal(most, '2900');  // ten times 288, in two digits
+  await best('2,900');
+  const states = await page.evaluate(() => globalThis.states);
+  assert.equal(states[0], 'drafting');
+  assert.ok(states.includes('busy'), states.join());
+  assert.equal(await result(), '2,900');
+});
+
+test('nothing follows when that is not wanted', async () => {
+  await page.uncheck('#live');
+  await page.evaluate(() => { globalThis.states = []; });
+  await page.fill('#target', '400');
+  await page.dispatchEvent('#target', 'change');
+  await page.waitForTimeout(700);
+  assert.deepEqual(await page.evaluate(() => globalThis.states), []);
+  await page.check('#live');
+  await page.click('form button[type=submit]');
+  await best('400');
+});
+
+test('a purpose sets options for all to see', async () => {
+  await page.click('#preset-print');
+  assert.equal(await value('#option-maxError'), '0.2');
+  assert.equal(await value('#option-adaptivity'), '0.7');
+  assert.equal(await value('#target'), '400');
+  assert.equal(await page.textContent('#asked'), 'Adaptivity 0.7 · Max error 0.2 · Repair auto');
+  assert.equal(await page.locator('.field.set').count(), 3);
+  await page.waitForFunction(() => location.hash.includes('maxError=0.2'));
+  await settled(page);
+});
+
+test('steps are undone and done again, by button and by key', async () => {
+  await page.click('#undo');
+  assert.equal(await page.textContent('#asked'), '');
+  assert.equal(await value('#option-maxError'), '');
+  await page.focus('#canvas');
+  await page.keyboard.press('Control+Shift+Z');
+  assert.equal(await value('#option-maxError'), '0.2');
+  assert.equal(await page.isDisabled('#redo'), true);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  assert.equal(await value('#target'), '2900');
+  await settled(page);
+  await best('2,900');
+});
+
+test('results so far are shown again, and any two compared', async () => {
+  const entries = page.locator('.history-entry');
+  const count = await entries.count();
+  assert.ok(count >= 4, `${count} results`);
+  const second = entries.filter({ hasText: '400 vertices' }).last();
+  await second.click();
+  await settled(page);
+  assert.equal(await page.textContent('#result-count'), '400');
+  assert.equal(await value('#target'), '400');
+  await page.selectOption('#baseline', '2');
+  await settled(page);
+  assert.match(await page.textContent('.tag-left'), /Result 2\s+2,900/);
+  await page.selectOption('#baseline', '');
+  await settled(page);
+  assert.match(await page.textContent('.tag-left'), /Original\s+288/);
+});
+
+test('Enter asks once, and what is cancelled does not begin again', async () => {
+  const rest = () => page.waitForTimeout(700);  // longer than a slider has to rest
+  const entries = await page.locator('.history-entry').count();
+  await page.fill('#target', '450');
+  await page.press('#target', 'Enter');
+  await rest();
+  await best('450');
+  assert.equal(await page.locator('.history-entry').count(), entries + 1);
+  await page.fill('#target', '100000');
+  await page.press('#target', 'Enter');
+  await page.click('#cancel');
+  await settled(page);
+  await page.evaluate(() => { globalThis.states = []; });
+  await rest();
+  assert.deepEqual(await page.evaluate(() => globalThis.states), []);
+});
+
+test('a new model begins anew', async () => {
+  await drop(page, { 'other.obj': objText(torus(16, 8)) });
+  await opened(page, 'other.obj');
+  assert.equal(await page.isDisabled('#undo'), true);
+  assert.equal(await page.locator('.history-entry').count(), 0);
+  assert.deepEqual(complaints, []);
+});
+
+test('low poly prefers shape, and paints anew what has textures', async () => {
+  const lowPoly = presets.find(({ id }) => id === 'lowPoly');
+  const asked = { vertices: 500, textures: 'keep' };
+  assert.deepEqual(withPreset(lowPoly, asked, true),
+    { ratio: 0.1, textures: 'bake', prefer: 'shape' });
+  assert.deepEqual(withPreset(lowPoly, {}, false), { ratio: 0.1, prefer: 'shape' });
+  await page.click('#preset-lowPoly');
+  assert.equal(await value('#option-prefer'), 'shape');
+  await best('29');
+  assert.match(await page.textContent('#result'), /vertices of the original/);
+});
+
+test('a model opens with the number that keeps its looks, and lost shape is said', async () => {
+  await drop(page, { 'plate.off': offText(plate()) });
+  await opened(page, 'plate.off');
+  await best('784');
+  assert.match(await page.textContent('#target-hint'), /twice as many as the original has/);
+  await page.selectOption('#option-prefer', 'even');
+  await page.fill('#target', '120');
+  await page.dispatchEvent('#target', 'change');
+  await best('120');
+  assert.match(await page.textContent('#shape-lost'), /Shape was lost: .* of the diagonal/);
+  await page.waitForSelector('#visit-largest');
+  await page.click('#shape-lost button');
+  assert.equal(await page.getAttribute('[data-shading=distance]', 'aria-pressed'), 'true');
+});

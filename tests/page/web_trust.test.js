@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// What visitors may rely on: the page works without a network, from any folder, survives a lost
+// graphics card, asks before work is thrown away, and stays small.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { brotliCompressSync, constants } from 'node:zlib';
+
+import { BufferAttribute, BufferGeometry } from 'three';
+
+import { timeLeft } from '../../web/base/format.js';
+import { allCorners, thin } from '../../web/triangles/thinning.js';
+import { cancelAtOnce, drop, openPage, opened, settled, visit } from '../support/browser_page.js';
+import { builtPage } from '../support/built_page.js';
+import { objText, torus } from '../support/shape_files.js';
+import { stl, torus as ring } from '../support/shapes.js';
+import { withMemory } from '../support/small_memory.js';
+import { filesUnder, root } from '../support/tree.js';
+
+const folder = await builtPage();
+const sight = { hash: '#model=gear&vertices=500', unseen: true, isKept: true,
+  viewport: { width: 800, height: 480 } };
+const { site, page } = await visit(sight);
+
+const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
+after(() => rmSync(scratch, { recursive: true }));
+
+test('the page’s script has at most 310 kB, packed with brotli', () => {
+  const scripts = filesUnder(folder.slice(folder.indexOf('build/')), /\.js$/)
+    .filter((file) => !/decoder/.test(file));  // with the WebAssembly inside
+  const packed = (/** @type {number} */ quality) => scripts.reduce((sum, file) =>
+    sum + brotliCompressSync(readFileSync(join(folder, '../../../..', file)),
+      { params: { [constants.BROTLI_PARAM_QUALITY]: quality } }).length, 0);
+  assert.ok(scripts.length >= 5);
+  // The best quality takes more than twice as long as the second best, which is mostly enough.
+  const quick = packed(10);
+  const total = quick < 310_000 ? quick : packed(11);
+  assert.ok(total < 310_000, `${total} bytes`);
+});
+
+test('every address in the page is relative to it', () => {
+  const html = readFileSync(join(folder, 'index.html'), 'utf8');
+  const addresses = [...html.matchAll(/(?:src|href)="([^"]+)"/g)].map(([, address]) => address)
+    .filter((address) => !address.startsWith('data:'));
+  assert.ok(addresses.length >= 3);
+  for (const address of addresses) assert.match(address, /^\.\//);
+  const manifest = JSON.parse(readFileSync(join(folder, 'app.webmanifest'), 'utf8'));
+  assert.deepEqual([manifest.start_url, manifest.scope, manifest.display],
+    ['./', './', 'standalone']);
+});
+
+test('a graphics card that is lost comes back', async () => {
+  const message = page.locator('#stage-message');
+  await page.evaluate(() => {
+    const context = document.getElementById('canvas').getContext('webgl2');
+    globalThis.card = context.getExtension('WEBGL_lose_context');
+    globalThis.card.loseContext();
+  });
+  await message.waitFor({ state: 'visible' });
+  assert.match(await message.textContent(), /comes back/);
+  await page.evaluate(() => globalThis.card.restoreContext());
+  await message.waitFor({ state: 'hidden' });
+  await page.waitForFunction(() => Number(document.getElementById('canvas').dataset.calls) > 0);
+});
+
+test('in the background, without frames, the page goes on and shows its result later', async () => {
+  await page.evaluate(() => {
+    globalThis.frames = [];
+    globalThis.shownFrames = globalThis.requestAnimationFrame;
+    globalThis.requestAnimationFrame = (callback) => globalThis.frames.push(callback);
+  });
+  const triangles = () => page.getAttribute('#canvas', 'data-triangles');
+  const earlier = await triangles();
+  await page.fill('#target', '700');
+  await page.click('form button[type=submit]');
+  await page.waitForSelector('#result-count:text-is("700")');
+  await settled(page);
+  assert.equal(await triangles(), earlier);
+  await page.evaluate(() => {
+    globalThis.requestAnimationFrame = globalThis.shownFrames;
+    for (const callback of globalThis.frames) callback(performance.now());
+  });
+  await page.waitForFunction((old) =>
+    document.getElementById('canvas').dataset.triangles !== old, earlier);
+});
+
+test('where memory ends that is said, the last result stays, and the page goes on', async () => {
+  const megabytes = 20;
+  const { page: small } = await openPage(site, { ...sight,
+    wasm: withMemory(readFileSync(join(root, 'dist/remesher.wasm')), megabytes) });
+  await settled(small);
+  const refused = async () => {
+    await small.waitForSelector('#error:visible');
+    await settled(small);
+    assert.match(await small.textContent('#error'), /needs more memory than/);
+    assert.equal(await small.textContent('#model-name'), 'gear.obj');
+    assert.equal(await small.textContent('#result-count'), '500');
+    assert.equal(await small.isVisible('.takeaway'), true);
+  };
+  await small.fill('#target', '60000');
+  await small.click('form button[type=submit]');
+  await refused();
+  const large = Buffer.from(stl(ring({ columns: 1000, rows: 215 })));
+  assert.ok(large.length > megabytes * 2 ** 20, 'not even the file itself has room');
+  await small.setInputFiles('#file-input', { name: 'large.stl', mimeType: '', buffer: large });
+  await refused();
+  await small.fill('#target', '400');
+  await small.click('form button[type=submit]');
+  await small.waitForSelector('#result-count:text-is("400")');
+  assert.equal(await small.isVisible('#error'), false);
+  await small.close();
+});
+
+test('leaving asks when a result of one’s own file was not taken home', async () => {
+  const asks = () => page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  assert.equal(await asks(), false, 'a sample');
+  await drop(page, { 'mine.obj': objText(torus(16, 8)) });
+  await opened(page, 'mine.obj');
+  assert.equal(await asks(), true);
+  await Promise.all([page.waitForEvent('download'),
+    page.click('.takeaway button:text-is("Download GLB")')]);
+  await settled(page);
+  assert.equal(await asks(), false, 'it was taken home');
+});
+
+test('of a million triangles and more a part is drawn, and said so; none is lost', async () => {
+  const path = join(scratch, 'large.stl');
+  writeFileSync(path, stl(ring({ columns: 1250, rows: 410 })));
+  await cancelAtOnce(page);
+  await page.setInputFiles('#file-input', path);
+  await opened(page, 'large.stl');
+  assert.match(await page.textContent('#left-thinned'),
+    /^9\d\d,\d{3} of 1,025,000 triangles drawn$/);
+  assert.match(await page.textContent('#model-facts'), /1,025,000 triangles/);
+  assert.equal(await page.getAttribute('#wireframe', 'aria-pressed'), 'false');
+});
+
+test('what is drawn is a part of the triangles, spread over all of them', async () => {
+  const { positions, triangles } = torus(120, 40);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions.flat()), 3));
+  geometry.setIndex(triangles.flat());
+  const { shown, all } = await thin([geometry, geometry], 4000);  // in two places
+  assert.equal(all, 2 * triangles.length);
+  assert.equal(shown, 2 * geometry.index.count / 3);
+  assert.ok(shown > 2000 && shown <= 4000, `${shown}`);
+  assert.deepEqual([...allCorners(geometry)], triangles.flat());
+  const drawn = new Set(geometry.index.array);
+  const far = positions.filter((place) => ![...drawn].some((v) =>
+    Math.hypot(...positions[v].map((x, k) => x - place[k])) < 0.3));
+  assert.deepEqual(far, []);
+});
+
+test('the time that is left is told once it is known', () => {
+  assert.equal(timeLeft(500, 0.5), null);
+  assert.equal(timeLeft(10_000, 0.01), null);
+  assert.equal(timeLeft(3000, 0.75), 1000);
+});
+
+test('after the first visit the page needs no network', async () => {
+  await page.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready;
+    if (active.state === 'activated') return;
+    await new Promise((resolve) => { active.addEventListener('statechange', resolve); });
+  });
+  await site.stop();
+  await page.goto(`${site.url}#model=scan&vertices=1000`);
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.textContent('#result-count'), '1,000');
+  assert.equal(await page.isVisible('#error'), false);
+});
