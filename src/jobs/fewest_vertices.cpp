@@ -64,8 +64,11 @@ class FewestSearch {
 
   // Fewer than a surface needs are raised to that.
   bool isSettled() const {
-    return does_ && (isLeast_ || (fails_ && *does_ <= kNearEnough * *fails_));
+    return does_ && (isLeast_ || (fails_ && (*does_ <= kNearEnough * *fails_ || areNeighbors())));
   }
+
+  // No number lies between them.
+  bool areNeighbors() const { return *does_ - *fails_ <= 1; }
 
   void draft(double vertices) {
     const RemeshOutcome made = runAt(vertices);

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -209,7 +210,15 @@ class Simplification {
     return true;
   }
 
-  // Whether a triangle that remains would.
+  // The unit normal; zero for a triangle that single precision hardly tells from a line.
+  static Vec3 facing(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const bool isLine = area(a, b, c) <= std::numeric_limits<float>::epsilon() * longest;
+    return isLine ? Vec3(Vec3::Zero()) : unitNormal(a, b, c);
+  }
+
+  // Whether a triangle that remains would turn by too much, or become a line.
   bool turns(const Offer& offered) const {
     const Vertex from = offered.from, into = offered.into;
     bool result = false;
@@ -218,8 +227,8 @@ class Simplification {
         const Vertex b = mesh_.tip(h), c = mesh_.opposite(h);
         if (b == from || b == into || c == from || c == into) return;
         const auto& p = surface_.positions;
-        const Vec3 before = unitNormal(p[moved], p[b], p[c]);
-        const Vec3 now = unitNormal(offered.place, p[b], p[c]);
+        const Vec3 before = facing(p[moved], p[b], p[c]);
+        const Vec3 now = facing(offered.place, p[b], p[c]);
         result |= !before.isZero() && !(before.dot(now) > leastTurned_);
       });
     return result;

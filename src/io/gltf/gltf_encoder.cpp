@@ -111,6 +111,8 @@ void makeUnitLength(Table& table) {
 }
 
 void normalizeWeights(std::span<Table> sets, int componentType) {
+  // Weights whose sum is this close to 1 stay as they are, bit for bit.
+  constexpr double kTolerance = 1e-4;
   const double one = largestInteger(componentType);
   if (sets.empty()) return;
   for (std::size_t row = 0; row < sets[0].rows(); ++row) {
@@ -129,6 +131,8 @@ void normalizeWeights(std::span<Table> sets, int componentType) {
       for (float* weight : weights) *weight = static_cast<float>(*weight / one);
     } else if (sum == 0) {
       *largest = 1;
+    } else if (sum > 0 && std::abs(sum - 1) > kTolerance) {
+      for (float* weight : weights) *weight = static_cast<float>(*weight / sum);
     }
   }
 }

@@ -39,6 +39,14 @@ TEST_CASE("fewest vertices: of what is flat few, however many there are") {
   CHECK(made.vertices <= 24);
 }
 
+TEST_CASE("fewest vertices: of the smallest surfaces too the search ends") {
+  for (const double bound : {0.02, 0.1, 2.0}) {
+    const RemeshOutcome made = withinOnly(shapes::bowTie(), bound);
+    CHECK(made.stopped == Stopped::Target);
+    CHECK(made.vertices >= 5);
+  }
+}
+
 TEST_CASE("fewest vertices: a bound near nothing is kept along the edges of the input") {
   const TriangleMesh icosahedron = shapes::icosphere(1);
   const RemeshOutcome made = withinOnly(icosahedron, 1e-5);

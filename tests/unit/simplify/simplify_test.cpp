@@ -8,6 +8,7 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle.h"
 #include "mesh/check.h"
 #include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"
@@ -40,6 +41,21 @@ TEST_CASE("simplify: the topology is kept") {
     simplify(surface, surface.mesh.vertexCount() / 2);
     CHECK(check(surface.mesh) == "");
     CHECK(eulerCharacteristic(surface.mesh) == shape.chi);
+  }
+}
+
+TEST_CASE("simplify: no triangle becomes a line") {
+  constexpr double kSine = 1e-7;
+  for (const std::size_t vertices : {60, 40, 24, 12, 8}) {
+    CAPTURE(vertices);
+    SimpleSurface surface = surfaceOf(shapes::cube(4));
+    simplify(surface, vertices);
+    for (Index f = 0; f < surface.mesh.faceCapacity(); ++f) {
+      if (!surface.mesh.isAlive(Face(f))) continue;
+      const auto [a, b, c] = surface.mesh.vertices(Face(f));
+      const auto& p = surface.positions;
+      CHECK(minAngle(p[a], p[b], p[c]) > kSine);
+    }
   }
 }
 

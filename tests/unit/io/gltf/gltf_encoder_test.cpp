@@ -54,6 +54,15 @@ TEST_CASE("gltf_encoder: weights that are all zero become a whole one") {
   }
 }
 
+TEST_CASE("gltf_encoder: weights in single precision sum to one, good ones stay bit for bit") {
+  std::vector<Table> sets = {{4, {1e-39F, 3e-39F, 0, 0, 0.25F, 0.75F, 0, 0}}};
+  normalizeWeights(sets, TINYGLTF_COMPONENT_TYPE_FLOAT);
+  CHECK(sets[0].values[0] == doctest::Approx(0.25));
+  CHECK(sets[0].values[1] == doctest::Approx(0.75));
+  CHECK(std::vector(sets[0].values.begin() + 4, sets[0].values.end()) ==
+        std::vector{0.25F, 0.75F, 0.0F, 0.0F});
+}
+
 TEST_CASE("gltf_encoder: weights of all sets together sum to exactly one") {
   std::vector<Table> sets(2, Table{4, {1 / 8.0F, 1 / 8.0F, 1 / 8.0F, 1 / 8.0F}});
   normalizeWeights(sets, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
