@@ -11,9 +11,9 @@ namespace remesher {
 // vertex all but its largest fan, until the rest is a manifold.
 void dropUnsound(QuadMesh& mesh);
 
-// Fills each hole, a loop of sides that are on no boundary of the ground, if their number is even;
-// with as few irregular vertices as three, four or five sectors allow. The quads must be a
-// manifold.
+// Fills each hole, a loop of sides that are on no boundary of the ground, if their number is even
+// and at most 64; with as few irregular vertices as three, four or five sectors allow. The quads
+// must be a manifold.
 void fillHoles(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

@@ -21,7 +21,8 @@ SurfaceKind kindOf(const HalfedgeMesh& mesh);
 SurfaceKind kindOf(const QuadMesh& mesh);  // which must be a manifold
 
 // The first broken law in words, empty if all hold: four different corners per quad, every vertex
-// in use, a manifold, and no doublet. A doublet is an inner vertex with only two quads.
+// in use, a manifold, no doublet, and one curve for both sides of an edge. A doublet is an inner
+// vertex with only two quads.
 std::string check(const QuadMesh& mesh);
 
 }  // namespace remesher
