@@ -27,7 +27,7 @@ struct Followed {
 };
 
 // Whether the original has so few vertices, at most 32 per position, that its own triangles show.
-// Not asked where the caller prefers shape.
+// If the caller prefers shape, `follow` is tried without this test.
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 
 // A mesh with exactly so many distinct positions. None if the original has fewer (with baked

@@ -76,10 +76,9 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
   return reached;
 }
 
-// Makes as many vertices as the sizes need that the bound asks for, even beyond the target; some
-// are then removed as the bound allows. Sizes that need more vertices than the original has measure
-// its facets, not its shape: then, and where the number itself is looked for, only the target is
-// made.
+// Makes as many vertices as the sizes for the bound need, even beyond the target; some are then
+// removed as the bound allows. Sizes that need more vertices than the original has measure its
+// facets, not its shape: then, and where the number itself is looked for, only the target is made.
 bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
   const bool splitsObtuse = manner.options.splitObtuse;
   const std::size_t original = run.mesh.mesh().vertexCount();

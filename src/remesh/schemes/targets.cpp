@@ -81,7 +81,7 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give at least one value above 0; only their ratios count.");
 }
 
-// Every number in the hint must be enough.
+// The message names no number but one that is enough.
 std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
   const std::string beginning = "The target of " + std::to_string(target) + " vertices is ";
   if (code != ErrorCode::TargetBelowCurves) return beginning + "too small for this surface.";
