@@ -115,7 +115,7 @@ std::vector<Halfedge> wayInside(const WorkingMesh& mesh, const std::vector<Halfe
   return {starts.front()};
 }
 
-// The edges that leave the vertex of a sector, those in its middle first.
+// The edges that leave the vertex of a sector, the edges in its middle first.
 std::vector<Halfedge> fromMiddle(const WorkingMesh& mesh, const Sector& sector) {
   std::vector<Halfedge> edges;
   const std::size_t count = sector.inside.size(), middle = count / 2;

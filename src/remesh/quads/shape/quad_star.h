@@ -24,7 +24,7 @@ class MovingQuads {
 
   // The smallest sine of the quad's corners, negative where it folds over or is reflex.
   double quality(Index quad) const;
-  // The smallest of all quads around v.
+  // The smallest quality of the quads around v.
   double qualityAround(Index v) const;
 
   // The place nearest to p that v may move to, if v may move.

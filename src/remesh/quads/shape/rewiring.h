@@ -15,8 +15,8 @@
 
 namespace remesher {
 
-// ground: any mesh on the same original. The quads stay a surface of the same kind; what is on
-// curves stays on them.
+// ground: any mesh on the same original. The quads stay a surface of the same kind; sides and
+// vertices on curves stay on them.
 void rewire(QuadMesh& mesh, const WorkingMesh& ground);
 
 // Gives each inner vertex with only two quads a third: a smaller quad is put into one of the two.
