@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far attributes are from what they were, after vertices have gone into others [Hoppe 1999]: on
-// each triangle they are linear functions of the place.
+// The error of attributes after collapses [Hoppe 1999]. On each triangle the original attributes
+// are linear functions of the place.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ class AttributeQuadrics {
 
   void addTriangle(const std::array<Vec3, 3>& corners, const std::array<Index, 3>& wedges);
 
-  // The sum of squares, times areas, over all that has gone into both wedges, were their one place
-  // `place` and their attributes those of `staying`.
+  // The sum of squared errors, times areas, over all triangles merged into both wedges, if both
+  // were at `place` with the attributes of `staying`.
   double cost(Index going, Index staying, const Vec3& place) const;
 
   void merge(Index going, Index staying);
 
  private:
-  // Of one wedge: Σ area · (gradient · p + offset − value)², with the terms that hold the value
-  // apart, for it is only known when it is asked for.
+  // Of one wedge: Σ area · (gradient · p + offset − value)², with the terms in the value kept
+  // apart, for the value is only known when the cost is asked for.
   struct Sum {
     Quadric functions;
     double area = 0;

@@ -19,27 +19,29 @@ namespace remesher {
 
 namespace {
 
-// A way along the surface counts as some 450th of one away from it: on what is flat
-// triangles stay even.
+// A distance along the surface counts as some 450th of a distance away from it, so that triangles
+// on flat parts stay even.
 constexpr double kSideways = 5e-6;
-// What an edge weighs, of its squared length: a border, a seam, and a sharp one within the surface.
+// The weights of edges, times their squared length: of a border, a seam, and a sharp edge within
+// the surface.
 constexpr double kBorder = 2, kSeam = 1, kCrease = 0.2;
-// The cosine of the angle between normals from which on an edge is sharp: 37°.
+// The cosine of the angle between normals beyond which an edge is sharp: 37°.
 constexpr double kSharp = 0.8;
-// The cosine of what a triangle may turn by at once: 60°, and 90° where nothing else goes.
+// The cosine of the largest angle by which a collapse may turn a triangle: 60°, and 90° where
+// nothing else goes.
 constexpr double kTurned = 0.5, kFarTurned = 0;
-// In lengths of the edge: no vertex goes farther from the end that remains.
+// In lengths of the edge: the remaining vertex moves no farther from its place.
 constexpr double kFarthest = 2;
-// A look around a vertex costs as much as it has neighbours. A vertex of more is a hub: it stays,
-// and loses neighbours where they go into each other.
+// A look around a vertex costs as much as it has neighbours. A vertex with more neighbours than
+// this is a hub: the hub stays, and loses neighbours as they are merged with each other.
 constexpr int kMostNeighbors = 64;
 
 struct Offer {
-  double cost;  // more than the sum: what is off over a large area is seen more
+  double cost;  // the sum times √area: a large area shows errors more
   Halfedge halfedge;
   Vertex from, into;
-  Index stamp;  // of both
-  Vec3 place;   // of what remains
+  Index stamp;  // the sum of both stamps
+  Vec3 place;   // of the vertex that remains
 
   // The cheapest comes out of the queue first.
   bool operator<(const Offer& other) const {
@@ -47,7 +49,7 @@ struct Offer {
   }
 };
 
-// Free: on no seam, and inside. Seam: on one, or on a boundary. Fixed: where they meet.
+// Free: inside and on no seam. Seam: on a seam or a boundary. Fixed: where these meet or end.
 enum class Freedom : char { Free, Seam, Fixed };
 
 class Simplification {
@@ -79,8 +81,8 @@ class Simplification {
     }
   }
 
-  // Edges turn where the smaller angle of their triangles grows. Of all angles the smallest grow,
-  // so that it ends.
+  // Flips edges where the smallest angle of their two triangles grows. The smallest angles of the
+  // mesh only grow, so that the loop ends.
   void widenAngles() {
     for (bool hasTurned = true; hasTurned;) {
       hasTurned = false;
@@ -95,7 +97,7 @@ class Simplification {
   }
 
  private:
-  // Numbers stay small wherever the model lies.
+  // Seen from the centre, so that numbers stay small wherever the model lies.
   Vec3 at(Vertex v) const { return surface_.positions[v] - center_; }
   bool isSeam(Halfedge h) const { return mesh_.isBoundary(h) || surface_.seams[h]; }
 
@@ -129,15 +131,15 @@ class Simplification {
     return unitNormal(at(a), at(b), at(c)).dot(normal) < kSharp;
   }
 
-  // Where a surface ends shows as much as what is off within: as though it went on as far as its
-  // edge is long.
+  // A border shows errors as much as the inside does: it counts as though the surface went on as
+  // far as the border edge is long.
   void addBorder(Halfedge h, const Vec3& normal) {
     addEdge(h, normal, kBorder);
     const double beyond = (at(mesh_.tip(h)) - at(mesh_.origin(h))).squaredNorm();
     for (const Vertex v : {mesh_.origin(h), mesh_.tip(h)}) quadrics_[v].area += beyond;
   }
 
-  // Away from its edge nothing is to move along its triangle's plane either.
+  // Adds the distance from the edge within the plane of its triangle.
   void addEdge(Halfedge h, const Vec3& normal, double weight) {
     const Vec3 from = at(mesh_.origin(h)), way = at(mesh_.tip(h)) - from;
     const Vec3 outwards = way.cross(normal).stableNormalized();
@@ -156,7 +158,7 @@ class Simplification {
 
   bool isHub(Vertex v) const { return mesh_.hasMoreNeighbors(v, kMostNeighbors); }
 
-  // Stamps only grow: where the sum is the same, so are both.
+  // Stamps only grow: if their sum is the same, so are both.
   bool isCurrent(const Offer& offered) const {
     const Halfedge h = offered.halfedge;
     return mesh_.isAlive(h) && mesh_.origin(h) == offered.from && mesh_.tip(h) == offered.into &&
@@ -186,8 +188,8 @@ class Simplification {
     queue_.push(offered);
   }
 
-  // The wedges at the origin and at the tip of an edge, on one side and on the other: once, where
-  // both sides have the same.
+  // The wedges at the origin and at the tip of an edge, a pair for each side; one pair if both
+  // sides have the same.
   std::vector<std::pair<Index, Index>> wedgesAlong(Halfedge h) const {
     const auto& wedges = kept_->wedges;
     std::vector<std::pair<Index, Index>> pairs = {{wedges[h], wedges[HalfedgeMesh::next(h)]}};
@@ -218,7 +220,7 @@ class Simplification {
     return isLine ? Vec3(Vec3::Zero()) : unitNormal(a, b, c);
   }
 
-  // Whether a triangle that remains would turn by too much, or become a line.
+  // Whether a triangle that remains would turn too far or become a line.
   bool turns(const Offer& offered) const {
     const Vertex from = offered.from, into = offered.into;
     bool result = false;
@@ -253,7 +255,7 @@ class Simplification {
     offerAround(into);
   }
 
-  // Before its collapse: the corners at its origin get what those at its tip have on their side.
+  // Before the collapse of h: the corners at its origin get the wedges at its tip on the same side.
   void mergeWedges(Halfedge h) {
     const auto pairs = wedgesAlong(h);
     for (const auto& [going, staying] : pairs) attributes_->merge(going, staying);
@@ -263,7 +265,7 @@ class Simplification {
     });
   }
 
-  // What was refused may be possible now, all around. What was offered at a hub beside it stays.
+  // Collapses refused before may be possible now, all around. Offers at a neighbouring hub stay.
   void offerAround(Vertex v) {
     around_.clear();
     const auto gather = [&](Vertex w) {
@@ -281,8 +283,8 @@ class Simplification {
     for (const Halfedge h : around_) offer(h);
   }
 
-  // Whether to turn an edge does good, folds nothing, and moves the surface by no more than what
-  // has gone has moved it there.
+  // Whether a flip widens the smallest angle, folds nothing, and moves the surface by no more than
+  // collapses have moved it there.
   bool widens(Halfedge h) const {
     const Halfedge t = mesh_.twin(h);
     const Vertex from = mesh_.origin(h), to = mesh_.tip(h);

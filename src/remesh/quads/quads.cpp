@@ -24,20 +24,20 @@ namespace remesher {
 
 namespace {
 
-// Of triangles for the map: as many vertices as the quads, but no fewer than fields and maps need
-// to be smooth.
+// The map's triangles have as many vertices as the quads, but no fewer than this: fields and maps
+// need so many to be smooth.
 constexpr std::size_t kLeastForMap = 5000;
-// Opposite singular vertices nearer than this cancel each other; in sides of quads.
+// Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
 constexpr int kTries = 12;
 constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
-// Towards the count by what the last map had; then aside.
+// So many scales are corrected by the count of the last map; later ones lie aside of the best.
 constexpr int kSteps = 4;
-// A map farther off is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7 neighboring
-// counts, not at 1; five other models are the same.
+// A map with a larger count error is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7
+// neighboring counts, not at 1; five other models are the same.
 constexpr double kFarthest = 0.2;
 constexpr int kSmoothings = 12;
-// Of maps whose quads fold somewhere, so many are looked at.
+// At most so many maps have their quads shaped and judged.
 constexpr int kShaped = 4;
 
 double areaOf(const WorkingMesh& mesh) {
@@ -62,7 +62,8 @@ void shape(QuadMesh& quads, const WorkingMesh& ground) {
   rewire(quads, ground);
 }
 
-// Quads that fold, have hardly any area, or cut a corner of the original.
+// Counts quads that fold or have hardly any area, and places where quads cut a corner of the
+// original.
 std::size_t countFaults(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
   std::size_t count = countFar(quads, ground);
@@ -76,10 +77,10 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
   return field;
 }
 
-// The quads of a map, if they are a surface like that of the mesh.
+// The quads of a map, if they are a surface of the mesh's kind.
 struct Extracted {
   QuadMesh quads;
-  std::size_t faults;  // curves that are not followed, and quads that are not sound
+  std::size_t faults;  // curves that are not followed, and unsound quads
 };
 std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
   QuadMesh quads = extractQuads(part, map);
@@ -94,16 +95,17 @@ std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& m
   return Extracted{std::move(quads), faults};
 }
 
-// Rows are added for nothing, while each quad that is taken out leaves irregular vertices.
+// Adding rows costs nothing, while each removed quad leaves irregular vertices.
 double countError(double count, double wanted) {
-  // Times as bad as too few. Of five models at 7 neighboring counts each, 2 leaves featuretype 208
-  // irregular vertices instead of 188, 8 takes angle_block from 1.3 to 2.6 % in the worst.
+  // Too many vertices are so many times as bad as too few. Of five models at 7 neighboring counts
+  // each, 2 leaves featuretype 208 irregular vertices instead of 188, 8 takes angle_block from 1.3
+  // to 2.6 % in the worst.
   constexpr double kTooMany = 4;
   const double off = count / wanted - 1;
   return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
 
-// Whether one result is to be had rather than another: by faults, then by the count.
+// Whether a is the better result: by faults, then by the count.
 bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double wanted) {
   if (!b) return true;
   if (a.faults != b->faults) return a.faults < b->faults;
@@ -111,8 +113,8 @@ bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double want
          countError(double(b->quads.vertices.size()), wanted);
 }
 
-// Rounding makes of each scale another map, and numbers come in steps: scales to both sides of the
-// nearest one are tried, ever farther ones, until a map is good.
+// Rounding makes another map at each scale, and counts come in steps: tries scales on both sides of
+// the nearest one, ever farther away, until a map is good.
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
                                      double vertices) {
   std::optional<Extracted> best;
@@ -140,8 +142,8 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   return best;
 }
 
-// To the number that is wanted, or as near as is allowed: whole rows of quads more make nothing
-// irregular, single quads fewer do.
+// Brings the count to the goal, or as near as allowed. Adding whole rows of quads makes no vertex
+// irregular; removing single quads does.
 void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
   const double slack = goal.isExact ? 0 : kCountTolerance;
   const auto most = std::size_t(double(goal.vertices) * (1 + slack));
@@ -150,7 +152,7 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   const std::size_t before = mesh.vertices.size();
   if (before < least) divideChords(mesh, ground, goal.vertices);
   if (mesh.vertices.size() < least) divideShortestChord(mesh, ground, least - mesh.vertices.size());
-  // Room is left for vertices that wiring anew may add.
+  // Leaves room for vertices that rewiring may add.
   const std::size_t enough = mesh.vertices.size() > most ? (goal.vertices + most) / 2 : most;
   made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(enough, 8), goal.isExact});
   if (mesh.vertices.size() == before && made.collapsed == 0) return;
@@ -164,9 +166,9 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   if (countFaults(rewired.mesh, ground) < countFaults(mesh, ground)) made = std::move(rewired);
 }
 
-// What a part may have: its share of the vertices by area.
+// The share of a part in the vertices, by area.
 struct PartShare {
-  Index number;  // of the connected part of the original that it lies on
+  Index number;  // of the original's connected part below
   double vertices;
 };
 
@@ -180,8 +182,8 @@ std::vector<PartShare> sharesOf(const std::vector<WorkingMesh>& parts, double ve
   return shares;
 }
 
-// By pairs, for the parts of these numbers. The number of vertices follows from that of triangles
-// left alone, so that a second mesh has the right one.
+// Quads by pairs, for the parts with these numbers. The number of vertices depends on how many
+// triangles stay single, so that a second mesh has the right number.
 QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
                    const TriangleMaker& triangles) {
   double share = 0;
@@ -251,7 +253,8 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     return result;
   };
   if (!goal.isExact) return made(1);
-  // To a few less rows are added; where that is not enough, some of a few more go.
+  // Tries a slightly smaller count first, to which rows are added; if that does not do, a slightly
+  // larger one, from which quads are removed.
   MadeQuads fromBelow = made(1 - kCountTolerance);
   if (fromBelow.collapsed == 0 && fromBelow.mesh.vertices.size() == goal.vertices) return fromBelow;
   MadeQuads fromAbove = made(1 + kCountTolerance);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From even triangles to quads alone. Two ways: a seamless map of the triangles to the plane, whose
-// unit squares are the quads; and, for each connected part where the map does not give a surface of
-// the same kind, pairs of triangles divided, which always do.
+// From even triangles to quads alone, in two ways. A seamless map takes the triangles to the plane;
+// its unit squares are the quads. Where the map does not give a connected part a surface of the
+// same kind, divided pairs of triangles do, which always works.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,12 @@ namespace remesher {
 
 struct MadeQuads {
   QuadMesh mesh;
-  std::size_t parts = 0;      // connected ones
+  std::size_t parts = 0;      // connected parts
   std::size_t paired = 0;     // of them, those made of pairs of triangles
   std::size_t collapsed = 0;  // quads taken out to reach the number
 };
 
-// Even, compact triangles of about so many vertices on the surface, all of them on one and the
-// same.
+// Makes even, compact triangle meshes of about so many vertices, all on the same surface.
 using TriangleMaker = std::function<WorkingMesh(std::size_t vertices)>;
 
 struct QuadGoal {
@@ -26,13 +25,13 @@ struct QuadGoal {
   bool isExact = false;  // else within a hundredth
 };
 
-// By way of triangles that `triangles` makes.
+// Makes quads from the meshes that `triangles` makes.
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 
-// By the map, for one connected part; no quads where it fails.
+// Quads by the map, for one connected part; no quads if the map fails.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices);
 
-// By pairs: about four times as many vertices as the mesh has. length: of the quads' sides.
+// Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);
 
 }  // namespace remesher

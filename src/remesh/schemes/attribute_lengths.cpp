@@ -11,8 +11,8 @@ namespace remesher {
 
 namespace {
 
-// A texture that lies aside counts as a third of a surface that does; a colour that goes from
-// nothing to all, as one that is away by a hundredth of the model's size.
+// A shift of the texture counts as a third of the same shift of the surface; a change from no
+// colour to full colour counts as a hundredth of the model's size.
 constexpr double kAside = 0.3, kAll = 0.01;
 
 bool startsWith(const Attribute& attribute, std::string_view name) {
@@ -70,7 +70,7 @@ KeptAttributes attributesAsLengths(const BuiltMesh& original, const TriangleMesh
     for (const auto& [attribute, length] : lengths)
       for (int k = 0; k < attribute->itemSize; ++k)
         kept.values.push_back(length * attribute->values[v * attribute->itemSize + k]);
-  // One wedge to a place for all that look the same there.
+  // All wedges of a vertex that look the same become one.
   const HalfedgeMesh& m = original.mesh;
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     std::vector<Index> looks;

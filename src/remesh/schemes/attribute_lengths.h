@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes as lengths, so that what is off by some of them weighs against what is off in space.
+// Attributes scaled to lengths, so that their error can be weighed against distance in space.
 #pragma once
 
 #include "base/triangle_mesh.h"
@@ -8,13 +8,14 @@
 
 namespace remesher {
 
-// Whether two vertices of the input have the same attributes, but for normals, which a result has
-// of its own.
+// Whether two input vertices have the same attributes. Normals and tangents do not count: a result
+// has its own.
 bool haveSameLook(const TriangleMesh& input, Index a, Index b);
 
-// Of all corners of an original. Texture coordinates count as the way along the surface on which
-// they change by as much; what has no length of its own, as colours, by a share of the model's
-// size. No values where there are none but normals and numbers of joints.
+// The attributes of all corners of an original. Texture coordinates count by a share of the way
+// along the surface on which they change by as much; attributes without a length of their own, such
+// as colours, by a share of the model's size. Normals, tangents and joint numbers are left out;
+// without other attributes there are no values.
 KeptAttributes attributesAsLengths(const BuiltMesh& original, const TriangleMesh& input);
 
 }  // namespace remesher

@@ -30,16 +30,16 @@ constexpr int kEvenings = 2;
 constexpr double kTipTolerance = 0.5;  // of the target edge length
 constexpr double kHardlyShift = 0.04;  // of the target edge length: not worth a distance
 
-// Two levels pay only for large meshes, none for tiny ones.
+// Two levels pay only for large meshes; for tiny meshes no level pays.
 constexpr std::size_t kManyVertices = 40000;
 constexpr std::size_t kFewVertices = 400;
-// Corners never move: a coarse mesh needs so many vertices to each.
+// Corners never move: a coarse mesh needs so many vertices per corner.
 constexpr std::size_t kVerticesPerCorner = 6;
-// On average, over a coarse edge. Six edges as long as its radius go around a tube (a bend of 1);
-// with fewer it falls flat, and no vertex that comes later raises it again.
+// The largest mean bend over a coarse edge. Six edges as long as the radius go around a tube (a
+// bend of 1); with fewer edges the tube falls flat, and no later vertex raises it again.
 constexpr double kMostBend = 0.9;
 
-// How the vertices come about: a coarse mesh, subdivided so often.
+// How the vertices are made: a coarse mesh, subdivided `count` times.
 struct Levels {
   int count;
   std::size_t coarse;  // vertices of the coarse mesh, at first
@@ -59,7 +59,7 @@ Levels planLevels(const Run& run, const BestGoal& goal) {
   const FeatureCurves& curves = run.mesh.surface().curves();
   const std::size_t corners = countCorners(curves, original);
   const auto& chains = curves.chains();
-  // Subdividing would divide what is to be kept, and spikes.
+  // Subdividing would divide kept chains, and spikes.
   const bool isKept =
       std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
   if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices, goal.quality};
@@ -88,9 +88,9 @@ void smooth(Run& run) {
   }
 }
 
-// Where the caller has said how dense vertices are to be, and neither hysteresis between splits and
-// collapses nor smoothing over ever more regular valences may blur it: some vertices more where
-// edges are too long, as many fewer where they are too short.
+// Restores the density that the caller wishes, which hysteresis between splits and collapses and
+// smoothing over ever more regular valences blur: adds some vertices where edges are too long, and
+// removes as many where edges are too short.
 void evenOut(Run& run, std::size_t vertices) {
   for (int i = 0; i < kEvenings; ++i)
     for (const std::size_t count : {vertices + vertices / 10, vertices}) {
@@ -106,7 +106,7 @@ void smoothOntoTips(Run& run) {
   smooth(run);
 }
 
-// Following the boundaries adds vertices, matching the count takes some away, there as well.
+// Following the boundaries adds vertices; matching the count removes some, at boundaries too.
 bool followToCount(Run& run, std::size_t vertices) {
   bool reached = false;
   const int rounds = isLeftOut("second count") ? 1 : 2;
@@ -119,8 +119,8 @@ bool followToCount(Run& run, std::size_t vertices) {
   return reached;
 }
 
-// As many vertices as the levels make the wished number of, or a few more, nearly all regular, the
-// tips of the original reached.
+// Makes the coarse mesh, with the vertices that the levels turn into the wished number, or a few
+// more; nearly all vertices are regular, and the tips of the original are reached.
 void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   run.scale = std::pow(2.0, levels.count);
   run.effort = levels.effort(0);
@@ -136,7 +136,8 @@ void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
   matchCount(run, coarse);
 }
 
-// Down to the level of the result, and to the exact number. Returns whether it was reached.
+// Refines to the level of the result and to the exact number. Returns whether the number was
+// reached.
 bool refine(Run& run, const Levels& levels, const Progress& progress) {
   for (int i = 0; i < levels.count; ++i) {
     progress.phase("refine", double(i) / levels.count, 1);
@@ -152,8 +153,8 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
   return followToCount(run, levels.vertices);
 }
 
-// Half of the way from a surface that the triangles cut into to one that they follow is one pass of
-// fitting; the worst triangles are mended, and the farthest places left.
+// One pass of fitting goes half of the way from triangles that cut into the surface to triangles
+// that follow it. The worst triangles are mended; the farthest places are left.
 void finishDraft(Run& run, const Progress& progress) {
   land(run);
   fit(run, progress.phase("fit", 0, 1));
@@ -161,7 +162,7 @@ void finishDraft(Run& run, const Progress& progress) {
   polish(run, {kFair});
 }
 
-// Nearer to the original, and no triangle left that could be better.
+// Brings the mesh nearer to the original, and leaves no triangle that could be better.
 void finish(Run& run, const Progress& progress) {
   progress.phase("polish", 0, 0);
   if (areFewBelow(run, kSound)) take("widen angles", [&] { widenAngles(run); });

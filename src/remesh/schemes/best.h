@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `--scheme best`: adapt to the sizes on a coarse level, where irregular vertices are cheap to
-// remove; subdivide through the projection; smooth what still moves; land on the exact count;
-// polish; fit; lower the largest distances; polish what slivers are left.
+// remove; subdivide through the projection; smooth; match the exact count; polish; fit; lower the
+// largest distances; polish the slivers that are left.
 #pragma once
 
 #include "remesh/schemes/rival.h"
@@ -12,11 +12,11 @@ namespace remesher {
 struct BestGoal {
   std::size_t vertices;
   Quality quality;
-  Rival* rival;  // what may be taken instead of the mesh, if anything
+  Rival* rival;  // a mesh that may be taken instead, or null
 };
 
-// Returns whether the number of vertices was reached. Against a rival that has won, the mesh is not
-// finished.
+// Returns whether the number of vertices was reached. If a rival has won, the mesh is left
+// unfinished.
 bool runBest(Run& run, const BestGoal& goal, const Progress& progress);
 
 }  // namespace remesher

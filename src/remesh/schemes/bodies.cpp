@@ -17,7 +17,7 @@ Index Bodies::bodyOf(const WorkingMesh& mesh, Face face) const {
 std::size_t Bodies::countPlaces(const WorkingMesh& mesh) const {
   const HalfedgeMesh& m = mesh.mesh();
   if (ofGroup_.empty()) return distinctPositions(m, mesh.positions());
-  std::vector<std::pair<Index, Index>> visits;  // of bodies by vertices
+  std::vector<std::pair<Index, Index>> visits;  // pairs of body and vertex
   for (Index f = 0; f < m.faceCapacity(); ++f) {
     if (!m.isAlive(Face(f))) continue;
     const Index body = bodyOf(mesh, Face(f));

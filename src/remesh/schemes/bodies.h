@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several meshes of a file as one surface: a place is there once for each that has it.
+// Several meshes of a file as one surface: a place counts once for each mesh that has it.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,13 @@ namespace remesher {
 
 class Bodies {
  public:
-  // ofGroup: per group of the input; empty: all are one. The arguments must outlive the object.
+  // ofGroup: the body of each input group; empty: all groups are one body. The arguments must
+  // outlive the object.
   Bodies(const TriangleMesh& input, const std::vector<Index>& ofGroup)
       : input_(input), ofGroup_(ofGroup) {}
 
-  // The places of a mesh that was made of the input, each once in every body that has it.
+  // The number of places of a mesh made from the input; a place counts once in every body that has
+  // it.
   std::size_t countPlaces(const WorkingMesh& mesh) const;
 
  private:

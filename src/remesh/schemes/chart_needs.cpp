@@ -17,13 +17,13 @@ namespace remesher {
 
 namespace {
 
-// A chart stays if edges are a little shorter than it asks for, whatever rounding does.
+// With edges a little shorter than a chart asks for, the chart stays in spite of rounding.
 constexpr double kALittleMore = 1.05;
 // Two charts are on the same place of a texture if they share this much of the smaller one's range
 // in every direction.
 constexpr float kSamePlace = 0.5F;
 
-// Charts of textures and of colours are what is seen; shading and skins do without.
+// Only charts of textures and of colours are seen, not those of shading and skins.
 bool isSeen(const Attribute& attribute, const Seams& seams) {
   const std::vector<std::string>& without = seams.chartless;
   return (attribute.semantic.rfind("TEXCOORD_", 0) == 0 ||
@@ -38,8 +38,8 @@ struct Range {
 struct Region {
   double area = 0;
   double rim = 0;             // length of its border
-  Border shown;               // of that, where something else is shown on the other side
-  std::vector<Range> values;  // of all components of what is seen, behind one another
+  Border shown;               // the part with something else on the other side
+  std::vector<Range> values;  // of all components of the seen attributes
 };
 
 bool overlap(const Range& a, const Range& b) {
@@ -109,14 +109,14 @@ class Measurement {
 
   bool isInside(Halfedge h) const { return !isCurve_[h]; }
 
-  // size: the longest edges with which it stays.
+  // size: the longest edges that keep the chart.
   ChartNeed need(double width, double size) const {
     return {width, kALittleMore * verticesForEdgeLength(area_, size)};
   }
 
   Index region(Halfedge h) const { return region_[mesh_.face(h)]; }
 
-  // The border that begins here at a junction; without length if none does, or nothing else is
+  // The border that begins at this junction; its length is 0 if none begins here, or if the same is
   // shown beyond it.
   Border chainFrom(Halfedge first) const {
     if (isInside(first) || curvesAt_[mesh_.origin(first)] == 2) return {};

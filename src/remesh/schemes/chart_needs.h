@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many vertices a mesh needs for its charts to stay: where edges are too long for a chart,
-// curve simplification lets it go, and with it what the texture shows there.
+// How many vertices a mesh needs to keep its charts. Where edges are too long for a chart, curve
+// simplification releases the chart, and the texture's content there is lost.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,13 @@
 namespace remesher {
 
 struct ChartNeed {
-  double width;     // model units; of a border: its length
-  double vertices;  // of an even mesh of the whole surface with which it stays
+  double width;     // model units; for a border, its length
+  double vertices;  // of an even mesh of the whole surface that keeps it
 };
 
-// One for each region between curves beside which an attribute shows something else, and one for
-// each piece of such a border between two junctions. Charts that lie on the same place of a texture
-// show the same: of them nothing is lost. Empty where no attribute jumps. Throws Error as
-// buildMesh.
+// One need for each region between curves whose neighbour shows other attribute values, and one for
+// each piece of such a border between two junctions. Neighbours on the same place of a texture show
+// the same: there nothing can be lost. Empty if no attribute jumps. Throws Error as buildMesh does.
 std::vector<ChartNeed> chartNeeds(const TriangleMesh& input, const RemeshOptions& options);
 
 }  // namespace remesher

@@ -12,8 +12,8 @@ namespace remesher {
 namespace {
 
 constexpr double kFeatureAngle = 40;
-// Flat regions so wide, in target edge lengths, end at curves. Half as wide costs 3° of the mean
-// angle of featuretype at 16 thousand vertices.
+// Flat regions at least so wide, in target edge lengths, are bordered by curves. Half the width
+// costs 3° of the mean angle of featuretype at 16 thousand vertices.
 constexpr double kFlatWidth = 1;
 
 // The edges that the caller gave as pairs of input vertices.
@@ -41,7 +41,7 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
   return edges;
 }
 
-// Repair's own surfaces follow a lattice: where they are flat to the last digit is chance.
+// Surfaces made by repair follow a lattice: they are flat to the last digit by chance only.
 bool areFlatsMeant(const RemeshOptions& options) {
   return options.repair != Repair::Solid && options.repair != Repair::Wrap && !options.quads;
 }

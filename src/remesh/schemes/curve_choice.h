@@ -23,7 +23,7 @@ struct CurveChoice {
   std::vector<Warning> warnings;
 };
 
-// What curves are chosen from.
+// The edges that curves are chosen from.
 struct CurveCandidates {
   CurveEdges edges;
   Seams seams;
@@ -34,13 +34,13 @@ struct CurveCandidates {
 CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& input,
                                 const RemeshOptions& options, double size);
 
-// Whether flat regions end at curves, or are as any others.
+// Whether flat regions are bordered by curves, or treated like all others.
 enum class Flats { Bordered, Unknown };
 
 struct CurveScale {
   double size;                          // the target edge length, model units
-  const Spikes& spikes;                 // whose corners stay
-  const std::vector<Halfedge>& joints;  // what stays so that cut parts remain together
+  const Spikes& spikes;                 // their corners stay
+  const std::vector<Halfedge>& joints;  // they stay, so that cut parts still meet
   Flats flats = Flats::Bordered;
 };
 

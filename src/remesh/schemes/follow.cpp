@@ -30,8 +30,8 @@ bool sameAttributes(const TriangleMesh& input, Index a, Index b) {
          });
 }
 
-// The edges across which an attribute jumps, or the group changes. Where normals do, a result that
-// keeps attributes has normals of its own.
+// The edges across which an attribute jumps, or the group changes. Jumps of normals do not count
+// for a result that keeps attributes, for it has normals of its own.
 HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, bool keepsLook) {
   const HalfedgeMesh& m = built.mesh;
   HalfedgeData<char> seams(m.halfedgeCapacity(), 0);
@@ -47,10 +47,11 @@ HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, bo
   return seams;
 }
 
-// The triangles of a simplified surface, each corner with that of the original that it stands for.
+// The triangles of a simplified surface, each corner with the corner of the original that it stands
+// for.
 class Extraction {
  public:
-  // kept: whose attributes the corners keep, or null.
+  // kept: the attributes that the corners keep, or null.
   Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input,
              const KeptAttributes* kept)
       : surface_(surface), original_(original), input_(input), kept_(kept) {
@@ -76,8 +77,8 @@ class Extraction {
   }
 
  private:
-  // Of the original's corners at the same vertex that whose triangle faces most alike, of the same
-  // look and group if there is one.
+  // Of the original's corners at the same vertex, the one whose triangle faces most alike; corners
+  // of the same look and group come first.
   Halfedge originalCorner(Halfedge corner, Index group, const Vec3& normal) const {
     const auto& p = original_.positions;
     Halfedge best;
@@ -132,7 +133,7 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
   return countPlaces(places);
 }
 
-// Not from a triangle's corners, for there vertices may have stayed.
+// Samples lie away from a triangle's corners, for vertices may have stayed there.
 double distanceTo(const MeshTree& mesh, const BuiltMesh& original, const Samples& samples) {
   constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6, kMiddle = 1.0 / 3;
   const std::array<Vec3, 4> weights = {Vec3(kMiddle, kMiddle, kMiddle), Vec3(kFar, kNear, kNear),
@@ -167,7 +168,7 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
   SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, keepsLook)};
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
-  // A collapse takes one place at most: where others share it, none.
+  // A collapse takes one position at most, and none if other vertices share it.
   while (now > positions) {
     const std::size_t before = surface.mesh.vertexCount();
     simplify(surface, before - (now - positions), kept);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The other way to few vertices: not even triangles, but those vertices of the original that its
-// shape needs most. What was modelled by hand has bevels and tubes thinner than an even triangle of
-// the result, and is lost in that.
+// Another way to few vertices: instead of even triangles, the vertices of the original that its
+// shape needs most. Hand-made models have bevels and tubes thinner than an even triangle of the
+// result; even triangles lose them.
 #pragma once
 
 #include <optional>
@@ -16,33 +16,34 @@
 
 namespace remesher {
 
-// How many different places the vertices have: fewer than there are vertices where the builder cut
-// the input apart.
+// The number of distinct vertex positions: below the number of vertices where the builder cut the
+// input apart.
 std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 struct Followed {
   TriangleMesh mesh;
   std::vector<InputPlace> places;  // per corner of its triangles
-  double distance;                 // of the original from it, rms
+  double distance;                 // from the original to the mesh, rms
 };
 
-// Whether the original's own triangles show at so few vertices, if not that many are wished for.
+// Whether the original has so few vertices, at most 32 per position, that its own triangles show.
+// If the caller prefers shape, `follow` is tried without this test.
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);
 
-// With exactly so many distinct positions; none where the original has fewer (of what is painted
-// anew: no more), or where nothing else goes. textures: whether attributes are to be kept, for
-// which vertices stay where they are, or painted anew.
+// A mesh with exactly so many distinct positions. None if the original has fewer (with baked
+// textures: no more), or if no further vertex can go. textures: whether attributes are kept, so
+// that vertices stay where they are, or baked anew.
 std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& input,
                                std::size_t positions, Textures textures);
 
-// From where a surface is looked at: about so many of its triangles, at even steps, and so many
-// points of each, at most 4.
+// The points at which a surface is sampled: about so many of its triangles, at even steps, and so
+// many points of each, at most 4.
 struct Samples {
   std::size_t triangles, ofEach;
 };
 constexpr Samples kTelling = {20'000, 4};
 
-// The root of the mean square, over the original's area, of its distance to a mesh.
+// The root mean square, over the original's area, of the distance from the original to a mesh.
 double distanceTo(const MeshTree& mesh, const BuiltMesh& original,
                   const Samples& samples = kTelling);
 

@@ -6,7 +6,7 @@
 
 namespace remesher {
 
-// Moves the mesh from the stand-in, if any, onto the original, and all that belongs to it.
+// Moves the mesh, the projector and the sizes from the stand-in, if any, onto the original.
 void land(Run& run);
 
 }  // namespace remesher

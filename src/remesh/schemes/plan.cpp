@@ -13,11 +13,12 @@ namespace remesher {
 
 namespace {
 
-// A stand-in has so many vertices to one of the result, and the original so many to one of those.
+// A stand-in has so many vertices per vertex of the result; the original must have so many per
+// vertex of the stand-in.
 constexpr double kFiner = 4, kWorthThinning = 2;
 
-// Graded sizes have a shorter mean than even ones of the same number: the number is corrected for
-// that.
+// At the same number of vertices graded sizes have a shorter mean edge than even ones: the number
+// is corrected for that.
 std::size_t correctedTarget(const OriginalSurface& surface, const RemeshOptions& options,
                             const SizeRules& rules) {
   const auto vertices = std::size_t(rules.vertices);
@@ -46,14 +47,15 @@ SizeRules finalRules(const OriginalSurface& surface, const RemeshOptions& option
   return rules;
 }
 
-// A little of the bound is left for rounding, here and in what writes the result.
+// A little of the bound is left for rounding, here and where the result is written.
 std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const RemeshOptions& options) {
   constexpr double kMargin = 1e-3;
   if (!options.maxError) return {};
   return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
 }
 
-// What keeps a bound, or to normals, is judged on the original; the rounds are the report's.
+// No stand-in with an error bound or a fidelity to normals, for these are judged on the original;
+// none for the rounds, which are the report's.
 std::optional<StandIn> standInFor(const OriginalSurface& surface, std::size_t vertices,
                                   const RemeshOptions& options) {
   const bool fits = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
@@ -73,7 +75,7 @@ Warning warningOf(const Spikes& spikes, const BuiltMesh& built) {
           spikes.count};
 }
 
-// Those that are copies of one vertex of the input are one in the result.
+// Corners that are copies of one input vertex count once: they are one in the result.
 std::size_t countCornerPlaces(const FeatureCurves& curves, const BuiltMesh& built) {
   std::vector<char> seen;
   std::size_t count = 0;
@@ -92,11 +94,12 @@ struct CurveNeeds {
   CurveScale scale;
 };
 
-// The corners of flat regions must leave vertices for the rest; a surface that could be had without
-// them is never refused.
+// The corners of flat regions must leave vertices for the rest; a surface that is possible without
+// these corners is never refused.
 CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
                             const RemeshOptions& options, const CurveNeeds& needs) {
-  // One of so many vertices; the number that a length gives is known later, and may be a third.
+  // One corner to so many vertices; the number that a length gives is known later, and may be a
+  // third.
   const std::size_t mostCorners = options.edgeLength ? 6 : 2;
   CurveChoice choice = chooseCurves(built, input, options, needs.scale);
   if (choice.flats.empty() ||
@@ -107,9 +110,9 @@ CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
   return chooseCurves(built, input, options, scale);
 }
 
-// What stays at joints must leave vertices for the rest. It cannot be subdivided either, so there
-// would be no coarse level: a model with textures needs that for its triangles more than it needs
-// its leaves to meet, and each is followed like a seam.
+// Edges kept at joints must leave vertices for the rest. They cannot be subdivided either, so there
+// would be no coarse level: a model with textures needs that level for its triangles more than it
+// needs its leaves to meet, and each edge is followed like a seam.
 CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
                              const RemeshOptions& options, const CurveNeeds& needs) {
   constexpr std::size_t kMostShare = 2;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run sets out with, settled before any vertex moves: the input as a manifold with its
-// curves, how many vertices there are to be, and then the original surface with the sizes and the
-// error bound that go with it.
+// The plan of a run, settled before any vertex moves: the input as a manifold with its curves and
+// the target number of vertices; then the original surface with its sizes and error bound.
 #pragma once
 
 #include <optional>
@@ -33,7 +32,7 @@ struct Plan {
 Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
              const Progress& progress);
 
-// The plan carried out as far as the original goes; const from then on.
+// The original surface and its belongings, made from the plan; const afterwards.
 class Prepared {
  public:
   // Throws Error: TARGET_BELOW_CURVES, CANCELLED.
@@ -42,16 +41,16 @@ class Prepared {
   Prepared& operator=(const Prepared&) = delete;
 
   const OriginalSurface& surface() const { return surface_; }
-  // A thinned copy of it, if it has far more vertices than were asked for.
+  // A thinned copy of the surface if that has far more vertices than the target, else null.
   const StandIn* standIn() const { return standIn_ ? &*standIn_ : nullptr; }
-  // The one that remeshing begins with.
+  // The surface that remeshing begins with: the stand-in if there is one.
   const OriginalSurface& ground() const { return standIn_ ? standIn_->surface() : surface_; }
   const SizeField& sizes() const { return sizes_; }  // on the ground
   const std::optional<ErrorBound>& bound() const { return bound_; }
   const TransferRules& transfer() const { return transfer_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
-  std::size_t vertices() const { return vertices_; }  // that were asked for
-  // How long edges get on the way: the original's, or the result's on a coarse level.
+  std::size_t vertices() const { return vertices_; }  // the target
+  // The largest mean edge length during a run: that of the ground, or of the result's coarse level.
   double longestEdges() const;
 
  private:

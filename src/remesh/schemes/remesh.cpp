@@ -31,25 +31,25 @@ namespace remesher {
 
 namespace {
 
-// Seams lie side by side and cross the surface as they please: of most triangles there two or three
-// corners are on curves, and their angles are worth more than even steps along them.
+// Seams lie side by side and cross the surface as they please: most triangles there have two or
+// three corners on curves, and their angles are worth more than even steps along the curves.
 constexpr double kStagger = 0.8;
 constexpr double kBoundShare = 0.7;    // of a run's time, about, to keep an error bound
-constexpr double kRoundsShare = 0.85;  // the rest mends what they leave poor
+constexpr double kRoundsShare = 0.85;  // the rest mends the poor regions they leave
 
-// What a run leaves of the original.
+// The result of a run on the original.
 struct Remeshed {
   WorkingMesh mesh;
   Stopped stopped;
   std::size_t coincident;  // see moveApart
 };
 
-// What decides how the mesh is treated.
+// The settings of a run besides its original.
 struct Manner {
   const RemeshOptions& options;
   double stagger;  // see Run
   Grain grain;
-  Rival* rival;  // what may be taken in its stead, if anything
+  Rival* rival;  // a mesh that may be taken instead, or null
   OriginalTree& tree;
   const Bodies& bodies;
 };
@@ -76,10 +76,9 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
   return reached;
 }
 
-// Where the sizes that the bound asks for take more vertices than there are to be, so many are
-// made, and some are taken away again as the bound allows. Sizes that take more than the original
-// has measure its facets, not its shape: then, and where the number itself is looked for, only the
-// vertices that there are to be are made.
+// Makes as many vertices as the sizes for the bound need, even beyond the target; some are then
+// removed as the bound allows. Sizes that need more vertices than the original has measure its
+// facets, not its shape: then, and where the number itself is looked for, only the target is made.
 bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
   const bool splitsObtuse = manner.options.splitObtuse;
   const std::size_t original = run.mesh.mesh().vertexCount();
@@ -97,8 +96,8 @@ struct Places {
   std::size_t coincident;  // see moveApart
 };
 
-// Where the builder cut the input apart, several vertices may share a place; what was promised is a
-// number of places.
+// Where the builder cut the input apart, several vertices may share a place; the target is a number
+// of places.
 Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   constexpr int kTries = 4;
   std::size_t coincident = moveApart(run);
@@ -112,9 +111,9 @@ Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
   return {bodies.countPlaces(run.mesh) == vertices, coincident};
 }
 
-// Of many vertices each walks: over short edges the straight way leads to where patches do. So it
-// does around a hub, for patches, which hold whole stars, would each hold all of its triangles: of
-// 20,000 together 400 million.
+// With many vertices projection walks: over short edges the straight way leads to the same place as
+// patches. Projection also walks if there are hubs, for patches hold whole stars, and each patch at
+// a hub would hold all of its triangles: at 20,000 triangles 400 million together.
 Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
                      original.vertices() >= kMany;
@@ -158,9 +157,9 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
           matched.coincident};
 }
 
-// Whether those vertices of the original that its shape needs may be taken instead of even
-// triangles: not where sizes, bounds or edges are the caller's own. No collapse there looks for
-// crossings.
+// Whether the vertices of the original that its shape needs may be taken instead of even triangles:
+// not if the caller sets sizes, bounds or edges. Not with repair either, for no collapse there
+// looks for crossings.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
@@ -168,10 +167,11 @@ bool mayFollow(const RemeshOptions& options) {
          options.repair == Repair::Off;
 }
 
-// The shares of a run's time: of triangles for the map, and of each mesh for pairs.
+// The shares of a run's time: for the triangles of the map, and for each mesh of pairs.
 constexpr double kMapShare = 0.4, kPairShare = 0.1;
 
-// Even triangles for quads to be made of: soon, and nothing that only triangles are for.
+// Options for the even triangles that quads are made of: quick, and without the options that only
+// triangles have.
 RemeshOptions optionsForQuads(RemeshOptions options) {
   options.quality = Quality::Draft;
   options.scheme = Scheme::Best;
@@ -195,8 +195,8 @@ Warning pairedWarning(const MadeQuads& quads) {
 RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOptions& wanted,
                             const Progress& progress) {
   const RemeshOptions options = optionsForQuads(wanted);
-  std::vector<std::unique_ptr<Prepared>> originals;  // all of them of the same surface
-  // The first mesh is what the map is made on; of those that may follow, pairs are.
+  std::vector<std::unique_ptr<Prepared>> originals;  // all of the same surface
+  // The map is made on the first mesh, pairs on the meshes that may follow.
   const auto triangles = [&](std::size_t vertices) {
     const double begin = originals.empty() ? 0 : kMapShare + kPairShare * double(originals.size());
     const double end = originals.empty() ? kMapShare : begin + kPairShare;
@@ -239,8 +239,8 @@ RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<War
           Prefer::Shape};
 }
 
-// More vertices keep more curves, which have more corners: a number that is named must do when it
-// is asked for.
+// More vertices keep more curves, which have more corners: a number named in a message must do when
+// it is asked for.
 std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
                             std::size_t vertices) {
   constexpr int kTries = 100;
@@ -259,7 +259,7 @@ std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
   return vertices;
 }
 
-// More vertices than the original has are given to its shape by a bound that nobody sees.
+// With more vertices than the original has, a bound too small to be seen gives them to the shape.
 RemeshOptions withOwnShape(RemeshOptions options) {
   options.maxError = 100 * kSeen;
   return options;

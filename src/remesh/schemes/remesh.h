@@ -18,11 +18,11 @@ struct RemeshOutcome {
   TriangleMesh mesh;               // a vertex comes in as many copies as its attributes need
   std::vector<InputPlace> places;  // per corner of its triangles, if textures are to be baked
   Stopped stopped = Stopped::Target;
-  std::size_t vertices = 0;  // distinct positions, but for those that splitObtuse adds
+  std::size_t vertices = 0;  // distinct positions, without those that splitObtuse adds
   std::vector<Warning> warnings;
-  std::size_t coincident = 0;  // vertices that would be one with others in a file; see moveApart
-  // Over the input's positions, of all its triangles that are no lines, each once: where the run
-  // needed one, and all of them are in the surface.
+  std::size_t coincident = 0;  // vertices that a file would join; see moveApart
+  // A tree of the input's triangles that are no lines, each once, over the input's positions.
+  // Present if the run needed a tree and all these triangles are in the surface.
   std::optional<ListedTree> tree = {};
   Prefer prefer = Prefer::Even;  // or Shape
 };

@@ -11,10 +11,10 @@ namespace remesher {
 
 namespace {
 
-// Times as near, where textures or colours show what is off; and where only shape does, for which
-// it may be off by so many times as much, too.
+// How many times nearer the rival must be: with textures or colours, which show errors, and on
+// plain models, where only shape does. Plain models may also be off by so many times as much.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
-constexpr double kFinishing = 2;  // times: it makes nothing twice as near
+constexpr double kFinishing = 2;  // finishing never halves a distance
 constexpr Samples kGlimpse = {1000, 1};
 
 // Even triangles are worth more than half a pixel where nothing is drawn on them.
@@ -40,7 +40,7 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
     seen_ /= kMuchNearerPlain;
 }
 
-// What is so much nearer than what is seen, at a glimpse, need not be known better.
+// A glimpse is exact enough if its distance is so many times below the distance that is seen.
 double Rival::distanceOf(const WorkingMesh& even) {
   const BuiltMesh& built = original_.surface().built();
   const MeshTree tree(even.mesh(), even.positions());
@@ -49,8 +49,8 @@ double Rival::distanceOf(const WorkingMesh& even) {
   return muchNearer() * glimpsed <= seen_ ? glimpsed : distanceTo(tree, built);
 }
 
-// What has flat sides shows each dent in them, and with its own number of vertices it needs none.
-// All else that is plain may be off by more.
+// A model with flat sides shows each dent in them, and with its own number of vertices it needs
+// none. Every other plain model may be off by more.
 void Rival::lookForFlats() {
   const BuiltMesh& built = original_.surface().built();
   if (isPlain_ && !hasLookedForFlats_ && findFlatRegions(built.mesh, built.positions, 0).empty())
@@ -82,7 +82,7 @@ std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   look();
   if (!isReached || !followed_) return std::move(followed_);
   const double nearest = followed_->distance;
-  // A pixel.
+  // Twice the distance that is seen is a pixel.
   const bool isMuchNearer =
       distance > muchNearer() * nearest || (!isPlain_ && distance - nearest > 2 * seen_);
   return isMuchNearer ? std::move(followed_) : std::nullopt;

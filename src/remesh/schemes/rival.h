@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Even triangles against those vertices of the original that its shape needs: which are taken.
+// Chooses between even triangles and the vertices of the original that its shape needs most.
 #pragma once
 
 #include <optional>
@@ -10,33 +10,33 @@
 
 namespace remesher {
 
-// What is no farther away is not seen: half a pixel in a picture a thousand pixels wide, as a share
-// of the diagonal.
+// The largest distance that is not seen, as a share of the diagonal: half a pixel in a picture a
+// thousand pixels wide.
 constexpr double kSeen = 5e-4;
 
-// What `follow` makes of an original: taken where even triangles are visibly away from it and these
-// much nearer, or where even triangles cannot be so few. Made when it is first asked for.
+// The mesh that `follow` makes of an original. It is taken if even triangles are visibly away from
+// the original and it is much nearer, or if even triangles cannot be so few. Made on first use.
 class Rival {
  public:
   Rival(const Prepared& original, const TriangleMesh& input, Textures textures);
 
-  // Whether even triangles that are not finished yet have lost.
+  // Whether even triangles have lost before they are finished.
   bool hasWon(const WorkingMesh& even);
 
-  // What is taken, if not the even triangles.
+  // The mesh to take instead of the even triangles, if any.
   std::optional<Followed> winner(const WorkingMesh& even, bool isReached);
 
  private:
   double distanceOf(const WorkingMesh& even);
   void lookForFlats();
-  double muchNearer() const;  // times, for even triangles to lose
+  double muchNearer() const;  // the factor at which even triangles lose
   void look();
 
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
-  bool isPlain_;  // nothing is drawn on it
-  double seen_;   // what is no farther is not seen
+  bool isPlain_;  // no textures, no colours, no second group
+  double seen_;   // the largest distance that is not seen
   bool isSettled_ = false, hasLooked_ = false, hasLookedForFlats_ = false;
   std::optional<Followed> followed_;
 };

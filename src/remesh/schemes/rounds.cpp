@@ -21,17 +21,17 @@ namespace {
 constexpr int kAreaSweeps = 3;
 constexpr int kAreaRounds = 10;
 constexpr int kLaplacianRounds = 10;
-// An edge more than twice as long as another of its triangles is too long to collapse.
+// An edge more than twice as long as another edge of its triangles is too long to collapse.
 constexpr double kTooLong = 2;
-// Where sizes are graded: rounds of both kinds first, for edges much longer or shorter than asked
-// for, until so small a share of the vertices changes.
+// Where sizes are graded, rounds of splits and collapses come first, for edges much longer or
+// shorter than their target, until so small a share of the vertices changes.
 constexpr int kGradingRounds = 12;
 constexpr double kSettled = 0.01;
 constexpr double kGradingShare = 0.4;  // of the time
-constexpr double kMostGraded = 4;      // of the vertices asked for, or there: slivers would go on
+constexpr double kMostGraded = 4;      // of the vertices asked for, or present: else slivers go on
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
-// In units of the size asked for there, where sizes differ.
+// The length of an edge, in units of its target edge length if sizes differ.
 double length(const Run& run, Halfedge h) {
   if (!run.sizes.isEven()) return relativeLength(run, h);
   const HalfedgeMesh& m = run.mesh.mesh();
@@ -45,7 +45,7 @@ bool isLongest(const Run& run, Halfedge side) {
 }
 
 struct Ranked {
-  double key;  // first come the largest
+  double key;  // the largest come first
   Halfedge edge;
 };
 
@@ -89,14 +89,15 @@ std::vector<Ranked> shortestFirst(const Run& run, double below) {
   return rankedEdges(run.mesh.mesh(), -below, [&](Halfedge h) { return -length(run, h); });
 }
 
-// The order of insertion: the edges of the worst triangles first, or, as bad angles say nothing
-// about sizes, those that exceed their target most.
+// The order of insertion: the edges of the worst triangles first; with graded sizes the edges that
+// exceed their target most, for bad angles say nothing about sizes.
 std::vector<Ranked> splitOrder(const Run& run) {
   if (!run.sizes.isEven()) return longestFirst(run, -kAny);
   return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return badness(run.mesh, h); });
 }
 
-// The order of collapses: the edges of the best triangles first, or the shortest for their target.
+// The order of collapses: the edges of the best triangles first; with graded sizes the edges
+// shortest for their target.
 std::vector<Ranked> collapseOrder(const Run& run) {
   if (!run.sizes.isEven()) return shortestFirst(run, kAny);
   return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return goodness(run.mesh, h); });
@@ -160,9 +161,9 @@ void areaBasedRound(Run& run) {
   delaunayFlips(run.mesh, run.rule);
 }
 
-// Splits what is too long and collapses what is too short, until the sizes are about those asked
-// for; the number follows from them but for a few percent. Where the caller's own density asks for
-// triangles so large that they cannot lie as the surface does, that is no reason to refuse them.
+// Splits edges that are too long and collapses edges that are too short, until the sizes are about
+// the target sizes; the number of vertices then follows within a few percent. If the caller's
+// density asks for triangles too large to lie as the surface does, they are not refused for that.
 void grade(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const FidelityRule rule = run.rule;

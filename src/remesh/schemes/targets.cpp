@@ -20,12 +20,11 @@ namespace {
 // A closed component needs a tetrahedron, an open one a triangle; a target below 4 is never meant.
 constexpr std::size_t kFewestVertices = 4;
 
-// Measured at their peak: what a run holds for each vertex of the result and of the input. Less
-// would do for some meshes, and more than there are addresses, or numbers for six halfedges to a
-// vertex, for none.
+// Measured peak memory of a run, for each vertex of the result and of the input. Some meshes need
+// less; no mesh fits beyond the addresses there are, or the numbers for six halfedges per vertex.
 constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
 
-// Of numbers in messages.
+// Digits of numbers in messages.
 constexpr int kDigits = 6;
 
 double mostVertices(const BuiltMesh& built) {
@@ -38,8 +37,8 @@ struct Fewest {
   std::size_t needed = 0, enough = 0;
 };
 
-// How few vertices a surface with handles can do with depends on how it lies: a torus is rolled up
-// of a sheet of four by four, twelve more than a ball needs, and so is each handle.
+// The fewest vertices of a surface with handles depend on how it lies in space: a torus is rolled
+// up of a sheet of four by four, twelve more than a ball needs, and each handle needs twelve more.
 Fewest fewestVertices(const HalfedgeMesh& mesh) {
   DisjointSets components(mesh.vertexCapacity());
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
@@ -52,7 +51,7 @@ Fewest fewestVertices(const HalfedgeMesh& mesh) {
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
       isOpen[Vertex(components.find(i))] = 1;
-  // Of a ball or a disc each there are none.
+  // 0 if each component is a ball or a disc.
   long missing = -eulerCharacteristic(mesh);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
     if (!mesh.isAlive(Vertex(i)) || components.find(i) != i) continue;
@@ -82,7 +81,7 @@ void checkDensity(const std::vector<float>& density, std::size_t inputVertices) 
           "Give at least one value above 0; only their ratios count.");
 }
 
-// Names no number but one that is enough.
+// The message names no number but one that is enough.
 std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
   const std::string beginning = "The target of " + std::to_string(target) + " vertices is ";
   if (code != ErrorCode::TargetBelowCurves) return beginning + "too small for this surface.";

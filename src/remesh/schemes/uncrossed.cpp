@@ -23,8 +23,8 @@ std::unique_ptr<CrossingGuard> guardOf(Run& run) {
   return guard;
 }
 
-// The original, thinned out without a look as far as what meets then can be mended, which is
-// sooner done.
+// Starts from the original, thinned out without looking for crossings, which is faster; only as far
+// as the crossings can then be mended.
 std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
   for (const std::size_t times : {std::size_t{4}, std::size_t{16}}) {
     run.mesh = WorkingMesh(run.mesh.surface());
@@ -44,7 +44,7 @@ bool finishUncrossed(Run& run, std::size_t vertices) {
   return isReached && run.mesh.mesh().vertexCount() == vertices;
 }
 
-// Edges become even, and no step is left out that would do for a mesh of one level.
+// Makes edges even, with every step that suits a mesh of one level.
 bool makeAnew(Run& run, std::size_t vertices) {
   coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
   for (int round = 0; round < run.effort.adaptRounds; ++round) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last step where the original passes through itself nowhere, and the result is not to either.
+// The last step if the original intersects itself nowhere and the result must not either.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 namespace remesher {
 
 struct Uncrossed {
-  std::unique_ptr<CrossingGuard> guard;  // the run's rule has it
-  bool isReached = true;                 // the number of vertices
-  std::size_t crossing = 0;              // triangles that meet others
+  std::unique_ptr<CrossingGuard> guard;  // the run's rule points to it
+  bool isReached = true;                 // whether the number of vertices was reached
+  std::size_t crossing = 0;              // triangles that intersect others
 };
 
-// What a scheme has left is mended where it meets itself. Where that fails the mesh is made anew of
-// the original by steps that let nothing meet, so that in the end nothing does that did not before.
+// Mends the scheme's mesh where it intersects itself. If that fails, makes the mesh anew from the
+// original by steps that add no intersection, so that none is left that the original lacks.
 Uncrossed keepUncrossed(Run& run, std::size_t vertices);
 
 }  // namespace remesher

@@ -8,7 +8,6 @@
 
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle.h"
 #include "mesh/check.h"
 #include "mesh/euler_operators.h"
 #include "mesh/mesh_builder.h"

@@ -13,8 +13,8 @@ namespace remesher {
 
 namespace {
 
-// The way to a corner bends at a point of the square that no line through corners is likely to
-// meet: as parts of the square's side, along the way to the corner and to its left.
+// The way to a corner bends at a point of the square that hardly any line through corners meets.
+// Its coordinates, as parts of the square's side: along the way to the corner, and to the left.
 constexpr Whole kForth = kUnit / 5 + 1234, kLeft = kUnit / 17 + 321;
 
 Whole floorOf(Whole x) { return x >= 0 ? x / kUnit : -((-x + kUnit - 1) / kUnit); }
@@ -31,7 +31,8 @@ class MapExtraction {
   }
 
  private:
-  // Squares whose middle is in the triangle; of one on an edge, that of the lower halfedge.
+  // Adds the squares whose middle is in the triangle. A middle on an edge belongs to the triangle
+  // of the lower halfedge.
   void addSquaresOf(Face f) {
     MapPoint low = map_.corners[HalfedgeMesh::halfedge(f)], high = low;
     for (int corner = 1; corner < 3; ++corner) {
@@ -125,7 +126,7 @@ class MapExtraction {
   QuadMesh result_;
 };
 
-// The vertices on each chain, by how far along it they are.
+// The vertices on each chain, sorted by their arc length along it.
 using OnChain = std::vector<std::pair<double, Index>>;
 
 std::vector<OnChain> verticesOnChains(const QuadMesh& quads, const WorkingMesh& mesh) {

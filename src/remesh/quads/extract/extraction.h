@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The quads of a seamless map: one for each unit square of it. From the middle of a square a walk
-// leads to each of its four corners; corners at the same spot of the mesh are one vertex.
+// The quads of a seamless map: one for each unit square of the map. From the middle of a square a
+// walk leads to each of its four corners; corners at the same spot of the mesh become one vertex.
 #pragma once
 
 #include "remesh/quads/map/seamless_map.h"
@@ -8,8 +8,8 @@
 
 namespace remesher {
 
-// Squares whose corners cannot be reached are left out, so that the quads need not be a surface
-// like that of the mesh.
+// Squares with unreachable corners are left out, so that the quads may be another kind of surface
+// than the mesh.
 QuadMesh extractQuads(const WorkingMesh& mesh, const SeamlessMap& map);
 
 // Marks the sides that follow the curves: those between neighbours on a chain. Vertices of a chain

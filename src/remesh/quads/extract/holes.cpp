@@ -16,11 +16,11 @@ namespace remesher {
 
 namespace {
 
-// Beyond this a hole is no slip of the map.
+// A hole with more sides is no slip of the map.
 constexpr std::size_t kLongestLoop = 64;
 constexpr int kRelaxations = 40;
 
-// Quads that are not sound by themselves, or beside others.
+// Quads that are unsound by themselves or beside others.
 std::vector<char> unsoundQuads(const QuadMesh& mesh) {
   std::vector<char> isBad(mesh.quads.size(), 0);
   std::map<std::pair<Index, Index>, Index> owner;
@@ -52,7 +52,7 @@ std::vector<std::vector<Index>> fansOf(const QuadSides& sides, const std::vector
   return fans;
 }
 
-// Of each vertex whose quads make several fans all but the first of the largest.
+// Marks the quads to drop: at each vertex with several fans all but the first of the largest.
 std::vector<char> lesserFans(const QuadMesh& mesh) {
   const QuadSides sides(mesh.vertices.size(), mesh.quads);
   std::vector<std::vector<Index>> leaving(mesh.vertices.size());
@@ -75,13 +75,13 @@ bool hasAny(const std::vector<char>& marks) {
 
 // How a hole is divided: into a grid, or into sectors around a middle.
 struct Division {
-  std::vector<std::size_t> spans;  // of a grid two; else of each sector, the part of its side
-  std::size_t first = 0;           // where on the loop its first corner is
+  std::vector<std::size_t> spans;  // of a grid two; else one per sector, its part of the side
+  std::size_t first = 0;           // the place of its first corner on the loop
   int cost = 0;
   bool isGrid() const { return spans.size() == 2; }
 };
 
-// Where the corners lie on the loop, from its first one on.
+// The places of the corners on the loop, from the first corner on.
 std::vector<std::size_t> cornersOf(const std::vector<std::size_t>& spans) {
   if (spans.size() == 2) return {0, spans[0], spans[0] + spans[1], 2 * spans[0] + spans[1]};
   std::vector<std::size_t> corners;
@@ -112,8 +112,7 @@ class Filling {
   }
 
  private:
-  // Of sides that are as even as those of the loop allow: over all divisions the fewest irregular
-  // vertices, then the most even parts.
+  // Of all divisions, the one with the fewest irregular vertices, then with the most even parts.
   Division bestDivision(const std::vector<int>& quadsAround) const {
     const std::size_t half = loop_.size() / 2;
     Division best;
@@ -137,7 +136,7 @@ class Filling {
       for (std::size_t b = 1; a + b < half; ++b) {
         consider({a, b, half - a - b});
         const std::size_t rest =
-            half - a - b;  // of five sectors: shared by three as evenly as can be
+            half - a - b;  // of five sectors: three share it as evenly as can be
         if (rest >= 3) consider({a, b, rest / 3, (rest + 1) / 3, (rest + 2) / 3});
       }
     return best;
@@ -170,7 +169,7 @@ class Filling {
   }
 
   // Sector i reaches from its corner along its side by spans[i], and back along the side before by
-  // that of the sector after; where it ends on a side a spoke leads to the middle.
+  // spans[i + 1]. From its ends on both sides spokes lead to the middle.
   void makeSectors(const std::vector<std::size_t>& spans) {
     const std::size_t n = loop_.size(), count = spans.size();
     const std::vector<std::size_t> corners = cornersOf(spans);
@@ -197,7 +196,7 @@ class Filling {
     }
   }
 
-  // New vertices between their neighbours, then down to the original.
+  // Puts new vertices between their neighbours, then on the original.
   void place() {
     const std::size_t count = mesh_.vertices.size() - firstVertex_;
     Vec3 middle = Vec3::Zero();
@@ -223,7 +222,8 @@ class Filling {
     }
   }
 
-  // The vertex of the loop nearest to p that has one place on the original only, if any has.
+  // The vertex of the loop nearest to p; those of kind Curve come last, for they have more than one
+  // place on the original.
   const Placement& nearest(const Vec3& p) const {
     const auto distance = [&](Index v) {
       const bool isCurve = mesh_.vertices[v].kind == VertexKind::Curve;

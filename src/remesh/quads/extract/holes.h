@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a map with a few folds leaves of the surface, made whole again: quads that no surface can
-// have go, and the holes are filled with quads.
+// Repairs the quads of a map with a few folds: quads that no surface can have are removed, and the
+// holes are filled with quads.
 #pragma once
 
 #include "remesh/quads/mesh/quad_mesh.h"
@@ -11,8 +11,9 @@ namespace remesher {
 // vertex all but its largest fan, until the rest is a manifold.
 void dropUnsound(QuadMesh& mesh);
 
-// Fills each loop of sides that are on no boundary of the ground, where their number is even, with
-// as few irregular vertices as three, four or five sectors allow. The quads must be a manifold.
+// Fills each hole, a loop of sides that are on no boundary of the ground, if their number is even
+// and at most 64; with as few irregular vertices as three, four or five sectors allow. The quads
+// must be a manifold.
 void fillHoles(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

@@ -5,7 +5,7 @@ namespace remesher {
 
 namespace {
 
-// A way within one quad crosses a few triangles, of which there are hardly more than vertices.
+// A walk within one quad crosses few triangles; it is given up after so many steps.
 constexpr int kMostSteps = 4096;
 
 Transition after(const Transition& first, const Transition& second) {
@@ -23,8 +23,8 @@ bool MapWalk::isIn(const MapPlace& place) const {
   return true;
 }
 
-// The way leaves over the edge whose origin lies to its right and whose tip to its left. A corner
-// on the way counts as left of it, everywhere alike.
+// The walk leaves across the edge whose origin lies to its right and whose tip lies to its left. A
+// corner on the walk always counts as left.
 std::optional<Halfedge> MapWalk::exit(const MapPlace& from, const MapPoint& end,
                                       Halfedge entered) const {
   for (int corner = 0; corner < 3; ++corner) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Straight ways over a seamless map, from triangle to triangle, exactly.
+// Straight walks over a seamless map, from triangle to triangle, exact.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace remesher {
 
-// A point of the map: in a triangle, by that triangle's coordinates.
+// A point of the map: a triangle and a point in its coordinates.
 struct MapPlace {
   Face face;
   MapPoint point;
@@ -26,8 +26,8 @@ class MapWalk {
  public:
   MapWalk(const HalfedgeMesh& mesh, const SeamlessMap& map) : mesh_(mesh), map_(map) {}
 
-  // From a place straight to `end`, a point in the coordinates of the same triangle. None where the
-  // way leaves the surface, or meets a triangle that is folded over.
+  // Walks from a place straight to `end`, a point in the coordinates of the same triangle. None if
+  // the walk leaves the surface or meets a folded triangle.
   struct Arrival {
     MapPlace place;
     Transition way;  // from the coordinates at the start to those at the end

@@ -8,7 +8,7 @@ namespace remesher {
 
 namespace {
 
-// Joins the two quads at a vertex; false where a third corner would be theirs too.
+// Joins the two quads at a vertex; false if the quads share one more corner.
 bool joinAt(QuadMesh& mesh, const QuadSides& sides, Index v, std::vector<char>& isGone) {
   const Index out = sides.outgoing(v), other = sides.across(out);
   const Index first = out / 4, second = other / 4;

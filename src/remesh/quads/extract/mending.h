@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What rounding leaves wrong in a few places, mended by changing quads only.
+// Mends the few faults that rounding leaves, by changing quads only.
 #pragma once
 
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
-// A vertex inside between two quads that share two sides goes, and they become one. None on a curve
-// goes. The quads must be a manifold.
+// Removes each inner vertex between two quads that share two sides; the two become one quad.
+// Vertices on curves stay. The quads must be a manifold.
 //
 //     c --- d          c --- d
 //     | \ 2 |          |     |

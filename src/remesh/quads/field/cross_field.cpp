@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-// What is measured at the side of smoothness, per triangle: how much a clear direction of
-// curvature counts, and how much a triangle clings to its last direction while it is smoothed.
+// Weights per triangle, relative to smoothness: of a clear direction of curvature, and of the
+// triangle's last direction while it is smoothed.
 constexpr double kAlign = 0.25, kCling = 0.05;
 constexpr int kSmoothings = 20;
 
@@ -36,9 +36,9 @@ bool isAcute(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
   return false;
 }
 
-// Of a triangle with edges on curves: the mean of their crosses. Where two of them meet at less
-// than 45° it is turned by as much, so that one is along each direction: on the same one the
-// triangle would have no area in the map.
+// For a triangle with edges on curves, the mean of the crosses of these edges. Where two of them
+// meet at less than 45° the mean is turned by 45°, so that each edge follows a direction of its
+// own: along the same direction the triangle would have no area in the map.
 Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
   Complex sum = 0, first = 0;
   int count = 0;
@@ -49,7 +49,7 @@ Complex alongCurves(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
     if (count++ == 0) first = cross;
     sum += cross;
   }
-  constexpr double kOpposed = 1e-6;  // edges at 45°, or rounding away from it
+  constexpr double kOpposed = 1e-6;  // edges at 45°, up to rounding
   if (std::abs(sum) <= kOpposed) return first;
   return (count == 2 && isAcute(mesh, frames, f) ? -sum : sum) / std::abs(sum);
 }
@@ -70,8 +70,8 @@ FaceData<Wish> makeWishes(const WorkingMesh& mesh, const FaceFrames& frames, dou
   return wishes;
 }
 
-// One unknown to each triangle that is not fixed, T its type: the sum over the edges of
-// weight · |value(twin's face) − rotated value(face)|², and of wishes.
+// One unknown of type T for each triangle that is not fixed, minimizing the sum over the edges of
+// weight · |value(twin's face) − rotated value(face)|², plus the sum of wishes.
 template <class T>
 class DualSystem {
  public:
@@ -84,7 +84,7 @@ class DualSystem {
   Index count() const { return count_; }
   Index unknown(Face f) const { return unknown_[f]; }
 
-  // rotation(h): by what a value of face(h) is multiplied to be one of face(twin(h)).
+  // rotation(h): the factor that takes a value of face(h) to face(twin(h)).
   template <class Rotation>
   bool factor(double cling, Rotation rotation) {
     std::vector<Eigen::Triplet<T>> entries;
@@ -196,9 +196,9 @@ CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, dou
   return field;
 }
 
-// Angles are changes from those at hand, so that fixed ones are 0.
+// The unknowns are changes of the present angles, so that fixed ones are 0.
 void smoothAngles(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames) {
-  constexpr double kStay = 1e-3;  // which only matters where nothing else says an angle
+  constexpr double kStay = 1e-3;  // it matters only where nothing else sets an angle
   const HalfedgeMesh& m = mesh.mesh();
   FaceData<Wish> wishes(m.faceCapacity());
   for (Index i = 0; i < wishes.size(); ++i) wishes[Face(i)].isFixed = isBesideCurve(mesh, Face(i));

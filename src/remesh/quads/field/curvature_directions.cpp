@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kAveragings = 3;
 
-// The normals at the corners, mixed over a triangle, turn by a matrix times the way gone: its
-// symmetric part is the second fundamental form.
+// The normals at the corners, interpolated over a triangle, change by a matrix times the step. The
+// symmetric part of the matrix is the second fundamental form.
 Complex directionIn(const WorkingMesh& mesh, const FaceFrames& frames, Face f) {
   const auto vertices = mesh.mesh().vertices(f);
   std::array<Vec2, 3> normals;

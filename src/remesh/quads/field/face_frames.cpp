@@ -33,7 +33,8 @@ FaceFrames::FaceFrames(const WorkingMesh& mesh)
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i), twin = m.twin(h);
     if (!twin || twin < h) continue;
-    // The same edge runs the other way beyond; of angles that are whole turns apart the smallest.
+    // The edge runs the other way in the next triangle. Of angles that are whole turns apart, the
+    // smallest is taken.
     const double turn = angle_[twin] + std::numbers::pi - angle_[h];
     between_[h] = std::remainder(turn, 2 * std::numbers::pi);
     between_[twin] = -between_[h];
@@ -58,7 +59,7 @@ double dualWeight(const WorkingMesh& mesh, const FaceFrames& frames, Halfedge h)
   const double length2 = (mesh.position(m.tip(h)) - mesh.position(m.origin(h))).squaredNorm();
   const double areas =
       frames.area(HalfedgeMesh::face(h)) + frames.area(HalfedgeMesh::face(m.twin(h)));
-  // What is thin does not tie its neighbours together more than a right triangle would.
+  // Thin triangles tie their neighbours together no more than right triangles do.
   constexpr double kMost = 8;
   return areas > 0 ? std::min(kMost, 3 * length2 / areas) : kMost;
 }

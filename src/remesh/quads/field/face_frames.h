@@ -17,7 +17,7 @@ class FaceFrames {
   const Vec3& normal(Face f) const { return normal_[f]; }
   double area(Face f) const { return area_[f]; }
 
-  // The edge of h in the frame of its face, and the angle of it.
+  // The edge of h in the frame of its face, and its angle there.
   Vec2 edge(Halfedge h) const;
   double angle(Halfedge h) const { return angle_[h]; }
 
@@ -31,8 +31,9 @@ class FaceFrames {
   HalfedgeData<double> angle_, between_;
 };
 
-// The weight of an edge where values of its two triangles are to be near to each other: the longer
-// the edge and the nearer the triangles' centres the more. No unit; 2√3 in an even mesh.
+// The weight of an edge in sums that pull the values of its two triangles together. The weight
+// grows with the length of the edge and with the nearness of the triangles' centres. No unit; 2√3
+// in an even mesh.
 double dualWeight(const WorkingMesh& mesh, const FaceFrames& frames, Halfedge h);
 
 }  // namespace remesher

@@ -14,10 +14,11 @@ namespace remesher {
 namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2;
-// Between two edges of a curve that is hardly a corner.
+// The angle between two edges of a curve beyond which the curve goes on.
 constexpr double kGoesOn = 1.25 * kQuarterTurn;
 
-// Closed curves have corners that are none: what is nearer to half a turn than to a quarter.
+// Closed curves have corner vertices that are no corners: a feature goes on at a corner whose angle
+// is nearer to half a turn than to a quarter.
 bool goesOn(VertexKind kind, double angle) {
   return kind == VertexKind::Curve ? angle > kGoesOn : std::lround(angle / kQuarterTurn) >= 2;
 }
@@ -29,14 +30,14 @@ double angleAt(const WorkingMesh& mesh, Halfedge h) {
   return std::atan2(out.cross(other).norm(), out.dot(other));
 }
 
-// Of a triangle at the vertex where the edge ends.
+// The angle of the triangle at the tip of h.
 double cornerAngle(const FaceFrames& frames, Halfedge h) {
   const Vec2 back = -frames.edge(h), out = frames.edge(HalfedgeMesh::next(h));
   return std::atan2(cross(out, back), out.dot(back));
 }
 
-// From a curve counterclockwise to the next one: the edges that are crossed, each as the halfedge
-// towards the vertex in the triangle before, and the curve there.
+// From a curve edge counterclockwise to the next one: the edges crossed, each as the halfedge
+// towards the vertex in the triangle before, and the last curve edge.
 struct Sector {
   std::vector<Halfedge> inside;
   Halfedge last;
@@ -61,13 +62,14 @@ int quartersOf(const Sector& sector, Halfedge first, const CrossField& field,
   return ((quarters % 4) + 4) % 4;
 }
 
-// By how much the cross turns too little. Open boundaries, as those of scans, bend at random.
+// By how many quarters the cross turns too little. Open boundaries, as those of scans, bend at
+// random.
 int lackOf(const WorkingMesh& mesh, const FaceFrames& frames, const Sector& sector, int quarters) {
   double angle = cornerAngle(frames, sector.last);
   for (const Halfedge h : sector.inside) angle += cornerAngle(frames, h);
   const Vertex v = mesh.mesh().tip(sector.last);
   const int least = !mesh.mesh().isBoundary(v) && goesOn(mesh.kind(v), angle) ? 2 : 1;
-  // None of four quarters looks like none at all.
+  // Four quarters look like none: `quarters` is modulo 4.
   return angle < (least + 1) * kQuarterTurn ? std::max(least - quarters, 0) : 0;
 }
 
@@ -87,8 +89,8 @@ std::vector<Halfedge> besides(const WorkingMesh& mesh, Halfedge h) {
   return found;
 }
 
-// The shortest way out of a sector to a vertex inside, last edge first. Curves that lie near each
-// other have none between them: there it leads through sectors of other vertices on them.
+// The shortest way out of a sector to an inner vertex, last edge first. Near curves have no inner
+// vertex between them: there the way leads through sectors of other vertices on the curves.
 std::vector<Halfedge> wayInside(const WorkingMesh& mesh, const std::vector<Halfedge>& starts) {
   struct Step {
     Halfedge edge;
@@ -113,7 +115,7 @@ std::vector<Halfedge> wayInside(const WorkingMesh& mesh, const std::vector<Halfe
   return {starts.front()};
 }
 
-// The edges that leave the vertex of a sector, those in its middle first.
+// The edges that leave the vertex of a sector, the edges in its middle first.
 std::vector<Halfedge> fromMiddle(const WorkingMesh& mesh, const Sector& sector) {
   std::vector<Halfedge> edges;
   const std::size_t count = sector.inside.size(), middle = count / 2;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What lies between two curves that meet at a vertex: a sector. The cross has to turn there as
-// often as quads will have corners: twice where a feature goes on, once at least at a corner.
+// A sector lies between two curves that meet at a vertex. The cross must turn in the sector as
+// often as quads will have corners there: twice where a feature goes on, at least once at a corner.
 #pragma once
 
 #include "remesh/quads/field/cross_field.h"
 
 namespace remesher {
 
-// Where a feature goes on past a single triangle, that is divided: it could not lie on one line of
-// the map with two of its sides.
+// Divides a triangle that fills a sector alone where a feature goes on: its two sides there could
+// not lie on one line of the map.
 void openSectors(WorkingMesh& mesh);
 
 // Turns the cross in the middle of each sector where it turns too little.

@@ -60,7 +60,7 @@ class Ways {
   std::map<Vertex, Arrival> found_;
 };
 
-using Pair = std::tuple<double, Vertex, Vertex>;  // how far, the positive one, the negative one
+using Pair = std::tuple<double, Vertex, Vertex>;  // distance, positive vertex, negative vertex
 
 std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indices, double reach) {
   std::vector<Pair> pairs;
@@ -74,7 +74,8 @@ std::vector<Pair> nearPairs(const WorkingMesh& mesh, const VertexData<int>& indi
   return pairs;
 }
 
-// A quarter turn more over each edge of the way: one less at its start, one more at its end.
+// Turns a quarter more across each edge of the way: the index falls by one quarter at the start and
+// rises by one at the end.
 void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Halfedge>& way) {
   for (const Halfedge h : way) {
     ++field.turn[h];
@@ -82,8 +83,8 @@ void turnAlong(CrossField& field, const HalfedgeMesh& mesh, const std::vector<Ha
   }
 }
 
-// Of a vertex around which crosses turn twice all but one quarter goes to the farthest regular
-// vertices within reach: a vertex of two quads is none, and one of six is two of five.
+// Moves all but one quarter of a vertex with a larger index to the farthest regular vertices within
+// reach: a vertex of two quads is not allowed, and one of six becomes two of five.
 bool partDoubles(CrossField& field, const WorkingMesh& mesh, VertexData<int>& indices,
                  double reach) {
   bool isChanged = false;
@@ -117,7 +118,7 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
   for (Index i = 0; i < m.vertexCapacity(); ++i) {
     const Vertex v(i);
     if (!m.isAlive(v) || m.isBoundary(v)) continue;
-    double turn = 2 * std::numbers::pi;  // less the angles around v: the surface's own
+    double turn = 2 * std::numbers::pi;  // less the angles around v: the angle defect
     m.forEachOutgoing(v, [&](Halfedge h) {
       const Halfedge back = m.prev(h);
       const double angle = frames.angle(back) + std::numbers::pi - frames.angle(h);

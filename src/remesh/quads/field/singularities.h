@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where crosses do not go on smoothly: vertices inside around which they turn. The index of one is
-// the number of quarter turns over 4; the quads' vertex there will have valence 4 − 4 · index.
+// Singularities of the cross field: inner vertices around which the crosses turn. The index of a
+// singularity is the number of quarter turns divided by 4; the quads' vertex there will have
+// valence 4 − 4 · index.
 #pragma once
 
 #include "remesh/quads/field/cross_field.h"
@@ -12,8 +13,8 @@ namespace remesher {
 VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
                                const FaceFrames& frames);
 
-// Takes away pairs of opposite singularities that are no farther from each other than `reach`,
-// along edges; the nearest first. No pair is joined across a curve.
+// Cancels pairs of opposite singularities at most `reach` apart along edges, the nearest pairs
+// first. No pair is cancelled across a curve.
 void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
                  double reach);
 

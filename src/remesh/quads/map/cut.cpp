@@ -40,7 +40,7 @@ Combed comb(const HalfedgeMesh& mesh, const CrossField& field) {
   return combed;
 }
 
-// Ends of the cut that are at no singular vertex and no boundary are taken back.
+// Takes back ends of the cut that are at no singular vertex and no boundary.
 void peel(const HalfedgeMesh& mesh, const VertexData<int>& singular, HalfedgeData<char>& isCut) {
   const auto onlyCut = [&](Vertex v) {
     Halfedge only;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The surface cut open so far that all crosses can be turned to agree: direction 0 of one triangle
-// goes on as direction 0 of the next, everywhere but over the cut. The cut joins the singular
-// vertices, and opens tunnels.
+// Cuts the surface open until all crosses can be turned to agree: direction 0 of one triangle
+// continues as direction 0 of the next, everywhere except across the cut. The cut joins the
+// singular vertices and opens tunnels.
 #pragma once
 
 #include "remesh/quads/field/cross_field.h"

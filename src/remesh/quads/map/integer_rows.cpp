@@ -31,8 +31,8 @@ IntegerSum plus(const IntegerSum& a, const IntegerSum& b, int factor) {
   return sum;
 }
 
-// The highest variable that is defined goes first: definitions name higher variables by lower ones,
-// where they can.
+// The highest defined variable is replaced first: definitions express higher variables by lower
+// ones, where they can.
 IntegerSum IntegerRows::reduced(IntegerSum sum) const {
   for (std::size_t i = sum.size(); i > 0;) {
     const auto [variable, coefficient] = sum[i - 1];
@@ -51,7 +51,7 @@ bool IntegerRows::add(const IntegerSum& equation) {
   IntegerSum sum = reduced(equation);
   if (sum.empty()) return true;
   divideByCommon(sum);
-  // Variables that need not be whole come last, so that one of them is taken where there is any.
+  // Real variables come last, so that one of them is taken if there is any.
   std::size_t pivot = sum.size();
   while (pivot > 0 && std::abs(sum[pivot - 1].second) != 1) --pivot;
   if (pivot == 0) return false;
@@ -65,7 +65,7 @@ bool IntegerRows::add(const IntegerSum& equation) {
   return true;
 }
 
-// The last definition names only free variables; each before it, those or later ones.
+// The last definition has only free variables; each before it has free variables or later ones.
 void IntegerRows::resolve() {
   for (std::size_t i = order_.size(); i > 0; --i) {
     const Index variable = order_[i - 1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Equations with whole coefficients, solved by elimination: each names one of its variables by the
-// others. A variable that is to be whole is named by whole ones only, with whole coefficients, so
-// that it is whole whenever those are.
+// Equations with integer coefficients, solved by elimination: each equation expresses one of its
+// variables by the others. An integer variable is expressed by integer variables only, with integer
+// coefficients, so that its value is an integer whenever theirs are.
 #pragma once
 
 #include <utility>
@@ -19,18 +19,18 @@ IntegerSum plus(const IntegerSum& a, const IntegerSum& b, int factor);
 
 class IntegerRows {
  public:
-  // Variables below `whole` are to be whole.
+  // Variables below `whole` must be integers.
   IntegerRows(Index variables, Index whole)
       : definition_(variables), isDefined_(variables, 0), whole_(whole) {}
 
-  // The sum is to be 0. False where no variable can be named by the others.
+  // Adds the equation sum = 0. False if no variable can be expressed by the others.
   [[nodiscard]] bool add(const IntegerSum& sum);
 
-  // Names all variables by those that are left free: to be called once, after the last equation.
+  // Expresses all variables by the free ones. Call once, after the last equation.
   void resolve();
 
   bool isFree(Index variable) const { return !isDefined_[variable]; }
-  // The sum by free variables alone.
+  // The same sum in free variables alone.
   IntegerSum reduced(IntegerSum sum) const;
 
  private:

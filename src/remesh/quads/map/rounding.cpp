@@ -20,7 +20,7 @@ void forEachEntry(const Sparse& matrix, Visit visit) {
     for (Sparse::InnerIterator it(matrix, column); it; ++it) visit(it.row(), it.col(), it.value());
 }
 
-// An order of the reals in which a factor of theirs stays sparse.
+// An order of the reals that keeps their factor sparse.
 Eigen::VectorXi sparseOrder(const Sparse& matrix, Eigen::Index reals) {
   std::vector<Eigen::Triplet<double>> entries;
   forEachEntry(matrix, [&](auto row, auto column, double value) {
@@ -57,7 +57,7 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   factor_.compute(ordered);
   if (factor_.info() != Eigen::Success) return;
   relaxed_ = Eigen::VectorXd(factor_.solve(right_)).tail(wholes_);
-  // What eliminating the reals leaves of A stands at the end of the factor.
+  // The part of A that is left without the reals stands at the end of the factor.
   Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(wholes_, wholes_);
   forEachEntry(Sparse(factor_.matrixL()), [&](auto row, auto column, double value) {
     if (column >= reals && row >= reals) lower(row - reals, column - reals) = value;
@@ -68,7 +68,7 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   isSolvable_ = inverse_.allFinite() && relaxed_.allFinite();
 }
 
-// By the part of the factor that is that of the reals.
+// Solves with the part of the factor that belongs to the reals.
 Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
   const Sparse& lower = factor_.matrixL().nestedExpression();
   const auto forBelow = [&](Eigen::Index column, auto visit) {
@@ -83,8 +83,8 @@ Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
   return right;
 }
 
-// Sums c·z are pulled to 1: by a weight w the least is where z + C·c (1/w + c·C·c)⁻¹ (1 − c·z) is,
-// C the inverse, c with a column for each sum [Woodbury].
+// Pulls sums c·z to 1: with a weight w the minimum is at z + C·c (1/w + c·C·c)⁻¹ (1 − c·z), C the
+// inverse, c with a column for each sum [Woodbury].
 void Rounding::pull(Wholes& wholes, const std::vector<char>& isPulled) const {
   constexpr double kYield = 1e-3;  // one over the weight, beside weights of about 1
   const Eigen::Index count = std::count(isPulled.begin(), isPulled.end(), 1);
@@ -106,9 +106,9 @@ void Rounding::pull(Wholes& wholes, const std::vector<char>& isPulled) const {
   wholes.inverse.noalias() -= moved * factor.solve(moved.transpose());
 }
 
-// Those nearest to whole numbers at once, the others go to where the least is then; and so on.
+// Rounds the variables nearest to integers at once; the others move to the new minimum, and so on.
 void Rounding::roundAll(Wholes& all) const {
-  constexpr double kSure = 0.03;  // off a whole number
+  constexpr double kSure = 0.03;  // off an integer
   std::vector<int> left = std::vector<int>(std::size_t(wholes_));
   std::iota(left.begin(), left.end(), 0);
   Eigen::VectorXd values = all.values;
@@ -136,7 +136,7 @@ void Rounding::roundAll(Wholes& all) const {
   }
 }
 
-// Sums that are too small when all is rounded are pulled, and all is rounded anew.
+// Pulls the sums that are too small after rounding, and rounds anew.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
   constexpr int kTries = 3;
   std::vector<char> isPulled(required_.size(), 0);

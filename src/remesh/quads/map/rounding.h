@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The least of a quadratic some of whose variables are to be whole: those nearest to whole numbers
-// are rounded first, and then all others are where the least is now, and so on [Bommes 2009]. Real
-// variables are eliminated once, so that all of that is done on a dense matrix with a row for each
-// whole variable.
+// Minimizes a quadratic some of whose variables must be integers: the variables nearest to integers
+// are rounded, the others move to the new minimum, and so on [Bommes 2009]. Real variables are
+// eliminated once, so that all of this runs on a dense matrix with a row for each integer variable.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -15,17 +14,18 @@ namespace remesher {
 
 class Rounding {
  public:
-  // ½ x·A·x − b·x, the lower half of A; variables below `reals` may be any numbers.
+  // The quadratic ½ x·A·x − b·x. matrix: the lower half of A; right: b. Variables below `reals` may
+  // be any numbers.
   Rounding(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& right,
            Eigen::Index reals);
 
   // Whether A could be factored.
   bool isSolvable() const { return isSolvable_; }
 
-  // Sums of variables that are to be whole are to be 1 at least.
+  // Sums of integer variables that should be at least 1.
   void require(std::vector<IntegerSum> sums) { required_ = std::move(sums); }
 
-  // For the right side times a factor: all variables, those that are to be whole exactly so.
+  // The solution for the right side times `factor`; integer variables are exact integers.
   Eigen::VectorXd rounded(double factor) const;
 
  private:
@@ -34,7 +34,7 @@ class Rounding {
 
   struct Wholes {
     Eigen::VectorXd values;
-    Eigen::MatrixXd inverse;  // of the matrix that is left for them
+    Eigen::MatrixXd inverse;  // of the matrix of these variables
   };
   void pull(Wholes& wholes, const std::vector<char>& isPulled) const;
   void roundAll(Wholes& wholes) const;
@@ -46,8 +46,8 @@ class Rounding {
   Factor factor_;
   Eigen::SparseMatrix<double> coupling_;  // rows of reals in the factor's order, columns of wholes
   Eigen::VectorXd right_;                 // in the factor's order
-  Eigen::MatrixXd inverse_;               // of what is left when reals are eliminated
-  Eigen::VectorXd relaxed_;               // where the least is if nothing need be whole
+  Eigen::MatrixXd inverse_;               // of the matrix without the reals
+  Eigen::VectorXd relaxed_;               // the integer variables before rounding
   std::vector<IntegerSum> required_;
   bool isSolvable_ = false;
 };

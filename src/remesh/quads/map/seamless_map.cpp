@@ -12,7 +12,7 @@ namespace remesher {
 
 namespace {
 
-// Dense work grows with the third power: for so many it takes about a second a map.
+// Dense work grows with the third power: this many variables take about a second per map.
 constexpr Index kMostWholes = 1500;
 
 MapPoint turned(const MapPoint& p, int turn) {
@@ -58,8 +58,8 @@ SeamlessMap MapMaker::map(double length) const {
   return inWholes(values);
 }
 
-// Real variables become odd numbers of kUnit's parts: no corner is then in the middle between two
-// whole numbers, where the walk over the map begins.
+// Real variables become odd integers, in units of 1/kUnit: then no corner is in the middle between
+// two integers, where walks over the map begin.
 SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
   std::vector<Whole> wholes;
   for (Index i = 0; i < Index(values.size()); ++i)

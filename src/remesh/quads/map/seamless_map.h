@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A seamless map in whole numbers: exact, so that walking over it never errs. A coordinate of 1 is
-// kUnit.
+// A seamless map in integers: exact, so that a walk over the map never errs. A coordinate of 1 is
+// stored as kUnit.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ inline Whole orientation(const MapPoint& a, const MapPoint& b, const MapPoint& c
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
-// Where h is crossed: the pair turns so often by a quarter, and moves.
+// The change of coordinates across h: `turn` quarter turns, then a shift.
 struct Transition {
   int turn = 0;
   MapPoint shift;
@@ -53,14 +53,13 @@ class MapMaker {
   // The mesh must outlive it.
   MapMaker(const WorkingMesh& mesh, const CrossField& field);
 
-  // Whether there can be any map; false as well where there are more singular vertices than dense
-  // matrices are for.
+  // Whether a map is possible; also false with too many integer variables for dense matrices.
   bool isPossible() const { return bool(rounding_); }
 
-  // With quads of this length. Triangles that fold over are unfolded as far as that goes.
+  // A map with quads of this length. Folded triangles are unfolded as far as possible.
   SeamlessMap map(double length) const;
 
-  // How many vertices the quads of a map have, if they are a surface like that of the mesh.
+  // The number of vertices of a map's quads, if these are a surface of the mesh's kind.
   double countVertices(const SeamlessMap& map) const;
 
  private:

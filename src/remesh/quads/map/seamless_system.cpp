@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// What ties a map to its place where nothing else does, beside weights of about 1.
+// The weight that ties a map to its place where nothing else does, beside weights of about 1.
 constexpr double kTie = 1e-7;
 
 // A quarter turn k times of the pair (u, v): the axis that a coordinate comes from, and its sign.
@@ -76,7 +76,7 @@ void SeamlessSystem::nameCopies() {
   }
 }
 
-// The edge of the cut that goes on where h ends, or none where the chain ends too.
+// The edge of the cut that goes on where h ends; kNone if the chain ends there, too.
 Index SeamlessSystem::freeEndOf(Halfedge h) const {
   const HalfedgeMesh& m = input_.mesh.mesh();
   const Vertex v = m.tip(h);
@@ -120,7 +120,7 @@ bool SeamlessSystem::addWholePlaces(IntegerRows& rows) const {
   return true;
 }
 
-// Over an edge of the cut, from face(h) to face(twin(h)), at both its ends.
+// Equations across an edge of the cut, from face(h) to face(twin(h)), at both its ends.
 bool SeamlessSystem::addCutRows(IntegerRows& rows) const {
   const HalfedgeMesh& m = input_.mesh.mesh();
   const Index firstShift = Index(2 * places_.size());
@@ -140,7 +140,8 @@ bool SeamlessSystem::addCutRows(IntegerRows& rows) const {
   return true;
 }
 
-// Each edge of a curve lies on a line of its own, which is that of the next edge where they meet.
+// Each edge of a curve has a line of its own; where two edges meet, their common corner equates the
+// lines.
 bool SeamlessSystem::addCurveRows(IntegerRows& rows) const {
   const Index first = Index(2 * places_.size()) + 2 * chainCount_;
   for (Index i = 0; i < curves_.size(); ++i) {
@@ -174,7 +175,8 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
     }
 }
 
-// Dirichlet's energy of u and v less the crosses' directions, edge by edge with cotangents.
+// Dirichlet's energy of the difference between the gradients of u and v and the crosses'
+// directions, edge by edge with cotangents.
 SeamlessSystem::Quadratic SeamlessSystem::quadratic() const {
   std::vector<Eigen::Triplet<double>> entries;
   Quadratic result{{}, Eigen::VectorXd::Zero(count_)};

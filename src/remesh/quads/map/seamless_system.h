@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The map of the surface to the plane whose whole coordinates become the quads: (u, v) in every
-// triangle, such that directions 0 and 1 of the crosses run along u and v.
+// The equations of the map from the surface to the plane whose unit squares become the quads: (u,
+// v) in every triangle, such that directions 0 and 1 of the crosses run along u and v.
 //
-// Triangles agree at their common edge, but for the cut: over it (u, v) turns by quarter turns and
-// moves by whole numbers, one pair for each chain of the cut [Bommes 2009]. Singular vertices and
-// corners of curves have whole coordinates, and every edge of a curve lies on a line of whole u or
-// v. All of this is put in by elimination, so that what is left are free variables, some whole.
+// Triangles agree at their common edge, except on the cut: across it (u, v) turns by quarter turns
+// and shifts by integers, one pair for each chain of the cut [Bommes 2009]. Singular vertices and
+// corners of curves have integer coordinates, and every edge of a curve lies on a line of integer u
+// or v. Elimination applies all these conditions; free variables remain, some of them integers.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -16,7 +16,6 @@
 
 namespace remesher {
 
-// What the map is made of.
 struct MapInput {
   const WorkingMesh& mesh;
   const FaceFrames& frames;
@@ -31,15 +30,15 @@ class SeamlessSystem {
   // Whether the conditions could be eliminated.
   bool isSolvable() const { return isSolvable_; }
 
-  // Free variables: the reals first, then those that are to be whole.
+  // Free variables: the reals first, then the integers.
   Index realCount() const { return reals_; }
   Index count() const { return count_; }
 
   // u and v of a corner, the origin of h in face(h), by the free variables.
   const std::array<IntegerSum, 2>& corner(Halfedge h) const { return sums_[copies_[h]]; }
 
-  // The quadratic ½ x·A·x − b·x that is least where u and v follow the crosses, a unit of length
-  // being 1; for another length b is divided by it.
+  // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
+  // model units. For another side length divide b by the length.
   struct Quadratic {
     Eigen::SparseMatrix<double> matrix;  // its lower half
     Eigen::VectorXd right;
@@ -59,13 +58,13 @@ class SeamlessSystem {
   Index variable(Halfedge corner, int axis) const { return whole_ + 2 * copies_[corner] + axis; }
 
   MapInput input_;
-  HalfedgeData<Index> copies_;  // per corner: which of the copies that the cut makes of its vertex
+  HalfedgeData<Index> copies_;  // per corner: its copy of the vertex, which the cut may multiply
   Index copyCount_ = 0;
-  std::vector<Vertex> places_;  // with whole coordinates
-  HalfedgeData<Index> chains_;  // of the cut, per halfedge; the other one of an edge has none
+  std::vector<Vertex> places_;  // with integer coordinates
+  HalfedgeData<Index> chains_;  // of the cut; only one halfedge of an edge has one
   Index chainCount_ = 0;
-  std::vector<Halfedge> curves_;  // halfedges on curves
-  Index whole_ = 0;               // variables before elimination that are to be whole
+  std::vector<Halfedge> curves_;                 // halfedges on curves
+  Index whole_ = 0;                              // the number of integers before elimination
   std::vector<std::array<IntegerSum, 2>> sums_;  // per copy
   Index reals_ = 0, count_ = 0;
   bool isSolvable_ = false;

@@ -9,7 +9,7 @@ namespace remesher {
 
 namespace {
 
-// How far the map goes along an edge of a curve: along the direction of the cross that follows it.
+// The length of a curve edge in the map, along the direction of the cross that follows it.
 IntegerSum lengthOf(const MapInput& input, const SeamlessSystem& system, Halfedge h) {
   const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
   const long quarters = std::lround(angle / (std::numbers::pi / 2));
@@ -49,7 +49,8 @@ void addChainLengths(std::set<IntegerSum>& lengths, const MapInput& input,
   }
 }
 
-// Along the direction of the cross that the edge is nearest to.
+// Adds the length of each edge along every direction of the cross that takes at least `kAlong` of
+// it.
 void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
   constexpr double kAlong = 0.5;  // of the edge's length
   for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {

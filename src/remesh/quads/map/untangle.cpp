@@ -12,7 +12,8 @@ namespace {
 
 // A triangle with less than this share of the area it should have counts as folded.
 constexpr double kLeastArea = 0.02;
-// It ends after so many sweeps, or so many without one fold fewer.
+// Rings around folds that move; sweeps in all, and sweeps without fewer folds, before the end;
+// halvings of a step.
 constexpr int kRings = 3, kSweeps = 60, kIdle = 8, kHalvings = 6;
 
 using Matrix2 = Eigen::Matrix2d;
@@ -53,7 +54,7 @@ class Untangling {
     return {valueOf(u), valueOf(v)};
   }
 
-  // Of the map from the triangle, at its true size over that of quads.
+  // Of the map from the triangle, in sides of quads, to the plane.
   Matrix2 jacobian(Face f) const {
     const Halfedge h = HalfedgeMesh::halfedge(f);
     const Vec2 a = at(h);
@@ -104,7 +105,7 @@ class Untangling {
     return sum;
   }
 
-  // The real variables that place v: two inside, one on a curve, none where it is whole.
+  // The real variables that place v: two inside, one on a curve, none at integer places.
   std::vector<Index> variablesOf(Vertex v) const {
     std::vector<Index> found;
     for (const IntegerSum& sum : input_.system.corner(input_.mesh.mesh().outgoing(v)))
@@ -113,7 +114,7 @@ class Untangling {
     return found;
   }
 
-  // One step of Newton's method for each variable, by differences, as long as it helps.
+  // One step of Newton's method for each variable, by differences, halved until it helps.
   void improve(Vertex v) {
     constexpr double kDifference = 1e-4;
     for (const Index variable : variablesOf(v)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triangles of a map that have folded over are unfolded: around each, vertices move to where an
-// energy is least that grows without bound as a triangle loses its area, and that is made finite
-// for those that have lost it [Garanzha 2021].
+// Unfolds the folded triangles of a map: the vertices around each move to the minimum of an energy.
+// The energy grows without bound as a triangle loses its area, and is made finite for triangles
+// that have lost it [Garanzha 2021].
 #pragma once
 
 #include "remesh/quads/map/seamless_system.h"

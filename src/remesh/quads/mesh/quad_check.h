@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether quads are a surface, and which: the laws that every result keeps.
+// Whether quads are a surface, and of which kind: the laws that every result keeps.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace remesher {
 
-// What tells one surface from another.
+// The numbers that tell one kind of surface from another.
 struct SurfaceKind {
   long eulerCharacteristic = 0;
   std::size_t components = 0;
@@ -20,8 +20,9 @@ struct SurfaceKind {
 SurfaceKind kindOf(const HalfedgeMesh& mesh);
 SurfaceKind kindOf(const QuadMesh& mesh);  // which must be a manifold
 
-// The first broken law in words, empty if all hold: four different corners each, every vertex in
-// use, a manifold, and no doublet, which is a vertex inside with two quads only.
+// The first broken law in words, empty if all hold: four different corners per quad, every vertex
+// in use, a manifold, no doublet, and one curve for both sides of an edge. A doublet is an inner
+// vertex with only two quads.
 std::string check(const QuadMesh& mesh);
 
 }  // namespace remesher

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A mesh of quads alone, on the original surface: a plain value. Each vertex has its place there,
-// as those of the working mesh have; each side knows the feature curve that it follows.
+// A pure quad mesh on the original surface, as a plain value. Each vertex has its place on the
+// original, like the vertices of the working mesh; each side knows the feature curve that it
+// follows.
 #pragma once
 
 #include <array>
@@ -23,10 +24,10 @@ struct QuadMesh {
   const Vec3& position(Index v) const { return vertices[v].position; }
 };
 
-// Sines below it are of corners that are nearly straight: 12°.
+// A corner with a smaller sine (12°) is nearly straight.
 constexpr double kLeastSine = 0.2;
 
-// A side of a quad by one number.
+// A side of a quad as one number.
 inline Index sideOf(Index quad, Index corner) { return 4 * quad + corner; }
 inline Index nextSide(Index side) { return side % 4 == 3 ? side - 3 : side + 1; }
 inline Index prevSide(Index side) { return side % 4 == 0 ? side + 3 : side - 1; }

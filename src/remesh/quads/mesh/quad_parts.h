@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes by their connected parts, and quads put together again.
+// Splits meshes into connected parts, and joins quads again.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,10 @@ std::vector<WorkingMesh> connectedParts(const WorkingMesh& mesh);
 // Per face of the surface the number of its connected part.
 FaceData<Index> partNumbers(const HalfedgeMesh& mesh);
 
-// Quads that are marked go; the others keep their order.
+// Removes marked quads; the others keep their order.
 void dropQuads(QuadMesh& mesh, const std::vector<char>& isGone);
 
-// Vertices that no quad names go; the others keep their order.
+// Removes vertices that no quad uses; the others keep their order.
 void dropUnusedVertices(QuadMesh& mesh);
 
 // Adds the vertices and quads of a mesh to another one.

@@ -36,7 +36,7 @@ void QuadSides::pairSides() {
   }
 }
 
-// A vertex has one fan exactly if the turn from its outgoing side meets all of its quads.
+// A vertex has one fan exactly if the turn from its outgoing side meets all quads of the vertex.
 void QuadSides::findOutgoing(std::size_t vertexCount) {
   outgoing_.assign(vertexCount, kNone);
   std::vector<int> corners(vertexCount, 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the sides of quads hang together: which lies across from which, and the turn around a vertex.
+// How the sides of quads are connected: the partner of each side in the next quad, and the turn
+// around a vertex.
 //
 //        c ------ b        side h goes from corner a to corner b; prevSide(h) goes from c's
 //        |  quad  |        neighbour to a; across(prevSide(h)) leaves a in the next quad
@@ -15,8 +16,8 @@ namespace remesher {
 
 class QuadSides {
  public:
-  // Throws nothing: where quads are no manifold, sides beyond a pair stay without a partner, and
-  // isManifold() says so.
+  // Throws nothing. If the quads are no manifold, sides beyond a pair stay without a partner, and
+  // isManifold() is false.
   QuadSides(std::size_t vertexCount, std::span<const Four<Index>> quads);
 
   std::size_t size() const { return across_.size(); }
@@ -24,7 +25,7 @@ class QuadSides {
   Index origin(Index side) const { return quads_[side / 4][side % 4]; }
   Index tip(Index side) const { return origin(nextSide(side)); }
   Index across(Index side) const { return across_[side]; }  // kNone on a boundary
-  // A side that leaves v, at a boundary the one on it; kNone for a vertex without quads.
+  // A side that leaves v, on a boundary the boundary side; kNone for a vertex without quads.
   Index outgoing(Index v) const { return outgoing_[v]; }
   bool isBoundary(Index v) const { return across_[outgoing_[v]] == kNone; }
 
@@ -50,7 +51,7 @@ class QuadSides {
   void pairSides();
   void findOutgoing(std::size_t vertexCount);
 
-  std::span<const Four<Index>> quads_;  // of whoever made this, and must outlive it
+  std::span<const Four<Index>> quads_;  // the caller's; must outlive this
   std::vector<Index> across_;
   std::vector<Index> outgoing_;
   bool isManifold_ = true;

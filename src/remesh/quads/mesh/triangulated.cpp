@@ -28,7 +28,7 @@ Four<T> turned(const Four<T>& four, Index first) {
   return {four[first % 4], four[(first + 1) % 4], four[(first + 2) % 4], four[(first + 3) % 4]};
 }
 
-// Each quad begins at an end of its diagonal.
+// Turns each quad to begin at an end of its diagonal.
 QuadMesh turnedToDiagonals(QuadMesh mesh) {
   const std::vector<Four<Index>> quads = mesh.quads;
   const QuadSides sides(mesh.vertices.size(), quads);
@@ -43,7 +43,7 @@ QuadMesh turnedToDiagonals(QuadMesh mesh) {
   return mesh;
 }
 
-// The halfedge of a quad's two triangles that is its side.
+// The halfedge of a quad's two triangles that is this side.
 Index halfedgeOf(Index side) {
   constexpr Four<Index> kOfSide = {0, 1, 4, 5};
   return side / 4 * 6 + kOfSide[side % 4];

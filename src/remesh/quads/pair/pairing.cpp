@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kLongestPath = 16;
 
 // How well the triangles at an edge make a square along the field: the sine of its worst corner,
-// and how near its diagonal is to 45° from the cross. None where they may not.
+// and how near its diagonal is to 45° from the cross. None if they may not be joined.
 std::optional<double> scoreOf(const WorkingMesh& mesh, const FaceFrames& frames,
                               const CrossField& field, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
@@ -77,8 +77,8 @@ class Pairing {
     }
   }
 
-  // Breadth first from a triangle that is alone to the nearest other one, over pairs that are
-  // parted on the way and joined anew, each with its neighbour on the path.
+  // Searches breadth first from a single triangle to the nearest other one. The path parts pairs;
+  // each of their triangles is joined with its neighbour on the path.
   void augment(Face start) {
     struct Step {
       Face face;
@@ -110,7 +110,7 @@ class Pairing {
     }
   }
 
-  // A vertex inside with two edges only would lie between two quads that share two sides.
+  // An inner vertex left with only two edges would lie between two quads that share two sides.
   void keepThreeEdges(Vertex v) {
     int edges = mesh_.valence(v);
     std::vector<Face> joined;
@@ -197,8 +197,8 @@ class Splitting {
     return mesh_.onCurve({chain, arcs / 2});
   }
 
-  // The point of the original nearest to p that is reached from the start of h, on the side of its
-  // face.
+  // The point of the original nearest to p that is reached from the origin of h, on the side of
+  // face(h).
   Placement near(Halfedge h, const Vec3& p) const {
     return mesh_.onSurface(closestPointFrom(mesh_.surface(), mesh_.cornerPoint(h), p));
   }

@@ -17,8 +17,8 @@ namespace {
 Index oppositeSide(Index side) { return nextSide(nextSide(side)); }
 
 struct Chord {
-  std::vector<Index> sides;  // by which it enters each quad
-  std::size_t vertices = 0;  // that dividing it adds
+  std::vector<Index> sides;  // the side by which it enters each quad
+  std::size_t vertices = 0;  // the number that dividing it adds
   double width = 0;          // the mean length of the sides that it crosses
 };
 
@@ -40,7 +40,7 @@ Chord chordFrom(const QuadMesh& mesh, const QuadSides& sides, Index side) {
   return chord;
 }
 
-// All chords that cross no quad twice, and for each quad those that cross it.
+// All chords that cross no quad twice, and for each quad the chords that cross it.
 struct Chords {
   std::vector<Chord> all;
   std::vector<std::vector<Index>> ofQuad;
@@ -64,7 +64,7 @@ Chords chordsOf(const QuadMesh& mesh) {
   return chords;
 }
 
-// One chord, or two: what they add together, where they cross one vertex more.
+// One chord or two, and the vertices that they add together: one more wherever they cross.
 struct Choice {
   std::size_t vertices = 0;
   double width = 0;  // of the narrower one
@@ -74,7 +74,7 @@ struct Choice {
   }
 };
 
-// What adds most, but not more than `most`; of several the widest.
+// The choice that adds most vertices, but not more than `most`; among equals the widest.
 Choice bestChoice(const Chords& chords, std::size_t most) {
   std::map<std::pair<Index, Index>, std::size_t> crossings;
   for (const std::vector<Index>& both : chords.ofQuad)
@@ -129,7 +129,7 @@ Index sideBetween(const QuadMesh& mesh, Index a, Index b) {
   return kNone;
 }
 
-// The second one is found again once the first has divided the quads where they cross.
+// The second chord is found again after the first has divided the quads where they cross.
 void divideChoice(QuadMesh& mesh, const Chords& chords, const Choice& choice,
                   const WorkingMesh& ground) {
   if (choice.second == kNone) return divide(mesh, chords.all[choice.first], ground);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// More quads, a row at a time: a chord crosses quads from side to opposite side until it closes or
-// ends on boundaries. Each quad on it is divided along it, and no vertex becomes irregular.
+// Adds quads a row at a time. A chord crosses quads from side to opposite side until it closes or
+// ends on boundaries. Each quad on the chord is divided along it, and no vertex becomes irregular.
 //
 //     |   |   |           |   |   |
 //     o---o---o    ->     o---o---o
@@ -12,11 +12,11 @@
 
 namespace remesher {
 
-// Divides along chords towards `count` vertices, never beyond it: as near as few chords lead.
-// ground: any mesh on the same original.
+// Divides along chords towards `count` vertices, never beyond, as near as few chords lead. ground:
+// any mesh on the same original.
 void divideChords(QuadMesh& mesh, const WorkingMesh& ground, std::size_t count);
 
-// Divides along the shortest chord that adds as many vertices as that, if there is one.
+// Divides along the shortest chord that adds at least `least` vertices, if there is one.
 void divideShortestChord(QuadMesh& mesh, const WorkingMesh& ground, std::size_t least);
 
 }  // namespace remesher

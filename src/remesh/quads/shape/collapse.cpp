@@ -17,11 +17,11 @@ namespace remesher {
 
 namespace {
 
-// The corner of a quad that is to become one with the corner across from it.
+// A corner of a quad to be merged with the opposite corner.
 struct Candidate {
-  int irregular;  // how much farther from 4 valences are afterwards, summed up
+  int irregular;  // the rise of the summed distances of valences from 4
   double length;  // of the diagonal
-  Index side;     // that leaves the corner
+  Index side;     // the side that leaves the corner
   auto order() const { return std::tie(irregular, length, side); }
   bool operator<(const Candidate& other) const { return order() < other.order(); }
 };
@@ -45,7 +45,7 @@ class QuadCollapses {
     return found;
   }
 
-  // Those that make no quad worse than 12° that was better.
+  // Candidates that make no quad worse than 12° that was better.
   std::vector<Candidate> ofSoundQuads() const {
     std::vector<Candidate> found = ofQuads();
     const auto isFolding = [&](const Candidate& candidate) {
@@ -55,7 +55,7 @@ class QuadCollapses {
     return found;
   }
 
-  // Those that take away a corner of about half a turn, both of whose sides are on curves.
+  // Candidates that remove a corner with both sides on curves: a corner of about half a turn.
   std::vector<Candidate> ofFlatCorners() const {
     std::vector<Candidate> found;
     for (Index side = 0; side < 4 * mesh_.quads.size(); ++side)
@@ -65,7 +65,8 @@ class QuadCollapses {
     return found;
   }
 
-  // All vertices of the quads around the four corners: while these change, nothing else there may.
+  // All vertices of the quads around the four corners: nothing else may change them at the same
+  // time.
   std::vector<Index> reachOf(Index side) const {
     std::vector<Index> reach;
     for (const Index v : mesh_.quads[side / 4])
@@ -95,13 +96,13 @@ class QuadCollapses {
 
   bool isCurve(Index side) const { return mesh_.curves[side / 4][side % 4] != kNone; }
 
-  // Of the corner that a side leaves.
+  // Whether the corner that a side leaves is flat.
   bool isFlatCorner(Index side) const {
     return isCurve(side) && isCurve(prevSide(side)) &&
            mesh_.vertices[sides_.origin(side)].kind == VertexKind::Curve;
   }
 
-  // Whether b may lose a neighbour: it keeps three inside, and a quad on a boundary.
+  // Whether b may lose a neighbour: an inner vertex keeps three, a boundary vertex keeps a quad.
   bool mayLose(Index b) const {
     return sides_.valence(b) > 3 || (sides_.isBoundary(b) && sides_.valence(b) > 2);
   }
@@ -109,7 +110,7 @@ class QuadCollapses {
   std::optional<Candidate> judge(Index side) const {
     const Index a = sides_.origin(side), b = sides_.tip(side);
     const Index c = sides_.tip(nextSide(side)), d = sides_.origin(prevSide(side));
-    // At most one of both stays where it is; neither carries a curve onto another.
+    // At most one of the two is not free to move, so that no curve is carried onto another.
     if (mesh_.vertices[a].kind != VertexKind::Interior &&
         mesh_.vertices[c].kind != VertexKind::Interior)
       return {};
@@ -130,7 +131,7 @@ class QuadCollapses {
     return Candidate{after - before, (mesh_.position(a) - mesh_.position(c)).norm(), side};
   }
 
-  // Whether a quad around a and c, which become one, gets worse than 12° and than it was.
+  // Whether a quad around the merged a and c gets worse than 12° and worse than before.
   bool foldsQuad(Index a, Index c) const {
     const VertexKind kindA = mesh_.vertices[a].kind, kindC = mesh_.vertices[c].kind;
     const Vec3 &p = mesh_.position(a), &q = mesh_.position(c);
@@ -164,7 +165,7 @@ Placement merged(const Placement& a, const Placement& c, const WorkingMesh& grou
   return ground.onSurface(closestPointFrom(ground.surface(), a.at, (a.position + c.position) / 2));
 }
 
-// Of the four sides of a quad that goes, those across from each other's ends become one edge.
+// The partners of two sides of a removed quad become one edge, on the curve of either.
 void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
   const Index a = sides.across(one), b = sides.across(two);
   Index &curveA = mesh.curves[a / 4][a % 4], &curveB = mesh.curves[b / 4][b % 4];
@@ -174,7 +175,7 @@ void joinCurves(QuadMesh& mesh, const QuadSides& sides, Index one, Index two) {
 
 using Candidates = std::vector<Candidate> (QuadCollapses::*)() const;
 
-// As many of these as may be done side by side.
+// Carries out as many of the candidates as may be done side by side.
 std::size_t collapseOnce(QuadMesh& mesh, const WorkingMesh& ground, Candidates candidates,
                          std::size_t most) {
   const QuadMesh before = mesh;

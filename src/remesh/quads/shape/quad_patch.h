@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Some quads of a mesh as a mesh of their own, to be changed and put back. What lies on the rim,
-// where quads that are not in the patch go on, stays as it is.
+// Some quads of a mesh as a mesh of their own, to be changed and put back. The rim, where other
+// quads adjoin the patch, stays as it is.
 #pragma once
 
 #include <vector>
@@ -19,13 +19,13 @@ struct QuadPatch {
   void dropUnusedVertices();
 };
 
-// The quads around the corners of a quad, and those around theirs; that quad is the first, those at
-// its corners follow.
+// Two rings of quads around a quad: the quad itself first, then the quads at its corners, then the
+// quads at their corners.
 std::vector<Index> quadsNear(const QuadSides& sides, const QuadMesh& mesh, Index quad);
 
 QuadPatch patchOf(const QuadMesh& mesh, const QuadSides& sides, const std::vector<Index>& quads);
 
-// Instead of those quads. Vertices that none names any more stay in the mesh.
+// Replaces `quads` by the patch. Vertices that no quad uses any more stay in the mesh.
 void putBack(QuadMesh& mesh, const QuadPatch& patch, const std::vector<Index>& quads);
 
 }  // namespace remesher

@@ -13,7 +13,7 @@ namespace remesher {
 
 namespace {
 
-// A vertex on a curve comes no nearer to either of its neighbours on it than that share of the way
+// A vertex on a curve comes no nearer to its two neighbours on the curve than this share of the way
 // between them.
 constexpr double kMargin = 0.25;
 
@@ -24,9 +24,9 @@ Quad MovingQuads::corners(Index quad) const {
   return {mesh_.position(a), mesh_.position(b), mesh_.position(c), mesh_.position(d)};
 }
 
-// Folds are seen along the original's normals: of a vertex on a curve there are several, so that
-// those of the vertices inside count. A quad that bends may look sound along these and be reflex by
-// itself, so that its own normal counts too.
+// Folds are seen along the original's normals. A vertex on a curve has several, so that only the
+// normals of inner vertices count. A bent quad may look sound along these and yet be reflex, so
+// that its own normal counts too.
 double MovingQuads::quality(Index quad) const {
   const Quad places = corners(quad);
   const auto worst = [&](const Vec3& normal) {
@@ -47,7 +47,8 @@ double MovingQuads::qualityAround(Index v) const {
   return worst;
 }
 
-// Along the line between the two neighbours on the curve, from one's arc to the other's.
+// The place along the line between the two neighbours on the curve, from the arc of one to the arc
+// of the other.
 std::optional<Placement> MovingQuads::alongCurve(Index v, const Vec3& p) const {
   const Placement& here = mesh_.vertices[v];
   std::vector<Index> neighbors;

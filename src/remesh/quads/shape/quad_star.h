@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quads on the original while their vertices move: how good the corners around a vertex are, and
-// where it may go. Vertices inside move on the surface, those on curves along them, corners not at
-// all.
+// where the vertex may go. Inner vertices move on the surface, curve vertices along their curves,
+// corners not at all.
 #pragma once
 
 #include <optional>
@@ -24,15 +24,15 @@ class MovingQuads {
 
   // The smallest sine of the quad's corners, negative where it folds over or is reflex.
   double quality(Index quad) const;
-  // The smallest of all quads around v.
+  // The smallest quality of the quads around v.
   double qualityAround(Index v) const;
 
-  // The place that v may move to nearest to p, if it may move.
+  // The place nearest to p that v may move to, if v may move.
   std::optional<Placement> placeNear(Index v, const Vec3& p) const;
 
   void move(Index v, const Placement& place) { mesh_.vertices[v] = place; }
 
-  // Moves v, unless a corner around it gets worse than both before and `enough`.
+  // Moves v, unless the worst corner around it gets worse than both before and `enough`.
   bool moveUnlessWorse(Index v, const Placement& place, double enough);
 
  private:

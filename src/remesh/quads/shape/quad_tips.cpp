@@ -20,15 +20,15 @@ namespace remesher {
 
 namespace {
 
-// Of the mean side of a quad: what is farther away is a tip.
+// In mean sides of quads: a vertex farther away is a tip.
 constexpr double kTip = 0.3;
 
 // A vertex of the original.
 struct Tip {
   Index vertex;
-  CurvePoint on;  // where it is no corner but on a curve
+  CurvePoint on;  // its place if it is on a curve and no corner
   double distance = 0;
-  Index quad = kNone;  // that is nearest
+  Index quad = kNone;  // the nearest one
 };
 
 // The corner at which the shorter diagonal begins: 0 or 1.
@@ -49,7 +49,7 @@ double squaredDistance(const Vec3& p, const QuadMesh& mesh, const Four<Index>& q
                   to(quad[k], quad[k + 2], quad[(k + 3) % 4]));
 }
 
-// From the middle of the diagonal to the original, squared.
+// The squared distance from the middle of the diagonal to the original.
 double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const WorkingMesh& ground) {
   const Index k = diagonalOf(mesh, quad);
   const Vec3 p = (mesh.position(quad[k]) + mesh.position(quad[k + 2])) / 2;
@@ -69,7 +69,7 @@ double meanSide(const QuadMesh& mesh) {
   return sum / double(4 * mesh.quads.size());
 }
 
-// All vertices of the original but those that are corners, which are there already.
+// All vertices of the original but corners, which quads have already.
 std::vector<Tip> possibleTips(const OriginalSurface& surface) {
   const HalfedgeMesh& original = surface.mesh();
   std::vector<Tip> tips;
@@ -87,7 +87,7 @@ std::vector<Tip> possibleTips(const OriginalSurface& surface) {
   return tips;
 }
 
-// The quads as triangles, to be asked for the nearest one.
+// A tree of the quads, as triangles, that finds the nearest quad.
 class QuadTree {
  public:
   explicit QuadTree(const QuadMesh& mesh) {
@@ -99,7 +99,7 @@ class QuadTree {
     tree_.emplace(positions_, indices_);
   }
 
-  // The nearest quad, and how far it is.
+  // The nearest quad and its distance.
   std::pair<Index, double> nearest(const Vec3& p) {
     const auto found = tree_->nearest(p, last_);
     last_ = found.triangle;
@@ -110,10 +110,10 @@ class QuadTree {
   std::vector<Vec3> positions_;
   std::vector<Index> indices_;
   std::optional<TriangleTree> tree_;
-  Index last_ = 0;  // places that are asked for one after another are near to each other
+  Index last_ = 0;  // successive queries are near to each other
 };
 
-// Those farther than that, the farthest first.
+// The tips farther away than `least`, the farthest first.
 std::vector<Tip> farthestFirst(const std::vector<Tip>& possible, const QuadMesh& mesh,
                                const OriginalSurface& surface, double least) {
   QuadTree tree(mesh);
@@ -139,7 +139,7 @@ class Reaching {
         isHeld_(mesh.vertices.size(), 0),
         ofQuad_(mesh.quads.size()) {}
 
-  // Squares are fitted anew around what has moved, which stays.
+  // Fits squares anew around the vertices moved to tips, which stay.
   void settle(int smoothings) {
     MovingQuads moving(mesh_, ground_);
     smoothToSquares(moving, smoothings, isHeld_);
@@ -159,7 +159,7 @@ class Reaching {
   }
 
  private:
-  // One of the corners of the nearest quad, the nearest first, moves to the tip.
+  // Moves one of the corners of the nearest quad, the nearest first, to the tip.
   void reach(const Tip& tip) {
     const Vec3& p = position(tip);
     Four<Index> corners = quads_[tip.quad];
@@ -222,7 +222,7 @@ class Reaching {
     return nearest;
   }
 
-  // Of the tips near the patch the largest distance from it, squared.
+  // The largest squared distance from the patch to its tips, or from its quads to the original.
   double farthestFrom(const QuadMesh& patch, const std::vector<Index>& quads) const {
     double farthest = 0;
     for (const Index q : quads)

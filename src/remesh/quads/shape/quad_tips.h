@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Smoothing draws vertices of quads off the tips of a surface (ears, horns), and off the bends of
-// its curves. Here the nearest ones are put back on them.
+// its curves. Here the nearest vertices are put back on the tips and bends.
 #pragma once
 
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
-// Moves a vertex to every vertex of the original that is farther from the quads than a share of
-// their sides, farthest first, where the quads around stay as sound and what is near gets no
-// farther away; again, with squares fitted anew in so many passes, as long as the largest of these
-// distances falls. ground: any mesh on the same original.
+// Moves a vertex of the quads to each vertex of the original that is farther from them than a share
+// of their sides, the farthest first. The quads around must stay as sound, and the largest distance
+// near them must fall. Repeats, after `smoothings` passes of fitting squares, as long as the
+// largest distance of all falls. ground: any mesh on the same original.
 void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings);
 
-// The number of quads whose middle is farther than that from the original, and of vertices of the
-// ground that are farther than that from the quads.
+// The number of quads whose middle is farther than this share from the original, plus the number of
+// ground vertices farther than it from the quads.
 std::size_t countFar(const QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

@@ -19,11 +19,11 @@ namespace remesher {
 
 namespace {
 
-// What is missing to quads that are sound, summed up, and how irregular they are.
+// How much the quads lack to be sound, summed up, and how irregular they are.
 struct Fault {
   double missing = 0;
   int irregular = 0;
-  // What is only a little better is not worth another irregular vertex, and rounds end.
+  // A small gain is not worth another irregular vertex; without small gains the rounds end.
   bool isClearlyBelow(const Fault& other) const {
     return missing < other.missing - kLeastSine / 10;
   }
@@ -40,7 +40,7 @@ Fault faultOf(const MovingQuads& quads, const QuadPatch& patch) {
   return fault;
 }
 
-// The edge of a side turned by one corner of the hexagon around it, either way.
+// Turns the edge of a side by one corner of the hexagon around it, either way.
 std::optional<QuadPatch> turned(const QuadPatch& patch, const QuadSides& sides, Index side,
                                 bool isLeft) {
   const Index other = sides.across(side);
@@ -61,7 +61,7 @@ std::optional<QuadPatch> turned(const QuadPatch& patch, const QuadSides& sides, 
   return result;
 }
 
-// The corner that a side leaves and the one across from it become one.
+// Merges the corner that a side leaves with the opposite corner.
 std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& sides, Index side,
                                    const WorkingMesh& ground) {
   Index a = sides.origin(side), c = sides.tip(nextSide(side));
@@ -93,7 +93,7 @@ std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& side
   return result;
 }
 
-// Puts a smaller quad within, and four around it.
+// Puts a smaller quad into the quad, and four around it.
 void fill(QuadMesh& mesh, Index quad, const WorkingMesh& ground) {
   const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
   Vec3 middle = Vec3::Zero();
@@ -129,8 +129,8 @@ class Rewiring {
         kind_(kindOf(patch.mesh)),
         start_(patch) {}
 
-  // The best way found to wire the patch, if there is a clearly better one. The bad quad is the
-  // first; those at its corners may change too.
+  // The best wiring found for the patch, if it is clearly better. The bad quad is the first one;
+  // quads beside it may change too.
   std::optional<QuadPatch> run() {
     consider(start_, true);
     tryAt(0, true);

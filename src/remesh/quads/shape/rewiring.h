@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Quads that fold, or have hardly any area, wired otherwise: what a map does wrong at sharp curves
-// no moving of vertices mends. Around each such quad an edge is turned in the hexagon of its two
-// quads, a quad is collapsed, or a smaller one is put into it, whichever is best once the vertices
-// there have moved.
+// Rewires quads that fold or have hardly any area: moving vertices cannot mend the faults of a map
+// at sharp curves. Around each such quad an edge is turned in the hexagon of its two quads, a quad
+// is collapsed, or a smaller quad is put into one, whichever is best once the vertices there have
+// moved.
 //
 //     o---o---o       o---o---o        o-------o       o-------o
 //     |   |   |       | \     |        |       |       | o---o |
@@ -15,11 +15,11 @@
 
 namespace remesher {
 
-// ground: any mesh on the same original. The quads stay a surface of the same kind; what is on
-// curves stays on them.
+// ground: any mesh on the same original. The quads stay a surface of the same kind; sides and
+// vertices on curves stay on them.
 void rewire(QuadMesh& mesh, const WorkingMesh& ground);
 
-// A vertex inside that has two quads only gets a third: a smaller one is put into one of them.
+// Gives each inner vertex with only two quads a third: a smaller quad is put into one of the two.
 void fillDoublets(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

@@ -7,7 +7,7 @@ namespace remesher {
 
 namespace {
 
-// A point of the original in the quad's part of it, near p: no way over it leads across curves.
+// A point in the quad's part of the original, near p. No way within the part leads across curves.
 SurfacePoint startIn(const QuadMesh& mesh, Index quad, const Vec3& p, const WorkingMesh& ground) {
   const Placement* nearest = nullptr;
   for (const Index v : mesh.quads[quad]) {

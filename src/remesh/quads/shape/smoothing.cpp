@@ -10,11 +10,11 @@ namespace remesher {
 
 namespace {
 
-constexpr double kStep = 0.8;  // of the way: all quads are fitted before any vertex moves
+constexpr double kStep = 0.8;  // of the way, for all quads are fitted before any vertex moves
 constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
 constexpr double kGain = 0.01;  // of the worst sine: less is not worth another try
 
-// Where each vertex would be on average over its quads' squares.
+// The place of each vertex on average over the squares of its quads.
 std::vector<Vec3> targetsOf(const MovingQuads& quads) {
   const QuadMesh& mesh = quads.mesh();
   std::vector<Vec3> sums(mesh.vertices.size(), Vec3::Zero());
@@ -51,7 +51,7 @@ Vec3 middleOfNeighbors(const MovingQuads& quads, Index v) {
 }
 
 // Tries the middle of the neighbours, then places around the vertex, nearer ones once no farther
-// one is better.
+// place is better.
 void searchBetter(MovingQuads& quads, Index v) {
   if (const auto middle = quads.placeNear(v, middleOfNeighbors(quads, v)))
     quads.moveUnlessWorse(v, *middle, 1);
@@ -75,7 +75,7 @@ void searchBetter(MovingQuads& quads, Index v) {
   }
 }
 
-// Of the quads around v: what is missing to 30°, squared and summed up.
+// How much the quads around v lack to 30°, squared and summed up.
 double missingAround(const MovingQuads& quads, Index v) {
   double sum = 0;
   quads.sides().forEachOutgoing(v, [&](Index side) {
@@ -85,7 +85,7 @@ double missingAround(const MovingQuads& quads, Index v) {
   return sum;
 }
 
-// Ways to go from v, of length 1: along the surface, or along a curve.
+// Directions that v may move in, of length 1: along the surface, or along a curve.
 std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
   std::vector<Vec3> ways;
   const Placement& here = quads.mesh().vertices[v];

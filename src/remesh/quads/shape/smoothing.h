@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quads towards squares, on the original: every vertex goes to the middle of where the squares that
-// fit its quads best would have it.
+// Smooths quads towards squares, on the original: every vertex moves towards the mean of the places
+// that the squares fitted to its quads give it.
 #pragma once
 
 #include <span>
@@ -9,18 +9,17 @@
 
 namespace remesher {
 
-constexpr double kEnough = 0.5;  // the sine of 30°: corners beyond are sound
+constexpr double kEnough = 0.5;  // the sine of 30°: corners with a larger one are sound
 
-// So many times for each vertex in turn but those that are marked. No corner gets worse than 30° by
-// it.
+// Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
 void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed);
 
-// Vertices around corners that are worse than 30°, or reflex, go where the worst corner around them
-// is best, as far as a search finds that.
+// Moves vertices around corners that are reflex or worse than 30° to where their worst corner is
+// best, as far as a search finds that place.
 void mendCorners(MovingQuads& quads);
 
-// The same, of all corners worse than 30° around a vertex at once, so that several vertices give
-// way together where one alone would only shift what is wrong. Those that are marked stay.
+// Like mendCorners, but counts all corners worse than 30° around a vertex at once, so that several
+// vertices give way together where one alone would only shift the fault. Marked vertices stay.
 void untangle(MovingQuads& quads, std::span<const char> isFixed);
 
 }  // namespace remesher
