@@ -27,7 +27,7 @@ class FewestSearch {
       : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {}
 
   // Drafts may keep a bound that a fitted and polished mesh of the same number does not: so the
-  // number is raised in steps until the final mesh keeps it.
+  // number is raised in steps, up to kStep times, until the final mesh keeps it.
   RemeshOutcome run() {
     const double drafted = search();
     options_.quality = asked_.quality;

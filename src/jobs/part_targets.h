@@ -44,7 +44,7 @@ class PartTargets {
   const std::vector<PartPlace>& places_;
   const RemeshOptions& options_;
   std::vector<double> areas_;
-  std::vector<double> reserved_;  // least vertices of a part, while there are so many
+  std::vector<double> reserved_;  // least vertices of a part, as far as they are left
   std::vector<std::size_t> order_;
   std::vector<std::size_t> waiting_;  // parts yet to be remeshed, in that order, without levels
   std::size_t last_ = 0;              // of waiting_

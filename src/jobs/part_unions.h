@@ -23,8 +23,7 @@ class PartUnions {
   // The numbers of the surface's parts; one number if the part is in no union.
   const std::vector<std::size_t>& membersOf(std::size_t surface) const { return members_[surface]; }
 
-  // The options of a surface, so that its parts together have what is asked of them. Throws
-  // TooFewVertices.
+  // The options of a surface, so that its parts together meet their targets. Throws TooFewVertices.
   RemeshOptions optionsOf(std::size_t surface, RemeshOptions options) const;
 
   // Cuts the outcome of a surface into those of its parts, each in its own space.

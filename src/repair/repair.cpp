@@ -182,7 +182,7 @@ Enclosure roughEnclosure(const TriangleMesh& mesh) {
   return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
 }
 
-// Whether the surface that hole closing keeps intersects itself, which only input crossings cause.
+// Whether the surface that hole closing keeps intersects itself. It can only if the input does.
 bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
   constexpr double kNone = -1;
   return !crossings.empty() && !selfIntersections(closeHoles(input, kNone).mesh).empty();

@@ -214,7 +214,7 @@ class RegionGrowth {
   Index round_ = 0;
   FaceData<Index> seen_;  // the last round that saw the face, from 1
   FaceData<Index> of_;
-  std::vector<Face> faces_;  // of the region at hand
+  std::vector<Face> faces_;  // of the region being grown
   std::vector<Face> stack_;  // its faces whose neighbors are still to be checked
 };
 

@@ -81,7 +81,7 @@ class Cleaner {
 
   // Works in passes: each star loses one point per pass at most, so that edges grow evenly.
   std::vector<Merger> run() {
-    constexpr int kMostPasses = 40;  // only bounds runs that hardly get on
+    constexpr int kMostPasses = 40;  // only stops runs that hardly progress
     isWorthATry_.assign(mesh_.vertexCapacity(), 1);
     std::vector<Merger> mergers;
     for (bool isAny = true; isAny && passes_ < kMostPasses; ++passes_) {

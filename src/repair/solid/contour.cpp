@@ -90,8 +90,8 @@ class Contourer {
     });
   }
 
-  // At the crossing; without one, where the inside share passes 0.5 along the edge, or in the
-  // middle.
+  // Places the edge's point at the crossing; without one, where the inside share passes 0.5, or
+  // else in the middle.
   void placeEdge(std::size_t edge, std::size_t p, std::size_t q) {
     const double margin = lattice_.margin(0.01);  // of the edge's length
     const auto axis = Eigen::Index(edge % 3);

@@ -11,7 +11,8 @@
 namespace remesher {
 
 // Per triangle of the contour its kind: triangles of one kind may become one. Attributes other than
-// normals may change with each input triangle, so each of these is a kind; else each chart is.
+// normals may change with each input triangle, so with such attributes each input triangle is a
+// kind; with normals or groups only, each chart is.
 std::vector<Index> kindsOf(const Contour& contour, const TriangleMesh& input,
                            const BuiltMesh& built);
 

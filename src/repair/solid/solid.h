@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-// What is known of the enclosed volume and of the pieces around it.
+// The findings on the enclosed volume and on the pieces of the surface.
 struct Enclosure {
   std::size_t turned = 0;      // triangles that faced the other way
   std::size_t shells = 0;      // closed pieces that nobody sees, removed
