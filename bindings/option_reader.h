@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options read by their names in JavaScript.
+// Reads options by their names in JavaScript.
 #pragma once
 
 #include <emscripten/val.h>

@@ -27,13 +27,13 @@
 namespace remesher {
 namespace {
 
-// The shares of a run's time, about.
+// The approximate shares of a run's time.
 constexpr double kMeasureShare = 0.15, kPaintShare = 0.4;
 
-// Every part remeshed, and a report on all but reading and writing.
+// All parts remeshed, and the report without reading and writing.
 struct Run {
   std::vector<io::Part> parts;
-  std::vector<Welding> weldings;                // of those given that are not remeshed yet
+  std::vector<Welding> weldings;                // of the given parts that are not remeshed yet
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   Report report;
 };
@@ -51,7 +51,7 @@ void take(Run& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh rounde
   run.report.prefer[part] = outcome.prefer;
 }
 
-// Each part, those whose borders lie on each other as one. The tree is the last part's.
+// Remeshes each part, and parts with coincident borders as one. Returns the last part's tree.
 std::optional<ListedTree> remeshSurfaces(Run& run, const std::vector<io::Part>& originals,
                                          const RemeshOptions& options, const Progress& progress) {
   const PartUnions unions(originals, options);
@@ -93,7 +93,7 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   std::optional<ListedTree> tree = remeshSurfaces(run, originals, options, progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
-  // Whether a bound is kept shows from both sides only.
+  // Only the two-sided distance shows whether a bound is kept.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
     run.report.fidelity =
@@ -102,7 +102,7 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   return run;
 }
 
-// The same for parts of any size.
+// Remeshes parts of any size, and adds the warnings on the result.
 Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& options,
                  const Progress& progress) {
   const PartScale scale(originals);
@@ -117,8 +117,8 @@ Run remeshScaled(const std::vector<io::Part>& originals, const RemeshOptions& op
   return run;
 }
 
-// What a level of detail asks for: that share of what the whole does, or as few vertices as the
-// surface can do with.
+// The options of a level of detail: a share of the whole's target, raised to the fewest vertices
+// that the surface needs.
 RemeshOptions optionsOfLod(RemeshOptions options, double share) {
   options.lods.clear();
   options.tooFew = TooFew::Raise;
@@ -146,7 +146,7 @@ std::vector<Run> remeshLods(const std::vector<io::Part>& originals, const Remesh
   return runs;
 }
 
-// The levels, the finest first: what was asked for as a whole is one of them.
+// All levels, the finest first: that one is remeshed with the options as given.
 std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshOptions& options,
                            const Progress& progress) {
   const double share = 1 / double(1 + options.lods.size());
@@ -161,7 +161,7 @@ std::vector<Run> remeshAll(const std::vector<io::Part>& originals, const RemeshO
   return runs;
 }
 
-// Textures can only be painted with what formats say that have materials.
+// Baked textures need an output format with images, and exclude levels of detail.
 void requireTextured(const std::string& outputName, const RemeshOptions& options) {
   if (!options.lods.empty())
     throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
@@ -172,7 +172,7 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
               "Let the output's name end in .glb or .gltf.");
 }
 
-// What other formats than glTF and OBJ say of materials is not read; what they say of vertices is.
+// Materials are read only from glTF and OBJ; colors of vertices from other formats, too.
 void requirePaint(const io::Model& model) {
   const auto isPaint = [](const io::Part& part) {
     const auto& groups = part.groups;
@@ -188,7 +188,7 @@ void requirePaint(const io::Model& model) {
               "Give an OBJ with its material library, or convert it to .glb with its textures.");
 }
 
-// Of glTF whoever decodes them sees to that.
+// Requires all images that materials name; for glTF, the decoder of the images checks this.
 void requireImages(const io::Model& model, const std::vector<Picture>& pictures) {
   if (model.conventions == io::Conventions::Gltf) return;
   const auto require = [&](const io::Map& map) {
@@ -220,7 +220,7 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
   return pictures;
 }
 
-// The model's parts remeshed, and its textures painted for them.
+// Remeshes the model's parts and bakes textures for them.
 Run remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
                 const Progress& progress) {
   requirePaint(model);
@@ -243,7 +243,7 @@ void requireRoomForLods(const std::string& outputName, const RemeshOptions& opti
               "Name the output .glb or .gltf, or ask for a file each: --lod-files, lodFiles.");
 }
 
-// The model with the finest level as its parts, which know the others.
+// The model with the finest level as its parts, which hold the coarser ones.
 io::Model withLods(io::Model model, std::vector<Run>& runs) {
   model.parts = std::move(runs.front().parts);
   for (std::size_t level = 1; level < runs.size(); ++level)
@@ -258,7 +258,7 @@ std::string nameOfLod(const std::string& outputName, std::size_t level) {
   return std::string(outputName).insert(outputName.rfind('.'), "_lod" + std::to_string(level));
 }
 
-// A file for each level. What lies beside them, a texture, is there once.
+// Writes a file for each level. Files beside them, such as textures, are written once.
 io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::string& outputName) {
   io::WrittenFiles all;
   std::set<std::string> names;
@@ -272,7 +272,7 @@ io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::s
   return all;
 }
 
-// The model, its coordinates as they will be written.
+// Reads the model and prepares its coordinates for the output format.
 io::Model readFor(const std::string& outputName, const FileBundle& input) {
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);

@@ -26,12 +26,12 @@ struct RemeshResult {
 RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
 
-// A mesh of a scene, and where it is shown: from its own space to the world, once for each place.
+// A mesh of a scene, and the places where it is shown: transforms from its own space to the world.
 struct PlacedMesh {
   TriangleMesh mesh;
   std::vector<Transform> places;
-  // The meshes, by number, that it stands for from afar: then it is a coarser level of detail,
-  // keeps its proportion to them, and the report leaves it out.
+  // Numbers of the meshes that this mesh stands for from afar. If any, it is a coarser level of
+  // detail, keeps its proportion to them, and the report leaves it out.
   std::vector<std::size_t> finer = {};
 };
 
@@ -41,20 +41,20 @@ struct RemeshSceneResult {
   std::vector<std::vector<TriangleMesh>> lods;  // the same for each coarser level of detail
 };
 
-// Meshes that share what is asked for, as those of one file do: vertices by area in the world.
+// Remeshes meshes that share the target as those of one file do: vertices by area in the world.
 RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress = {});
 
-// A file with those it refers to (a .bin, images, a .mtl), by the names it uses for them.
-// To have textures baked, images come decoded: four bytes to a texel, row after row from the top;
-// glTF's are called by their numbers.
+// A decoded image, for baking textures: four bytes per texel, row after row from the top. Images of
+// glTF are named by their numbers.
 struct Picture {
   std::string name;
-  std::string type;  // of one to be encoded: image/png, image/jpeg or image/webp
+  std::string type;  // of an image to encode: image/png, image/jpeg or image/webp
   Index width = 0, height = 0;
   std::vector<std::uint8_t> texels;
 };
 
+// A file with the files that it refers to (a .bin, images, a .mtl), by the names that it uses.
 struct FileBundle {
   File file;
   std::vector<File> resources;
@@ -62,7 +62,7 @@ struct FileBundle {
 };
 
 struct RemeshFileResult {
-  // The one asked for first; then what lies beside it: a .bin, a .mtl, other levels of detail.
+  // The file asked for first, then those beside it: a .bin, a .mtl, other levels of detail.
   std::vector<File> files;
   std::vector<Picture> pictures;  // baked: the files refer to the n-th as painting:n
   Report report;
@@ -76,7 +76,7 @@ struct RepairResult {
   Report report;  // without distances
 };
 
-// Mended as the options' repair says, and no more; what else they say does not count.
+// Only repairs, as the options for repair say; all other options are ignored.
 RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
@@ -87,13 +87,13 @@ struct ConvertFileResult {
   std::vector<Warning> warnings;
 };
 
-// The same model in another format, its triangles as they are.
+// Writes the same model in another format, with unchanged triangles.
 ConvertFileResult convertFile(const FileBundle& input, const std::string& outputName);
 
 Report inspect(const TriangleMesh& mesh);
 Report inspectFile(const FileBundle& input);
 
-// What is broken, which takes longer.
+// Finds what is broken, which takes longer than inspect.
 FaultReport findFaults(const TriangleMesh& mesh);
 FaultReport findFaultsInFile(const FileBundle& input);
 

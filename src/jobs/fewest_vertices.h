@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bound on the distance and no number: as few vertices as the bound allows.
+// Remeshes to a bound on the distance without a number: to as few vertices as the bound allows.
 #pragma once
 
 #include "base/options.h"
@@ -11,16 +11,16 @@
 
 namespace remesher {
 
-// Whether a bound is all that is asked for.
+// Whether the options give a bound and no number (scheme best, no quads).
 bool asksForFewest(const RemeshOptions& options);
 
-// The number is looked for with drafts, which find it to a tenth; where no draft
-// keeps the bound it is the input's own. Throws Error as remeshSurface does.
+// Drafts find the number to a tenth; if no draft keeps the bound, it is the input's own number.
+// Throws the Errors of remeshSurface.
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
                              const RemeshOptions& options, const Progress& progress);
 
-// What levels of detail are shares of: the number found for the finest, if one was looked for, and
-// no bound, which fewer do not keep.
+// The options that levels of detail take shares of. If the finest level's number was searched for,
+// they have that number and no bound, which fewer vertices would not keep.
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest);
 
 }  // namespace remesher

@@ -16,7 +16,7 @@ double mendShare(const RemeshOptions& options) { return options.repair == Repair
 
 namespace {
 
-// Whether the number of vertices follows the input's.
+// Whether the number of vertices depends on the input's number.
 bool isByInput(const RemeshOptions& options) {
   return !options.vertices && !options.edgeLength && (options.ratio || !options.maxError);
 }

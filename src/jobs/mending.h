@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked for mended, before anything else is done with it.
+// Repairs the parts of a file before any other step, if asked for.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,34 @@
 
 namespace remesher {
 
-// Of a run's time, about.
+// The approximate share of a run's time.
 double mendShare(const RemeshOptions& options);
 
-// Mends the parts in place, if that is asked for, and keeps the report on it.
+// Repairs the parts in place, if asked for, and keeps the report.
 class Mending {
  public:
   Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress);
 
-  // What is asked for with what was done, where the choice was repair's own. Without a number of
-  // vertices the input's counts, of which `ratio` is a share: repair may have made many times that.
+  // The options with the way of repair that was chosen, if the choice was repair's own. Without a
+  // number of vertices, `ratio` is a share of the input's number, not of the repaired one, which
+  // may be many times larger.
   RemeshOptions chosen(RemeshOptions options) const;
 
-  // Textures are painted anew if nobody has a say in it and the surface is another than was given,
-  // not that with its holes closed: charts end anywhere on it. The model's warnings say so.
+  // Sets textures to be painted anew if the options leave it open and repair has made another
+  // surface (more than closed holes), because charts may end anywhere on it. Adds a warning to the
+  // model.
   RemeshOptions withPaint(RemeshOptions options, io::Model& model) const;
 
-  // The input is what was given, not what was made of it.
+  // Adds the repair to the report; the report's input is the given one, not the repaired one.
   void note(Report& report) const;
 
  private:
   MeshReport input_;
   std::optional<PartsRepair> repair_;
-  std::optional<double> ratio_;  // of the mended parts' vertices, where the input's count
+  std::optional<double> ratio_;  // of the repaired parts' vertices, where the input's number counts
 };
 
-// Mends the parts in place, and says all but how long it took.
+// Repairs the parts in place. The report lacks only the times.
 Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                   const Progress& progress);
 

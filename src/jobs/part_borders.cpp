@@ -15,7 +15,8 @@
 namespace remesher {
 namespace {
 
-// Beside the largest mesh: what its own coordinates, in single precision, leave of a place, twice.
+// Joining distance per diagonal of the largest mesh: twice the rounding of its coordinates in
+// single precision.
 constexpr double kOfSingles = 0x1p-22;
 
 struct BorderEdge {
@@ -28,7 +29,7 @@ bool isBefore(const BorderEdge& a, const BorderEdge& b) {
   return std::pair(a.low, a.high) < std::pair(b.low, b.high);
 }
 
-// The borders of all meshes, with numbers for the places that they have.
+// The borders of all meshes, their places numbered.
 class Borders {
  public:
   explicit Borders(const std::vector<TriangleMesh>& meshes) : meshes_(meshes) {
@@ -44,7 +45,7 @@ class Borders {
     findEdges();
   }
 
-  // Sets of two and more meshes that are linked, ascending, and each of them in order.
+  // Sets of two or more linked meshes, ascending, the meshes in each ascending.
   std::vector<std::vector<std::size_t>> linked() const {
     DisjointSets sets(meshes_.size());
     forEachEdge([&](auto begin, auto end) {
@@ -58,7 +59,7 @@ class Borders {
     return result;
   }
 
-  // Whether the meshes of a set are a surface together, as sound as each of them is.
+  // Whether the meshes of a set together are a surface as sound as each of them.
   bool isSurface(const std::vector<std::size_t>& set) const {
     bool isSound = haveSameWidths(set) && haveOwnTriangles(set);
     forEachEdge([&](auto begin, auto end) {
@@ -130,7 +131,7 @@ class Borders {
     return begin->mesh != other->mesh && begin->isForward != other->isForward;
   }
 
-  // An attribute of several is of one width in all of them.
+  // Whether each attribute has the same width in all meshes of the set that have it.
   bool haveSameWidths(const std::vector<std::size_t>& set) const {
     std::map<std::string, int> widths;
     for (const std::size_t m : set)
@@ -141,8 +142,8 @@ class Borders {
     return true;
   }
 
-  // No triangle lost a corner, and none lies on another: leaves with a mesh for each side do not
-  // become one.
+  // Whether no triangle collapses and none lies on another: leaves with one mesh per side are not
+  // united.
   bool haveOwnTriangles(const std::vector<std::size_t>& set) const {
     std::vector<std::array<Index, 3>> triangles;
     for (const std::size_t m : set) {
@@ -165,10 +166,10 @@ class Borders {
   Index placeOf(std::size_t mesh, Index vertex) const { return places_[starts_[mesh] + vertex]; }
 
   const std::vector<TriangleMesh>& meshes_;
-  TriangleMesh points_;              // on the borders of all meshes, each a triangle by itself
-  std::vector<std::size_t> starts_;  // per mesh, in the following
-  std::vector<Index> places_;        // per vertex the first such point there, kNone within
-  std::vector<BorderEdge> edges_;    // by their places
+  TriangleMesh points_;              // on all borders, each a triangle by itself
+  std::vector<std::size_t> starts_;  // per mesh, in places_
+  std::vector<Index> places_;        // per vertex the first such point there; kNone inside
+  std::vector<BorderEdge> edges_;    // sorted by places
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes whose borders lie on each other, such as tiles and panels.
+// Finds meshes whose borders coincide, such as tiles and panels.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace remesher {
 
-// Sets of meshes of one world that are one surface together, their numbers ascending: along some
-// edge of their borders each lies on another of its set, and along none do more than two, or two
-// that face away from each other. What lies on each other but for rounding comes to one place; the
-// other meshes, and those without triangles, stay as they are.
+// Sets of meshes in one world that together are one surface, their numbers ascending. Each mesh
+// shares a border edge with another of its set; no border edge has more than two triangles, or two
+// that face away from each other. Border vertices of a set that coincide up to rounding are moved
+// to one place. Other meshes, and those without triangles, stay as they are.
 std::vector<std::vector<std::size_t>> joinedAlongBorders(std::vector<TriangleMesh>& meshes);
 
 }  // namespace remesher

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be joined in the parts of a file before anything else is done.
+// Joins vertices of a file's parts before any other step.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace remesher {
 
-// Noise around zero goes; places nearer than `percent` of a part's diagonal become one. Throws
-// Error as requireValid does.
+// Removes noise around zero, and joins places nearer than `percent` of a part's diagonal. Throws
+// the Errors of requireValid.
 std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent);
 
-// TRIANGLES_NOT_JOINED where no triangle of all parts shares an edge with another, and what would
-// join them.
+// TRIANGLES_NOT_JOINED if no triangle of any part shares an edge with another; says what would join
+// them.
 std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<io::Part>& parts);
 
 }  // namespace remesher

@@ -14,15 +14,15 @@
 namespace remesher {
 namespace {
 
-// Directions stretched by less differ in angles by less than a hundredth of a degree.
+// A ratio of stretches below this changes angles by less than a hundredth of a degree.
 constexpr double kEven = 1 + 1e-4;
-// What is shown with one direction shorter than this beside another has no shape to work on.
+// A part shown with a ratio of stretches below this has no shape to work on.
 constexpr double kFlat = 1e-3;
-// Places that show as much but for rounding: the first counts.
+// Of places that show the same area up to rounding, the first counts.
 constexpr double kMore = 1 + 1e-9;
 
-// Of the triangles when they are shown so, about: exact where all face one way, and where all
-// directions are stretched alike. A place may be one of thousands.
+// The approximate area of the triangles at the place: exact if all face one way, or if all
+// directions are stretched alike. Fast, because a part may have thousands of places.
 double shownArea(const Facing& faces, const Transform& place) {
   const Eigen::Matrix3d m = place.linear();
   Eigen::Matrix3d cofactors;
@@ -31,7 +31,7 @@ double shownArea(const Facing& faces, const Transform& place) {
   return std::sqrt(std::max(0.0, squared * faces.area));
 }
 
-// The place that shows most, and the mean of all that show anything.
+// The place with the largest area, and the mean area of all places that show any.
 PartPlace placeOf(const io::Part& part, const Facing& faces) {
   PartPlace best;
   double most = 0;
@@ -49,7 +49,8 @@ PartPlace placeOf(const io::Part& part, const Facing& faces) {
   return best;
 }
 
-// Of the eigenvectors of LᵀL, by which directions are stretched; along the axes if that is all.
+// The directions of stretch (eigenvectors of LᵀL) and their factors; the axes if they are such
+// directions.
 std::pair<Eigen::Matrix3d, Vec3> stretchesOf(const Eigen::Matrix3d& linear) {
   const Eigen::Matrix3d squares = linear.transpose() * linear;
   constexpr double kRounding = 1e-12;

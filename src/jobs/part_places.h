@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where parts are looked at: each where the file shows most of it. What the file does not show, for
-// its node has no size, or no scene has one, is looked at in the size that the others are shown at.
+// Where parts are looked at: each at the place where the file shows it largest. A part that the
+// file does not show (its node has no size or is in no scene) is scaled like the others on average.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ struct PartPlace {
   double area = 0;  // the mean over the places where the part is shown
 };
 
-// Of valid parts.
+// The parts must be valid.
 std::vector<PartPlace> placesOf(const std::vector<io::Part>& parts);
 
-// What makes a part look as it does there but for its size and how it is turned, of determinant 1;
-// none if the part looks so itself, or has no shape there.
+// The stretch of the part at that place without size and rotation, of determinant 1; none if the
+// part is not stretched there, or has no shape there.
 std::optional<Eigen::Matrix3d> stretchAt(const Transform& toWorld);
 
-// The part's mesh, its normals and tangents with it, stretched by such a matrix.
+// The part's mesh stretched by such a matrix, with its normals and tangents.
 TriangleMesh stretched(TriangleMesh mesh, const Eigen::Matrix3d& stretch);
 
-// A result of remeshing stretched(original, stretch), as it is without. What lies where the
-// original has a vertex has the original's coordinates.
+// Undoes the stretch in a result of remeshing stretched(original, stretch). A vertex at an original
+// vertex gets exactly its coordinates.
 TriangleMesh relaxed(TriangleMesh result, const Eigen::Matrix3d& stretch,
                      const TriangleMesh& original);
 
-// The parts that are looked at stretched so; the others as they are.
+// The parts as they are looked at: stretched where their places stretch them.
 std::vector<io::Part> asShown(std::vector<io::Part> parts);
 
 }  // namespace remesher

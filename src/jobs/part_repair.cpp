@@ -84,7 +84,7 @@ bool isSound(const TriangleMesh& mesh) {
          selfIntersections(mesh).empty();
 }
 
-// Of each corner of the mesh itself.
+// The places of the mesh's own corners on the mesh itself.
 std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
   std::vector<InputPlace> places;
   for (Index i = 0; i < mesh.indices.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a file mended, each on its own, and what is to be said of it.
+// Repairs the parts of a file, each on its own, with report and warnings.
 #pragma once
 
 #include <vector>
@@ -19,17 +19,17 @@ struct PartsRepair {
   std::vector<Warning> warnings;
 };
 
-// Throws Error as repairSurface does; INVALID_OPTION where the options name vertices of the input.
+// Throws the Errors of repairSurface, and INVALID_OPTION if the options name vertices of the input.
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 
-// The outcome of remeshing what was repaired, rounded as inPrecisionOf does: where it is closed, a
-// 2-manifold and meets itself nowhere, so is what is returned. That is the original, with a
-// warning, if rounding leaves nothing else.
+// The outcome of remeshing the repaired `original`, rounded as by inPrecisionOf. If rounding makes
+// it unsound (open, not a 2-manifold or self-intersecting) and the original is sound, the original
+// is returned, with a warning.
 RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome);
 
-// What is broken in all of them: sums, the loops of each in percent of its own diagonal, and the
-// repair that reaches farthest.
+// The faults of all parts: sums, the loops of each part in percent of its own diagonal, and the
+// most far-reaching repair.
 FaultReport faultsOf(const std::vector<io::Part>& parts);
 
 }  // namespace remesher

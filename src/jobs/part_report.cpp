@@ -47,7 +47,7 @@ MeshReport combined(const std::vector<MeshReport>& parts) {
   return sum;
 }
 
-// Where all parts are of quads.
+// The figures of quads, if all parts are of quads.
 std::optional<QuadReport> reportQuads(const std::vector<io::Part>& parts,
                                       const std::vector<Welding>& weldings) {
   QuadStatistics quads;
@@ -59,7 +59,7 @@ std::optional<QuadReport> reportQuads(const std::vector<io::Part>& parts,
   return quads.report();
 }
 
-// What has two corners in one place is a line, which the remesher does not know.
+// A triangle with two coincident corners is a line, which the remesher ignores.
 bool isLine(const TriangleMesh& mesh, std::size_t first) {
   const Index* const t = &mesh.indices[first];
   return hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
@@ -71,7 +71,7 @@ bool hasLines(const TriangleMesh& mesh) {
   return false;
 }
 
-// Where all are lines, they stay.
+// If all triangles are lines, they stay.
 void removeLines(TriangleMesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -81,14 +81,14 @@ void removeLines(TriangleMesh& mesh) {
   if (kept > 0) mesh.indices.resize(kept);
 }
 
-// Whether a part has a shape where it is shown: nothing is left, beside its longest direction, of
-// what is shown as a line, or pressed flat, or all but so.
+// Whether a part keeps a shape at its place: it has none if it is shown as a line, flat, or nearly
+// so.
 bool keepsShape(const Transform& place) {
-  constexpr double kLost = 1e-3;  // of the longest, lengths on average
+  constexpr double kLost = 1e-3;  // mean stretch, relative to the greatest
   return std::cbrt(std::abs(place.linear().determinant())) >= kLost * place.linear().norm();
 }
 
-// Where a part is shown without its shape its distances are those it has by itself.
+// A part that is shown without a shape is measured in its own space.
 Transform placeFor(const PartPlace& place) {
   return keepsShape(place.toWorld) ? Transform(place.toWorld) : Transform::Identity();
 }
@@ -121,7 +121,7 @@ MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<We
 TriangleMesh gathered(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places) {
   TriangleMesh all;
   if (parts.empty()) return all;
-  // A scene may lie so far away that its shape would be lost to rounding.
+  // A scene may lie so far from the origin that rounding would lose its shape.
   const Vec3 origin = placeFor(places.front()).translation();
   for (std::size_t n = 0; n < parts.size(); ++n) {
     if (!parts[n].finer.empty()) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What several parts of a file are like together, for the report.
+// Measures the parts of a file together, for the report.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,30 @@
 
 namespace remesher {
 
-// Throws Error as requireValid does.
+// Throws the Errors of requireValid.
 std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts);
 
-// Of each part as it looks at its place, but for coarser levels of detail. Counts add up; shares
-// and means are weighted by what they are shares and means of.
+// Measures each part as it looks at its place, except coarser levels of detail. Counts add up;
+// shares and means are weighted by the counts that they refer to.
 MeshReport inspectParts(const std::vector<io::Part>& parts, const std::vector<Welding>& weldings,
                         const std::vector<PartPlace>& places);
 
-// All parts at their places, beside the first of them, as one bag of triangles without those that
-// are lines.
+// All parts at their places, relative to the first place, as one set of triangles without those
+// that are lines.
 TriangleMesh gathered(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places);
 
-// What is given, one part at least, and what was made of it.
+// The given parts, one at least, and the results made of them.
 struct PartPairs {
   const std::vector<io::Part>& originals;
   const std::vector<io::Part>& results;
   const std::vector<PartPlace>& places;
 };
 
-// How far the results are from what is given, as gathered. tree: of the only part's triangles that
-// are no lines, each once, if one is at hand.
+// The distances of the gathered results from the gathered originals. tree: if at hand, of the only
+// part's triangles, each once and without lines.
 FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional<ListedTree> tree);
 
-// Both lists as one; warnings of the same code become one.
+// Both lists as one; warnings of the same code are merged.
 std::vector<Warning> joined(std::vector<Warning> all, const std::vector<Warning>& more);
 
 }  // namespace remesher

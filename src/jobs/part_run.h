@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts remeshed, and looked at, as they look where the file shows them.
+// Remeshes and measures parts as they look where the file shows them.
 #pragma once
 
 #include "base/options.h"
@@ -21,23 +21,24 @@ struct PartInput {
   const PartPlace& place;
 };
 
-// The number of a part, or of a union of several, with what is asked of it.
+// A part, or a union of several, by its number, with its targets.
 struct PartTarget {
   const PartTargets& targets;
   const PartUnions& unions;
   std::size_t surface;
 };
 
-// The outcome is in the part's own space; its tree only where the part looks as it does there.
+// The outcome is in the part's own space; it has a tree only if the part is not stretched at its
+// place.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress);
 
-// What remeshing has made, in the original's precision: sound if that was repaired.
+// The outcome's mesh in the original's precision; kept sound if the original was repaired.
 RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair);
 
-// All of a part but its mesh.
+// A copy of the part without its mesh.
 io::Part withoutMesh(const io::Part& part);
 
-// The report on parts of any size. Throws Error as requireValid does.
+// The report on parts of any size. Throws the Errors of requireValid.
 MeshReport inspectScaled(const std::vector<io::Part>& parts);
 
 }  // namespace remesher

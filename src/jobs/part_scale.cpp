@@ -12,20 +12,20 @@
 namespace remesher {
 namespace {
 
-// Sizes up to this power of two, and down to its inverse, are computed with as they are.
+// Sizes up to this power of two, and down to its inverse, are not scaled.
 constexpr int kUsual = 30;
-// As far as powers of two and their inverses both are doubles.
+// The largest exponent whose power of two and inverse are both normal doubles.
 constexpr int kFarthest = 1022;
 
 void scale(std::vector<Vec3>& positions, double factor) {
   for (Vec3& p : positions) p *= factor;
 }
 
-// The points' box at half its size: that of the largest doubles would be infinite.
+// The points' box at half its size: the full size of the largest doubles would be infinite.
 using HalfBox = Eigen::AlignedBox3d;
 
-// Of what has an area: a stray vertex, or a triangle that is a line, is not worked on. Indices have
-// yet to be looked at. Without a place the part is where it says itself.
+// The box of triangles that are no lines; stray vertices do not count. Indices are not checked yet.
+// Without a place, in the part's own space.
 HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
   Box box;
   const std::vector<Vec3>& positions = mesh.positions;
@@ -43,14 +43,14 @@ HalfBox halfBox(const TriangleMesh& mesh, const Transform* place) {
   return {0.5 * box.low, 0.5 * box.high};
 }
 
-// A stray vertex may lie farther out than numbers go.
+// Whether all scaled positions are finite: a stray vertex may lie far outside the box.
 bool fits(const io::Part& part, double scale) {
   return std::all_of(part.mesh.positions.begin(), part.mesh.positions.end(),
                      [&](const Vec3& p) { return (p * scale).allFinite(); });
 }
 
-// What brings the longest side of the box to between 1 and 2, or less if it lies so far away that
-// products of four coordinates would be infinite.
+// The factor that brings the longest side of the box to between 1 and 2, or below if the box is so
+// far away that products of four coordinates would be infinite.
 double unitScale(const HalfBox& box) {
   constexpr int kFarAway = 200;
   if (box.isEmpty()) return 1;
@@ -83,7 +83,7 @@ bool PartScale::isNeeded() const {
 std::vector<io::Part> PartScale::applied(std::vector<io::Part> parts) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     scale(parts[i].mesh.positions, local_[i]);
-    // Only small numbers have fewer digits.
+    // Only small numbers have fewer digits, so a scale below 1 does not matter.
     parts[i].mesh.scale = std::max(local_[i], 1.0);
     if (parts[i].mesh.steps) parts[i].mesh.steps->perUnit /= local_[i];
     if (parts[i].instances.empty()) parts[i].instances.push_back(Transform::Identity());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Models of any size as models of about unit size, and back. Areas, their squares and single
-// precision leave what numbers can hold long before lengths do; scaling by powers of two changes no
-// digit of a coordinate.
+// Scales models of any size to about unit size, and back. Areas, their squares and single precision
+// numbers overflow or underflow long before lengths do. The factors are powers of two, which change
+// no digit of a coordinate.
 #pragma once
 
 #include <vector>
@@ -15,18 +15,19 @@ class PartScale {
  public:
   explicit PartScale(const std::vector<io::Part>& parts);
 
-  // Whether any part, or all of them in the world, are so large or small that it matters.
+  // Whether a part, or all parts in the world, are so large or small that scaling is needed.
   bool isNeeded() const;
 
-  // The parts and what is asked of them, at about unit size: in local space each, and in the world.
+  // The parts and the options at about unit size: each part in its own space, and all in the world.
   std::vector<io::Part> applied(std::vector<io::Part> parts) const;
   RemeshOptions applied(RemeshOptions options) const;
 
-  // Parts that were made of applied ones, in the places and at the sizes of `originals`.
+  // Parts made from applied ones, back at the sizes and places of `originals`.
   std::vector<io::Part> undone(std::vector<io::Part> parts,
                                const std::vector<io::Part>& originals) const;
 
-  // Where the world first shows a point of a part, of an applied one if that is needed.
+  // Where the part's first place shows a point in the world; the part is an applied one if scaling
+  // is needed.
   Vec3 inWorld(const io::Part& part, const Vec3& p) const;
 
  private:

@@ -16,18 +16,18 @@
 namespace remesher {
 namespace {
 
-// Of what a part has by area this much is left to it, however much charts of others need.
+// A part keeps at least this much of its share by area, however much the charts of others need.
 constexpr double kLeftByArea = 0.25;
-// Narrower charts than this, in units of the side of a square as large as the whole, hardly show.
+// Charts narrower than this hardly show; unit: the side of a square with the area of the whole.
 constexpr double kShows = 0.002;
 
-// What a chart asks of its part.
+// The vertices that a chart needs of its part.
 struct Wish {
   double vertices;
   std::size_t part;
 };
 
-// How much longer lengths are at the place than in the part.
+// The mean factor of lengths from the part to its place.
 double scaleOf(const PartPlace& place) {
   return std::cbrt(std::abs(place.toWorld.linear().determinant()));
 }
@@ -42,7 +42,7 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<P
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
-  // One alone shares with nobody.
+  // A single part does not share.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double area = parts.size() > 1 ? places[i].area : 1;
     areas_.push_back(isLevel(i) ? 0 : area);
@@ -60,7 +60,7 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<P
   if (parts.size() > 1 && options.vertices) reserveForCharts();
 }
 
-// Charts that cost least come first, as long as there are vertices to spend.
+// Reserves vertices for charts, those with the smallest need first, as long as any are left.
 void PartTargets::reserveForCharts() {
   const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
   std::vector<Wish> wishes;
@@ -82,7 +82,8 @@ void PartTargets::reserveForCharts() {
   }
 }
 
-// Of the vertices that are left, by area among those whose share is more than what is reserved.
+// The part's share by area of the vertices left, among the parts whose share is not below their
+// reserve; the others get their reserve.
 double PartTargets::shareOf(std::size_t part) const {
   std::vector<std::size_t> byArea = waiting_;
   double vertices = verticesLeft_;
@@ -102,7 +103,7 @@ double PartTargets::shareOf(std::size_t part) const {
   }
 }
 
-// As much of its own as the finest has of its.
+// A level keeps the same share of its own vertices as its finer parts kept of theirs.
 RemeshOptions PartTargets::ofLevel(std::size_t part) const {
   double own = 0, given = 0;
   for (const std::size_t finer : parts_[part].finer) {
@@ -123,7 +124,8 @@ RemeshOptions PartTargets::of(std::size_t part) const {
   if (isLevel(part)) return ofLevel(part);
   RemeshOptions result = options_;
   const bool isLast = part == last_;
-  // The last part has only what is left; and a whole that asks for no number asks for no fewer.
+  // Other parts make up for a raised number, but the last part has only what is left. Without a
+  // number for the whole, any part may be raised.
   const bool asksForNone = !options_.vertices && !options_.ratio && !options_.edgeLength;
   const bool isOneOfMany = parts_.size() > 1 && !(isLast && options_.vertices);
   if (asksForNone || isOneOfMany) result.tooFew = TooFew::Raise;
@@ -134,8 +136,8 @@ RemeshOptions PartTargets::of(std::size_t part) const {
   return result;
 }
 
-// The part has its share by area, or what is left of that to charts of others, of all but what
-// others have been given: of so many more that is what it needs.
+// Enough for the whole: the part's share (by area, or what charts of others leave of it) of that
+// number must cover the part's need and what others have been given.
 void PartTargets::refuse(std::size_t part, const TooFewVertices& error) const {
   if (!options_.vertices || parts_.size() == 1) throw error;
   double area = 0, given = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the caller asks of a whole file, as what is asked of each of its parts. Small parts of a
-// large scene may need more vertices than their share by area, to be there at all or to show all of
-// their charts: they are given them, and the larger parts do with fewer.
+// Shares the caller's targets for a whole file among its parts. Small parts of a large scene may
+// need more vertices than their share by area, to exist at all or to show all of their charts: they
+// get them, and the larger parts get fewer.
 #pragma once
 
 #include <vector>
@@ -15,23 +15,23 @@ namespace remesher {
 
 class PartTargets {
  public:
-  // Throws Error: INVALID_OPTION for what cannot be shared. The arguments must outlive the object.
+  // Throws INVALID_OPTION for options that cannot be shared. The arguments must outlive the object.
   PartTargets(const std::vector<io::Part>& parts, const std::vector<PartPlace>& places,
               const RemeshOptions& options);
 
   // The numbers of the parts in the order in which they are to be remeshed: the smallest first.
   const std::vector<std::size_t>& order() const { return order_; }
 
-  // The options of one part, asked for in this order: an absolute number of vertices is shared out
-  // by what charts need, then by area in the world; an edge length is in units of the world. A
-  // coarser level of detail comes after the finest and keeps its proportion to that.
+  // The options of one part, to be called in this order. An absolute number of vertices is shared
+  // by the needs of charts, then by area in the world; an edge length is in units of the world. A
+  // coarser level of detail comes after the finest and keeps its proportion to it.
   RemeshOptions of(std::size_t part) const;
 
-  // Throws Error for a part that was refused what it was given: of several, with a number for the
-  // whole that is enough.
+  // Throws the Error for a part that was refused its number; if there are several parts, with a
+  // number that is enough for the whole.
   [[noreturn]] void refuse(std::size_t part, const TooFewVertices& error) const;
 
-  // To be told before the next part is asked about.
+  // Records a part's result; to be called before of() for the next part.
   void given(std::size_t part, std::size_t vertices);
 
  private:
@@ -44,11 +44,11 @@ class PartTargets {
   const std::vector<PartPlace>& places_;
   const RemeshOptions& options_;
   std::vector<double> areas_;
-  std::vector<double> reserved_;  // vertices that a part has at least, while there are so many
+  std::vector<double> reserved_;  // least vertices of a part, as far as they are left
   std::vector<std::size_t> order_;
-  std::vector<std::size_t> waiting_;  // those yet to be remeshed, in that order, but for levels
-  std::size_t last_ = 0;              // of these
-  std::vector<double> given_;         // the numbers of vertices that parts have, once remeshed
+  std::vector<std::size_t> waiting_;  // parts yet to be remeshed, in that order, without levels
+  std::size_t last_ = 0;              // of waiting_
+  std::vector<double> given_;         // per part its number of vertices, once remeshed
   double verticesLeft_ = 0;
 };
 

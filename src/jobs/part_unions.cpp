@@ -17,12 +17,12 @@
 namespace remesher {
 namespace {
 
-// From what is shown flatter than this there is no way back.
+// A place with a smaller relative determinant is too flat to be inverted.
 constexpr double kNoWayBack = 1e-9;
-// As many vertices each part of a union has at least, and can do with.
+// Vertices that each part of a union has at least, and that are enough for it.
 constexpr std::size_t kFewest = 4, kEnough = 16;
 
-// Whether a part is at one place, and all of it is there.
+// Whether a part is at exactly one place, and that can be inverted.
 bool isThere(const io::Part& part) {
   if (part.instances.size() != 1) return false;
   const Eigen::Matrix3d m = part.instances.front().linear();
@@ -30,7 +30,7 @@ bool isThere(const io::Part& part) {
   return size > 0 && std::isfinite(size) && std::abs((m / size).determinant()) > kNoWayBack;
 }
 
-// What levels of detail stand for keeps its parts, and what is kept as it is needs nothing.
+// Models with levels of detail keep their parts, and boundaries that are kept need no union.
 bool mayUnite(const std::vector<io::Part>& parts, const RemeshOptions& options) {
   const auto isLevel = [](const io::Part& part) { return !part.finer.empty(); };
   return parts.size() > 1 && options.boundary != Boundary::Keep && !options.quads &&
@@ -45,7 +45,7 @@ std::size_t countCornerPlaces(const TriangleMesh& mesh) {
   return std::size_t(std::count(isCorner.begin(), isCorner.end(), 1));
 }
 
-// Attributes that some of the meshes lack are there what a part's are that some groups lack.
+// A mesh without an attribute of the others gets its default: 1 for colors, else 0.
 void append(TriangleMesh& all, const TriangleMesh& mesh) {
   const std::size_t before = all.positions.size();
   const Index group = all.groups.empty() ? 0 : Index(groupCount(all));
@@ -69,13 +69,13 @@ void append(TriangleMesh& all, const TriangleMesh& mesh) {
 using Coordinates = std::array<double, 3>;
 Coordinates coordinatesIn(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }
 
-// One part's own of what was made of a union.
+// Cuts one part out of the result of a union.
 class Parting {
  public:
   Parting(const RemeshOutcome& whole, const std::vector<Index>& triangles)
       : whole_(whole), triangles_(triangles) {}
 
-  // `original` as it is itself, and where its vertices were in the union.
+  // original: the part in its own space. placed: its vertices in the union.
   TriangleMesh mesh(const io::Part& original, std::span<const Vec3> placed,
                     Index firstGroup) const {
     TriangleMesh made = cut(original.mesh, firstGroup);
@@ -92,7 +92,8 @@ class Parting {
     return made;
   }
 
-  // Per corner of the part's triangles. In a mirrored part the second and the third are exchanged.
+  // Per corner of the part's triangles. In a mirrored part the second and the third corner are
+  // exchanged.
   std::vector<InputPlace> places(Index firstTriangle, const Transform& place) const {
     std::vector<InputPlace> result;
     if (whole_.places.empty()) return result;
@@ -191,8 +192,8 @@ const PartUnions::Union* PartUnions::unionOf(std::size_t surface) const {
   return found == unions_.end() ? nullptr : &*found;
 }
 
-// Where several meet a place is there once for each: about as often among few vertices as among
-// many, for their number along borders goes with the root of that within.
+// A place on a common border counts once for each part that meets there. The number of such places
+// is estimated from the input's, in proportion to the square root of the vertex count.
 RemeshOptions PartUnions::optionsOf(std::size_t surface, RemeshOptions options) const {
   const Union* const whole = unionOf(surface);
   if (!whole) return options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts whose borders lie on each other are remeshed as one surface, of which each gets its own:
-// so their borders still do.
+// Remeshes parts with coincident borders as one surface, and cuts the result into parts again: so
+// the borders still coincide.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,19 @@ namespace remesher {
 
 class PartUnions {
  public:
-  // Of valid parts, which must outlive the object.
+  // The parts must be valid and outlive the object.
   PartUnions(const std::vector<io::Part>& parts, const RemeshOptions& options);
 
-  // What is to be remeshed: the parts, those of a union as one, in the world.
+  // The surfaces to remesh: single parts, and each union as one part in the world.
   const std::vector<io::Part>& surfaces() const { return unions_.empty() ? parts_ : surfaces_; }
 
-  // The numbers of its parts; of a part that is in no union its own.
+  // The numbers of the surface's parts; one number if the part is in no union.
   const std::vector<std::size_t>& membersOf(std::size_t surface) const { return members_[surface]; }
 
-  // What is asked of a surface, so that its parts have together what is asked of them. Throws
-  // TooFewVertices.
+  // The options of a surface, so that its parts together meet their targets. Throws TooFewVertices.
   RemeshOptions optionsOf(std::size_t surface, RemeshOptions options) const;
 
-  // What its parts get of what was made of a surface, in their own spaces.
+  // Cuts the outcome of a surface into those of its parts, each in its own space.
   std::vector<RemeshOutcome> parted(std::size_t surface, RemeshOutcome outcome) const;
 
  private:
@@ -35,13 +34,13 @@ class PartUnions {
 
   struct Union {
     std::size_t surface;
-    std::vector<Index> vertices, triangles, groups;  // of each member the first
-    std::vector<Index> bodies;                       // per group its member
+    std::vector<Index> vertices, triangles, groups;  // per member its first
+    std::vector<Index> bodies;                       // per group the member it is of
   };
   const Union* unionOf(std::size_t surface) const;
 
   const std::vector<io::Part>& parts_;
-  std::vector<io::Part> surfaces_;  // none where there are no unions
+  std::vector<io::Part> surfaces_;  // empty if there are no unions
   std::vector<std::vector<std::size_t>> members_;
   std::vector<Union> unions_;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coordinates that were given in single precision, or in whole steps, come back in them, and what
-// is noise around zero to whoever reads the result is noise here: what is reported of it is what
-// its file or its arrays hold.
+// Rounds coordinates to the input's single precision or whole steps, and removes noise around zero:
+// so the report describes exactly what the result's file or arrays hold.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +11,7 @@ namespace remesher {
 
 struct RoundedMesh {
   TriangleMesh mesh;
-  std::size_t coincident = 0;  // places that became one with another
+  std::size_t coincident = 0;  // places that rounding joined to another
 };
 
 // The result of remeshing `original`, in its precision.

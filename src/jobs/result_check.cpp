@@ -16,20 +16,20 @@
 namespace remesher {
 namespace {
 
-// Degrees: smallest angles that are good, of the worst triangle and on average, and how much less
-// than before is worth a word.
+// Degrees: good smallest angles, of the worst triangle and on average, and the least loss that
+// gives a warning.
 constexpr double kGoodWorst = 25, kGoodMean = 50, kWorthAWord = 0.5;
 
 // Nothing lies farther from a surface than this within its box, in percent of the diagonal.
 constexpr double kWholeDiagonal = 100;
 
-// A surface that is no larger than so many steps of its coordinates is lost to rounding.
+// A surface no larger than this many steps of its coordinates is lost to rounding.
 constexpr double kSteps = 64;
 
-// What was kept may be measured as a little more.
+// A bound that was kept may be measured as slightly exceeded.
 constexpr double kRounding = 1 + 1e-6;
 
-// Digits that are told, and how many a double has at most.
+// Digits shown, and the most that a double has.
 constexpr int kDigits = 4, kMostDigits = 17;
 
 std::string number(double x) { return inDigits(x, kDigits); }
@@ -39,7 +39,7 @@ struct WorstTriangle {
   Vec3 centre = Vec3::Zero();
 };
 
-// By its angle as it is shown.
+// Angles are measured as the part is shown.
 WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
   WorstTriangle worst;
   const std::vector<PartPlace> places = placesOf(parts);
@@ -58,7 +58,7 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
   return worst;
 }
 
-// Around all vertices; of none `low` is above `high`.
+// The box of all vertices; without any, `low` is above `high`.
 struct Extent {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   bool isSingle = false;  // of any of them
@@ -78,7 +78,7 @@ Extent extentOf(const std::vector<io::Part>& parts) {
   return extent;
 }
 
-// Where all vertices lie, if their coordinates are too coarse for anything as small.
+// The middle of all vertices, if their coordinates are too coarse for a shape so small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
   const Extent extent = extentOf(parts);
   const double step = extent.isSingle ? std::numeric_limits<float>::epsilon()
@@ -87,7 +87,7 @@ std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
   return (extent.low + extent.high) / 2;
 }
 
-// "message, the first near (…).", of the edges with as many triangles as wanted.
+// "message, the first near (…).", for the first edge with a wanted number of triangles.
 std::string withFirstEdge(std::string message, const std::vector<io::Part>& parts,
                           const std::function<bool(std::size_t triangles)>& isWanted) {
   for (const io::Part& part : parts) {
@@ -107,7 +107,7 @@ bool isWorse(double after, double before, double good) {
   return after < std::min(before, good) - kWorthAWord;
 }
 
-// The smallest angles that are worse, "17° on average, not 34°", and joined; empty if none is.
+// The smallest angles that are worse, such as "17° on average, not 34°", joined; empty if none is.
 std::string worseAngles(const AngleStatistics& before, const AngleStatistics& after) {
   std::string text;
   const auto add = [&](double now, const char* which, double then) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every public function does around its work: errors that say where, and times.
+// Wraps the work of every public function: errors that say where, and times.
 #pragma once
 
 #include <new>
@@ -14,10 +14,10 @@
 
 namespace remesher {
 
-// Of a run's time, about.
+// The approximate share of a run's time.
 inline constexpr double kReadShare = 0.05;
 
-// What the machine cannot hold is said like everything else; all that was held is free again.
+// Turns failed allocations into an Error; by then all memory of the work is free again.
 template <class Body>
 auto withinMemory(Body body) {
   try {
@@ -29,7 +29,7 @@ auto withinMemory(Body body) {
               "Ask for fewer vertices, or give the model in parts.");
 }
 
-// Errors that speak of a vertex or a triangle alone do not say of which file.
+// Adds the file's name to errors that do not say it, such as those of a vertex or a triangle.
 template <class Body>
 auto inFile(const std::string& name, Body body) {
   try {

@@ -7,7 +7,7 @@ namespace remesher {
 
 namespace {
 
-// An edge of this many whole steps is bent by rounding its ends by less than a degree.
+// Rounding the ends of an edge this many whole steps long turns it by less than a degree.
 constexpr double kShortestEdgeInSteps = 64;
 
 bool hasShortEdge(const TriangleMesh& mesh, const WholeSteps& steps) {

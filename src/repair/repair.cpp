@@ -49,7 +49,7 @@ void warn(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places
   if (!places.empty()) result.warnings.back().at = places.front();
 }
 
-// What is to be repaired, and which of its triangles meet others.
+// The mesh to repair, and its self-intersecting triangles.
 struct Broken {
   const TriangleMesh& mesh;
   const std::vector<Index>& crossings;
@@ -92,8 +92,8 @@ RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& opt
   return result;
 }
 
-// Half of the edges that are asked for, within what shows parts and what memory holds: 250 MB at
-// 1/400 of the diagonal of a cube.
+// Half the target edge length, but fine enough to show parts and coarse enough for memory: 250 MB
+// at 1/400 of the diagonal of a cube.
 double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
   constexpr double kFinest = 400, kCoarsest = 128, kUsual = 200;
   const double diagonal = diagonalOf(input);
@@ -106,7 +106,7 @@ double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
   return std::clamp(edge / 2, diagonal / kFinest, diagonal / kCoarsest);
 }
 
-// What is remeshed to a number gets other triangles anyway.
+// Remeshing to a number or an edge length replaces the triangles anyway.
 Cleaning cleaningFor(const RemeshOptions& options) {
   const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
   return isRemeshed ? Cleaning::None : Cleaning::Thorough;
@@ -136,7 +136,7 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
 RepairedMesh asRepaired(Solid solid, const SolidRule& rule) {
   const InsideBy by = rule.by;
   RepairedMesh result;
-  const bool isLost = std::round(100 * solid.enclosure.lost) > 0;  // two decimals are told
+  const bool isLost = std::round(100 * solid.enclosure.lost) > 0;  // the report has two decimals
   warn(result,
        {"SEEN_PARTS_LOST",
         "Parts that are seen from outside are not on the result: they are thinner than it is fine, "
@@ -164,32 +164,32 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
       "Was the mesh scaled to zero in one direction, or does it lie too far from the origin?");
 }
 
-// What encloses nothing is wrapped.
+// A surface that encloses nothing is wrapped instead.
 RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
   if (solid.mesh.indices.empty()) return wrapped(input, options);
   return asRepaired(std::move(solid), ruleFor(input, options, InsideBy::Enclosure));
 }
 
-// A shell within a body that is no cavity, a body inside out.
+// Whether there is a shell within a body that is no cavity, or a body inside out.
 bool facesWrongWay(const Enclosure& enclosure) {
   return !enclosure.innerAt.empty() || !enclosure.insideOutAt.empty();
 }
 
-// On the coarsest lattice.
+// The enclosure on the coarsest lattice.
 Enclosure roughEnclosure(const TriangleMesh& mesh) {
   RemeshOptions coarse;
   coarse.vertices = 1;
   return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
 }
 
-// Whether what closing holes leaves as it is passes through itself, as nothing else does then.
+// Whether the surface that hole closing keeps intersects itself. It can only if the input does.
 bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
   constexpr double kNone = -1;
   return !crossings.empty() && !selfIntersections(closeHoles(input, kNone).mesh).empty();
 }
 
-// With holes closed, if nothing passes through itself then; not where a piece that is closed
-// already faces the wrong way.
+// The input with holes closed; none if the result intersects itself, or if a closed piece of the
+// input faces the wrong way.
 std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptions& options,
                                           const Enclosure& enclosure) {
   if (facesWrongWay(enclosure)) return std::nullopt;
@@ -203,21 +203,21 @@ std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptio
   return std::nullopt;
 }
 
-// Whether no piece that was closed faces the wrong way.
+// Whether no closed piece of the result faces the wrong way.
 bool isEnough(const RepairedMesh& closed) {
   const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
   return isAsGiven || !facesWrongWay(roughEnclosure(closed.mesh));
 }
 
-// Of bodies most points beside the surface are told apart by all half lines, and hardly anything
-// that is seen is lost. Assemblies of bodies, also inside out, have 0 and below 1 %; an open sheet
-// 80 and 56 %.
+// Whether the surface bounds bodies: then all half lines agree at most points beside the surface,
+// and hardly any visible surface is lost. Assemblies of bodies, also inside out, have 0 % unsure
+// and below 1 % lost; an open sheet has 80 % and 56 %.
 bool isClear(const Enclosure& enclosure) {
   constexpr double kMostUnsure = 0.1, kMostLost = 3;
   return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
 }
 
-// The bodies that closed pieces are, without what lies within others, which nobody sees.
+// The closed pieces as bodies, without pieces inside others, which nobody sees.
 RepairedMesh unitedOnceClosed(RepairedMesh closed, const RemeshOptions& options) {
   RepairedMesh united =
       solidified(solidOf(closed.mesh, ruleFor(closed.mesh, options, InsideBy::Enclosure)),
@@ -271,7 +271,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
   const Enclosure enclosure = roughEnclosure(input);
   FaultReport faults;
-  // Of loops that closing holes would find; of pieces that could be kept none is there.
+  // All loops of the input, also of islands and pinches, which hole closing would remove.
   const BuiltMesh built = buildMesh(input);
   const double diagonal = diagonalOf(input);
   for (const Loop& loop : boundaryLoops(built)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A surface mended before anything else is done with it.
+// Repairs a surface before any other step.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace remesher {
 
 struct PlacedWarning {
   Warning warning;
-  std::optional<Vec3> at;  // where the first of it lies
+  std::optional<Vec3> at;  // the first place that it is about
 };
 
 struct RepairedMesh {
@@ -22,11 +22,11 @@ struct RepairedMesh {
   std::vector<PlacedWarning> warnings;
 };
 
-// As the options' repair, holesUpTo, gap, cavities and sheets say. Throws Error as requireValid
-// does, NO_TRIANGLES if nothing can be kept.
+// Follows the options repair, holesUpTo, gap, cavities and sheets. Throws the Errors of
+// requireValid, and NO_TRIANGLES if nothing can be kept.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
-// What is broken, open loops in any order. Throws Error as buildMesh does.
+// Finds what is broken; open loops are in no particular order. Throws the Errors of buildMesh.
 FaultReport faultsOf(const TriangleMesh& input);
 
 }  // namespace remesher

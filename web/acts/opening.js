@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A model comes in: found among the files, read, shown, and remeshed if that is quickly done.
+// Opens a model: finds it among the files, reads and shows it, and remeshes it if that is quick.
 import { RemeshError } from 'remesher';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
@@ -23,7 +23,7 @@ import { clearResult, remesh, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
-/** Of larger ones a second run, with twice as many vertices, would have to be waited for. */
+/** For larger models a second run, with twice as many vertices, would take too long. */
 const largestTwice = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
@@ -37,7 +37,7 @@ export function showFacts({ session: { model, inspection, source } }) {
   if (sample) origin.textContent = t(`origin.${sample.id}`);
 }
 
-/** The file itself where the viewer can read it, for it keeps what a conversion may not.
+/** Shows the file itself if the viewer can read it, because a conversion may lose something.
  * @param {Page} page */
 async function showOriginal({ session, stage, surveying, painting, panel }) {
   try {
@@ -60,8 +60,8 @@ function setForm({ panel, session }, wished) {
   if (Object.keys(wished).length) panel.setValues(wished);
 }
 
-/** As many vertices as the model has, or, where even triangles lose its looks with those, twice as
- * many. Whoever named a number gets that.
+/** Remeshes to as many vertices as the model has; if even triangles lose its looks with those, to
+ * twice as many. A number that was named is kept.
  * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
 async function remeshAtFirst(page, { wished, onForm }) {
   await remesh(page);
@@ -92,7 +92,7 @@ async function remeshEach({ session, panel }, { models, items }) {
   }
 }
 
-/** Beside whatever is done next; of a file that cannot be looked at so none is told.
+/** Looks for faults while other work goes on; a file that cannot be checked shows none.
  * @param {Page} page */
 function findFaults({ surveying }) {
   surveying.findFaults().catch((error) => {

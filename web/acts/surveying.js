@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be seen beside the surfaces: distances as colours, curves, borders and faults as lines,
+// What is shown on top of the surfaces: distances as colours; curves, borders and faults as lines;
 // the triangle under the pointer. The survey's worker finds them.
 import { Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
@@ -31,7 +31,7 @@ export class Surveying {
   #edges = null;
   /** @type {import('remesher').FaultSummary | null} of the original */
   #faults = null;
-  /** Which of the places of a kind comes next. @type {Record<string, number>} */
+  /** Per kind of fault, the number of its next place. @type {Record<string, number>} */
   #visited = {};
   #isProbing = false;
 
@@ -71,7 +71,7 @@ export class Surveying {
     if (side === 'original') await this.#findEdges();
   }
 
-  /** What takes longer to find: pieces and triangles that are where they should not be. */
+  /** Finds misplaced pieces and triangles, which takes longer. */
   async findFaults() {
     const { session } = this.#page;
     const { model } = session;
@@ -94,7 +94,7 @@ export class Surveying {
     this.#showLandmarks();
   }
 
-  /** In the language of the day. */
+  /** Shows all texts again, in the current language. */
   retell() {
     this.#showLandmarks();
     this.#showLegend();
@@ -114,7 +114,7 @@ export class Surveying {
     return byId('features', HTMLButtonElement).getAttribute('aria-pressed') === 'true';
   }
 
-  /** The edges that bend by the angle asked for, on the original. @param {boolean} isOn */
+  /** Shows or hides the original's edges that bend by the feature angle. @param {boolean} isOn */
   showFeatures(isOn) {
     const { stage, panel } = this.#page;
     byId('features', HTMLButtonElement).setAttribute('aria-pressed', String(isOn));
@@ -127,7 +127,7 @@ export class Surveying {
     stage.viewer?.draw();
   }
 
-  /** The angle is being changed: now they are of interest. */
+  /** Shows the edges while the feature angle changes. */
   followFeatures() {
     this.showFeatures(true);
   }
@@ -141,7 +141,8 @@ export class Surveying {
     void this.visit('original', /** @type {Point} */ (Array.from(segments.subarray(0, 3))));
   }
 
-  /** The next of its places. @param {import('../report/landmarks.js').FaultPlace} fault */
+  /** Flies to the next place of a fault.
+   * @param {import('../report/landmarks.js').FaultPlace} fault */
   #visitFault(fault) {
     const places = this.#faults?.places[fault] ?? [];
     const at = 3 * ((this.#visited[fault] ?? 0) % (places.length / 3));
@@ -172,7 +173,7 @@ export class Surveying {
     void this.visit('result', this.distances.largest.point);
   }
 
-  /** Of the shown result to the original; null without 3-D, and for what was overtaken. */
+  /** Distances of the shown result to the original; null without 3-D, or if overtaken. */
   async measure() {
     const { session: { shown }, stage: { viewer } } = this.#page;
     const distances = viewer && await this.survey.ask('distances');
@@ -199,7 +200,8 @@ export class Surveying {
     });
   }
 
-  /** The triangle there, one question at a time. @param {{ x: number, y: number }} at */
+  /** Shows the triangle at a point of the screen, one question at a time.
+   * @param {{ x: number, y: number }} at */
   async #probe(at) {
     const ray = this.#page.stage.viewer?.rayAt(at);
     const { isBrushing, viewer } = this.#page.stage;
@@ -210,7 +212,7 @@ export class Surveying {
     this.#showProbe(pick, ray?.side ?? null);
   }
 
-  /** The triangle in the middle of the result, for those without a pointer. */
+  /** Shows the triangle in the middle of the result, for users without a pointer. */
   async #probeMiddle() {
     const { clientWidth, clientHeight } = byId('canvas', HTMLCanvasElement);
     await this.#probe({ x: 0.75 * clientWidth, y: 0.5 * clientHeight });

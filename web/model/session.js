@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One model, what was made of it, and at most one run: a new run ends the one before it. Knows the
-// package and nothing of the page. Every method rejects with AbortError when it was overtaken.
+// One model, its results, and at most one run: a new run ends the run before it. Uses the package,
+// not the page. Every method rejects with AbortError when it was overtaken.
 import { convertFile, inspect, remeshFile } from 'remesher';
 import { extensionOf } from '../files/files.js';
 
@@ -10,38 +10,38 @@ import { extensionOf } from '../files/files.js';
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 /** @typedef {import('remesher').ProgressEvent} ProgressEvent */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
-/** number: among the results kept, from 1; 0 for a draft, which is not kept. The bytes are a GLB.
+/** number: counts the results kept, from 1; 0 for a draft, which is not kept. The bytes are a GLB.
  * @typedef {RemeshFileResult
  *   & { number: number, values: Values, options: RemeshOptions }} Result */
 
-/** So many results are kept, and so many bytes of them. */
+/** The most results that are kept, and the most bytes of them. */
 const most = { results: 12, bytes: 2 ** 28 };
 
-/** @param {Model} model what every call says of a file */
+/** The part of every call's options that describes the file. @param {Model} model */
 const describe = ({ name, resources }) => ({
   name, resources: Object.fromEntries(resources.map(({ name: key, bytes }) => [key, bytes])),
 });
 
 export class Session {
   #controller = new AbortController();
-  /** Ends when another model comes: a cancelled run leaves the model, which is still to be seen. */
+  /** Aborted when another model comes; a cancelled run does not abort it, for the model stays. */
   #stay = new AbortController();
   /** @type {(event: ProgressEvent) => void} */
   #onProgress;
   #runs = 0;
   /** @type {Model | null} */
   model = null;
-  /** What an address can name the model by; null for the visitor's own. @type {string | null} */
+  /** The model's name in the address; null for the visitor's own file. @type {string | null} */
   source = null;
   /** @type {import('remesher').Inspection | null} of the model */
   inspection = null;
-  /** The latest of the model, in their order. @type {Result[]} */
+  /** The model's latest results, in order. @type {Result[]} */
   results = [];
-  /** What is on the stage. @type {Result | null} */
+  /** The result on the stage. @type {Result | null} */
   shown = null;
-  /** Another result that it is compared with; null for the original. @type {Result | null} */
+  /** The result compared with the shown one; null for the original. @type {Result | null} */
   baseline = null;
-  /** Whether there is a result of the visitor's own file that was not taken home. */
+  /** Whether a result of the visitor's own file was not saved. */
   isUnsaved = false;
 
   /** @param {(event: ProgressEvent) => void} onProgress */
@@ -73,7 +73,7 @@ export class Session {
     return { report, signal };
   }
 
-  /** What of the model is broken; null for what has no faults to be looked for. */
+  /** What is broken in the model; null if it has nothing to check. */
   async faults() {
     const model = this.#opened();
     const signal = this.#stay.signal;
@@ -103,7 +103,7 @@ export class Session {
     return this.model;
   }
 
-  /** Remeshes a model, and keeps nothing of it.
+  /** Remeshes another model and does not keep the result.
    * @param {Model} model
    * @param {RemeshOptions & import('remesher').OutputOptions} options */
   remeshOther(model, options) {
@@ -112,9 +112,9 @@ export class Session {
     return remeshFile(model.bytes, { ...describe(model), ...options, onProgress, signal });
   }
 
-  /** Remeshes the model into what is shown from then on.
+  /** Remeshes the model; the result is shown from then on.
    * @param {Values} values as they were asked for
-   * @param {RemeshOptions} [extra] what no form and no address can say
+   * @param {RemeshOptions} [extra] options that neither form nor address has
    * @returns {Promise<Result>} */
   async run(values, extra = {}) {
     const options = { ...values, ...extra };
@@ -136,9 +136,9 @@ export class Session {
     if (this.baseline && !this.results.includes(this.baseline)) this.baseline = null;
   }
 
-  /** The shown result's files in a format. A format other than the shown one is made from the
-   * original again, so that it keeps what only that format can say; the same input and options
-   * give the same mesh. Only glTF can hold painted textures: others get the result without them.
+  /** The shown result's files in a format. For another format than the shown one the original is
+   * remeshed again, to keep data that only that format holds; the same input and options give the
+   * same mesh. Only glTF can hold baked textures: other formats get the result without them.
    * @param {string} output @returns {Promise<NamedBytes[]>} */
   async filesAs(output) {
     if (!this.shown) throw new Error('There is no result');

@@ -20,7 +20,7 @@ const defaultText = (option, scheme) =>
   choiceName(option, String(defaultOf(option, scheme) ?? textIfAny(`default.${option.name}`)
     ?? t('none')));
 
-/** Whether a row is best served by a slider: both ends known, and close. @param {Option} option */
+/** Whether a slider suits the option: its range is 0 to 1. @param {Option} option */
 const isShare = ({ min, max, off }) => !off && min === 0 && max === 1;
 
 /** @param {Option} option @returns {Control} */
@@ -37,21 +37,21 @@ function controlFor(option) {
   if (isShare(option)) {
     return element('input', { ...described, type: 'range', ...limits, step: '0.05' });
   }
-  // A field that takes a word as well cannot be of type number.
+  // A field that also takes a word cannot be of type number.
   if (option.off) return element('input', { ...described, type: 'text', autocomplete: 'off' });
   return element('input', { ...described, type: 'number', ...limits, step: 'any' });
 }
 
-/** Of handles whose values are above 0, in percent of the diagonal. */
+/** The step of sliders whose values are above 0, in percent of the diagonal. */
 const fineStep = 0.1;
-/** What the core takes for the gap where none is given, in percent of the diagonal. */
+/** The core's default for the gap, in percent of the diagonal. */
 const gapIfNone = 2;
 
-/** Whether a slider beside the field serves, which says more than the slider.
+/** Whether the option has a slider beside its field; the field takes more values.
  * @param {Option} option */
 const hasHandle = ({ off, above, max }) => max !== undefined && Boolean(off || above === 0);
 
-/** A slider beside a field that takes a word as well.
+/** A slider beside a field that also takes a word.
  * @param {Option} option @param {Control} control */
 function handleFor(option, control) {
   const { name, min, max, default: standard } = option;
@@ -77,7 +77,7 @@ function fieldFor(option, control) {
     hasHandle(option) && handleFor(option, control), help);
 }
 
-/** What a control says, undefined for the default.
+/** The value of a control; undefined for the default.
  * @param {Option} option @param {Control} control */
 function valueOf(option, control) {
   if (control instanceof HTMLInputElement && control.type === 'checkbox') {
@@ -90,7 +90,7 @@ function valueOf(option, control) {
   return isWord ? text.toLowerCase() : Number(text.replace(',', '.'));
 }
 
-/** Rows without a flag take arrays, which no form can ask for; others say that they do not belong.
+/** Not in the form: options without a flag, which take arrays, and those with `form: false`.
  * @param {Option} option */
 const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
@@ -98,8 +98,8 @@ const belongsInForm = ({ name, flag, form }) =>
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
 
-/** How large and of which format new textures are, how long the holes to be closed are, how wide
- * the openings, means nothing without them.
+/** Whether an option has no effect: size and format of textures without baking, the length of holes
+ * or the width of the gap without the repair that uses them, and the like.
  * @param {string} name @param {Values} values */
 const isIdle = (name, { textures, repair, quads }) =>
   (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
@@ -116,12 +116,12 @@ export class Panel {
   #fields = [];
   #button = element('button', { type: 'submit', className: 'primary wide', disabled: true });
 
-  /** Only where there is something to paint from. */
+  /** Shown only if the model has something to paint textures from. */
   #textures = element('div', { className: 'textures', hidden: true });
   #repair = element('div', { className: 'repair' });
   #asked = element('p', { id: 'asked', className: 'help' });
   #isTextured = false;
-  /** Whether the result follows while options change. */
+  /** Whether the result is updated while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
   #acts;
 
@@ -154,7 +154,7 @@ export class Panel {
     return this.#live.checked;
   }
 
-  /** Makes the fields, in the language of the day; what they say stays. */
+  /** Makes the fields in the current language; their values stay. */
   build() {
     const values = this.values();
     this.#target.build();
@@ -182,7 +182,7 @@ export class Panel {
       ...buttons, this.#asked);
   }
 
-  /** What a button does to the values, as if they had been typed. @param {Values} values */
+  /** Sets values by a button, as if they had been typed. @param {Values} values */
   #change(values) {
     this.setValues(values);
     this.#acts.onMove();
@@ -208,7 +208,7 @@ export class Panel {
     return scheme?.control.value === 'rounds' ? 'rounds' : 'best';
   }
 
-  /** Untouched fields say what they stand for, which can depend on the scheme. */
+  /** Shows in untouched fields their defaults, which can depend on the scheme. */
   #showDefaults() {
     for (const { option, control } of this.#fields) {
       const text = defaultText(option, this.#scheme);
@@ -229,7 +229,7 @@ export class Panel {
     this.#showAsked();
   }
 
-  /** Which options are not left alone, in a line and at their fields. */
+  /** Shows which options were set, in a line and at their fields. */
   #showAsked() {
     const values = this.values();
     this.#asked.textContent = valuesInWords(values);
@@ -252,14 +252,14 @@ export class Panel {
   }
 
   /** Sets one option, as if it had been typed.
-   * @param {string} name @param {string | number} value @param {boolean} isChosen for good */
+   * @param {string} name @param {string | number} value @param {boolean} isChosen finally */
   ask(name, value, isChosen) {
     this.setValues({ ...this.values(), [name]: value });
     this.#acts.onMove();
     if (isChosen) this.#acts.onSettle();
   }
 
-  /** @returns {Values} what was asked for; what was left alone is left out */
+  /** @returns {Values} the options that were set; all others are left out */
   values() {
     const values = this.#target.value();
     for (const { option, control } of this.#fields) {
@@ -285,7 +285,7 @@ export class Panel {
     this.#showDefaults();
   }
 
-  /** The model changed: its size is what targets are measured by.
+  /** Takes the size of a new model, by which targets are measured.
    * @param {number} vertices of the input */
   setInput(vertices) {
     this.#target.setInput(vertices);
@@ -307,7 +307,7 @@ export class Panel {
     this.#target.setValue({ vertices });
   }
 
-  /** Twice as many vertices as the model has, and why. */
+  /** Asks for twice as many vertices as the model has, and says why. */
   askForTwice() {
     this.#target.setTwice();
   }

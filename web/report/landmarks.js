@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is peculiar about the input, each a button that shows where.
+// Peculiarities of the input, each with a button that shows where it is.
 import { lineColors } from '../base/colors.js';
 import { byId, element } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
-/** Edges, which are drawn, or places.
+/** Landmarks are edges, which are drawn; fault places are points.
  * @typedef {'boundary' | 'nonManifold' | 'flipped'} Landmark
  * @typedef {'selfIntersections' | 'innerShells' | 'insideOut'} FaultPlace */
 
@@ -15,7 +15,7 @@ export const landmarks = ['boundary', 'nonManifold', 'flipped'];
 /** @type {FaultPlace[]} */
 const faultPlaces = ['selfIntersections', 'innerShells', 'insideOut'];
 
-/** The landmark that a warning speaks of, if any. @param {string} code */
+/** The landmark that a warning is about, if any. @param {string} code */
 export function landmarkOf(code) {
   const codes = /** @type {Record<string, Landmark>} */ ({
     NON_MANIFOLD_EDGES_SPLIT: 'nonManifold', NON_MANIFOLD_VERTICES_SPLIT: 'nonManifold',

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was mended before remeshing: by which mode, and how much of each.
+// Shows what was repaired before remeshing: the mode, and the count of each change.
 import { element } from '../base/dom.js';
 import { count, percent } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes that travel: a job goes to an engine, here or in a worker; an outcome comes back.
-// Everything here survives structured cloning.
+// The types of messages: a job goes to an engine, in this thread or in a worker; an outcome comes
+// back. Every message survives structured cloning.
 
 /** @import { Failure } from './errors.js' */
 
@@ -22,22 +22,23 @@
  * @typedef {object} Mesh
  * @property {Floats} positions Three coordinates for each vertex.
  * @property {Indices} indices Three vertices for each triangle, counterclockwise from outside.
- * @property {Record<string, MeshAttribute>} [attributes] Per-vertex values, by glTF semantic; a
- *   morph target's have its number in front: `TARGET_0/POSITION`.
+ * @property {Record<string, MeshAttribute>} [attributes] Per-vertex values, by glTF semantic;
+ *   those of a morph target begin with its number: `TARGET_0/POSITION`.
  * @property {Indices} [groups] One number for each triangle: a material, for instance. Borders
  *   between groups are kept as curves.
- * @property {Indices} [quads] Of a result of quads: four vertices for each, counterclockwise, in
- *   the order of the triangles, two to a quad.
+ * @property {Indices} [quads] In a result of quads: four vertices for each quad,
+ *   counterclockwise, in the order of the triangles; each quad is two triangles.
  */
 
 /**
  * A mesh of a scene.
  * @typedef {object} PlacedMesh
  * @property {Mesh} mesh In its own space.
- * @property {ArrayLike<number>[]} [places] From its own space to the world, once for each place
- *   where the scene shows it: matrices of 16 numbers, column after column.
- * @property {ArrayLike<number>} [finer] The meshes of the scene, by number, that it stands for from
- *   afar: a coarser level of detail keeps its proportion to them, and the report leaves it out.
+ * @property {ArrayLike<number>[]} [places] One transform from its own space to the world for
+ *   each place where the scene shows it: matrices of 16 numbers, column after column.
+ * @property {ArrayLike<number>} [finer] Numbers of the scene's meshes that this mesh stands for
+ *   from afar. Such a coarser level of detail keeps its proportion to them, and the report leaves
+ *   it out.
  */
 
 /**
@@ -47,7 +48,7 @@
  */
 
 /**
- * Which engine: the small one, which knows arrays only, or the whole.
+ * Which engine: the small one, which takes arrays only, or the whole one.
  * @typedef {'arrays' | 'whole'} EngineName
  */
 
@@ -65,10 +66,10 @@
  */
 
 /**
- * An image, decoded: four bytes to a texel, row after row from the top.
+ * A decoded image: four bytes per texel, row after row from the top.
  * @typedef {object} Picture
- * @property {string} name What the file that it belongs to calls it.
- * @property {string} type What it is to be encoded as.
+ * @property {string} name Its name in the file that it belongs to.
+ * @property {string} type The type that it is to be encoded as.
  * @property {number} width Texels.
  * @property {number} height Texels.
  * @property {Uint8Array} texels The bytes.
@@ -86,8 +87,8 @@
  */
 
 /**
- * To the worker: first the compiled module, then jobs, one at a time. Another module takes the
- * place of the first.
+ * To the worker: first the compiled module, then jobs, one at a time. A second module replaces
+ * the first.
  * @typedef {Loaded & { type: 'start', helpers: number }
  *   | { type: 'job', job: Job, progress: boolean }} ToWorker
  */
@@ -133,23 +134,23 @@
  * @property {MinAngle} minAngle The smallest angle of each triangle.
  * @property {number} maxAngle The largest angle of all, degrees.
  * @property {number} valence6 Percent of the interior vertices with six neighbours.
- * @property {QuadReport} [quads] Of a mesh of quads alone.
+ * @property {QuadReport} [quads] Only for a mesh of quads alone.
  */
 
 /**
  * How good quads are.
  * @typedef {object} QuadReport
  * @property {number} count How many there are.
- * @property {number} irregular Vertices inside whose valence is not 4.
+ * @property {number} irregular Interior vertices whose valence is not 4.
  * @property {{ mean: number, p95: number, worst: number }} angleDeviation |angle − 90°| of all
  *   corners, degrees; 95 % of them are within p95.
- * @property {{ min: number, mean: number }} scaledJacobian Of each quad’s worst corner: the sine of
- *   its angle, 1 in a square, negative in a fold.
+ * @property {{ min: number, mean: number }} scaledJacobian The sine of the angle at each quad’s
+ *   worst corner: 1 in a square, negative in a fold.
  * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
  */
 
 /**
- * What a caller should know although the run went on.
+ * What a caller should know although the run did not fail.
  * @typedef {object} Warning
  * @property {string} code For programs.
  * @property {string} message For people.
@@ -166,48 +167,48 @@
 
 /**
  * @typedef {object} Phase
- * @property {string} name What was done, as progress told it.
+ * @property {string} name Its name, as in progress events.
  * @property {number} milliseconds How long it took.
  */
 
 /**
  * @typedef {object} Memory
- * @property {number} peakBytes The most that WebAssembly held, in this run or in one before it that
- *   left up to 64 MiB for the next.
+ * @property {number} peakBytes The most memory that WebAssembly held, in this run or in an earlier
+ *   one that left up to 64 MiB for the next.
  */
 
 /**
  * @typedef {object} Inspection
- * @property {string} version Of remesher.
+ * @property {string} version The version of remesher.
  * @property {MeshReport} input The mesh as it came.
- * @property {Timings} timings What took how long.
- * @property {Memory} memory What it took.
- * @property {Phase[]} phases In order; together they are the run.
+ * @property {Timings} timings How long the steps took.
+ * @property {Memory} memory How much memory the run took.
+ * @property {Phase[]} phases All phases of the run, in order.
  * @property {Warning[]} warnings What was mended or left out.
- * @property {FaultSummary} [faults] What is broken, of an inspection that was to look for it.
+ * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it.
  */
 
 /**
- * What of a mesh is broken, and what would mend it.
+ * What is broken in a mesh, and what would repair it.
  * @typedef {object} FaultSummary
  * @property {number[]} openLoops The lengths of open boundaries, in percent of the bounding box's
  *   diagonal, as `holesUpTo` takes them; the longest first.
  * @property {number} selfIntersections Triangles that meet others.
  * @property {number} innerShells Closed pieces within others that are no cavities.
  * @property {number} insideOut Closed pieces that face inwards.
- * @property {'off' | 'holes' | 'solid' | 'wrap'} repair What `auto` would do; `off`: nothing is
- *   broken.
- * @property {FaultPlaces} places Where.
+ * @property {'off' | 'holes' | 'solid' | 'wrap'} repair The repair that `auto` would choose; `off`:
+ *   nothing is broken.
+ * @property {FaultPlaces} places Where it is broken.
  */
 
 /**
  * Where a mesh is broken: coordinates in the file's world, three for each place.
  * @typedef {object} FaultPlaces
  * @property {number[]} openLoops A vertex of each open loop, in their order.
- * @property {number[]} selfIntersections The middle of the first triangle that meets others, of
- *   each mesh that has any.
- * @property {number[]} innerShells A vertex of each.
- * @property {number[]} insideOut A vertex of each.
+ * @property {number[]} selfIntersections Per mesh with any, the middle of the first triangle that
+ *   meets others.
+ * @property {number[]} innerShells A vertex of each inner shell.
+ * @property {number[]} insideOut A vertex of each piece that is inside out.
  */
 
 /**
@@ -221,26 +222,26 @@
 
 /**
  * @typedef {object} RunReport
- * @property {MeshReport} output The mesh as it is now.
- * @property {Distances} fidelity How far the two are apart.
+ * @property {MeshReport} output The resulting mesh.
+ * @property {Distances} fidelity How far result and original are apart.
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
- * @property {Preferred | Preferred[]} prefer What the result is made of: even triangles, or
- *   vertices where the shape needs them most; for each part where parts differ.
+ * @property {Preferred | Preferred[]} prefer Whether the result has even triangles, or vertices
+ *   where the shape needs them most; a list for the parts if they differ.
  */
 
 /**
- * What mending did.
+ * What repair did.
  * @typedef {object} RepairSummary
- * @property {string} mode How it was mended.
- * @property {'asked' | 'sound' | 'shells' | 'enclosed' | 'open'} reason Why so: it was asked for;
- *   with its holes closed the surface is sound; closed pieces lie within others or face inwards;
- *   what is seen parts inside from outside clearly; nothing does.
+ * @property {string} mode How the mesh was repaired.
+ * @property {'asked' | 'sound' | 'shells' | 'enclosed' | 'open'} reason Why in that mode: it
+ *   was asked for; the surface is sound once its holes are closed; closed pieces lie within others
+ *   or face inwards; the visible surface clearly separates inside from outside; nothing does.
  * @property {number} holes Open loops closed.
- * @property {number} islands Loose open scraps taken off.
- * @property {number} shells Bodies inside of others, taken off.
+ * @property {number} islands Loose open scraps removed.
+ * @property {number} shells Bodies inside of others, removed.
  * @property {number} turned Triangles turned over.
  * @property {number} lost Percent of the area that the result lacks.
- * @property {number[]} selfIntersections Triangles that meet others, before and after.
+ * @property {number[]} selfIntersections Triangles that meet others, before and after repair.
  */
 
 /** @typedef {Inspection & { output: MeshReport, repair: RepairSummary }} RepairReport */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// THE table of options: the command line's flags and help, the checks, the page's form, the type
-// RemeshOptions and the reference are all made from these rows. Angles in degrees, lengths in model
+// THE table of options. The command line's flags and help, the checks, the page's form, the type
+// RemeshOptions and the reference are all made from its rows. Angles in degrees, lengths in model
 // units, errors in percent of the bounding-box diagonal. A default that depends on the scheme is
 // written { best, rounds }; no default means "not set". Rows without a flag exist in JavaScript
 // only.
@@ -15,20 +15,20 @@ import { legible } from './legible.js';
 /**
  * A row of the table.
  * @typedef {object} Option
- * @property {string} name In JavaScript.
- * @property {string} [flag] On the command line, with a letter for its value.
+ * @property {string} name Its name in JavaScript.
+ * @property {string} [flag] Its name on the command line, with a letter for its value.
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
- *   What its value is.
+ *   The type of its value.
  * @property {string} help What it is for.
- * @property {string} [unit] What its value is measured in.
+ * @property {string} [unit] The unit of its value.
  * @property {number} [min] The smallest value allowed.
  * @property {number} [max] The largest value allowed.
  * @property {number} [above] Allowed values are larger than this.
  * @property {readonly string[]} [choices] The values allowed.
  * @property {boolean} [off] 'off' is a value too.
- * @property {boolean} [form] false: the page does not ask for it.
- * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] What holds when
- *   it is not given.
+ * @property {boolean} [form] false: the page's form has no field for it.
+ * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] The value that
+ *   holds when it is not given.
  */
 
 /** The table of options. @type {readonly Option[]} */
@@ -137,7 +137,7 @@ export function defaultOf(option, scheme) {
 
 const mostLods = 16;
 
-// Comparing a longer one would take long.
+// Longer names are not compared: that would take long.
 const longestName = 100;
 
 /**
@@ -152,7 +152,7 @@ export function defaultInWords(option, spell = String) {
 }
 
 /**
- * Of the names known, the one that was probably meant, or undefined.
+ * The known name that was probably meant, or undefined.
  * @param {string} name
  * @param {readonly string[]} known
  */
@@ -226,7 +226,7 @@ function isInRange(option, value) {
   return value >= (option.min ?? -Infinity) && value <= (option.max ?? Infinity);
 }
 
-/** What was given: '10' is not 10. @param {unknown} value */
+/** A given value in words: '10' is not 10. @param {unknown} value */
 function inWords(value) {
   if (typeof value === 'string') return `'${legible(value)}'`;
   if (typeof value === 'function') return 'a function';
@@ -266,7 +266,7 @@ function canonical(option, value) {
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
-/** What some options say nothing without; each may be met by `auto`, too. */
+/** Options that mean nothing without certain repairs; `auto` may choose each of these, too. */
 const ofRepairs = {
   holesUpTo: { repairs: ['holes'], fault: 'No holes are closed, long or short.' },
   cavities: { repairs: ['solid'], fault: 'No solid is made, with cavities or without.' },
@@ -284,7 +284,7 @@ function checkTogetherWithRepair(given) {
 }
 
 /**
- * What decides where vertices lie leaves nothing to the shape.
+ * Refuses options that decide where vertices lie together with `prefer: 'shape'`.
  * @param {Record<string, unknown>} given
  * @param {(option: Option) => string} label
  */
@@ -316,7 +316,7 @@ function checkTogether(given, label) {
     `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
 }
 
-/** The options of repair alone. */
+/** The names of the options for repair. */
 export const repairNames =
   /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets']);
 
@@ -346,7 +346,7 @@ export function requireObject(given) {
 }
 
 /**
- * For what makes one result in place. @param {object} [options]
+ * Refuses levels of detail where a single result is made in place. @param {object} [options]
  */
 export function refuseLods(options = {}) {
   const name = ['lods', 'lodFiles'].find((option) => Object.hasOwn(options, option));

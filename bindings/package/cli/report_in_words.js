@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report for people.
+// Turns reports into text for people.
 
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only file that touches the WebAssembly instance: makes it, calls it, turns what comes back
-// into plain objects and errors. An instance that has failed in itself, or whose memory has grown
+// The only file that touches the WebAssembly instance: makes it, calls it, and turns its results
+// into plain objects and errors. An instance that has failed by itself, or whose memory has grown
 // large (it never shrinks), is dropped; the next call makes a new one from the compiled module.
 
 import { RemeshError } from '../base/errors.js';
@@ -11,11 +11,11 @@ import { RemeshError } from '../base/errors.js';
 /** @typedef {import('../base/messages.js').MeshAttribute} MeshAttribute */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 
-// So much memory is kept for the next run, in bytes: to get it from the system takes a tenth of a
-// draft of ten thousand vertices.
+// Memory that is kept for the next run, in bytes: getting it from the system takes a tenth of the
+// time of a draft of ten thousand vertices.
 const keptMemory = 64 * 2 ** 20;
 
-// What belongs to each, loaded when it is needed: with the small one not what opens files.
+// The script of each engine, loaded when needed: the small one's does not open files.
 const scripts = {
   arrays: () => import('./arrays_script.js'),
   whole: () => import('./whole_script.js'),
@@ -37,14 +37,14 @@ export async function instantiate({ engine, module }) {
   });
 }
 
-/** The attributes in a list, as the instance takes them. @param {Mesh} mesh */
+/** The mesh with its attributes in a list, as the instance takes them. @param {Mesh} mesh */
 function withList({ attributes = {}, ...mesh }) {
   return { ...mesh, attributes: Object.entries(attributes).map(
     ([semantic, { array, itemSize }]) => ({ semantic, array, itemSize })) };
 }
 
 /**
- * The values in an array of the caller's own type; integers are rounded here, once.
+ * The values in an array of the model's type; values for integers are rounded only here.
  * @param {Float32Array} values
  * @param {import('../base/messages.js').NumberArray | undefined} model
  */
@@ -110,7 +110,7 @@ function call(instance, job, ask) {
 
 const isGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
 
-/** Whether textures are painted anew, or will be if repair makes another surface.
+/** Whether textures are baked, or will be if repair makes another surface.
  * @param {FileJob} job */
 function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }) {
   const mayBeMadeAnew = ['solid', 'wrap', 'auto'].includes(String(repair));
@@ -118,7 +118,7 @@ function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }
     && isGltf(file.name) && isGltf(file.output));
 }
 
-/** Images that nobody asked to be painted from need not be readable: textures are kept then.
+/** Unless baking was asked for, images need not be readable: textures are kept then.
  * @param {import('../textures/bake.js').Bakery} bakery @param {FileJob} job */
 async function openedBy(bakery, { file, options }) {
   try {

@@ -11,11 +11,12 @@ namespace remesher {
 
 namespace {
 
-// The cosine of the angle between normals from which on an edge is sharp: 40°.
+// Edges are sharp if the cosine between their normals is below this: 40° and more.
 constexpr double kSharp = 0.766;
-// Of what is half as wide a region is one of many; where most of its border is to such, a facet.
+// A neighbor more than half as wide as a region is its like; a region with more than half of its
+// border to its likes is a facet.
 constexpr double kLike = 2, kMostLikes = 0.5;
-// Where less of a body is flat it is round, with a place where it hardly bends.
+// A body with a smaller flat share of its area is round, with places that hardly bend.
 constexpr double kLeastShare = 0.25;
 
 struct Plane {
@@ -74,7 +75,8 @@ class RegionGrowth {
     return !hasArea(f) || areas_[f].dot(plane.normal) > 0;
   }
 
-  // Faces that lie in one plane with a neighbor, the largest first: their planes are known best.
+  // Faces that lie in one plane with a neighbor, the largest first, because their planes are the
+  // most accurate.
   std::vector<Face> seeds() const {
     std::vector<std::pair<double, Face>> found;
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
@@ -101,7 +103,8 @@ class RegionGrowth {
            facesAlike(plane, f);
   }
 
-  // All faces of the plane that hang together with the seed; those without area only lead on.
+  // Collects the faces in the plane that are connected with the seed; faces without area only
+  // connect.
   void grow(Face seed, const Plane& plane) {
     ++round_;
     faces_.clear();
@@ -135,7 +138,7 @@ class RegionGrowth {
     return {normal.normalized(), point / total};
   }
 
-  // How wide what lies at a face is: its region, or the face itself.
+  // The width of the face's region, or of the face if it is in none.
   double widthAt(Face f, const std::vector<double>& widths) const {
     if (of_[f] != kNone) return widths[of_[f]];
     double rim = 0;
@@ -146,7 +149,7 @@ class RegionGrowth {
     return rim > 0 ? 2 * areas_[f].norm() / rim : 0;
   }
 
-  // Per region, how much of its border parts it, by no sharp edge, from what is about as wide.
+  // Per region, the share of its border that is not sharp and has its like on the other side.
   std::vector<double> sharesOfLikes(const std::vector<double>& widths) const {
     std::vector<double> like(widths.size(), 0), all(widths.size(), 0);
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
@@ -164,7 +167,7 @@ class RegionGrowth {
     return like;
   }
 
-  // A facet among its like is not flat, but what something round is made of.
+  // Drops facets among their likes, which make up round surfaces.
   void dropFacets(std::vector<double>& widths) {
     const std::vector<double> shares = sharesOfLikes(widths);
     std::vector<Index> kept(widths.size(), kNone);
@@ -179,7 +182,7 @@ class RegionGrowth {
     widths = std::move(left);
   }
 
-  // Of the area.
+  // The share of the area.
   double flatShare() const {
     double flat = 0, all = 0;
     for (Index i = 0; i < mesh_.faceCapacity(); ++i) {
@@ -209,10 +212,10 @@ class RegionGrowth {
   const FaceData<Vec3> areas_;  // along the normals
   const double tolerance_;
   Index round_ = 0;
-  FaceData<Index> seen_;  // in which round last, from 1
+  FaceData<Index> seen_;  // the last round that saw the face, from 1
   FaceData<Index> of_;
-  std::vector<Face> faces_;  // of the region at hand
-  std::vector<Face> stack_;  // those of it whose neighbors are to be looked at
+  std::vector<Face> faces_;  // of the region being grown
+  std::vector<Face> stack_;  // its faces whose neighbors are still to be checked
 };
 
 }  // namespace

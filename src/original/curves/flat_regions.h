@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which parts of the original are flat, to the precision of its own coordinates: the sides of
-// machine parts, and walls. A result whose vertices stay in these planes has no dents there.
+// Finds the regions of the original that are flat to the precision of its coordinates, such as
+// walls and the sides of machine parts. A result whose vertices stay in these planes has no dents
+// there.
 #pragma once
 
 #include <vector>
@@ -17,13 +18,13 @@ struct FlatRegions {
   Index at(Face f) const { return empty() ? kNone : of[f]; }
 };
 
-// Regions of two triangles or more that are at least so wide (model units): one triangle is flat
-// on any surface. The facets of what is round, each among its like, are none. Triangles without
-// area belong to what they lie against.
+// Finds regions of at least two triangles (one triangle is flat on any surface) and of at least the
+// given width (model units). Facets of a round surface, each among similar ones, do not count.
+// Triangles without area belong to the region that they lie against.
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width);
 
-// One halfedge of each edge at which a flat region ends, but for open boundaries.
+// One halfedge of each edge where a flat region ends, without open boundaries.
 std::vector<Halfedge> bordersOf(const FlatRegions& regions, const HalfedgeMesh& mesh);
 
 }  // namespace remesher

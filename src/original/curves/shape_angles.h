@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The angles that tell what a feature is: between the faces of an edge, and what is missing around
-// a vertex. All in radians.
+// The angles that decide what is a feature: the dihedral angle of an edge, and the missing angle
+// around a vertex. All in radians.
 #pragma once
 
 #include "mesh/halfedge_mesh.h"
 
 namespace remesher {
 
-// What files leave of places: an edge or a height below this is one of rounding.
+// The rounding of coordinates in files: an edge or a height below this is noise.
 double coordinateStep(const VertexData<Vec3>& positions);
 
-// Per face the one whose normal it bears: itself, or, where it has no area, what lies beyond its
-// longest edge, or beyond that.
+// Per face the face whose normal it takes: itself or, if it has no area, the face beyond its
+// longest edge, or the next one beyond that.
 FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 // A face without area has the normal of the one that bears it.
@@ -20,22 +20,24 @@ FaceData<Vec3> faceNormals(const HalfedgeMesh& mesh, const VertexData<Vec3>& pos
 // Between the normals of the edge's two faces; 0 on a boundary.
 double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Halfedge h);
 
-// Per halfedge whether that is at least so large.
+// Per halfedge whether the dihedral angle is at least `angle`.
 HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
                               double angle);
 
-// What the angles around a vertex leave of a full turn, in size; 0 on a boundary.
+// The absolute angle defect: the difference of a full turn and the angles around a vertex; 0 on a
+// boundary.
 double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, Vertex v);
 
-// Per vertex whether so much may be missing. At most 2π (1 − cos φ) is, where all normals around it
-// are within φ of one: seen against that, an angle is wider at least by cos φ.
+// Per vertex whether `angle` may be missing. If all normals around it are within φ of one
+// direction, at most 2π (1 − cos φ) is missing: projected along that direction, an angle is at
+// least cos φ times as wide.
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double angle);
 
 // The share of the area whose triangles lie in one plane with a neighbor, to the precision of the
 // coordinates; in [0, 1].
 double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
-// Per edge, in the order of the halfedges that name them.
+// One length per edge, in the order of the halfedges that name the edges.
 std::vector<double> edgeLengths(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
 }  // namespace remesher

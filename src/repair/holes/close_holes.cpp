@@ -29,7 +29,7 @@ Plug plugOf(const BuiltMesh& built, const Loop& loop, Shape shape) {
   return plug;
 }
 
-// In the order given, each beginning at the corner it began with.
+// The kept triangles in input order, each starting at its original first corner.
 TriangleMesh meshOf(const TriangleMesh& input, const BuiltMesh& built) {
   std::vector<Index> faces(built.mesh.faceCapacity());
   std::iota(faces.begin(), faces.end(), Index{0});
@@ -45,7 +45,7 @@ TriangleMesh meshOf(const TriangleMesh& input, const BuiltMesh& built) {
   return mesh;
 }
 
-// A loop being closed: the shapes tried so far, and with how many triangles each met others.
+// A loop being closed. meetings: per shape tried, how many of its triangles intersect others.
 struct Closing {
   Loop loop;
   std::size_t shape = 0;
@@ -80,8 +80,8 @@ class Closer {
     return mesh;
   }
 
-  // Plugs that meet something take their next shape, at last the one that met least. Whether any
-  // has changed.
+  // Gives each intersecting plug its next shape; after the last, the shape with the fewest
+  // intersecting triangles. Returns whether any plug took a next shape.
   bool retry() {
     if (closings_.empty()) return false;
     const std::vector<Index> hits =

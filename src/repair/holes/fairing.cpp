@@ -19,7 +19,7 @@ struct Row {
   double scale = 0;
 };
 
-// The plug's vertices, then those of the surface that are joined to the loop.
+// The plug's vertices, then the surface's vertices that are adjacent to the loop.
 class Neighborhood {
  public:
   Neighborhood(const Plug& plug, const BuiltMesh& built, const Loop& loop)
@@ -52,8 +52,8 @@ class Neighborhood {
     return numbers[v];
   }
 
-  // Cotangents, which of flat triangles would be huge or negative, within bounds that are wide for
-  // any triangle that refinement leaves.
+  // Cotangent weights. Slivers would give huge or negative ones, so they are clamped to bounds that
+  // are wide for any triangle that refinement leaves.
   void makeRows(const std::vector<Corners3>& triangles) {
     constexpr double kLeast = 0.05, kMost = 10;
     rows.resize(free_);
@@ -84,7 +84,7 @@ class Neighborhood {
       known->second += weight;
   }
 
-  Index free_;  // so many have rows; those of the loop among them do not move
+  Index free_;  // the number of rows; loop vertices have rows, but do not move
 };
 
 // Least squares by conjugate gradients on the normal equations; all three coordinates at once.
@@ -93,8 +93,8 @@ class Smoothest {
   Smoothest(const Neighborhood& around, Index rim) : around_(around), rim_(rim) {}
 
   std::vector<Vec3> solve() const {
-    // With sizes that grow with the distance, 30 to 150 rounds bring the residual of plugs of 10 to
-    // 10 000 vertices to a millionth. The limit bounds the work for any other.
+    // Where sizes grow with the distance from the loop, 30 to 150 rounds bring the residual of
+    // plugs of 10 to 10 000 vertices to a millionth. The limit bounds the work for any other plug.
     constexpr int kMostRounds = 400;
     constexpr double kResidual = 1e-12;  // squared
     std::vector<Vec3> x = around_.points;
@@ -104,7 +104,7 @@ class Smoothest {
     double before = dot(residual, step);
     const double enough = kResidual * before;
     for (int round = 0; round < kMostRounds && before > enough; ++round) {
-      const std::vector<Vec3> image = gradient(step);  // zero on what does not move
+      const std::vector<Vec3> image = gradient(step);  // zero for fixed vertices
       const double along = dot(step, image);
       if (!(along > 0)) break;
       const double length = before / along;
@@ -121,7 +121,7 @@ class Smoothest {
   }
 
  private:
-  // Of half the sum of squared rows; zero for vertices that do not move.
+  // The gradient of half the sum of squared rows; zero for fixed vertices.
   std::vector<Vec3> gradient(const std::vector<Vec3>& x) const {
     std::vector<Vec3> result(x.size(), Vec3::Zero());
     for (const Row& row : around_.rows) {

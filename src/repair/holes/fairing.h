@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The shape of a plug: its new vertices go where the surface is as smooth as can be, across the
-// loop as well [Kobbelt, Campagna, Vorsatz, Seidel, Interactive Multi-Resolution Modeling on
-// Arbitrary Meshes, SIGGRAPH 1998]: the sum of squared Laplacians over the plug and its loop is
-// least.
+// The shape of a plug: its new vertices are placed so that the surface is as smooth as possible,
+// also across the loop [Kobbelt, Campagna, Vorsatz, Seidel, Interactive Multi-Resolution Modeling
+// on Arbitrary Meshes, SIGGRAPH 1998]. Minimizes the sum of squared Laplacians over the plug and
+// its loop.
 #pragma once
 
 #include "repair/holes/plug.h"

@@ -12,7 +12,7 @@ namespace remesher {
 
 namespace {
 
-// The triangles of the input that still stay, as a mesh of their own.
+// The input triangles that are kept so far.
 struct Stay {
   const TriangleMesh& input;
   std::vector<Index> triangles;
@@ -35,7 +35,7 @@ struct Stay {
     return built;
   }
 
-  // Returns how many there were.
+  // Returns the number of triangles removed.
   std::size_t remove(const BuiltMesh& built, const FaceData<char>& unwanted) {
     std::vector<char> goes(input.triangleCount(), 0);
     for (Index f = 0; f < unwanted.size(); ++f)
@@ -55,7 +55,7 @@ double fanArea(const BuiltMesh& built, Vertex v) {
   return sum;
 }
 
-// The vertices that share their place with another one, place after place.
+// The vertices that coincide with another vertex, sorted by place.
 std::vector<std::pair<Index, Index>> pinchesOf(const BuiltMesh& built) {
   std::vector<std::pair<Index, Index>> all;  // the place, the vertex
   for (Index v = 0; v < built.sources.size(); ++v) all.emplace_back(built.sources[Vertex(v)], v);
@@ -98,8 +98,8 @@ DisjointSets componentsOf(const BuiltMesh& built) {
   return components;
 }
 
-// Taking fans off makes new pinches, seldom more than two or three times over. After that whole
-// stars go, and at last whatever hangs together with a pinch.
+// Removing fans makes new pinches, seldom more than two or three times in a row. After kFanRounds
+// whole stars are removed, after kStarRounds more whole components with a pinch.
 BuiltMesh withoutPinches(Stay& stay) {
   constexpr int kFanRounds = 12, kStarRounds = 12;
   for (int round = 0;; ++round) {
@@ -121,12 +121,12 @@ BuiltMesh withoutPinches(Stay& stay) {
   }
 }
 
-// An open component below this share of the largest one's area is a scrap of torn surface, which
-// closed would be a flake. Scraps of the torn bunny are below 1/5000, parts of models that are
-// bodies of their own seldom are below 1/100.
+// An open component with less than this share of the largest component's area is a scrap of torn
+// surface; closing it would make a flake. Scraps of the torn bunny are below 1/5000; separate
+// bodies of models are seldom below 1/100.
 constexpr double kIslandShare = 0.01;
 
-// The faces of islands, and how many these are.
+// The faces of islands, and the number of islands.
 std::pair<FaceData<char>, std::size_t> islandsOf(const BuiltMesh& built) {
   DisjointSets components = componentsOf(built);
   std::vector<double> areas(built.mesh.vertexCapacity(), 0);

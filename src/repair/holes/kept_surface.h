@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What closing holes leaves of a mesh: a manifold on which no two vertices share a place. Where the
+// The part of a mesh that hole closing keeps: a manifold without coincident vertices. Where the
 // surface touches itself in a point or along an edge, only the widest fan stays; small open scraps
 // (islands) go.
 #pragma once
@@ -13,8 +13,8 @@ namespace remesher {
 
 struct KeptSurface {
   BuiltMesh built;
-  std::size_t islands = 0;           // open components that went
-  std::size_t trianglesRemoved = 0;  // of these and at pinches
+  std::size_t islands = 0;           // small open components removed
+  std::size_t trianglesRemoved = 0;  // of islands and at pinches
   std::size_t turned = 0;            // triangles that face the other way than given
 };
 

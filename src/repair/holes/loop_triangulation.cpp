@@ -13,12 +13,13 @@ namespace remesher {
 
 namespace {
 
-// The tables take n² entries and n³ / 6 steps: 300 thousand at this number, some milliseconds.
+// The tables take n² entries and n³ / 6 steps: 300 thousand steps for this n, some milliseconds.
 constexpr std::size_t kMostByTables = 128;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// What a triangulation costs: the sharpest fold first (1 - cosine between neighbours' normals).
+// The cost of a triangulation: its sharpest fold (1 - cosine between neighbours' normals), then its
+// area.
 struct Cost {
   double fold = 0, area = 0;
   bool operator<(const Cost& other) const {
@@ -26,15 +27,15 @@ struct Cost {
   }
 };
 
-// What is left of a loop to be filled: vertices by their numbers in the plug, and of each edge the
-// third corner of the triangle across, by place.
+// The part of a loop that is not filled yet: its vertices' numbers in the plug, and per edge the
+// position of the third corner of the triangle across.
 struct Polygon {
   std::vector<Index> vertices;
   std::vector<Vec3> beyond;
 };
 
-// Folds below this are as good as none: a plug over a curved surface has many of them, and the
-// least area is to choose. 1 - cos 20°.
+// Folds below this, 1 - cos 20°, count as none: a plug over a curved surface has many of them, and
+// then the least area decides.
 constexpr double kNoFold = 0.06;
 
 double foldBetween(const Triangle& t, const Vec3& beyond) {
@@ -77,7 +78,7 @@ class Tables {
  private:
   const Vec3& at(std::size_t i) const { return points_[polygon_.vertices[i]]; }
 
-  // The third corner of what lies across the chord from i to k, as far as filled.
+  // The third corner of the triangle across the edge or filled chord from i to k.
   const Vec3& beyond(std::size_t i, std::size_t k) const {
     return k == i + 1 ? polygon_.beyond[i] : at(middles_[i * n_ + k]);
   }
@@ -108,8 +109,8 @@ class Tables {
   std::vector<Index> middles_;
 };
 
-// Cuts ears off a long loop. Convex is a vertex where the triangles around it have filled more than
-// half of a turn.
+// Cuts ears off a long loop. A vertex is convex if the triangles around it fill more than half a
+// turn.
 class Ears {
  public:
   Ears(const BuiltMesh& built, const Loop& loop, Plug& plug)
@@ -163,7 +164,7 @@ class Ears {
     queue_.push({chord * (isReflex ? kReflexPenalty : 1), i, ++versions_[i]});
   }
 
-  // Whether the chord that would close the ear joins vertices that are joined already.
+  // Whether the chord that would close the ear is an edge already.
   bool isEdge(Index i) const {
     const Index a = prev_[i], b = next_[i];
     if (mesh_.adjacent(loop_.vertices[a], loop_.vertices[b])) return true;
@@ -201,12 +202,12 @@ class Ears {
   std::vector<Index> next_, prev_, versions_;
   std::vector<Vec3> beyond_;  // of the edge that begins at each vertex
   std::vector<double> filled_;
-  std::vector<std::vector<Index>> chords_;  // per vertex: to those of higher numbers
+  std::vector<std::vector<Index>> chords_;  // per vertex: to vertices of higher numbers
   std::priority_queue<Ear> queue_;
   Index alive_ = 0;
 };
 
-// Per pair of the polygon's vertices whether a chord between them must not be.
+// Per pair of the polygon's vertices: whether they are joined already, so that no chord may be.
 std::vector<char> takenChords(const HalfedgeMesh& mesh, const Loop& loop, const Plug& plug,
                               const Polygon& polygon) {
   const std::size_t n = polygon.vertices.size();
@@ -229,8 +230,8 @@ std::vector<char> takenChords(const HalfedgeMesh& mesh, const Loop& loop, const 
   return taken;
 }
 
-// Whether three vertices are the corners of a triangle of the surface, back to back with which no
-// plug may lie.
+// Whether the loop's three vertices are the corners of a triangle of the surface. A plug must not
+// lie back to back with it.
 bool isTriangle(const HalfedgeMesh& mesh, const Loop& loop, const Polygon& polygon) {
   const Halfedge h = loop.across[polygon.vertices[0]];
   return loop.vertices.size() == 3 && mesh.opposite(h) == loop.vertices[polygon.vertices[2]];

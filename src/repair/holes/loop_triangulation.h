@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Triangles over the vertices of a loop alone. Up to kMostByTables vertices: the triangulation
-// whose sharpest fold is least, and among those the one of least area, by dynamic programming
-// [Liepa, Filling Holes in Meshes, SGP 2003, §3]. Longer loops first lose ears, the shortest chord
-// first, until so few are left: n log n steps.
+// Triangulates a loop without new vertices. Up to kMostByTables vertices: the triangulation with
+// the mildest sharpest fold, and among equals the least area, by dynamic programming [Liepa,
+// Filling Holes in Meshes, SGP 2003, §3]. Longer loops first lose ears, the shortest chord first,
+// until that few vertices are left: n log n steps.
 #pragma once
 
 #include "repair/holes/plug.h"
 
 namespace remesher {
 
-// Its edges are no edges of the surface but for the loop's. Where no triangulation without such
-// edges exists, a new vertex in the middle is joined to all of the loop.
+// Apart from the loop's edges, no edge of the plug is an edge of the surface. If no such
+// triangulation exists, a new vertex in the middle is joined to all loop vertices that are left.
 Plug triangulated(const BuiltMesh& built, const Loop& loop);
 
 }  // namespace remesher

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plug: the disk of triangles that closes one loop of the boundary. Vertices are numbered within
-// the plug: first those of the loop in its order, then new ones.
+// the plug: first the loop's vertices in their order, then new ones.
 //
 //       v2 ---- v1       The loop runs so that the plug lies to its left, as the surface around it
 //      /          \      lies to the right: its edge v0 → v1 is across from the halfedge v1 → v0 of

@@ -41,8 +41,8 @@ Index copyVertex(TriangleMesh& mesh, Index source, const Vec3& place) {
   return Index(mesh.positions.size() - 1);
 }
 
-// For each vertex of the loop one that carries what the group does. Where none is there, the last
-// one before it along the loop says what.
+// Per loop vertex an input vertex with the group's attributes. Where the group has none, a new
+// vertex copies the last one before it along the loop.
 std::vector<Index> rimVertices(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop,
                                Index group) {
   const std::size_t n = loop.vertices.size();
@@ -61,7 +61,8 @@ std::vector<Index> rimVertices(TriangleMesh& mesh, const BuiltMesh& built, const
   return result;
 }
 
-// Mixed are all but joints and their weights, which the first parent gives.
+// Appends the mean of the parents' values. Joints, their weights and the handedness of tangents
+// come from the first parent.
 void mix(Attribute& attribute, const std::array<Index, 3>& parents) {
   const auto value = [&](Index v, int k) {
     return attribute.values[std::size_t{v} * attribute.itemSize + k];
@@ -80,7 +81,7 @@ bool isNormal(const Attribute& attribute) {
   return attribute.semantic == "NORMAL" && attribute.itemSize == 3;
 }
 
-// Of the plug's new vertices, over all triangles of the plug around each.
+// Per vertex of the plug, the area-weighted normal of the plug's triangles around it.
 std::vector<Vec3> normalsOf(const Plug& plug) {
   std::vector<Vec3> normals(plug.points.size(), Vec3::Zero());
   for (const Corners3& t : plug.triangles) {

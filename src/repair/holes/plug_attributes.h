@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is on the surface goes on over plugs: each takes the group that holds most of its loop, and
-// what its new vertices carry is a mean of the loop's.
+// Continues groups and attributes over plugs: a plug takes the group that holds most of its loop's
+// length, and a new vertex takes the mean attributes of its parents.
 #pragma once
 
 #include <span>

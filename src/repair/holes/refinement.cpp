@@ -12,8 +12,8 @@ namespace remesher {
 
 namespace {
 
-// Sizes grow by this much of the distance. At 0.25 a loop of 3000 edges takes 6.6 new vertices to
-// an edge; at 0 it would take 300. Holes of ten edges take the same vertices.
+// The wanted edge length grows by this share of the distance. At 0.25 a loop of 3000 edges gets 6.6
+// new vertices per edge; at 0 it would get 300. Holes of ten edges get the same vertices.
 constexpr double kGrowth = 0.25;
 constexpr int kMostRounds = 40;
 
@@ -38,7 +38,7 @@ class PlugMesh {
  private:
   const Vec3& at(Index v) const { return plug_.points[v]; }
 
-  // The mean length of the edges that the surface has at each vertex of the loop.
+  // Per loop vertex, the mean length of the surface's edges there.
   std::vector<double> rimSizes(const BuiltMesh& built) const {
     std::vector<double> sizes;
     for (const Vertex v : loop_.vertices) {
@@ -61,7 +61,7 @@ class PlugMesh {
     return size;
   }
 
-  // Only where the new vertex is far from all corners by what is wanted there.
+  // Splits a triangle only if its middle is far from all corners, compared with the wanted lengths.
   bool insertAll() {
     constexpr double kSpacing = std::numbers::sqrt2;
     bool isAny = false;
@@ -105,8 +105,8 @@ class PlugMesh {
     return angles(at(corners_[prevCorner(h)]), at(corners_[h]), at(corners_[nextCorner(h)]))[0];
   }
 
-  // Flips edges until the angles across from each sum to half a turn at most, or for so many
-  // rounds: on a surface that is not flat that may have no end.
+  // Flips edges until the two angles opposite each edge sum to half a turn at most. The rounds are
+  // limited, because on a surface that is not flat flipping may never end.
   void relax() {
     constexpr int kRounds = 20;
     for (int round = 0; round < kRounds; ++round) {
@@ -118,7 +118,7 @@ class PlugMesh {
   }
 
   bool mayFlip(Index h) const {
-    constexpr double kTolerance = 1e-9;  // radians: of four vertices on a circle neither wins
+    constexpr double kTolerance = 1e-9;  // radians: four vertices on a circle are not flipped
     if (angleAcross(h) + angleAcross(twins_[h]) <= std::numbers::pi + kTolerance) return false;
     const Index a = corners_[prevCorner(h)], b = corners_[prevCorner(twins_[h])];
     if (a == b || areJoined(prevCorner(h), b)) return false;
@@ -141,7 +141,7 @@ class PlugMesh {
     return turnFinds(h, b);
   }
 
-  // Around the origin of h, in both directions up to the loop.
+  // Looks for b around the origin of h, in both directions up to the loop.
   bool turnFinds(Index first, Index b) const {
     for (Index h = first;;) {
       if (corners_[nextCorner(h)] == b || corners_[prevCorner(h)] == b) return true;
@@ -168,7 +168,7 @@ class PlugMesh {
     const Index gNext = nextCorner(g), gPrev = prevCorner(g);
     const Index c = corners_[gPrev], d = corners_[hPrev];
     const Index overNext = twins_[hNext], overGNext = twins_[gNext];
-    // That of h becomes (p, c, d), that of g (q, d, c).
+    // The triangle of h becomes (p, c, d), the triangle of g (q, d, c).
     corners_[hNext] = c;
     corners_[gNext] = d;
     link(h, overGNext);

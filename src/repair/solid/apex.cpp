@@ -8,9 +8,10 @@ namespace remesher {
 
 namespace {
 
-// Least squares of the distances from the planes, and of that from the place before, which weighs
-// little: after two rounds 1/600 of the way to a right-angled edge is left, and along what planes
-// of scans only seem to say (within 5° of each other) no more than a seventh is gone.
+// Least squares of the distances from the planes, with a small weight on the distance from the
+// previous place. After two rounds 1/600 of the way to a right-angled edge is left. Towards edges
+// that only the noise of scans makes (planes within 5° of each other), at most a seventh of the way
+// is gone.
 Vec3 nearestToPlanes(const std::vector<Plane>& planes, const Vec3& middle) {
   constexpr double kHold = 0.05;  // of the number of planes
   constexpr int kRounds = 2;

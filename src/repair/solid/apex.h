@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one vertex of a surface within a cell: where the planes of the triangles around are nearest.
+// The contour's vertex within a cell: the place nearest to the planes of the triangles around.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace remesher {
 
 struct Plane {
   Vec3 at, normal;
-  Index source;  // the triangle that it is of
+  Index source;  // the plane's triangle
 };
 
 struct CellBox {
@@ -19,11 +19,12 @@ struct CellBox {
 
 struct Apex {
   Vec3 at;
-  Index source = kNone;  // of the plane that is nearest
+  Index source = kNone;  // of the nearest plane
   bool isSharp = false;  // whether the planes make an edge or a corner
 };
 
-// middle: where it lies when the planes do not say. Always within the box.
+// middle: the place that is taken where the planes do not decide. The apex is always within the
+// box.
 Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell);
 
 }  // namespace remesher

@@ -33,7 +33,7 @@ std::size_t edgeBetween(int a, int b) {
   return edges.size();
 }
 
-// The edges of the faces in turn.
+// Per face its four edges, in order.
 std::array<std::array<std::size_t, 4>, 6> makeFaceEdges() {
   std::array<std::array<std::size_t, 4>, 6> result;
   for (std::size_t face = 0; face < 6; ++face) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the border between inside and outside passes a cell of the lattice: as closed loops of
-// segments over the cell's faces, from one crossed edge to the next.
+// How the border between inside and outside crosses a cell of the lattice: as closed loops of
+// segments on the cell's faces, from one crossed edge to the next.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@ struct LoopStep {
 
 using CellLoop = std::vector<LoopStep>;
 
-// isInside: bit by corner. Counterclockwise seen from outside of the surface. On a face with four
-// crossed edges the segments cut off what is outside: the inside hangs together, and both cells at
-// the face agree.
+// isInside: one bit per corner. Loops run counterclockwise, seen from outside of the surface. On a
+// face with four crossed edges the segments cut off the outside corners: so the inside is
+// connected, and both cells of the face agree.
 std::vector<CellLoop> cellLoops(unsigned isInside);
 
 }  // namespace remesher

@@ -20,12 +20,12 @@ namespace remesher {
 
 namespace {
 
-// Of the cell's width: of each plane that was there, at most. RMS distances of contours from what
-// they are of are as large.
+// The greatest distance from an original plane, in cell widths. The RMS distance of a contour from
+// its surface is as large.
 constexpr double kTolerance = 0.02;
-// Edges that are so short are rounding of the lattice, and may cost more.
+// Edges this short (in cell widths) are rounding of the lattice, and may cost more.
 constexpr double kShortEdge = 0.2, kToleranceOfShort = 0.06;
-// No edge becomes longer, in cells: a look around long ones is a look at all that is near.
+// No edge becomes longer, in cells: a search around a long edge visits all that is near.
 constexpr double kLongest = 6;
 // No smaller angles are made, and no triangle turns by more than 40°.
 const double kSmallestTangent = std::tan(radians(15));
@@ -52,7 +52,8 @@ struct PlaneSum {
   }
 };
 
-// Of the smallest angle, which is opposite the shortest edge: as good to compare, and sooner known.
+// The tangent of the smallest angle, which is opposite the shortest edge. It compares like the
+// angle, and is faster to compute.
 double tangentOfSmallest(const Triangle& t) {
   const double ab = (t[1] - t[0]).squaredNorm(), bc = (t[2] - t[1]).squaredNorm(),
                ca = (t[0] - t[2]).squaredNorm();
@@ -60,7 +61,7 @@ double tangentOfSmallest(const Triangle& t) {
   return beside > 0 ? areaVector(t[0], t[1], t[2]).norm() / beside : 0;
 }
 
-// A point that went into a neighbour.
+// A point that was collapsed into a neighbour.
 struct Merger {
   Vertex from, into;
 };
@@ -78,9 +79,9 @@ class Cleaner {
     for (Index f = 0; f < mesh_.faceCapacity(); ++f) addPlanes(Face(f));
   }
 
-  // In passes: of each star one point goes in a pass, so that edges grow evenly.
+  // Works in passes: each star loses one point per pass at most, so that edges grow evenly.
   std::vector<Merger> run() {
-    constexpr int kMostPasses = 40;  // a bound for whatever hardly gets on, not a choice
+    constexpr int kMostPasses = 40;  // only stops runs that hardly progress
     isWorthATry_.assign(mesh_.vertexCapacity(), 1);
     std::vector<Merger> mergers;
     for (bool isAny = true; isAny && passes_ < kMostPasses; ++passes_) {
@@ -93,8 +94,8 @@ class Cleaner {
     return mergers;
   }
 
-  // The mergers of another run but for those of points that are locked; beside these, and wherever
-  // stars are no more what they were, only those that would be done now. Returns what was done.
+  // Repeats the mergers of another run, except those of locked points. Where a star differs from
+  // that run, a merger is done only if it is allowed now. Returns the mergers done.
   std::vector<Merger> repeat(std::span<const Merger> mergers, std::span<const char> isLocked) {
     std::vector<Merger> done;
     for (Index i = 0; i < isLocked.size(); ++i) isOther_[Vertex(i)] = isLocked[i];
@@ -111,7 +112,7 @@ class Cleaner {
 
   struct Result {
     Contour contour;
-    Index firstOther = 0;  // from there on triangles have such corners
+    Index firstOther = 0;  // triangles from here on have a corner marked other
   };
 
   Result take() const {
@@ -124,7 +125,7 @@ class Cleaner {
   }
 
  private:
-  // Where a vertex may go, for what it costs.
+  // The cost of a collapse, and the collapse.
   using Choice = std::pair<double, Halfedge>;
 
   const Vec3& at(Vertex v) const { return contour_.points[v.index]; }
@@ -140,7 +141,7 @@ class Cleaner {
                               rule_.kinds[HalfedgeMesh::face(mesh_.twin(h)).index];
   }
 
-  // Of a triangle without much area the normal says little.
+  // Small triangles weigh less, for their normals are unreliable.
   void addPlanes(Face f) {
     const auto [a, b, c] = mesh_.vertices(f);
     const Vec3 vector = areaVector(at(a), at(b), at(c));
@@ -167,12 +168,12 @@ class Cleaner {
     return borders;
   }
 
-  // Inside of what is of one kind any neighbour will do, on a border between two those along it.
+  // Inside one kind any neighbour is allowed; on a border between two kinds, neighbours along it.
   bool keepsBorders(Halfedge h, int borders) const {
     return borders == 0 || (borders == 2 && isBorder(h));
   }
 
-  // Infinite if it would be too much.
+  // Infinite above the tolerance.
   double costOf(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     const double length = (at(into) - at(from)).squaredNorm();  // squared
@@ -181,7 +182,7 @@ class Cleaner {
         rule_.spacing * (length < shortest * shortest ? kToleranceOfShort : kTolerance);
     const double squared = sums_[from].at(at(into) - origin());
     if (squared > most * most) return std::numeric_limits<double>::infinity();
-    // Of what costs nothing the shortest edges go first, which keeps triangles even.
+    // Among collapses without cost the shortest edges go first, which keeps triangles even.
     constexpr double kByLength = 1e-4;
     return squared + kByLength * length;
   }
@@ -199,7 +200,7 @@ class Cleaner {
     });
   }
 
-  // The neighbour that it went into, if it did.
+  // The neighbour that the vertex was collapsed into, or none.
   Vertex tryVertex(Vertex from) {
     if (!mesh_.isAlive(from) || isTouched_[from]) return {};
     if (!std::exchange(isWorthATry_[from], 0)) return {};
@@ -231,7 +232,7 @@ class Cleaner {
            tangentOfSmallest(before) >= kSmallestTangent;
   }
 
-  // Of the smallest angle of the star.
+  // The tangent of the smallest angle in the star.
   double smallestAround(Vertex v) const {
     double worst = std::numeric_limits<double>::infinity();
     mesh_.forEachOutgoing(v, [&](Halfedge h) {
@@ -240,13 +241,13 @@ class Cleaner {
     return worst;
   }
 
-  // Needles may become others as good.
+  // A narrower triangle may be made if the star has one as narrow.
   bool isWideEnough(const Triangle& after, Vertex from) const {
     const double tangent = tangentOfSmallest(after);
     return tangent >= kSmallestTangent || (tangent >= smallestAround(from) && hasArea(after));
   }
 
-  // Whether what becomes of the star has area, no smaller angles, and faces as it did.
+  // Whether the changed star has area, no smaller angles, and faces as before.
   bool staysSound(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     bool isSound = true;
@@ -276,13 +277,13 @@ class Cleaner {
            !isTooLong(h) && staysSound(h) && EulerOperators::canCollapse(mesh_, h);
   }
 
-  // In the other run it was done.
+  // Marks the stars around a merger that only the other run did.
   void markOther(const Merger& merger) {
     isOther_[merger.from] = isOther_[merger.into] = 1;
     mesh_.forEachNeighbor(merger.from, [&](Vertex v) { isOther_[v] = 1; });
   }
 
-  // The triangles with corners that are other, or those without.
+  // Adds the triangles with a corner marked other (wanted = 1), or those without (wanted = 0).
   void add(Contour& result, std::vector<Index>& numbers, char wanted) const {
     for (Index f = 0; f < mesh_.faceCapacity(); ++f) {
       if (!mesh_.isAlive(Face(f))) continue;
@@ -306,7 +307,7 @@ class Cleaner {
   HalfedgeMesh mesh_;
   const bool hasBorders_;  // between kinds
   VertexData<PlaneSum> sums_;
-  VertexData<char> isOther_;      // locked, or its star is not what it was in another run
+  VertexData<char> isOther_;      // locked, or its star differs from the other run
   VertexData<char> isTouched_;    // in this pass
   VertexData<char> isWorthATry_;  // its star has changed since it was tried
   int passes_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fewer triangles for the same surface: where it is flat, or nearly, cells of the lattice are far
-// smaller than what they show.
+// Fewer triangles for the same surface: where it is flat or nearly flat, cells of the lattice are
+// far smaller than needed.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@ struct CleaningRule {
   std::vector<Index> kinds;  // per triangle: what it shows; borders between kinds stay in place
 };
 
-// Points go into neighbours, which stay where they are, as long as all planes that were there
-// remain near and no triangle turns. Where triangles meet then, points near them stay; if that is
-// not enough, all do. Still closed, a 2-manifold, and without self-intersections.
+// Collapses points into neighbours, which do not move, as long as all original planes remain near
+// and no triangle turns. Near new self-intersections points are kept; if that is not enough, all
+// points are kept. The result is still closed, a 2-manifold, and without self-intersections.
 Contour cleanedUp(const Contour& contour, const CleaningRule& rule);
 
 }  // namespace remesher

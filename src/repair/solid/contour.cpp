@@ -16,11 +16,11 @@ namespace remesher {
 
 namespace {
 
-// A side of a triangle that an apex is joined to, on a face of the lattice.
+// A segment on a face of the lattice, with the apex that it is joined to.
 struct Step {
   std::size_t face;  // 3 × the point at its lowest corner + the axis
   Index from, to, apex;
-  bool isAlone;  // the only loop of its cell
+  bool isAlone;  // whether its loop is the only one of its cell
   std::pair<Index, Index> ends() const { return std::minmax(from, to); }
   bool operator<(const Step& other) const {
     return std::make_tuple(face, ends(), apex) <
@@ -36,7 +36,7 @@ class Contourer {
     placeEdges();
   }
 
-  // The cells whose loops cannot be kept apart; the contour is whole if there are none.
+  // Returns the cells whose loops cannot be kept apart. The contour is complete if there are none.
   std::vector<std::size_t> run() {
     std::vector<std::size_t> bad;
     lattice_.forEachPoint([&](std::size_t cell, const std::array<std::size_t, 3>& place) {
@@ -64,8 +64,8 @@ class Contourer {
     return unitNormal(source_.positions[c[0]], source_.positions[c[1]], source_.positions[c[2]]);
   }
 
-  // Of the crossings of an edge the one nearest to its outer end, if any faces that way the nearest
-  // of those.
+  // The crossing of the edge that is nearest to its outer end. Crossings that face that end come
+  // before all others.
   const EdgeCrossing* crossingOf(std::size_t edge, bool isUp) const {
     const auto begin =
         std::lower_bound(crossings_.begin(), crossings_.end(), edge,
@@ -90,7 +90,8 @@ class Contourer {
     });
   }
 
-  // Where no triangle passes, where the half lines are of two minds.
+  // Places the edge's point at the crossing; without one, where the inside share passes 0.5, or
+  // else in the middle.
   void placeEdge(std::size_t edge, std::size_t p, std::size_t q) {
     const double margin = lattice_.margin(0.01);  // of the edge's length
     const auto axis = Eigen::Index(edge % 3);
@@ -104,7 +105,7 @@ class Contourer {
     edgePoints_[edge] = addPoint(at, crossing ? crossing->triangle : kNone);
   }
 
-  // Bit by corner; 0 for what is no cell.
+  // One bit per corner; 0 where no cell begins.
   unsigned cornersOf(std::size_t cell, const std::array<std::size_t, 3>& place) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (place[axis] + 1 == lattice_.count(axis)) return 0;
@@ -143,14 +144,14 @@ class Contourer {
     return sum / double(points.size());
   }
 
-  // What is within the cell, also when it is written.
+  // The box whose points stay within the cell when they are written.
   CellBox innerBox(std::size_t cell) const {
     const Vec3 low = lattice_.position(cell), high = lattice_.position(cornerOf(cell, 7));
     const Vec3 margin = lattice_.margin(0.02) * (high - low);  // of the cell's width
     return {low + margin, high - margin};
   }
 
-  // Whether the triangles that join loops to apexes meet those of other loops.
+  // Whether no triangle that joins a loop to its apex meets one of another loop.
   bool areApart(const std::vector<std::vector<Index>>& loops,
                 const std::vector<Vec3>& apexes) const {
     std::vector<std::vector<NamedTriangle>> fans(loops.size());
@@ -203,7 +204,8 @@ class Contourer {
     }
   }
 
-  // Where the way from one apex to the other passes the face, if it does within it.
+  // The point where the segment between two sharp apexes crosses the face; none if it misses the
+  // face.
   std::optional<Vec3> sharpPlace(const Step& s, const Step& t) const {
     const double margin = lattice_.margin(0.02);  // of the face's width
     if (!s.isAlone || !t.isAlone || !isSharp_[s.apex] || !isSharp_[t.apex]) return std::nullopt;
@@ -227,7 +229,7 @@ class Contourer {
     result_.triangleSources.push_back(source);
   }
 
-  // Both cells at a face have the same segments on it.
+  // Both cells of a face have the same segments on it, so sorting puts equal ones in pairs.
   void addTriangles() {
     std::sort(steps_.begin(), steps_.end());
     for (std::size_t i = 0; i + 1 < steps_.size(); i += 2) {
@@ -265,7 +267,7 @@ Contour contourOf(const Lattice& lattice, InsideField& field, const SolidSource&
     if (a.edge != b.edge) return a.edge < b.edge;
     return a.at != b.at ? a.at < b.at : a.triangle < b.triangle;
   });
-  for (;;) {  // what is filled stays so: there is an end
+  for (;;) {  // ends, because filled points stay filled
     Contourer contourer(lattice, field, source, crossings);
     const std::vector<std::size_t> bad = contourer.run();
     if (bad.empty()) return contourer.take();

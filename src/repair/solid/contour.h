@@ -3,15 +3,15 @@
 // 2-manifold, facing outwards, without self-intersections, whatever the input is.
 //
 //   e --- e     In each cell every loop of segments over the cell's faces is joined to one vertex
-//   | \ / |     within the cell, the apex. It goes to where the planes of the triangles at the loop
-//   |  a  |     are nearest [Ju, Losasso, Schaefer, Warren, Dual Contouring of Hermite Data,
-//   | / \ |     SIGGRAPH 2002]. Where a sharp edge leaves the cell the face gets a vertex, too
-//   [after e --- e     Ju, Udeshi, Intersection-Free Contouring on an Octree Grid, PG 2006].
+//   | \ / |     within the cell, the apex, as near as possible to the planes of the triangles
+//   |  a  |     at the loop [Ju, Losasso, Schaefer, Warren, Dual Contouring of Hermite Data,
+//   | / \ |     SIGGRAPH 2002]. Where a sharp edge leaves the cell, the face gets a vertex, too
+//   e --- e     [after Ju, Udeshi, Intersection-Free Contouring on an Octree Grid, PG 2006].
 //
-// Why nothing passes through itself: seen from a point within a convex cell, a loop on the cell's
-// border hides nothing of itself, so the triangles that join them have nothing else in common; and
-// cells have only faces in common, where both have the same segments. Cells of several loops are
-// looked at one by one, exactly, and are filled if need be.
+// Why the surface does not intersect itself: seen from a point within a convex cell, no part of a
+// loop on the cell's border hides another, so triangles from the loop to the point meet only in
+// common edges and corners; and cells share only faces, on which both have the same segments. Cells
+// of several loops are checked one by one, exactly, and are filled if need be.
 #pragma once
 
 #include <span>
@@ -29,15 +29,15 @@ struct Contour {
   std::vector<Index> triangleSources;  // per triangle: the same
 };
 
-// The oriented triangles that the crossings number.
+// The oriented triangles; the crossings name them by number.
 struct SolidSource {
   std::span<const Vec3> positions;
   std::span<const Index> corners;
-  bool isSingle;  // places in single precision, which is times `scale`
+  bool isSingle;  // positions are single precision numbers times `scale`
   double scale;
 };
 
-// Fills points of the field where it must.
+// Makes points of the field inside where loops of a cell cannot be kept apart.
 Contour contourOf(const Lattice& lattice, InsideField& field, const SolidSource& source,
                   std::vector<EdgeCrossing> crossings);
 

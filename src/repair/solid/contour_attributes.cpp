@@ -12,8 +12,8 @@ namespace remesher {
 
 namespace {
 
-// Triangles of one chart have vertices of the input in common, and so one group: between them all
-// attributes go on.
+// Triangles of one chart are connected by common vertices of the input, and so have one group: all
+// attributes are continuous between them.
 std::vector<Index> chartsOf(const TriangleMesh& input, const BuiltMesh& built) {
   DisjointSets sets(input.positions.size());
   for (std::size_t i = 0; i < input.indices.size(); i += 3) {
@@ -26,7 +26,7 @@ std::vector<Index> chartsOf(const TriangleMesh& input, const BuiltMesh& built) {
   return charts;
 }
 
-// Gaps have no source: what is around them spreads over them.
+// Triangles over gaps have no source: the sources around a gap spread over it.
 std::vector<Index> spreadSources(const Contour& contour) {
   std::vector<Index> sources = contour.triangleSources;
   std::vector<Index> ofPoints = contour.pointSources;
@@ -43,7 +43,7 @@ std::vector<Index> spreadSources(const Contour& contour) {
   return sources;
 }
 
-// The direction that was appended last.
+// Normalizes the direction that was appended last.
 void makeUnit(Attribute& attribute) {
   if (attribute.itemSize < 3) return;
   float* const last = &attribute.values[attribute.values.size() - std::size_t(attribute.itemSize)];
@@ -77,7 +77,7 @@ class Carrier {
   }
 
  private:
-  // One for each chart that meets there.
+  // A point has one vertex for each chart that meets there.
   Index vertexFor(Index point, Index source) {
     const Index chart = source == kNone ? kNone : charts_[source];
     const auto [it, isNew] = known_.try_emplace({point, chart}, Index(mesh_.positions.size()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is on the surface comes along: each triangle of the result shows what one triangle of the
-// input does, one that was seen.
+// Carries groups and attributes over: each triangle of the result takes them from one visible
+// triangle of the input.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace remesher {
 
-// Per triangle of the contour what it shows: triangles of one kind may become one. Whatever but
-// normals is on the input may change with each of its triangles.
+// Per triangle of the contour its kind: triangles of one kind may become one. Attributes other than
+// normals may change with each input triangle, so with such attributes each input triangle is a
+// kind; with normals or groups only, each chart is.
 std::vector<Index> kindsOf(const Contour& contour, const TriangleMesh& input,
                            const BuiltMesh& built);
 
-// built: of the input, whose faces the contour's sources are.
+// built: of the input; the contour's sources are its faces.
 TriangleMesh withAttributes(const Contour& contour, const TriangleMesh& input,
                             const BuiltMesh& built);
 

@@ -41,9 +41,9 @@ class Scan {
  private:
   Vec2 flat(const Vec3& p) const { return {p[Eigen::Index(u_)], p[Eigen::Index(v_)]}; }
 
-  // How a triangle faces along a line through it; 0 if the line passes by. Of the edges that the
-  // half line towards larger u passes there is one: which side of it the line lies on is the same
-  // for both triangles at the edge.
+  // How a triangle faces along a line through it; 0 if the line misses it. Sums the edges that the
+  // half line towards larger u crosses. On which side of an edge the line lies is the same for both
+  // triangles at the edge.
   int passes(const Triangle& t, const Vec2& line) const {
     int up = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -67,7 +67,7 @@ class Scan {
   std::size_t axis_, u_, v_;
 };
 
-// By line and coordinate. Lines hold few crossings each: they are parted first.
+// Sorts by line and coordinate: first into lines, because each line holds few crossings.
 void sortAlong(const Lattice& lattice, std::size_t axis, std::vector<EdgeCrossing>& crossings) {
   std::vector<std::size_t> lines;  // per crossing
   const std::size_t first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;

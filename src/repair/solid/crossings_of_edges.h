@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a surface passes the edges of a lattice. Decided exactly for each line of the lattice, and
-// for the common edge of two triangles in favour of one of them: a line passes a closed surface as
-// often inwards as outwards.
+// Where a surface crosses the edges of a lattice. Decided exactly for each line of the lattice; a
+// line through the common edge of two triangles is given to one of them. So a line crosses a closed
+// surface as often inwards as outwards.
 #pragma once
 
 #include <span>
@@ -24,11 +24,11 @@ inline Vec3 placeOf(const Lattice& lattice, const EdgeCrossing& c) {
   return at;
 }
 
-// Ascending by axis, line and coordinate. corners: three of the positions for each triangle.
+// Ascending by axis, line and coordinate. corners: the three positions of each triangle, by number.
 std::vector<EdgeCrossing> crossingsOfEdges(const Lattice& lattice, std::span<const Vec3> positions,
                                            std::span<const Index> corners);
 
-// Those of one line.
+// The crossings of one line.
 struct CrossedLine {
   std::size_t axis, first;  // the point where it begins
   std::span<const EdgeCrossing> crossings;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kHalfLines = 6;
 
-// The sum over the half lines: 1 from each that is enclosed once or more.
+// Per point, the number of half lines that find it enclosed once or more.
 std::vector<std::uint8_t> votesOf(const Lattice& lattice, std::span<const EdgeCrossing> crossings) {
   std::vector<std::uint8_t> votes(lattice.size(), 0);
   forEachCrossedLine(lattice, crossings, [&](const CrossedLine& line) {
@@ -37,7 +37,7 @@ std::vector<char> crossedEdges(const Lattice& lattice, std::span<const EdgeCross
   return crossed;
 }
 
-// Each share becomes the mean of its own and of those of neighbours that no surface parts from it.
+// Each share becomes the mean of itself and of the neighbours that no surface separates from it.
 void diffuse(const Lattice& lattice, const std::vector<char>& crossed, std::vector<float>& shares) {
   std::vector<float> next(shares.size(), 0);
   lattice.forEachPoint([&](std::size_t p, const std::array<std::size_t, 3>& place) {
@@ -60,7 +60,7 @@ void fillCavities(const Lattice& lattice, std::span<const std::size_t> kept,
   std::vector<char> isReached(isInside.size(), 0);
   std::vector<std::size_t> front = {0};
   isReached[0] = 1;
-  // Beyond the lattice's border its other side comes next, by number: it is outside, too.
+  // Beyond the lattice's border the numbers continue at the opposite border, which is outside, too.
   const auto visit = [&](std::size_t q) {
     if (q >= isInside.size() || isInside[q] || isReached[q]) return;
     isReached[q] = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which points of a lattice lie inside: those that most of the six half lines along the axes say to
-// be enclosed. Of a closed surface all six agree and are right; beside a hole some are wrong, and
-// neighbours that no surface parts from a point have a say as well.
+// Which points of a lattice lie inside: those that most of their six half lines along the axes find
+// enclosed. For a closed surface all six agree and are right. Beside a hole some are wrong, so
+// neighbours that no surface separates from a point count as well.
 #pragma once
 
 #include <vector>
@@ -13,17 +13,17 @@ namespace remesher {
 struct InsideField {
   std::vector<float> shares;   // per point: how sure it lies inside, 0 to 1
   std::vector<char> isInside;  // per point
-  double unsure = 0;          // of the points beside the surface, the share that half lines dispute
-  std::vector<Index> sheets;  // triangles that nothing lies behind
+  double unsure = 0;           // share of the points beside the surface where half lines disagree
+  std::vector<Index> sheets;   // triangles with the outside on both sides
 };
 
-// The crossings' triangles face outwards. The border of the lattice is outside, and so is only what
-// hangs together with it, or with points of `kept`: other cavities are filled.
+// The crossings' triangles face outwards. Outside are the border of the lattice and the points
+// connected with it or with points of `kept`; other cavities are filled.
 InsideField insideField(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
                         std::span<const std::size_t> kept);
 
-// What is outside but hangs together neither with the border, which is, nor with points of `kept`
-// that are, becomes inside.
+// Outside points become inside if they are connected neither with the lattice's border, which is
+// outside, nor with an outside point of `kept`.
 void fillCavities(const Lattice& lattice, std::span<const std::size_t> kept,
                   std::vector<char>& isInside);
 

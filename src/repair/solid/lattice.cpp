@@ -12,7 +12,7 @@ namespace remesher {
 
 namespace {
 
-// By how much coordinates may differ and still be one to whoever reads them.
+// Coordinates that differ by no more than this may be equal to a reader of the result.
 double grainOf(const TriangleMesh& mesh, const Box& box) {
   const double farthest = std::max(box.high.cwiseAbs().maxCoeff(), box.low.cwiseAbs().maxCoeff());
   const double least = mesh.isSingle ? std::numeric_limits<float>::denorm_min() * mesh.scale : 0;
@@ -22,7 +22,7 @@ double grainOf(const TriangleMesh& mesh, const Box& box) {
 }  // namespace
 
 Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
-  // A cell is so many grains wide at least, and what is within it so many from its sides.
+  // The least width of a cell, and the least distance of inner points from its sides, in grains.
   constexpr double kFewestGrains = 8, kGrainsBeside = 2;
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
@@ -31,7 +31,7 @@ Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
   leastMargin_ = kGrainsBeside * grain / spacing;
   const double cells = 2 + spare / spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Off the box by a fraction of no simple kind: planes of boxes seldom lie in those of the
+    // Offset from the box by an odd fraction, so that planes of boxes seldom lie in planes of the
     // lattice.
     constexpr double kOff = 0.3819660113;
     const auto a = Eigen::Index(axis);

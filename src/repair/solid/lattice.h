@@ -13,10 +13,10 @@ namespace remesher {
 
 class Lattice {
  public:
-  // spacing: the length of a cell, longer where the mesh's coordinates have too few digits; spare:
-  // how far the lattice reaches beyond the mesh, at least. All coordinates of points are as the
-  // mesh's: in single precision if these are, so that what lies in a plane of the lattice still
-  // does when it is written.
+  // spacing: the length of a cell, longer where the mesh's coordinates have too few digits. spare:
+  // how far the lattice reaches beyond the mesh, at least. Coordinates of points are in single
+  // precision if the mesh's are: so a vertex in a plane of the lattice still lies in it when
+  // written.
   Lattice(const TriangleMesh& mesh, double spacing, double spare = 0);
 
   std::size_t size() const { return counts_[0] * counts_[1] * counts_[2]; }
@@ -24,8 +24,8 @@ class Lattice {
   // From a point to the next one along the axis.
   std::size_t stride(std::size_t axis) const { return strides_[axis]; }
   double spacing() const { return spacing_; }
-  // A share of a cell's width, or more where rounding takes more: what lies so far within a cell
-  // does so when it is written.
+  // A share of a cell's width, or more where rounding needs more: a vertex so far within a cell is
+  // still within it when written.
   double margin(double share) const { return std::max(share, leastMargin_); }
   double at(std::size_t axis, std::size_t i) const { return coordinates_[axis][i]; }
 
@@ -64,7 +64,7 @@ class Lattice {
            i[2] == 0 || i[2] + 1 == counts_[2];
   }
 
-  // The first along the axis that lies at the coordinate or beyond; their number if none does.
+  // The first index along the axis at the coordinate or beyond; count(axis) if there is none.
   std::size_t firstFrom(std::size_t axis, double coordinate) const;
 
  private:

@@ -20,7 +20,7 @@ OrientedPatches patchesOf(const BuiltMesh& built) {
   return result;
 }
 
-// Six times, from the middle of all.
+// Six times the signed volume of each patch, from the first vertex.
 std::vector<double> volumesOf(const BuiltMesh& built, const OrientedPatches& patches) {
   std::vector<double> volumes(patches.count, 0);
   const Vec3 middle = built.positions[Vertex(0)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way the pieces of a surface face, decided by what is seen of them from outside [the idea of
+// Which way the pieces of a surface face, decided by their triangles seen from outside [the idea of
 // ray votes: Takayama et al., A Simple Method for Correcting Facet Orientations in Polygon Meshes
 // Based on Ray Casting, JCGT 2014]. The rays are the lines of a lattice: the first and the last
 // triangle on each is seen.
@@ -18,19 +18,20 @@ struct OrientedPatches {
   std::vector<char> turn;      // per patch: whether it faces the wrong way
   std::vector<char> isSeen;    // per patch: from outside
   std::vector<char> isClosed;  // per patch
-  // Per patch: the wall of a cavity, for it is closed, not seen, and faces into what it encloses.
+  // Per patch: whether it is the wall of a cavity: closed, not seen, and facing into the volume
+  // that it encloses.
   std::vector<char> isCavity;
 };
 
-// Patches hang together across edges of two triangles. What is not seen faces away from the volume
-// that it encloses, cavities too.
+// Patches are connected across edges of two triangles. A patch that is not seen is turned to face
+// away from the volume that it encloses, also the wall of a cavity.
 OrientedPatches orientedPatches(const BuiltMesh& built, const Lattice& lattice,
                                 std::span<const EdgeCrossing> crossings);
 
-// The same, but that walls of cavities stay as they are given.
+// The same patches, but walls of cavities face as given.
 OrientedPatches withCavitiesKept(OrientedPatches patches);
 
-// Turns crossings with their triangles.
+// Turns the crossings of turned patches.
 void turnCrossings(std::vector<EdgeCrossing>& crossings, const OrientedPatches& patches);
 
 }  // namespace remesher

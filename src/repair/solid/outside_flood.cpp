@@ -15,8 +15,8 @@ namespace {
 
 using Place = std::array<std::size_t, 3>;
 
-// Per point the distance from the nearest crossing, as two sweeps along neighbours find it: of the
-// crossings at neighbours one is nearest nearly always, and off by less than a cell if not.
+// Per point the distance from the nearest crossing, found by two sweeps along neighbours: nearly
+// always the nearest crossing is a neighbour's; if not, the error is less than a cell.
 class Distances {
  public:
   Distances(const Lattice& lattice, std::span<const EdgeCrossing> crossings)
@@ -75,7 +75,7 @@ class Distances {
   std::vector<Index> nearest_;  // per point
 };
 
-// visit(neighbour, whether a surface parts it from the point)
+// visit(neighbour, whether a surface separates it from the point)
 template <class Visit>
 void forEachNeighbor(const Lattice& lattice, const std::vector<char>& crossed, std::size_t p,
                      Visit visit) {
@@ -94,7 +94,7 @@ std::vector<char> flooded(const Lattice& lattice, const Distances& distances, do
   std::vector<char> isReached(lattice.size(), 0);
   std::vector<std::size_t> front = {0};
   isReached[0] = 1;
-  // Beyond the lattice's border its other side comes next, by number: it is free, too.
+  // Beyond the lattice's border the numbers continue at the opposite border, which is free, too.
   const auto visit = [&](std::size_t q) {
     if (q >= isFree.size() || isReached[q] || !isFree[q]) return;
     isReached[q] = 1;
@@ -111,7 +111,7 @@ std::vector<char> flooded(const Lattice& lattice, const Distances& distances, do
   return isReached;
 }
 
-// Whether a neighbour has not been reached: from others the flood does not go on.
+// Whether the point is reached and a neighbour is not: only from there the flood can go on.
 bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::size_t p,
                const Place& place) {
   if (!isReached[p]) return false;
@@ -123,8 +123,9 @@ bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::
   return false;
 }
 
-// Back to the surface: as far as the flood kept away from it, but through nothing. Half a cell more
-// reaches the points next to the surface; through a crack it leads no farther in than that.
+// Grows the outside back to the surface, as far as the flood kept away from it, but through no
+// surface. The 1.5 cells beyond the clearance reach the points next to the surface; through a crack
+// the outside grows no farther than that.
 void growBack(const Lattice& lattice, const std::vector<char>& crossed, double reach,
               std::vector<char>& isOutside) {
   using Entry = std::pair<float, std::size_t>;
@@ -143,7 +144,7 @@ void growBack(const Lattice& lattice, const std::vector<char>& crossed, double r
     isOutside[p] = 1;
     forEachNeighbor(lattice, crossed, p, [&](std::size_t q, bool isParted) {
       if (isParted) return;
-      // Straight from where the flood was left, for along the lattice ways are longer.
+      // Measured straight from where the flood ended, because ways along the lattice are longer.
       const auto next = float((lattice.position(q) - lattice.position(origins[p])).norm());
       if (next > float(reach) || !(next < ways[q])) return;
       ways[q] = next, origins[q] = origins[p];

@@ -8,19 +8,19 @@
 
 namespace remesher {
 
-// The widest opening that is none, as a length; what becomes of sheets, which are reached from both
-// sides: they are made one cell thick, towards what their triangles face away from, or left out.
+// gap: the widest opening that counts as closed, a length. sheets: sheets are reached from both
+// sides; they are made one cell thick, behind their triangles, or left out.
 struct Reach {
   double gap;
   Sheets sheets;
 };
 
-// The lattice reaches farther than half a gap on all sides.
+// The lattice must reach farther than half a gap on all sides.
 InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
                          const Reach& reach);
 
-// Walls so thin that both of their sides pass one edge of the lattice get one of its ends. Whether
-// there are any.
+// Where both sides of a thin wall cross one edge of the lattice, one end of the edge becomes
+// inside. Returns whether there are such walls.
 bool keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossings,
                    InsideField& field);
 

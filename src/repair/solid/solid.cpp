@@ -16,7 +16,7 @@ namespace remesher {
 
 namespace {
 
-// Per face of the built mesh three of its vertices, turned as its patch is.
+// Per face of the built mesh its three vertices, turned if its patch is.
 std::vector<Index> turnedCorners(const BuiltMesh& built, const OrientedPatches& patches) {
   std::vector<Index> corners = built.mesh.triangles();
   for (std::size_t f = 0; f < patches.patches.size(); ++f)
@@ -43,8 +43,8 @@ std::vector<Vec3> cornersOf(const BuiltMesh& built, const OrientedPatches& patch
   return corners;
 }
 
-// A piece that is seen faces outwards, as a rule; one that is not seen is the wall of a cavity, and
-// faces into it.
+// Lists the exceptions to the rule: a piece that is seen faces outwards; a piece that is not seen
+// is the wall of a cavity, and faces into it.
 void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosure& result) {
   const std::vector<Vec3> corners = cornersOf(built, patches);
   for (std::size_t p = 0; p < patches.count; ++p) {
@@ -54,7 +54,7 @@ void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosu
   }
 }
 
-// Both ends of the edges that pass walls of cavities which are kept.
+// Both ends of the lattice edges that cross walls of kept cavities.
 std::vector<std::size_t> keptPoints(const Lattice& lattice, const OrientedPatches& patches,
                                     std::span<const EdgeCrossing> crossings) {
   std::vector<std::size_t> points;
@@ -78,7 +78,7 @@ std::vector<char> onBorder(const Lattice& lattice, const OrientedPatches& patche
   return result;
 }
 
-// Closed pieces that are not on it.
+// Counts closed pieces that are neither seen nor on that border.
 std::size_t countShells(const OrientedPatches& patches, const std::vector<char>& isShown) {
   std::size_t shells = 0;
   for (std::size_t p = 0; p < patches.count; ++p)
@@ -95,8 +95,8 @@ std::size_t countSheets(const OrientedPatches& patches, const std::vector<Index>
   return std::size_t(std::count(isSheet.begin(), isSheet.end(), 1));
 }
 
-// Seen along the axes: the first and the last crossing of each line. Found again: near an edge that
-// the border between inside and outside passes.
+// Seen along the axes: the first and the last crossing of each line. Found again: on or next to an
+// edge that the border between inside and outside crosses.
 void measureLost(const Lattice& lattice, const InsideField& field,
                  std::span<const EdgeCrossing> crossings, Enclosure& result) {
   std::size_t seen = 0, lost = 0;
@@ -131,7 +131,7 @@ struct SolidGround::Known {
     const std::vector<std::size_t> kept = keptPoints(lattice, patches, crossings);
     field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, {rule.gap, rule.sheets})
                                        : insideField(lattice, crossings, kept);
-    // Which walls so thin may have closed, and sheets.
+    // Thin walls and sheets may have closed cavities.
     if (keepThinWalls(lattice, crossings, field) || !field.sheets.empty())
       fillCavities(lattice, kept, field.isInside);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outside of what a surface encloses, as one clean closed surface.
+// The outside of the volume that a surface encloses, as one clean closed surface.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace remesher {
 
-// What is enclosed, and by what.
+// The findings on the enclosed volume and on the pieces of the surface.
 struct Enclosure {
   std::size_t turned = 0;      // triangles that faced the other way
-  std::size_t shells = 0;      // closed pieces that nobody sees, gone
-  double lost = 0;             // percent of what is seen from along the axes and not on the result
-  std::optional<Vec3> lostAt;  // where, of the first of it
-  std::size_t sheets = 0;      // pieces that nothing lies behind, in part or as a whole
-  // A corner of each closed piece that nobody sees and that is no cavity; of each that is seen and
-  // faces inwards.
+  std::size_t shells = 0;      // closed pieces that nobody sees, removed
+  double lost = 0;             // percent of the surface seen along the axes that the result lacks
+  std::optional<Vec3> lostAt;  // the first place of it
+  std::size_t sheets = 0;      // open pieces with nothing behind them, in part or as a whole
+  // A corner of each closed piece that nobody sees and that is no cavity; a corner of each closed
+  // piece that is seen and faces inwards.
   std::vector<Vec3> innerAt, insideOutAt;
-  double unsure = 0;   // of the points beside the surface, the share whose side is in dispute
+  double unsure = 0;   // share of the points beside the surface whose side is in dispute
   bool isAny = false;  // whether anything is enclosed
 };
 
@@ -30,16 +30,16 @@ struct Solid {
   Enclosure enclosure;
 };
 
-// How inside is told from outside: enclosed by triangles that face outwards; or not to be reached
+// Which points are inside: those enclosed by triangles that face outwards, or those not reached
 // from outside through openings wider than a gap.
 enum class InsideBy { Enclosure, Reach };
 
-// Whether triangles that show no more than their neighbours do are taken out, which takes several
-// times as long as all else: for whoever keeps the mesh as it is.
+// Whether triangles that show no more than their neighbours are removed. This takes several times
+// as long as all else, and pays if the mesh is not remeshed afterwards.
 enum class Cleaning { None, Thorough };
 
 struct SolidRule {
-  double spacing;  // between the points at which it is told; what is thinner becomes as thick
+  double spacing;  // between lattice points; thinner walls become as thick
   InsideBy by = InsideBy::Enclosure;
   double gap = 0;  // a length, for Reach
   Cleaning cleaning = Cleaning::None;
@@ -47,7 +47,7 @@ struct SolidRule {
   bool keepsCavities = false;       // for Enclosure
 };
 
-// A surface of which it is known what lies inside. The input has to outlive it.
+// A surface with its inside found. The input has to outlive it.
 class SolidGround {
  public:
   // Throws Error as buildMesh does.
@@ -56,7 +56,7 @@ class SolidGround {
 
   Enclosure enclosure() const;
 
-  // To be asked for once.
+  // To be called once.
   Solid solid();
 
  private:
