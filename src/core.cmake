@@ -49,7 +49,6 @@ add_library(linear OBJECT
   src/io/text/text_scanner.cpp
   src/measure/facing.cpp
   src/measure/mesh_report.cpp
-  src/measure/salient_vertices.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
   src/mesh/joining.cpp
@@ -69,7 +68,6 @@ add_library(linear OBJECT
   src/remesh/gate/excess.cpp
   src/remesh/gate/nearness.cpp
   src/remesh/quads/map/rounding.cpp
-  src/remesh/quads/map/untangle.cpp
   src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
@@ -144,6 +142,7 @@ add_library(small OBJECT
   src/jobs/result_check.cpp
   src/measure/distance_bound.cpp
   src/measure/quad_report.cpp
+  src/measure/salient_vertices.cpp
   src/mesh/check.cpp
   src/mesh/fan_cut.cpp
   src/mesh/hubs.cpp
@@ -184,6 +183,7 @@ add_library(small OBJECT
   src/remesh/quads/map/seamless_map.cpp
   src/remesh/quads/map/seamless_system.cpp
   src/remesh/quads/map/spacing.cpp
+  src/remesh/quads/map/untangle.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp

@@ -25,10 +25,11 @@ constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 // Numbers of finer cells would not be exact.
 constexpr double kMostCells = 0x1p50;
 
-// The median of the vertices' largest coordinates, so that a stray vertex does not count.
-double sizeOf(const std::vector<Vec3>& positions) {
+// The median of the corners' largest coordinates, so that a stray vertex does not count. It is the
+// same whether triangles share vertices or, as in STL, have their own.
+double sizeOf(const TriangleMesh& mesh) {
   std::vector<double> sizes;
-  for (const Vec3& p : positions) sizes.push_back(p.cwiseAbs().maxCoeff());
+  for (const Index v : mesh.indices) sizes.push_back(mesh.positions[v].cwiseAbs().maxCoeff());
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   return *middle;
@@ -120,8 +121,8 @@ double noiseBeside(double size, const TriangleMesh& mesh) {
 }
 
 void joinNoise(TriangleMesh& mesh) {
-  if (mesh.positions.empty()) return;
-  const double nothing = noiseBeside(sizeOf(mesh.positions), mesh);
+  if (mesh.indices.empty()) return;
+  const double nothing = noiseBeside(sizeOf(mesh), mesh);
   bool isNoisy = false;
   std::vector<Vec3> plain = mesh.positions;
   for (Vec3& p : plain)

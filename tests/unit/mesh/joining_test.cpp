@@ -55,7 +55,11 @@ TEST_CASE("joining: what is small on purpose stays, to the last digit") {
   TriangleMesh tiny = shapes::icosphere(2);
   const std::size_t own = countPlaces(tiny.positions);
   for (Vec3& p : tiny.positions) p *= 1e-20;
-  for (int i = 0; i < 1000; ++i) tiny.positions.push_back(Vec3(1 + i, 1, 1));
+  for (int i = 0; i < 1000; ++i) {
+    tiny.positions.push_back(Vec3(1 + i, 1, 1));
+    const auto v = Index(tiny.positions.size() - 1);
+    tiny.indices.insert(tiny.indices.end(), {v, v, v});
+  }
   const TriangleMesh before = tiny;
   joinNoise(tiny);  // all of it is nothing beside the rest, and would be one place
   CHECK(tiny.positions == before.positions);
