@@ -44,10 +44,8 @@ add_library(linear OBJECT
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
-  src/io/gltf/gltf_accessor.cpp
   src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
-  src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
@@ -86,6 +84,7 @@ add_library(small OBJECT
   src/find_faults.cpp
   src/geometry/mesh_tree.cpp
   src/io/formats.cpp
+  src/io/gltf/gltf_accessor.cpp
   src/io/gltf/gltf_document.cpp
   src/io/gltf/gltf_editor.cpp
   src/io/gltf/gltf_encoder.cpp
@@ -141,6 +140,7 @@ add_library(small OBJECT
   src/jobs/precision.cpp
   src/jobs/result_check.cpp
   src/measure/distance_bound.cpp
+  src/measure/facing.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
   src/mesh/check.cpp

@@ -139,8 +139,7 @@ RepairedMesh asRepaired(Solid solid, const SolidRule& rule) {
   const bool isLost = std::round(100 * solid.enclosure.lost) > 0;  // the report has two decimals
   warn(result,
        {"SEEN_PARTS_LOST",
-        "Parts that are seen from outside are not on the result: they are thinner than it is fine, "
-        "or lie in gaps that it closes.",
+        "Parts that are seen from outside are lost: they are too thin, or lie in gaps that close.",
         std::size_t{isLost}},
        {solid.enclosure.lostAt.value_or(Vec3::Zero())});
   warnOfSheets(result, rule.sheets, solid.enclosure.sheets);
