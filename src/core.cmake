@@ -65,17 +65,15 @@ add_library(linear OBJECT
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
   src/remesh/gate/nearness.cpp
-  src/remesh/quads/map/rounding.cpp
-  src/remesh/quads/shape/quad_star.cpp
-  src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
-  src/repair/solid/contour.cpp
-  src/repair/solid/crossings_of_edges.cpp
   src/repair/solid/inside.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
+  src/textures/painting/canvas.cpp
   src/textures/painting/paint_source.cpp
   src/textures/painting/painter.cpp
+  src/textures/painting/side_finder.cpp
+  src/textures/painting/texture.cpp
 )
 add_library(small OBJECT
   src/base/legible.cpp
@@ -180,6 +178,7 @@ add_library(small OBJECT
   src/remesh/quads/field/singularities.cpp
   src/remesh/quads/map/cut.cpp
   src/remesh/quads/map/integer_rows.cpp
+  src/remesh/quads/map/rounding.cpp
   src/remesh/quads/map/seamless_map.cpp
   src/remesh/quads/map/seamless_system.cpp
   src/remesh/quads/map/spacing.cpp
@@ -192,9 +191,11 @@ add_library(small OBJECT
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/quad_patch.cpp
+  src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp
   src/remesh/quads/shape/side_places.cpp
+  src/remesh/quads/shape/smoothing.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
@@ -227,7 +228,9 @@ add_library(small OBJECT
   src/repair/repair.cpp
   src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp
+  src/repair/solid/contour.cpp
   src/repair/solid/contour_attributes.cpp
+  src/repair/solid/crossings_of_edges.cpp
   src/repair/solid/lattice.cpp
   src/repair/solid/oriented_patches.cpp
   src/repair/solid/outside_flood.cpp
@@ -239,14 +242,11 @@ add_library(small OBJECT
   src/textures/charts/chart_packing.cpp
   src/textures/charts/chart_relaxing.cpp
   src/textures/charts/unwrap.cpp
-  src/textures/painting/canvas.cpp
   src/textures/painting/look_borders.cpp
   src/textures/painting/new_surface.cpp
   src/textures/painting/paint_source_setup.cpp
   src/textures/painting/shading.cpp
-  src/textures/painting/side_finder.cpp
   src/textures/painting/tangents.cpp
-  src/textures/painting/texture.cpp
   src/textures/repaint.cpp
 )
 add_library(doors OBJECT

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tests that projects of Parcel can use every entry of the package, as tests/package/bundlers.test.js does
-// for the other bundlers: npm run parcel. Parcel, 111 MB, is installed into a temporary folder.
+// Tests that projects of Parcel can use every entry of the package, as
+// tests/package/bundlers.test.js does for the other bundlers: npm run parcel.
+// Parcel, 111 MB, is installed into a temporary folder.
 
 import { strict as assert } from 'node:assert';
 import { join } from 'node:path';

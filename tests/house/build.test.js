@@ -4,7 +4,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { commonDefinitions, testDefinitions, wasmDefinitions } from '../../bindings/build/compile.js';
+import {
+  commonDefinitions, testDefinitions, wasmDefinitions,
+} from '../../bindings/build/compile.js';
 import {
   advice, findChromium, findEmscripten, findSanitizingClang, missingNeeds, needs,
 } from '../../bindings/build/needs.js';

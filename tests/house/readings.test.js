@@ -66,7 +66,7 @@ test('tests of the core have it before them, those of the page the page, and no 
     .flatMap((folder) => filesUnder(folder, /./)), 'package.json'];
   const of = readings(files, readText);
   const sees = (/** @type {string} */ name, /** @type {RegExp} */ pattern) =>
-    files.filter((test) => test.endsWith(`/${name}.test.js`)).flatMap(of)
+    files.filter((file) => file.endsWith(`/${name}.test.js`)).flatMap(of)
       .some((file) => pattern.test(file));
   for (const name of ['api', 'cli', 'faults', 'gltf', 'laws', 'pool', 'quality', 'web', 'queue']) {
     assert.ok(sees(name, /^dist\/remesher\.wasm$/), name);

@@ -209,7 +209,8 @@ const advice = [
 
 /** What is said is all there is to do, but for what other tests follow. */
 const others = ['INTERNAL', 'CANCELLED',
-  'OUT_OF_MEMORY', // tests/package/out_of_memory.test.js; a number that fits just so takes too long here
+  // tests/package/out_of_memory.test.js; a number that fits just so takes too long here
+  'OUT_OF_MEMORY',
   'INPUT_UNREADABLE', 'OUTPUT_UNWRITABLE', // tests/cli/cli.test.js
   'TRIANGLES_NOT_JOINED', // above
   ...['ATTRIBUTE_HAS_NO_CHARTS', 'ATTRIBUTE_NOT_CARRIED', 'BACK_TO_BACK_TRIANGLES_REMOVED',
@@ -220,7 +221,8 @@ const others = ['INTERNAL', 'CANCELLED',
     'NON_MANIFOLD_EDGES_SPLIT', 'NON_MANIFOLD_VERTICES_SPLIT', 'NON_ORIENTABLE_CUT',
     'NOTHING_TO_REMESH', 'NOT_TRIANGLES', 'ONLY_REPAIRED', 'PARTS_MERGED', 'QUADS_PAIRED',
     'SCRAPS_REMOVED', 'SEEN_PARTS_LOST', 'SHAPE_LOST_TO_ROUNDING', 'SHEETS_DROPPED',
-    'SHEETS_THICKENED', 'SPIKES_LEFT_COARSE', 'SURFACE_OPENED', 'TEXTURES_PAINTED', 'VERTICES_COINCIDE']];
+    'SHEETS_THICKENED', 'SPIKES_LEFT_COARSE', 'SURFACE_OPENED', 'TEXTURES_PAINTED',
+    'VERTICES_COINCIDE']];
 
 test('what a message of each code advises is followed here, or it advises nothing', () => {
   const core = filesUnder('src', /\.cpp$/).map(readText).join('\n');

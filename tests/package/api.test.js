@@ -7,7 +7,9 @@ import { test } from 'node:test';
 import * as remesher from 'remesher';
 
 import { rejectsWith } from '../support/errors.js';
-import { distinctPositions, eulerCharacteristic, offText, sheet, torus } from '../support/shapes.js';
+import {
+  distinctPositions, eulerCharacteristic, offText, sheet, torus,
+} from '../support/shapes.js';
 
 const { convertFile, init, inspect, remesh, remeshFile } = remesher;
 

@@ -54,7 +54,7 @@ test('the surface is closed, of its own kind, with as many vertices within 1 %',
   assert.ok(angleDeviation.p95 <= angleDeviation.worst);
 });
 
-test('tips are reached: quads are as near as even triangles of as many vertices, or half as far again',
+test('tips are reached: quads are at most half as far again as even triangles of as many vertices',
   async () => {
     const rabbit = {
       positions: Float32Array.from(bunny.positions.flat()),

@@ -79,7 +79,8 @@ export function roomsPicture(rooms, top) {
     const size = Math.min(12, 12 * (boxWidth - 8) / (letter * name.length));
     const { x, y } = at(room);
     return {
-      box: `<rect x="${x - boxWidth / 2}" y="${y}" width="${boxWidth}" height="${boxHeight}" rx="4"/>`,
+      box: `<rect x="${x - boxWidth / 2}" y="${y}" width="${boxWidth}" `
+        + `height="${boxHeight}" rx="4"/>`,
       word: `<text x="${x}" y="${y + 17}" font-size="${size.toFixed(1)}">${name}</text>`,
     };
   });
