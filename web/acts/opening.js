@@ -13,7 +13,6 @@ import { chooseModel } from '../panel/chooser.js';
 import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
-import { TargetField } from '../panel/target_field.js';
 import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, showReport } from './running.js';
 
@@ -23,8 +22,6 @@ import { clearResult, remesh, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
-/** For larger models a second run, with twice as many vertices, would take too long. */
-const largestTwice = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
@@ -58,20 +55,6 @@ function setForm({ panel, session }, wished) {
   const sample = sampleOf(session.source);
   if (sample) panel.setTarget(sample.vertices);
   if (Object.keys(wished).length) panel.setValues(wished);
-}
-
-/** Remeshes to as many vertices as the model has; if even triangles lose its looks with those, to
- * twice as many. A number that was named is kept.
- * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
-async function remeshAtFirst(page, { wished, onForm }) {
-  await remesh(page);
-  const { shown, inspection, source } = page.session;
-  const isNamed = sampleOf(source) || TargetField.names.some((name) => name in wished);
-  const isFew = (inspection?.input.vertices ?? Infinity) <= largestTwice;
-  if (isNamed || !isFew || !shown?.report.prefer.includes('shape')) return;
-  page.panel.askForTwice();
-  onForm();
-  await remesh(page);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
@@ -134,6 +117,6 @@ export function open(page, coming, { source, wished, onForm }) {
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     isQuick = report.input.vertices <= largestAutomatic;
     isQuick &&= !signal.aborted;
-    if (isQuick) await remeshAtFirst(page, { wished, onForm });
+    if (isQuick) await remesh(page);
   }).then(() => { if (isQuick) findFaults(page); });
 }

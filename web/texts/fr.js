@@ -65,8 +65,6 @@ export default {
   'target.same': '{closely} : autant que l’original.',
   'target.share': '{closely} ; {share} des {count} de l’original.',
   'target.times': '{closely} ; {times} fois les {count} de l’original.',
-  'target.twice': '{closely} ; deux fois plus que l’original, car des triangles réguliers les '
-    + 'demandent.',
   'progress': 'Avancement',
   'preparing': 'Préparation',
   'privacy': 'Vos fichiers ne quittent jamais cet ordinateur.',
