@@ -25,11 +25,13 @@ constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 // Numbers of finer cells would not be exact.
 constexpr double kMostCells = 0x1p50;
 
-// The median of the corners' largest coordinates, so that a stray vertex does not count. It is the
-// same whether triangles share vertices or, as in STL, have their own.
+// The median of the largest coordinates of some 4096 corners, so that a stray vertex does not
+// count. It is the same whether triangles share vertices or, as in STL, have their own.
 double sizeOf(const TriangleMesh& mesh) {
   std::vector<double> sizes;
-  for (const Index v : mesh.indices) sizes.push_back(mesh.positions[v].cwiseAbs().maxCoeff());
+  const std::size_t step = std::max<std::size_t>(1, mesh.indices.size() / 4096);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += step)
+    sizes.push_back(mesh.positions[mesh.indices[i]].cwiseAbs().maxCoeff());
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   return *middle;
