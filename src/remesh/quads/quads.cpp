@@ -53,8 +53,7 @@ void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
   const std::vector<char> isFixed(quads.vertices.size(), 0);
   smoothToSquares(moving, kSmoothings, isFixed);
-  mendCorners(moving);
-  untangle(moving, isFixed);
+  mendCorners(moving, isFixed);
 }
 
 void shape(QuadMesh& quads, const WorkingMesh& ground) {
@@ -62,11 +61,10 @@ void shape(QuadMesh& quads, const WorkingMesh& ground) {
   rewire(quads, ground);
 }
 
-// Counts quads that fold or have hardly any area, and places where quads cut a corner of the
-// original.
+// Counts quads that fold or have hardly any area.
 std::size_t countFaults(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
-  std::size_t count = countFar(quads, ground);
+  std::size_t count = 0;
   for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) < kLeastSine;
   return count;
 }
@@ -157,13 +155,15 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(enough, 8), goal.isExact});
   if (mesh.vertices.size() == before && made.collapsed == 0) return;
   settle(mesh, ground);
+  const std::size_t faults = countFaults(mesh, ground);
+  if (faults == 0) return;
   MadeQuads rewired = made;
   rewire(rewired.mesh, ground);
   rewired.collapsed += collapseTo(rewired.mesh, ground, {std::max<std::size_t>(most, 8), false});
   settle(rewired.mesh, ground);
   const std::size_t count = rewired.mesh.vertices.size();
   if (count < least || count > most) return;
-  if (countFaults(rewired.mesh, ground) < countFaults(mesh, ground)) made = std::move(rewired);
+  if (countFaults(rewired.mesh, ground) < faults) made = std::move(rewired);
 }
 
 // The share of a part in the vertices, by area.

@@ -143,7 +143,7 @@ class Reaching {
   void settle(int smoothings) {
     MovingQuads moving(mesh_, ground_);
     smoothToSquares(moving, smoothings, isHeld_);
-    untangle(moving, isHeld_);
+    mendCorners(moving, isHeld_);
   }
 
   void run(const std::vector<Tip>& tips) {
@@ -197,7 +197,7 @@ class Reaching {
       moving.move(Index(i), place);
       patch.isRim[i] = 1;
     }
-    untangle(moving, patch.isRim);
+    mendCorners(moving, patch.isRim);
     if (worst(moving) < least || farthestFrom(patch.mesh, near) >= farthest) return false;
     for (std::size_t i = 0; i < patch.outer.size(); ++i)
       mesh_.vertices[patch.outer[i]] = patch.mesh.vertices[i];
@@ -262,17 +262,6 @@ void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
     reaching.run(tips);
   }
   mesh.vertices = std::move(best);
-}
-
-std::size_t countFar(const QuadMesh& mesh, const WorkingMesh& ground) {
-  const double least = kTip * meanSide(mesh);
-  std::size_t count = 0;
-  for (const Four<Index>& quad : mesh.quads)
-    count += fromOriginal(mesh, quad, ground) > least * least;
-  QuadTree tree(mesh);
-  for (Index v = 0; v < ground.mesh().vertexCapacity(); ++v)
-    count += tree.nearest(ground.position(Vertex(v))).second > least;
-  return count;
 }
 
 }  // namespace remesher

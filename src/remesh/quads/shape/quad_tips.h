@@ -13,8 +13,4 @@ namespace remesher {
 // largest distance of all falls. ground: any mesh on the same original.
 void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings);
 
-// The number of quads whose middle is farther than this share from the original, plus the number of
-// ground vertices farther than it from the quads.
-std::size_t countFar(const QuadMesh& mesh, const WorkingMesh& ground);
-
 }  // namespace remesher

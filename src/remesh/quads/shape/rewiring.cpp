@@ -158,7 +158,7 @@ class Rewiring {
     if (!isStart && (!check(patch->mesh).empty() || !(kindOf(patch->mesh) == kind_))) return;
     MovingQuads quads(patch->mesh, ground_);
     if (isStart) before_ = faultOf(quads, *patch);
-    untangle(quads, patch->isRim);
+    mendCorners(quads, patch->isRim);
     const Fault fault = faultOf(quads, *patch);
     if (!fault.isClearlyBelow(before_)) return;
     if (best_ && fault.cost() >= least_.cost()) return;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 0.8;  // of the way, for all quads are fitted before any vertex moves
 constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
-constexpr double kGain = 0.01;  // of the worst sine: less is not worth another try
+constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth another try
 
 // The place of each vertex on average over the squares of its quads.
 std::vector<Vec3> targetsOf(const MovingQuads& quads) {
@@ -38,41 +38,6 @@ double reachOf(const MovingQuads& quads, Index v) {
     ++count;
   });
   return sum / count;
-}
-
-Vec3 middleOfNeighbors(const MovingQuads& quads, Index v) {
-  Vec3 sum = Vec3::Zero();
-  int count = 0;
-  quads.sides().forEachOutgoing(v, [&](Index side) {
-    sum += quads.mesh().position(quads.sides().tip(side));
-    ++count;
-  });
-  return sum / count;
-}
-
-// Tries the middle of the neighbours, then places around the vertex, nearer ones once no farther
-// place is better.
-void searchBetter(MovingQuads& quads, Index v) {
-  if (const auto middle = quads.placeNear(v, middleOfNeighbors(quads, v)))
-    quads.moveUnlessWorse(v, *middle, 1);
-  const Vec3 normal = quads.mesh().vertices[v].normal;
-  if (!(normal.squaredNorm() > 0)) return;
-  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
-  double reach = reachOf(quads, v) / 2;
-  for (int halving = 0; halving < kHalvings;) {
-    bool isBetter = false;
-    for (int i = 0; i < kDirections && !isBetter; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kDirections;
-      const Vec3 p = quads.mesh().position(v) + reach * (std::cos(angle) * x + std::sin(angle) * y);
-      const double before = quads.qualityAround(v);
-      const auto place = quads.placeNear(v, p);
-      if (!place) return;
-      isBetter = quads.moveUnlessWorse(v, *place, 1) && quads.qualityAround(v) > before + kGain;
-    }
-    if (isBetter) continue;
-    reach /= 2;
-    ++halving;
-  }
 }
 
 // How much the quads around v lack to 30°, squared and summed up.
@@ -106,6 +71,7 @@ std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
   return ways;
 }
 
+// Moves v to where its quads lack less, nearer places once no farther place is better.
 void searchLess(MovingQuads& quads, Index v, double missing) {
   double reach = reachOf(quads, v) / 2;
   for (int halving = 0; halving < kHalvings && missing > 0;) {
@@ -144,19 +110,7 @@ void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFix
   }
 }
 
-void mendCorners(MovingQuads& quads) {
-  for (int search = 0; search < kSearches; ++search) {
-    bool isMended = true;
-    for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {
-      if (quads.qualityAround(v) >= kEnough) continue;
-      isMended = false;
-      searchBetter(quads, v);
-    }
-    if (isMended) return;
-  }
-}
-
-void untangle(MovingQuads& quads, std::span<const char> isFixed) {
+void mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
   for (int search = 0; search < kSearches; ++search) {
     bool isDone = true;
     for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {

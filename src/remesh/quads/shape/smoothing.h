@@ -14,12 +14,9 @@ constexpr double kEnough = 0.5;  // the sine of 30°: corners with a larger one 
 // Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
 void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed);
 
-// Moves vertices around corners that are reflex or worse than 30° to where their worst corner is
-// best, as far as a search finds that place.
-void mendCorners(MovingQuads& quads);
-
-// Like mendCorners, but counts all corners worse than 30° around a vertex at once, so that several
-// vertices give way together where one alone would only shift the fault. Marked vertices stay.
-void untangle(MovingQuads& quads, std::span<const char> isFixed);
+// Moves vertices beside corners that are reflex or worse than 30° to where all such corners around
+// them together lack least, as far as a search finds that place. Several vertices give way so,
+// where one alone would only shift the fault. Marked vertices stay.
+void mendCorners(MovingQuads& quads, std::span<const char> isFixed);
 
 }  // namespace remesher

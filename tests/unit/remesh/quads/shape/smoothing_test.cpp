@@ -79,6 +79,6 @@ TEST_CASE("smoothing: a vertex that was pulled over its neighbours is put back")
           closestPointFrom(smoothed.surface, place.at, place.position + Vec3(0.9, 0.8, 0)));
   REQUIRE(smoothed.worst() < 0);
   MovingQuads moving(smoothed.quads, smoothed.ground);
-  mendCorners(moving);
+  mendCorners(moving, std::vector<char>(smoothed.quads.vertices.size(), 0));
   CHECK(smoothed.worst() > 0.4);
 }
