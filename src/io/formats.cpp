@@ -21,13 +21,6 @@
 namespace remesher::io {
 namespace {
 
-// What files of a format can hold.
-enum Holds : unsigned {
-  kScenes = 1,  // instances, places of parts, levels of detail
-  kImages = 2,  // with the materials
-  kDoubles = 4,
-};
-
 struct Format {
   std::string_view extension;
   std::string_view magic;  // the first bytes of every such file; empty: none are fixed
@@ -39,11 +32,11 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF", readGltf, writeGlb, kScenes | kImages},
-    {".gltf", "{", readGltf, writeGltf, kScenes | kImages},
-    {".obj", "", readObj, writeObj, kDoubles},
-    {".off", "OFF", readOff, writeOff, kDoubles},
-    {".ply", "ply", readPly, writePly, kDoubles},
+    {".glb", "glTF", readGltf, writeGlb, kHoldsScenes | kHoldsImages},
+    {".gltf", "{", readGltf, writeGltf, kHoldsScenes | kHoldsImages},
+    {".obj", "", readObj, writeObj, kHoldsDoubles},
+    {".off", "OFF", readOff, writeOff, kHoldsDoubles},
+    {".ply", "ply", readPly, writePly, kHoldsDoubles},
     {".stl", "solid", readStl, writeStl, 0},
 };
 
@@ -125,24 +118,19 @@ void requireWritable(const std::string& outputName) {
               "Let its name end in one of " + listOfExtensions() + ".");
 }
 
-bool holdsLods(const std::string& outputName) {
+bool canHold(const std::string& outputName, Holds what) {
   const Format* const format = findByExtension(outputName);
-  return format != nullptr && format->has(kScenes);
-}
-
-bool holdsImages(const std::string& outputName) {
-  const Format* const format = findByExtension(outputName);
-  return format != nullptr && format->has(kImages);
+  return format != nullptr && format->has(what);
 }
 
 void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
   if (format == nullptr) return;
-  if (!format->has(kScenes)) makeBodies(model);
-  if (format->has(kDoubles)) return;
+  if (!format->has(kHoldsScenes)) makeBodies(model);
+  if (format->has(kHoldsDoubles)) return;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
-    if (wasExact && format->has(kScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
+    if (wasExact && format->has(kHoldsScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
   }
 }
 
@@ -150,7 +138,7 @@ WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
   const Format& format = *findByExtension(outputName);
   WrittenFiles written = format.write(model, plainName(outputName));
-  const bool keepsMaps = model.conventions != Conventions::Gltf || format.has(kImages);
+  const bool keepsMaps = model.conventions != Conventions::Gltf || format.has(kHoldsImages);
   if (const std::size_t lost = keepsMaps ? 0 : mappedGroups(model); lost > 0)
     written.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
                                 "The images of the materials are not passed on: write a .glb or "

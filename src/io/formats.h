@@ -21,11 +21,14 @@ Model read(const File& file, const std::vector<File>& resources = {});
 // Throws Error: UNKNOWN_FORMAT, if `write` does not know the format of this name.
 void requireWritable(const std::string& outputName);
 
-// Whether a file of this name can hold the levels of detail of its parts.
-bool holdsLods(const std::string& outputName);
+enum Holds : unsigned {
+  kHoldsScenes = 1,  // instances, places of parts, levels of detail
+  kHoldsImages = 2,  // of materials
+  kHoldsDoubles = 4,
+};
 
-// Whether a file of this name can hold the images of materials.
-bool holdsImages(const std::string& outputName);
+// Whether a file of this name can hold that.
+bool canHold(const std::string& outputName, Holds what);
 
 // Prepares a model that was read for a file of this name. In a format without instances each shown
 // instance becomes a part. In a format with single coordinates the model's are marked as single. If

@@ -55,6 +55,9 @@ EncodedAccessor encodeIndicesAs(std::span<const Index> indices) {
   return result;
 }
 
+// Vectors of such a length and weights of such a sum stay as they are, bit for bit.
+bool isOne(double x) { return std::abs(x - 1) <= 1e-4; }
+
 }  // namespace
 
 EncodedAccessor encodeRows(const Table& table, const Encoding& encoding) {
@@ -93,15 +96,13 @@ EncodedAccessor encodeIndices(std::span<const Index> indices, int componentType)
 }
 
 void makeUnitLength(Table& table) {
-  // Vectors this close to unit length stay as they are, bit for bit.
-  constexpr double kTolerance = 1e-4;
   if (table.width < 3) return;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Eigen::Map<Eigen::Vector3f> direction(&table.values[row * table.width]);
     const double length = direction.cast<double>().norm();
     if (!(length > 0))
       direction = Eigen::Vector3f::UnitZ();
-    else if (std::abs(length - 1) > kTolerance)
+    else if (!isOne(length))
       direction = (direction.cast<double>() / length).cast<float>();
     if (table.width == 4) {
       float& handedness = table.values[row * 4 + 3];
@@ -111,8 +112,6 @@ void makeUnitLength(Table& table) {
 }
 
 void normalizeWeights(std::span<Table> sets, int componentType) {
-  // Weights whose sum is this close to 1 stay as they are, bit for bit.
-  constexpr double kTolerance = 1e-4;
   const double one = largestInteger(componentType);
   if (sets.empty()) return;
   for (std::size_t row = 0; row < sets[0].rows(); ++row) {
@@ -131,7 +130,7 @@ void normalizeWeights(std::span<Table> sets, int componentType) {
       for (float* weight : weights) *weight = static_cast<float>(*weight / one);
     } else if (sum == 0) {
       *largest = 1;
-    } else if (sum > 0 && std::abs(sum - 1) > kTolerance) {
+    } else if (sum > 0 && !isOne(sum)) {
       for (float* weight : weights) *weight = static_cast<float>(*weight / sum);
     }
   }
