@@ -166,7 +166,7 @@ void requireTextured(const std::string& outputName, const RemeshOptions& options
   if (!options.lods.empty())
     throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
                 "Ask for one of them: --textures, --lods.");
-  if (io::holdsImages(outputName)) return;
+  if (io::canHold(outputName, io::kHoldsImages)) return;
   throw Error(ErrorCode::Unsupported,
               "Baked textures are written as glTF only, not as " + legible(outputName) + ".",
               "Let the output's name end in .glb or .gltf.");
@@ -238,7 +238,7 @@ Run remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOpt
 }
 
 void requireRoomForLods(const std::string& outputName, const RemeshOptions& options) {
-  if (options.lods.empty() || options.lodFiles || io::holdsLods(outputName)) return;
+  if (options.lods.empty() || options.lodFiles || io::canHold(outputName, io::kHoldsScenes)) return;
   throw Error(ErrorCode::InvalidOption, legible(outputName) + " cannot hold levels of detail.",
               "Name the output .glb or .gltf, or ask for a file each: --lod-files, lodFiles.");
 }
@@ -345,7 +345,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     const Progress body = whole.part(mended, 1);
     std::vector<Run> all;
     RemeshOptions chosen = mending.chosen(options);
-    if (!input.pictures.empty() && io::holdsImages(outputName))
+    if (!input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = mending.withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
       all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));

@@ -24,16 +24,17 @@ bool isByInput(const RemeshOptions& options) {
 }  // namespace
 
 Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
-                 const Progress& progress) {
+                 const Progress& progress, Purpose purpose) {
   if (options.repair == Repair::Off) return;
   input_ = inspectScaled(parts);
   RemeshOptions sized = options;
+  const bool isSized = purpose == Purpose::Remeshing && isByInput(options);
   const double target = options.ratio.value_or(1) * double(input_.vertices);
-  if (isByInput(options)) sized.vertices = Index(std::max(1.0, std::round(target)));
+  if (isSized) sized.vertices = Index(std::max(1.0, std::round(target)));
   repair_ = withinMemory(
       [&] { return repairParts(std::move(parts), sized, progress.phase("repair", 0, 1)); });
   parts = std::move(repair_->parts);
-  const double mended = isByInput(options) ? double(inspectScaled(parts).vertices) : 0;
+  const double mended = isSized ? double(inspectScaled(parts).vertices) : 0;
   if (mended > 0) ratio_ = target / mended;
 }
 
@@ -67,20 +68,14 @@ void Mending::note(Report& report) const {
 
 Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                   const Progress& progress) {
-  Report report;
-  if (options.repair != Repair::Off) {
-    const std::vector<io::Part> originals = parts;
-    report.input = inspectScaled(parts);
-    PartsRepair repair = withinMemory(
-        [&] { return repairParts(std::move(parts), options, progress.phase("repair", 0, 1)); });
-    parts = std::move(repair.parts);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
-    report.repair = repair.report;
-    report.warnings = std::move(repair.warnings);
-  }
+  const std::vector<io::Part> originals = parts;
+  const Mending mending(parts, options, progress, Mending::Purpose::Itself);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
   progress.phase("measure", 1, 1);
+  Report report;
   report.output = inspectScaled(parts);
+  mending.note(report);
   return report;
 }
 

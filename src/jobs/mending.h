@@ -19,7 +19,11 @@ double mendShare(const RemeshOptions& options);
 // Repairs the parts in place, if asked for, and keeps the report.
 class Mending {
  public:
-  Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress);
+  // Before remeshing the surface is as fine as the target asks for.
+  enum class Purpose { Remeshing, Itself };
+
+  Mending(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress,
+          Purpose purpose = Purpose::Remeshing);
 
   // The options with the way of repair that was chosen, if the choice was repair's own. Without a
   // number of vertices, `ratio` is a share of the input's number, not of the repaired one, which

@@ -183,8 +183,8 @@ Enclosure roughEnclosure(const TriangleMesh& mesh) {
 
 // Whether the surface that hole closing keeps intersects itself. It can only if the input does.
 bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
-  constexpr double kNone = -1;
-  return !crossings.empty() && !selfIntersections(closeHoles(input, kNone).mesh).empty();
+  constexpr double kNoLoop = -1;
+  return !crossings.empty() && !selfIntersections(closeHoles(input, kNoLoop).mesh).empty();
 }
 
 // The input with holes closed; none if the result intersects itself, or if a closed piece of the
