@@ -10,6 +10,7 @@ import { convertFile, inspect } from 'remesher';
 import * as made from '../support/machine_parts.js';
 import { judge } from './judge.js';
 import { readOff } from './models.js';
+import { neighboursOf, summed } from './neighbours.js';
 import { meshoptimizer, peers } from './peers.js';
 import { timeRemesh } from './run.js';
 import { fixed, markdownTable } from './table.js';
@@ -19,8 +20,6 @@ const columns = ['part', 'by', 'vertices', 'mean °', '(worst)', 'smallest °', 
   'Hausdorff %', '(worst)', 'RMS %', 's'];
 
 const multiples = [0.5, 1, 3, 10];
-/** Neighbours are so many vertices of a thousand apart. */
-const neighbours = [-9, -6, -3, 0, 3, 6, 9];
 
 const stem = (path) => basename(path).replace(/\.[^.]*$/, '');
 
@@ -43,23 +42,11 @@ async function partsOf(folder) {
   return new Map(parts);
 }
 
-/** What is asked of a result, of several of them. @param {{ result: any, fidelity: any }[]} all */
-function summed(all) {
-  const of = (read, worst) => {
-    const values = all.map(read);
-    return { median: median(values), worst: worst(...values) };
-  };
-  return {
-    vertices: median(all.map(({ result }) => result.vertices)),
-    meanAngle: of(({ result }) => result.meanAngle, Math.min),
-    worstAngle: of(({ result }) => result.worstAngle, Math.min),
-    hausdorff: of(({ fidelity }) => fidelity.hausdorff, Math.max),
-    rms: of(({ fidelity }) => fidelity.rms, Math.max),
-  };
-}
+/** The figures of a result, or of several. @param {{ result: any, fidelity: any }[]} all */
+const figuresOf = (all) => summed(all.map(({ result, fidelity }) => ({ ...result, ...fidelity })));
 
 function rowOf(name, by, { vertices, meanAngle, worstAngle, hausdorff, rms }, seconds) {
-  return [name, by, vertices, ...[meanAngle, worstAngle].flatMap((angle) =>
+  return [name, by, vertices.median, ...[meanAngle, worstAngle].flatMap((angle) =>
     [fixed(angle.median, 1), fixed(angle.worst, 1)]), fixed(hausdorff.median, 3),
   fixed(hausdorff.worst, 3), fixed(rms.median, 4), fixed(seconds, 2)];
 }
@@ -67,11 +54,10 @@ function rowOf(name, by, { vertices, meanAngle, worstAngle, hausdorff, rms }, se
 /** Ours, at the number and its neighbours. */
 async function atNeighbours(mesh, { vertices, ...options }) {
   const runs = [];
-  for (const share of neighbours) {
-    const wanted = Math.round(vertices * (1 + share / 1000));
+  for (const wanted of neighboursOf(vertices)) {
     runs.push(await timeRemesh(mesh, { vertices: wanted, ...options }, 1));
   }
-  return { summary: summed(runs.map((run) => judge(mesh, run.mesh))),
+  return { summary: figuresOf(runs.map((run) => judge(mesh, run.mesh))),
     seconds: median(runs.map(({ seconds }) => seconds)) };
 }
 
@@ -87,7 +73,7 @@ function brokenBeside(ours, other, limits) {
 async function rowsOfShape(name, mesh, { vertices, limits }) {
   const run = await timeRemesh(mesh, { vertices, prefer: 'shape' }, 1);
   const other = await meshoptimizer(mesh, run.mesh.indices.length / 3);
-  const [ours, theirs] = [run.mesh, other.mesh].map((result) => summed([judge(mesh, result)]));
+  const [ours, theirs] = [run.mesh, other.mesh].map((result) => figuresOf([judge(mesh, result)]));
   return {
     rows: [rowOf(name, 'remesher prefer shape', ours, run.seconds),
       rowOf(name, 'meshoptimizer', theirs, other.seconds)],
@@ -98,7 +84,7 @@ async function rowsOfShape(name, mesh, { vertices, limits }) {
 function rowsOfPeers(name, mesh, vertices) {
   const found = Object.entries(peers).map(([by, make]) => [by, make(mesh, vertices)]);
   return found.filter(([, result]) => result).map(([by, result]) =>
-    rowOf(name, by, summed([judge(mesh, result.mesh)]), result.seconds));
+    rowOf(name, by, figuresOf([judge(mesh, result.mesh)]), result.seconds));
 }
 
 function brokenLimits({ meanAngle, worstAngle, hausdorff }, limits) {
