@@ -48,7 +48,7 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
       halfOfEarlier = left / 2;
     }
     refineExcess(run, excess, round < kMovingRounds ? Moves::Allowed : Moves::Never);
-    delaunayFlips(run.mesh, run.rule);
+    delaunayFlips(run.mesh, run.asked.rule);
   }
   return false;
 }
@@ -68,13 +68,13 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
     if (goal.outOfBound == OutOfBound::GiveUp) return false;
     run.mesh = WorkingMesh(run.mesh.surface());
   }
-  run.scale = 1;
-  run.rule.bound = &goal.bound;
+  run.asked.scale = 1;
+  run.asked.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();
   grantProofs(run, kFewProofs);
   coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.phase("coarsen", 0.3, 0.6));
   const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
-  delaunayFlips(run.mesh, run.rule);
+  delaunayFlips(run.mesh, run.asked.rule);
   grantProofs(run, isReached ? kManyProofs : kFewProofs);
   if (isReached)
     polishInCount(run, progress.phase("polish", 0.6, 1));

@@ -78,9 +78,9 @@ bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 // Moves v along the mean normal of the triangles around it. Returns how far.
 double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
-  const bool isOnce = run.effort.fitPasses == 1;
-  run.star.gather(run.mesh, v);
-  const Vec3 normal = run.star.areaVector(run.mesh.position(v));
+  const bool isOnce = run.asked.effort.fitPasses == 1;
+  run.scratch.star.gather(run.mesh, v);
+  const Vec3 normal = run.scratch.star.areaVector(run.mesh.position(v));
   if (!(normal.norm() > 0)) return 0;
   const double distance = (isOnce ? 1 : kBeyond) * offsets.at(v, normal);
   Placement place = run.mesh.placement(v);
@@ -103,7 +103,7 @@ void fit(Run& run, const Progress& progress) {
     moves[Vertex(i)] = mesh.isAlive(Vertex(i)) &&
                        run.mesh.kind(Vertex(i)) == VertexKind::Interior &&
                        !run.mesh.surface().isFlatAt(run.mesh.at(Vertex(i)));
-  const int passes = run.effort.fitPasses;
+  const int passes = run.asked.effort.fitPasses;
   for (int pass = 0; pass < passes; ++pass) {
     progress.at(double(pass) / passes);
     offsets.clear();

@@ -162,13 +162,13 @@ class Descent {
   }
 
   void move(Vertex v, const Placement& to) {
-    proposePlacement(run_.mesh, v, to, run_.change);
+    proposePlacement(run_.mesh, v, to, run_.scratch.change);
     std::vector<double> before;
-    for (const Face f : run_.change.going) before.push_back(distances_.of(f));
-    apply(run_.mesh, run_.change);
+    for (const Face f : run_.scratch.change.going) before.push_back(distances_.of(f));
+    apply(run_.mesh, run_.scratch.change);
     distances_.update(v);
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const Face f = run_.change.going[i];
+      const Face f = run_.scratch.change.going[i];
       crossings_.update(f);
       if (distances_.of(f) != before[i]) push(f);
     }
@@ -194,13 +194,13 @@ class Descent {
   bool flipSide(Face f, double angle) {
     for (int i = 0; i < 3; ++i) {
       const Halfedge h = HalfedgeMesh::halfedge(f, i);
-      if (!proposeFlip(run_.mesh, h, run_.change)) continue;
+      if (!proposeFlip(run_.mesh, h, run_.scratch.change)) continue;
       const Face across = mesh_.face(mesh_.twin(h));
       const double before = std::max(distances_.of(f), distances_.of(across));
-      if (smallestComingAngle(run_.mesh, run_.change) < angle) continue;
+      if (smallestComingAngle(run_.mesh, run_.scratch.change) < angle) continue;
       if (distances_.ifFlipped(h) > kGain * before) continue;
-      if (judge(run_.mesh, run_.change, lenient(run_)) != Verdict::Accepted) continue;
-      if (crossings_.grow(run_.change)) continue;
+      if (judge(run_.mesh, run_.scratch.change, lenient(run_)) != Verdict::Accepted) continue;
+      if (crossings_.grow(run_.scratch.change)) continue;
       distances_.update(run_.mesh.flip(h));
       for (const Face changed : {f, across}) {
         crossings_.update(changed);

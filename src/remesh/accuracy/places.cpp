@@ -53,7 +53,8 @@ bool improve(const WorkingMesh& mesh, Place& place, const Start& start) {
 // vertices that it left out lay beside these.
 class Posts {
  public:
-  explicit Posts(const Run& run) : original_(run.mesh.surface().mesh()), thinned_(run.thinned) {}
+  explicit Posts(const Run& run)
+      : original_(run.mesh.surface().mesh()), thinned_(run.grounds.thinned) {}
 
   // The neighbourhood of posts: a mesh whose vertices are the posts, by numbers of their own.
   const HalfedgeMesh& mesh() const { return thinned_ ? *thinned_->mesh : original_; }
@@ -152,7 +153,7 @@ class Survey {
     // A boundary's tangent plane goes on where the mesh does not.
     if (mesh_.kind(w) != VertexKind::Interior || mesh_.surface().mesh().isBoundary(v)) return false;
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
-    const double size = run_.scale * run_.sizes.at(mesh_.at(w));
+    const double size = run_.asked.scale * run_.sizes.at(mesh_.at(w));
     return offset.squaredNorm() < size * size &&
            std::abs(offset.dot(mesh_.normal(w))) < surely_ * size &&
            mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
@@ -198,7 +199,7 @@ class Survey {
 
   // Returns the triangle nearest to the place, or one that is near enough.
   Face add(const SurfacePoint& original, Face start) {
-    const double size = run_.scale * run_.sizes.at(original);
+    const double size = run_.asked.scale * run_.sizes.at(original);
     Place place{original, mesh_.surface().position(original), start, kEndless};
     improve(mesh_, place, {start, enough_ * size});
     retry(place, size);
@@ -240,7 +241,7 @@ class Survey {
     const std::array<double, 3> squared = {squaredLengthOf(f, 0), squaredLengthOf(f, 1),
                                            squaredLengthOf(f, 2)};
     const double largest = greatest(squared[0], squared[1], squared[2]);
-    const double size = run_.scale * run_.sizes.at(corners[0]), between = kBetween * size;
+    const double size = run_.asked.scale * run_.sizes.at(corners[0]), between = kBetween * size;
     const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
     if (largest < between * between && std::all_of(corners.begin(), corners.end(), isNear))
       return {};

@@ -8,11 +8,11 @@
 namespace remesher {
 
 void mendPoorRegions(Run& run) {
-  const FidelityRule rule = run.rule;
-  run.rule.mode = Fidelity::Fold;
+  const FidelityRule rule = run.asked.rule;
+  run.asked.rule.mode = Fidelity::Fold;
   polish(run, {kPoor, kSmallShift});
   lowerHausdorff(run);
-  run.rule = rule;
+  run.asked.rule = rule;
 }
 
 }  // namespace remesher

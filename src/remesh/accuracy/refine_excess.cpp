@@ -80,8 +80,8 @@ class Refinement {
       if (run_.mesh.kind(v) != VertexKind::Interior || isTouched(v)) continue;
       const double way = (place.position - run_.mesh.position(v)).norm();
       if (way == 0 || way > kMoveWithin * shortestEdge(run_.mesh, v)) continue;
-      proposePlacement(run_.mesh, v, place, run_.change);
-      if (smallestComingAngle(run_.mesh, run_.change) < kPoor || !commit(run_)) continue;
+      proposePlacement(run_.mesh, v, place, run_.scratch.change);
+      if (smallestComingAngle(run_.mesh, run_.scratch.change) < kPoor || !commit(run_)) continue;
       touched_.around(v);
       return true;
     }
@@ -119,18 +119,18 @@ class Refinement {
     const Placement place = run_.mesh.onSurface(point);
     for (int i = 0; i < 3; ++i) {
       const Halfedge h = HalfedgeMesh::halfedge(f, i);
-      if (run_.mesh.isCurve(h) || !proposeSplit(run_.mesh, run_.projector, h, run_.change))
+      if (run_.mesh.isCurve(h) || !proposeSplit(run_.mesh, run_.projector, h, run_.scratch.change))
         continue;
-      run_.change.place = place;
-      if (smallestComingAngle(run_.mesh, run_.change) < kPoor || !commit(run_)) continue;
-      return touched_.around(run_.result);
+      run_.scratch.change.place = place;
+      if (smallestComingAngle(run_.mesh, run_.scratch.change) < kPoor || !commit(run_)) continue;
+      return touched_.around(run_.scratch.result);
     }
     if (const Halfedge side = longestSide(run_.mesh, f)) split(side);
   }
 
   void split(Halfedge h) {
-    if (proposeSplit(run_.mesh, run_.projector, h, run_.change) && commitUnlessFlat(run_))
-      touched_.around(run_.result);
+    if (proposeSplit(run_.mesh, run_.projector, h, run_.scratch.change) && commitUnlessFlat(run_))
+      touched_.around(run_.scratch.result);
   }
 
   // Fitting and the mending of poor triangles leave vertices off the original. Puts one such corner
@@ -140,7 +140,7 @@ class Refinement {
       if (run_.mesh.kind(v) != VertexKind::Interior) continue;
       const Placement place = run_.mesh.onSurface(run_.mesh.at(v));
       if (place.position == run_.mesh.position(v)) continue;
-      proposePlacement(run_.mesh, v, place, run_.change);
+      proposePlacement(run_.mesh, v, place, run_.scratch.change);
       if (!(moves_ == Moves::Never ? commitUnlessFlat(run_) : commit(run_, lenient(run_))))
         continue;
       touched_.around(v);

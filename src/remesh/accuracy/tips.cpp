@@ -23,7 +23,7 @@ constexpr std::size_t kMostInserted = 4;
 std::vector<Place> farthestFirst(const Run& run, double tolerance) {
   std::vector<Place> places = measurePlaces(run, tolerance, kSurelyNear * tolerance);
   std::erase_if(places, [&](const Place& place) {
-    return place.distance <= tolerance * run.scale * run.sizes.at(place.original);
+    return place.distance <= tolerance * run.asked.scale * run.sizes.at(place.original);
   });
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.distance > b.distance; });
@@ -33,8 +33,8 @@ std::vector<Place> farthestFirst(const Run& run, double tolerance) {
 // A tip is worth a poor triangle for now: smoothing and polish follow.
 bool moveTo(Run& run, Vertex v, const Placement& place) {
   if (run.mesh.kind(v) != VertexKind::Interior || run.mesh.isPinned(v)) return false;
-  proposePlacement(run.mesh, v, place, run.change);
-  return smallestComingAngle(run.mesh, run.change) >= kPoor && commit(run, lenient(run));
+  proposePlacement(run.mesh, v, place, run.scratch.change);
+  return smallestComingAngle(run.mesh, run.scratch.change) >= kPoor && commit(run, lenient(run));
 }
 
 // One of the corners of the nearest triangle, the nearest first, moves to the tip.
@@ -63,11 +63,12 @@ void insert(Run& run, const Place& tip) {
   const Placement place = run.mesh.onSurface(tip.original);
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
-    if (run.mesh.isCurve(h) || !proposeSplitAt(run.mesh, place, h, run.change)) continue;
-    const double angle = smallestComingAngle(run.mesh, run.change);
-    if (angle <= best || judge(run.mesh, run.change, lenient(run)) != Verdict::Accepted) continue;
+    if (run.mesh.isCurve(h) || !proposeSplitAt(run.mesh, place, h, run.scratch.change)) continue;
+    const double angle = smallestComingAngle(run.mesh, run.scratch.change);
+    if (angle <= best || judge(run.mesh, run.scratch.change, lenient(run)) != Verdict::Accepted)
+      continue;
     best = angle;
-    change = run.change;
+    change = run.scratch.change;
   }
   if (best > kSliver) run.mesh.pin(apply(run.mesh, change));
 }
@@ -81,7 +82,7 @@ void reachTips(Run& run, double tolerance) {
       run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
   for (Place& tip : tips) {
     if (run.mesh.mesh().vertexCount() > most) break;
-    const double enough = kInsertAbove * run.scale * run.sizes.at(tip.original);
+    const double enough = kInsertAbove * run.asked.scale * run.sizes.at(tip.original);
     if (tip.distance <= enough) continue;
     measureAgain(run.mesh, tip);
     if (tip.distance > enough) insert(run, tip);

@@ -36,7 +36,7 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0),
-      tree_(run.tree ? *run.tree : own_.emplace(mesh_.surface())) {
+      tree_(run.grounds.tree ? *run.grounds.tree : own_.emplace(mesh_.surface())) {
   measureFaces();
   for (Index i = 0; i < places_.size(); ++i) add(i);
 }

@@ -17,12 +17,12 @@ class FewestPairs {
   explicit FewestPairs(const Run& run) : rule_(lenient(run)) { rule_.guard = nullptr; }
 
   void offer(const Run& run) {
-    const std::ptrdiff_t growth = run.rule.guard->growth(run.change);
+    const std::ptrdiff_t growth = run.asked.rule.guard->growth(run.scratch.change);
     if (growth >= 0 || growth > growth_) return;
-    const double angle = smallestComingAngle(run.mesh, run.change);
+    const double angle = smallestComingAngle(run.mesh, run.scratch.change);
     if (growth == growth_ && angle <= angle_) return;
-    if (judge(run.mesh, run.change, rule_) != Verdict::Accepted) return;
-    growth_ = growth, angle_ = angle, change_ = run.change;
+    if (judge(run.mesh, run.scratch.change, rule_) != Verdict::Accepted) return;
+    growth_ = growth, angle_ = angle, change_ = run.scratch.change;
   }
 
   bool carryOut(Run& run) const {
@@ -42,24 +42,24 @@ class FewestPairs {
 void offerMoves(Run& run, Vertex v, FewestPairs& best) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   if (run.mesh.kind(v) != VertexKind::Interior) return;
-  proposePlacement(run.mesh, v, run.mesh.onSurface(run.mesh.at(v)), run.change);
+  proposePlacement(run.mesh, v, run.mesh.onSurface(run.mesh.at(v)), run.scratch.change);
   best.offer(run);
   std::vector<Halfedge> around;
   mesh.forEachOutgoing(v, [&](Halfedge h) { around.push_back(h); });
   for (const Halfedge h : around)
     for (const double step : {0.15, 0.3, 0.6})
       if (proposeRelocation(run.mesh, run.projector, {h, {1 - step, step / 2, step / 2}},
-                            run.change))
+                            run.scratch.change))
         best.offer(run);
 }
 
 void offerAtEdge(Run& run, Halfedge h, FewestPairs& best) {
-  if (proposeFlip(run.mesh, h, run.change)) best.offer(run);
-  if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+  if (proposeFlip(run.mesh, h, run.scratch.change)) best.offer(run);
+  if (proposeSplit(run.mesh, run.projector, h, run.scratch.change)) best.offer(run);
   for (const Halfedge way : {h, run.mesh.mesh().twin(h)}) {
     if (!way) continue;
-    if (proposeCollapseInto(run.mesh, way, run.change)) best.offer(run);
-    if (proposeCollapse(run.mesh, run.projector, way, run.change)) best.offer(run);
+    if (proposeCollapseInto(run.mesh, way, run.scratch.change)) best.offer(run);
+    if (proposeCollapse(run.mesh, run.projector, way, run.scratch.change)) best.offer(run);
   }
 }
 
@@ -82,7 +82,7 @@ void halve(Run& run, Face f) {
   for (int k = 1; k < 3; ++k)
     if (const Halfedge h = HalfedgeMesh::halfedge(f, k); lengthOf(run, h) > lengthOf(run, longest))
       longest = h;
-  if (!proposeSplit(run.mesh, run.projector, longest, run.change)) return;
+  if (!proposeSplit(run.mesh, run.projector, longest, run.scratch.change)) return;
   FidelityRule rule = lenient(run);
   rule.guard = nullptr;  // both halves may meet what the whole does
   commit(run, rule);
@@ -91,19 +91,19 @@ void halve(Run& run, Face f) {
 }  // namespace
 
 std::size_t uncross(Run& run) {
-  const int rounds = 2 * run.effort.polishRounds;
+  const int rounds = 2 * run.asked.effort.polishRounds;
   // Mending one triangle takes as long as so many triangles of the original take when all is made
   // anew.
   constexpr std::size_t kWorthMending = 64;
   std::size_t budget = run.mesh.surface().mesh().faceCount() / kWorthMending;
-  std::vector<Face> crossed = run.rule.guard->crossing();
+  std::vector<Face> crossed = run.asked.rule.guard->crossing();
   for (int round = 0; round < rounds && !crossed.empty(); ++round) {
     if (crossed.size() > budget) break;
     budget -= crossed.size();
     for (const Face f : crossed)
-      if (run.mesh.mesh().isAlive(f) && run.rule.guard->isCrossed(f) && !mendCrossed(run, f))
+      if (run.mesh.mesh().isAlive(f) && run.asked.rule.guard->isCrossed(f) && !mendCrossed(run, f))
         halve(run, f);
-    crossed = run.rule.guard->crossing();
+    crossed = run.asked.rule.guard->crossing();
   }
   return crossed.size();
 }

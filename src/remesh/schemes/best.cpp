@@ -81,10 +81,10 @@ void take(std::string_view name, Step step) {
 }
 
 void smooth(Run& run) {
-  const int smoothings = isLeftOut("second smoothing") ? 1 : run.effort.smoothings;
+  const int smoothings = isLeftOut("second smoothing") ? 1 : run.asked.effort.smoothings;
   for (int i = 0; i < smoothings; ++i) {
-    relax(run, run.effort.passes);
-    delaunayFlips(run.mesh, run.rule);
+    relax(run, run.asked.effort.passes);
+    delaunayFlips(run.mesh, run.asked.rule);
   }
 }
 
@@ -95,7 +95,7 @@ void evenOut(Run& run, std::size_t vertices) {
   for (int i = 0; i < kEvenings; ++i)
     for (const std::size_t count : {vertices + vertices / 10, vertices}) {
       matchCount(run, count);
-      delaunayFlips(run.mesh, run.rule);
+      delaunayFlips(run.mesh, run.asked.rule);
       valenceFlips(run);
       smooth(run);
     }
@@ -122,13 +122,13 @@ bool followToCount(Run& run, std::size_t vertices) {
 // Makes the coarse mesh, with the vertices that the levels turn into the wished number, or a few
 // more; nearly all vertices are regular, and the tips of the original are reached.
 void makeCoarse(Run& run, const Levels& levels, const Progress& progress) {
-  run.scale = std::pow(2.0, levels.count);
-  run.effort = levels.effort(0);
+  run.asked.scale = std::pow(2.0, levels.count);
+  run.asked.effort = levels.effort(0);
   adaptToSizes(run, levels.coarse, progress.phase("adapt", 0, 0.55));
   const std::size_t coarse = coarseCount(run.mesh.mesh(), levels.vertices, levels.count);
   matchCount(run, coarse);
-  const int rounds =
-      isLeftOut("half of annealing") ? run.effort.annealRounds / 2 : run.effort.annealRounds;
+  const int rounds = isLeftOut("half of annealing") ? run.asked.effort.annealRounds / 2
+                                                    : run.asked.effort.annealRounds;
   annealValences(run, rounds, progress.phase("anneal", 0.55, 1));
   if (run.sizes.isWished()) evenOut(run, coarse);
   progress.phase("tips", 1, 1);
@@ -142,7 +142,7 @@ bool refine(Run& run, const Levels& levels, const Progress& progress) {
   for (int i = 0; i < levels.count; ++i) {
     progress.phase("refine", double(i) / levels.count, 1);
     subdivide(run);
-    run.effort = levels.effort(i + 1);
+    run.asked.effort = levels.effort(i + 1);
     take("smoothing after subdividing", [&] { smooth(run); });
   }
   if (levels.quality == Quality::Best) {
@@ -182,7 +182,7 @@ void finish(Run& run, const Progress& progress) {
 bool runBest(Run& run, const BestGoal& goal, const Progress& progress) {
   const Levels levels = planLevels(run, goal);
   const bool isDraft = goal.quality == Quality::Draft;
-  run.boundaries = Boundaries::Staggered;
+  run.asked.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
   if (goal.rival && !isDraft && goal.rival->hasWon(run.mesh)) return reached;

@@ -6,8 +6,8 @@
 namespace remesher {
 
 void land(Run& run) {
-  if (!run.standIn) return;
-  const StandIn& standIn = *std::exchange(run.standIn, nullptr);
+  if (!run.grounds.standIn) return;
+  const StandIn& standIn = *std::exchange(run.grounds.standIn, nullptr);
   const HalfedgeMesh& mesh = run.mesh.mesh();
   VertexData<SurfacePoint> places(mesh.vertexCapacity(), SurfacePoint{});
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
@@ -22,7 +22,7 @@ void land(Run& run) {
   run.mesh.moveOnto(standIn.original(), places);
   run.projector.moveOnto(standIn.original());
   run.sizes.moveOnto(standIn.original(), standIn.heirs());
-  run.thinned = standIn.thinned();
+  run.grounds.thinned = standIn.thinned();
 }
 
 }  // namespace remesher

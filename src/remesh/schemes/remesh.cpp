@@ -68,7 +68,7 @@ bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progr
     const bool reached =
         runRounds(run, {vertices, options.splitObtuse}, progress.part(0, kRoundsShare));
     const Progress mending = progress.phase("mend", kRoundsShare, 1);
-    if (run.rule.mode != Fidelity::Strict) mendPoorRegions(run);
+    if (run.asked.rule.mode != Fidelity::Strict) mendPoorRegions(run);
     return reached;
   }
   const bool reached = runBest(run, {vertices, options.quality, manner.rival}, progress);
@@ -128,14 +128,14 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   Projector projector = projectorFor(original, options);
   WorkingMesh mesh(original.ground());
   SizeField sizes = original.sizes();
-  Run run{mesh, projector, sizes, fidelityRule(options)};
-  run.rule.grain = manner.grain;
-  run.standIn = original.standIn();
-  run.tree = &manner.tree;
-  run.stagger = manner.stagger;
+  Run run{mesh, projector, sizes, {fidelityRule(options)}};
+  run.asked.rule.grain = manner.grain;
+  run.grounds.standIn = original.standIn();
+  run.grounds.tree = &manner.tree;
+  run.asked.stagger = manner.stagger;
   const std::size_t vertices = original.vertices();
   const std::size_t places = options.inBodies.value_or(Index(vertices));
-  run.effort = effortOf(options.quality, Level::Finest, vertices);
+  run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
   bool reached =
       original.bound()
           ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)

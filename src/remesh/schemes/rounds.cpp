@@ -113,10 +113,11 @@ std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t t
     const Halfedge t = m.twin(h);
     if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!isLongest(run, h) || (t && !isLongest(run, t))) continue;
-    if (!proposeSplit(run.mesh, run.projector, h, run.change) || !commitUnlessFlat(run)) continue;
+    if (!proposeSplit(run.mesh, run.projector, h, run.scratch.change) || !commitUnlessFlat(run))
+      continue;
     ++splits;
     touched.resize(m.faceCapacity(), 1);
-    m.forEachOutgoing(run.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
+    m.forEachOutgoing(run.scratch.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
   }
   return splits;
 }
@@ -134,7 +135,7 @@ bool isTooLong(const Run& run, Halfedge h) {
 // Whether the collapse happened. Where one end may not leave its place, the other may.
 bool tryCollapse(Run& run, Halfedge h) {
   for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
-    if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+    if (direction && proposeCollapse(run.mesh, run.projector, direction, run.scratch.change))
       return commit(run);
   return false;
 }
@@ -151,14 +152,14 @@ std::size_t collapseRound(Run& run, const std::vector<Ranked>& edges, std::size_
     if (touched[m.face(h)] || (t && touched[m.face(t)]) || isTooLong(run, h)) continue;
     if (!tryCollapse(run, h)) continue;
     ++collapses;
-    m.forEachOutgoing(run.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
+    m.forEachOutgoing(run.scratch.result, [&](Halfedge around) { touched[m.face(around)] = 1; });
   }
   return collapses;
 }
 
 void areaBasedRound(Run& run) {
   for (int i = 0; i < kAreaSweeps; ++i) areaBasedSweep(run);
-  delaunayFlips(run.mesh, run.rule);
+  delaunayFlips(run.mesh, run.asked.rule);
 }
 
 // Splits edges that are too long and collapses edges that are too short, until the sizes are about
@@ -166,8 +167,8 @@ void areaBasedRound(Run& run) {
 // density asks for triangles too large to lie as the surface does, they are not refused for that.
 void grade(Run& run, const Progress& progress) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const FidelityRule rule = run.rule;
-  if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.rule.mode = Fidelity::Fold;
+  const FidelityRule rule = run.asked.rule;
+  if (run.sizes.isWished() && rule.mode == Fidelity::Loose) run.asked.rule.mode = Fidelity::Fold;
   const auto most =
       std::size_t(kMostGraded * std::max(run.sizes.vertices(), double(mesh.vertexCount())));
   for (int i = 0; i < kGradingRounds; ++i) {
@@ -177,7 +178,7 @@ void grade(Run& run, const Progress& progress) {
     areaBasedRound(run);
     if (double(changes) < kSettled * double(mesh.vertexCount())) break;
   }
-  run.rule = rule;
+  run.asked.rule = rule;
 }
 
 // Most of the time goes into the rounds that change the number of vertices, if there are any.

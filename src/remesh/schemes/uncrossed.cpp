@@ -18,8 +18,8 @@ namespace remesher {
 namespace {
 
 std::unique_ptr<CrossingGuard> guardOf(Run& run) {
-  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.rule.grain);
-  run.rule.guard = guard.get();
+  auto guard = std::make_unique<CrossingGuard>(run.mesh, run.asked.rule.grain);
+  run.asked.rule.guard = guard.get();
   return guard;
 }
 
@@ -29,7 +29,7 @@ std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
   for (const std::size_t times : {std::size_t{4}, std::size_t{16}}) {
     run.mesh = WorkingMesh(run.mesh.surface());
     if (times * vertices >= run.mesh.mesh().vertexCount()) break;
-    run.rule.guard = nullptr;
+    run.asked.rule.guard = nullptr;
     coarsen(run, times * vertices, MeetingPlace::MiddleOrEnds);
     std::unique_ptr<CrossingGuard> guard = guardOf(run);
     if (uncross(run) == 0) return guard;
@@ -47,10 +47,10 @@ bool finishUncrossed(Run& run, std::size_t vertices) {
 // Makes edges even, with every step that suits a mesh of one level.
 bool makeAnew(Run& run, std::size_t vertices) {
   coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
-  for (int round = 0; round < run.effort.adaptRounds; ++round) {
-    delaunayFlips(run.mesh, run.rule);
+  for (int round = 0; round < run.asked.effort.adaptRounds; ++round) {
+    delaunayFlips(run.mesh, run.asked.rule);
     valenceFlips(run);
-    relax(run, run.effort.passes);
+    relax(run, run.asked.effort.passes);
     matchCount(run, vertices);
   }
   return finishUncrossed(run, vertices);

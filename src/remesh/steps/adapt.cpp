@@ -51,7 +51,7 @@ std::size_t splitLong(Run& run, std::size_t limit) {
     if (length <= kLong) continue;
     if (length > kGiant && !isLongestBeside(mesh, h, sizes))
       ++count;
-    else if (proposeSplit(run.mesh, run.projector, h, run.change))
+    else if (proposeSplit(run.mesh, run.projector, h, run.scratch.change))
       count += commit(run);
   }
   return count;
@@ -65,7 +65,7 @@ void refine(Run& run, std::size_t limit) {
     const std::size_t before = run.mesh.mesh().vertexCount();
     const std::size_t longOnes = splitLong(run, limit), vertices = run.mesh.mesh().vertexCount();
     if (vertices == before || longOnes * 10 < vertices) return;
-    delaunayFlips(run.mesh, run.rule);
+    delaunayFlips(run.mesh, run.asked.rule);
   }
 }
 
@@ -96,10 +96,11 @@ std::size_t collapseShort(Run& run, double shortest) {
     if (!mesh.isEdge(h)) continue;
     const double length = sizes.relativeLength(h);
     if (length >= shortest) continue;
-    FidelityRule rule = length < kMustGo ? lenient(run) : run.rule;
+    FidelityRule rule = length < kMustGo ? lenient(run) : run.asked.rule;
     for (const Halfedge direction : outermostFirst(mesh, h, sizes)) {
       if (!direction || makesLongEdge(mesh, direction, sizes)) continue;
-      if (!proposeCollapseInto(run.mesh, direction, run.change) || !commit(run, rule)) continue;
+      if (!proposeCollapseInto(run.mesh, direction, run.scratch.change) || !commit(run, rule))
+        continue;
       ++count;
       break;
     }
@@ -109,11 +110,11 @@ std::size_t collapseShort(Run& run, double shortest) {
 
 void thinOut(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double share = kThinned * run.scale;
+  const double share = kThinned * run.asked.scale;
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));
-  decimate(run.mesh, run.rule, spacing);
+  decimate(run.mesh, run.asked.rule, spacing);
 }
 
 struct Ranked {
@@ -144,8 +145,9 @@ enum class Middle { Projected, Straight };
 
 // Splits an edge at its own middle: no point of the surface moves, so that nothing can fold over.
 bool commitStraight(Run& run, const Ranked& edge) {
-  run.change.place.position = 0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
-  if (run.rule.mode != Fidelity::Fold) return commit(run);
+  run.scratch.change.place.position =
+      0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
+  if (run.asked.rule.mode != Fidelity::Fold) return commit(run);
   return commitUnlessFlat(run);
 }
 
@@ -158,7 +160,7 @@ std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
     std::pop_heap(edges.begin(), edges.end());
     const Ranked& edge = edges.back();
     const Halfedge h = mesh.find(edge.from, edge.to);
-    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.scratch.change)) continue;
     if (middle == Middle::Straight && !run.mesh.isCurve(h))
       splits += commitStraight(run, edge);
     else
@@ -180,10 +182,10 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
 }  // namespace
 
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
-  if (run.mesh.mesh().vertexCount() > run.effort.thinAbove * vertices) thinOut(run);
+  if (run.mesh.mesh().vertexCount() > run.asked.effort.thinAbove * vertices) thinOut(run);
   // Slivers can ask for splits without end, and collapses then do not remove the vertices.
   const std::size_t most = 4 * std::max(vertices, run.mesh.mesh().vertexCount());
-  const int rounds = run.effort.adaptRounds;
+  const int rounds = run.asked.effort.adaptRounds;
   for (int i = 0; i < rounds; ++i) {
     progress.at(double(i) / rounds);
     const bool isFirstOrLast = i == 0 || i + 1 == rounds;
@@ -194,10 +196,10 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
     // Otherwise all later loops would visit the holes as well.
     if (isFirstOrLast) run.mesh.compact();
     valenceFlips(run);
-    if (isFirstOrLast) delaunayFlips(run.mesh, run.rule);
-    for (int k = 0; k < run.effort.adaptSweeps; ++k) laplacianSweep(run);
+    if (isFirstOrLast) delaunayFlips(run.mesh, run.asked.rule);
+    for (int k = 0; k < run.asked.effort.adaptSweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
-    if (i > 0) run.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+    if (i > 0) run.asked.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
   }
 }
 

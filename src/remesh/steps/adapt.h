@@ -8,7 +8,8 @@
 namespace remesher {
 
 // A few rounds of splitting edges above 4/3 and collapsing those below 4/5 of their target length,
-// with valence flips and smoothing between; run.scale is tuned so that about `vertices` result.
+// with valence flips and smoothing between; run.asked.scale is tuned so that about `vertices`
+// result.
 void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress);
 
 // Splits the longest or collapses the shortest edges, relative to their targets, until there are

@@ -34,7 +34,7 @@ struct Written {
 };
 
 Written writtenAt(const Run& run, Vertex v) {
-  return {written(run.mesh.position(v), run.rule.grain), tieOf(run.mesh, v), v};
+  return {written(run.mesh.position(v), run.asked.rule.grain), tieOf(run.mesh, v), v};
 }
 
 // The vertices that share their places with others.
@@ -44,7 +44,7 @@ std::vector<Written> inOnePlace(const Run& run) {
   for (Vertex v{0}; v.index < run.mesh.mesh().vertexCapacity(); ++v.index) {
     if (!run.mesh.mesh().isAlive(v)) continue;
     vertices.push_back(v);
-    places.push_back(written(run.mesh.position(v), run.rule.grain));
+    places.push_back(written(run.mesh.position(v), run.asked.rule.grain));
   }
   const std::vector<Index> first = weld(places);
   std::vector<char> isShared(first.size(), 0);
@@ -61,7 +61,7 @@ bool shareChord(const Run& run, Vertex v, Vertex w) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const auto forEachInside = [&](Vertex from, auto visit) {
     mesh.forEachOutgoing(from, [&](Halfedge h) {
-      if (!mesh.isBoundary(h)) visit(written(run.mesh.position(mesh.tip(h)), run.rule.grain));
+      if (!mesh.isBoundary(h)) visit(written(run.mesh.position(mesh.tip(h)), run.asked.rule.grain));
     });
   };
   bool found = false;
@@ -101,20 +101,21 @@ void moveAlong(Run& run, Vertex v, double step) {
   const auto [chain, own] = run.mesh.on(v);
   const double next = run.mesh.onChain(curveNeighbors(run.mesh, v).after, chain).arc;
   const CurvePoint to{chain, own + step * (next - own)};
-  proposePlacement(run.mesh, v, run.mesh.onCurve(to), run.change);
+  proposePlacement(run.mesh, v, run.mesh.onCurve(to), run.scratch.change);
   commit(run, ruleOfMoves(run));
 }
 
 // step: the share of the way to the middle of the edge opposite to v.
 void moveInside(Run& run, Vertex v, double step) {
   const FidelityRule rule = ruleOfMoves(run);
-  const Vec3 before = written(run.mesh.position(v), run.rule.grain);
+  const Vec3 before = written(run.mesh.position(v), run.asked.rule.grain);
   bool isDone = false;
   run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
     if (isDone) return;
     const StarPoint to{h, {1 - step, step / 2, step / 2}};
-    isDone = proposeRelocation(run.mesh, run.projector, to, run.change) &&
-             written(run.change.place.position, run.rule.grain) != before && commit(run, rule);
+    isDone = proposeRelocation(run.mesh, run.projector, to, run.scratch.change) &&
+             written(run.scratch.change.place.position, run.asked.rule.grain) != before &&
+             commit(run, rule);
   });
 }
 

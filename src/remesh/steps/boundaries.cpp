@@ -126,13 +126,13 @@ Plan planFor(const Run& run, Known& known) {
 // Outlines are more visible than angles to the surface: a change that the loose rule refuses may
 // pass as no fold.
 bool commitOutline(Run& run) {
-  FidelityRule rule = run.rule;
+  FidelityRule rule = run.asked.rule;
   if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
   return commit(run) || commit(run, rule);
 }
 
 bool slideTo(Run& run, const Station& to) {
-  proposePlacement(run.mesh, to.vertex, run.mesh.onCurve({to.chain, to.arc}), run.change);
+  proposePlacement(run.mesh, to.vertex, run.mesh.onCurve({to.chain, to.arc}), run.scratch.change);
   if (!commitOutline(run)) return false;
   run.mesh.unsettleStar(to.vertex);
   run.mesh.pin(to.vertex);
@@ -167,11 +167,11 @@ bool split(Run& run, const Edges& edges) {
   for (const auto& [a, b] : edges) {
     const Halfedge h = mesh.find(a, b) ? mesh.find(a, b) : mesh.find(b, a);
     // Vertices at one place of the chain, up to rounding, may be no neighbours in the mesh.
-    if (!h || !proposeSplit(run.mesh, run.projector, h, run.change)) continue;
+    if (!h || !proposeSplit(run.mesh, run.projector, h, run.scratch.change)) continue;
     done = commitOutline(run) || done;
   }
   if (!done) return false;
-  delaunayFlips(run.mesh, run.rule);
+  delaunayFlips(run.mesh, run.asked.rule);
   relax(run, kPasses);
   return true;
 }

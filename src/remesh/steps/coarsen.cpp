@@ -78,8 +78,8 @@ class Coarsening {
       if (!mesh.isAlive(h) || changed_[mesh.origin(h)] || changed_[mesh.tip(h)]) continue;
       if (!collapse(h)) continue;
       ++collapses;
-      changed_[run_.result] = 1;
-      mesh.forEachNeighbor(run_.result, [&](Vertex w) { changed_[w] = 1; });
+      changed_[run_.scratch.result] = 1;
+      mesh.forEachNeighbor(run_.scratch.result, [&](Vertex w) { changed_[w] = 1; });
     }
     left_ *= 1 - kPassShare;
     return collapses;
@@ -88,11 +88,11 @@ class Coarsening {
   bool collapse(Halfedge h) {
     const std::array<Halfedge, 2> directions = {h, run_.mesh.mesh().twin(h)};
     for (const Halfedge d : directions)
-      if (d && proposeCollapse(run_.mesh, run_.projector, d, run_.change) && commit(run_))
+      if (d && proposeCollapse(run_.mesh, run_.projector, d, run_.scratch.change) && commit(run_))
         return true;
     if (goal_.place == MeetingPlace::Middle) return false;
     for (const Halfedge d : directions)
-      if (d && proposeCollapseInto(run_.mesh, d, run_.change) && commit(run_)) return true;
+      if (d && proposeCollapseInto(run_.mesh, d, run_.scratch.change) && commit(run_)) return true;
     return false;
   }
 

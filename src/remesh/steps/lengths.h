@@ -11,7 +11,9 @@ namespace remesher {
 inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
 
 // The target length of an edge between places of sizes a and b.
-inline double targetLength(const Run& run, double a, double b) { return 0.5 * run.scale * (a + b); }
+inline double targetLength(const Run& run, double a, double b) {
+  return 0.5 * run.asked.scale * (a + b);
+}
 
 inline double targetLength(const Run& run, Vertex a, Vertex b) {
   return targetLength(run, run.sizes.at(run.mesh.at(a)), run.sizes.at(run.mesh.at(b)));

@@ -57,24 +57,25 @@ struct Best {
   double gain = 0;
 
   void offer(const Run& run) {
-    offer(run, smallestComingAngle(run.mesh, run.change, run.rule.grain, gain));
+    offer(run, smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain, gain));
   }
 
   // Offers a proposal that leaves `worst`. Never inlined: two places call it, seldom.
   [[gnu::noinline]] void offer(const Run& run, double worst) {
     if (worst <= gain) return;
-    const double better = worst - smallestGoingAngle(run.mesh, run.change, run.rule.grain);
+    const double better =
+        worst - smallestGoingAngle(run.mesh, run.scratch.change, run.asked.rule.grain);
     if (better <= gain) return;
-    if (judge(run.mesh, run.change, rule) != Verdict::Accepted) return;
-    if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.change)) return;
+    if (judge(run.mesh, run.scratch.change, rule) != Verdict::Accepted) return;
+    if (std::isfinite(shift) && shiftsBeyond(shift, run.mesh, run.scratch.change)) return;
     gain = better;
-    change = run.change;
+    change = run.scratch.change;
   }
 };
 
 void offerFlips(Run& run, Face f, Best& best) {
   for (int i = 0; i < 3; ++i)
-    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.change)) best.offer(run);
+    if (proposeFlip(run.mesh, HalfedgeMesh::halfedge(f, i), run.scratch.change)) best.offer(run);
 }
 
 // Where a vertex may go: to projections of its polar map's plane onto the original or, where that
@@ -96,11 +97,11 @@ bool proposeMove(Run& run, const PolarMap& map, const Vec2& p, const Wanted& wan
   const Vec3& w = location->barycentric;
   const Vec3 onMesh = w[0] * run.mesh.position(map.center()) + w[1] * run.mesh.position(a) +
                       w[2] * run.mesh.position(b);
-  if (wanted.angle.isAboveAround(run.star, onMesh)) return false;
+  if (wanted.angle.isAboveAround(run.scratch.star, onMesh)) return false;
   const Halfedge h = run.mesh.mesh().find(map.center(), a);
-  if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.change)) return false;
-  if (wanted.ground == Ground::Mesh && !run.mesh.surface().isFlatAt(run.change.place.at))
-    run.change.place.position = onMesh;
+  if (!proposeRelocation(run.mesh, run.projector, {h, w}, run.scratch.change)) return false;
+  if (wanted.ground == Ground::Mesh && !run.mesh.surface().isFlatAt(run.scratch.change.place.at))
+    run.scratch.change.place.position = onMesh;
   return true;
 }
 
@@ -110,7 +111,7 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   if (run.mesh.isPinned(v) && ground == Ground::Original) return;
   PolarMap map;
   map.build(run.mesh.mesh(), run.mesh.positions(), v);
-  run.star.gather(run.mesh, v);
+  run.scratch.star.gather(run.mesh, v);
   const double spoke = map.meanSpoke();
   std::array<Vec2, kDirections> directions;
   for (int i = 0; i < kDirections; ++i) {
@@ -124,7 +125,8 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
     for (const Vec2& direction : directions) {
       const Vec2 to = at + step * spoke * direction;
       if (!proposeMove(run, map, to, wanted)) continue;
-      const double worst = smallestComingAngle(run.mesh, run.change, run.rule.grain, angle);
+      const double worst =
+          smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain, angle);
       if (worst <= angle) continue;
       angle = worst;
       wanted.angle = AngleLimit(std::max(0.0, angle - kByProjecting));
@@ -166,7 +168,7 @@ void offerLifts(Run& run, Vertex v, Best& best) {
     for (const double way : {step, -step}) {
       place.position = at + way * spoke * normal.normalized();
       if ((place.position - ground).norm() > kHighest * spoke) continue;
-      proposePlacement(run.mesh, v, place, run.change);
+      proposePlacement(run.mesh, v, place, run.scratch.change);
       best.offer(run);
     }
 }
@@ -178,7 +180,7 @@ void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
     if (relativeLength(run, h) > kCollapseBelow) continue;
     if (hubs.contains(mesh.origin(h)) || hubs.contains(mesh.tip(h))) continue;
     for (const Halfedge direction : {h, mesh.twin(h)})
-      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.change))
+      if (direction && proposeCollapse(run.mesh, run.projector, direction, run.scratch.change))
         best.offer(run);
   }
 }
@@ -187,7 +189,7 @@ void offerSplits(Run& run, Face f, Best& best) {
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
     if (relativeLength(run, h) < kSplitAbove) continue;
-    if (proposeSplit(run.mesh, run.projector, h, run.change)) best.offer(run);
+    if (proposeSplit(run.mesh, run.projector, h, run.scratch.change)) best.offer(run);
   }
 }
 
@@ -242,8 +244,8 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   const bool isBesideCurve =
       std::any_of(corners.begin(), corners.end(), [&](Vertex v) { return isOnCurve(run.mesh, v); });
   const double shift = isBesideCurve ? std::min(attempt.shift, kMostBesideCurves) : attempt.shift;
-  const double size = run.scale * run.sizes.at(run.mesh.at(corners[0]));
-  Best best{means == Means::KeepCount ? run.rule : lenient(run), shift * size};
+  const double size = run.asked.scale * run.sizes.at(run.mesh.at(corners[0]));
+  Best best{means == Means::KeepCount ? run.asked.rule : lenient(run), shift * size};
   offerFlips(run, f, best);
   const Ground ground = means == Means::LeaveSurface ? Ground::Mesh : Ground::Original;
   for (const Vertex v : corners) {
@@ -278,7 +280,7 @@ bool isSkin(const Run& run, Face f) {
 }
 
 bool isBad(const Run& run, Face f, const AngleLimit& limit) {
-  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.rule.grain);
+  return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.asked.rule.grain);
 }
 
 std::vector<Face> badTriangles(const Run& run, double angle) {
@@ -288,7 +290,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const Face f(i);
     if (!isBad(run, f, limit) || isSkin(run, f)) continue;
-    bad.emplace_back(smallestAngle(run.mesh, f, run.rule.grain), f);
+    bad.emplace_back(smallestAngle(run.mesh, f, run.asked.rule.grain), f);
   }
   std::sort(bad.begin(), bad.end());
   std::vector<Face> faces;
@@ -304,7 +306,7 @@ Means meansOf(int round, int rounds) {
 }
 
 int triesOf(const Run& run, Means means) {
-  return means == Means::LeaveSurface ? kLastTries : run.effort.polishTries;
+  return means == Means::LeaveSurface ? kLastTries : run.asked.effort.polishTries;
 }
 
 std::size_t mostWork(const Run& run) {
@@ -326,7 +328,7 @@ bool areFewBelow(const Run& run, double angle) {
 
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
-  const int rounds = run.effort.polishRounds;
+  const int rounds = run.asked.effort.polishRounds;
   double before = std::numeric_limits<double>::infinity();
   const Hubs hubs(run.mesh.mesh());
   std::size_t work = mostWork(run);
@@ -344,7 +346,7 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
     progress.at(double(round) / rounds);
     if (inVainSince == 0) bad = badTriangles(run, goal.angle);
     if (bad.empty() || (bad.size() > kManyBad && double(bad.size()) > kHopeless * before)) break;
-    if ((round + 1) % run.effort.polishPatience == 0) before = double(bad.size());
+    if ((round + 1) % run.asked.effort.polishPatience == 0) before = double(bad.size());
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;
     const Attempt attempt{hubs, meansOf(round, rounds), goal.shift, inVain};

@@ -20,8 +20,8 @@ constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
   const double unrest = run.mesh.unrest(v);
-  return unrest == 0 || (std::isfinite(unrest) &&
-                         unrest < kNeighbors * share * run.scale * run.sizes.at(run.mesh.at(v)));
+  return unrest == 0 || (std::isfinite(unrest) && unrest < kNeighbors * share * run.asked.scale *
+                                                               run.sizes.at(run.mesh.at(v)));
 }
 
 constexpr double kNarrow = radians(52);
@@ -38,7 +38,7 @@ VertexData<char> narrowCorners(const Run& run) {
 
 }  // namespace
 
-void relax(Run& run, int passes) { relax(run, passes, run.effort.rest); }
+void relax(Run& run, int passes) { relax(run, passes, run.asked.effort.rest); }
 
 void relax(Run& run, int passes, double share) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
@@ -63,7 +63,7 @@ void widenAngles(Run& run) {
   PolarMap star;
   // If nothing has moved around a vertex, a search in vain would be in vain again.
   VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
-  for (int pass = 0; pass < run.effort.widenings; ++pass) {
+  for (int pass = 0; pass < run.asked.effort.widenings; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);
     for (Index i = 0; i < narrow.size(); ++i) {
       const Vertex v(i);

@@ -21,60 +21,76 @@ enum class Boundaries { Even, Staggered };
 
 class OriginalTree;
 
-struct Run {
-  WorkingMesh& mesh;
-  Projector& projector;
-  SizeField& sizes;
+// What is asked of the steps. Whoever calls several steps sets it before them; a step reads it.
+struct Asked {
   FidelityRule rule;
   Effort effort = kUsual;
   double scale = 1;    // of the sizes at the present level
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
+};
+
+// What there is of the original besides the surface that the mesh lies on.
+struct Grounds {
   const StandIn* standIn = nullptr;  // what the mesh lies on until it lands, if not on the original
+  std::optional<Thinned> thinned;    // the stand-in before the mesh landed, if it has
   OriginalTree* tree = nullptr;      // of the original, if the caller wants it afterwards
-  std::optional<Thinned> thinned = {};  // the stand-in before the mesh landed, if it has
-  LocalChange change = {};              // the proposal at hand
-  Star star = {};                       // the star at hand
-  Vertex result = {};  // what the last change made, moved or kept; none after a flip
+};
+
+// Where the change at hand is put together: one at a time, without memory of the change before.
+struct Scratch {
+  LocalChange change;  // the proposal
+  Star star;
+  Vertex result;  // what the last change made, moved or kept; none after a flip
+};
+
+// The mesh that is worked on, with all that steps need to work on it.
+struct Run {
+  WorkingMesh& mesh;
+  Projector& projector;
+  SizeField& sizes;
+  Asked asked;
+  Grounds grounds = {};
+  Scratch scratch = {};
   std::array<std::size_t, 6> verdicts = {};  // how often the gate gave each
 };
 
 // Carries out a change that has been judged.
 inline void carryOut(Run& run, const LocalChange& change) {
-  run.result = apply(run.mesh, change);
-  if (run.rule.guard) run.rule.guard->update(change, run.result);
+  run.scratch.result = apply(run.mesh, change);
+  if (run.asked.rule.guard) run.asked.rule.guard->update(change, run.scratch.result);
 }
 
 // Judges the proposal at hand by `rule` and carries it out if it is accepted.
 inline bool commit(Run& run, const FidelityRule& rule) {
-  const Verdict verdict = judge(run.mesh, run.change, rule);
+  const Verdict verdict = judge(run.mesh, run.scratch.change, rule);
   ++run.verdicts[std::size_t(verdict)];
   if (verdict != Verdict::Accepted) return false;
-  carryOut(run, run.change);
+  carryOut(run, run.scratch.change);
   return true;
 }
 
-inline bool commit(Run& run) { return commit(run, run.rule); }
+inline bool commit(Run& run) { return commit(run, run.asked.rule); }
 
 // Moves an interior vertex, whose star is at hand, if the gate accepts it. Never inlined: one copy
 // is enough.
 [[gnu::noinline]] inline bool commitMove(Run& run, Vertex v, const Placement& place) {
-  if (!mayMove(run.star, place, run.rule)) {
-    proposePlacement(run.mesh, v, place, run.change);
+  if (!mayMove(run.scratch.star, place, run.asked.rule)) {
+    proposePlacement(run.mesh, v, place, run.scratch.change);
     return commit(run);
   }
   ++run.verdicts[std::size_t(Verdict::Accepted)];
   run.mesh.move(v, place);
-  run.result = v;
+  run.scratch.result = v;
   return true;
 }
 
 // For changes that are made even if they fold the mesh over: carries out the proposal at hand
 // unless triangles become lines or more of them intersect.
 inline bool commitUnlessFlat(Run& run) {
-  if (flattens(run.mesh, run.change, run.rule.grain)) return false;
-  if (run.rule.guard && !run.rule.guard->allows(run.change)) return false;
-  carryOut(run, run.change);
+  if (flattens(run.mesh, run.scratch.change, run.asked.rule.grain)) return false;
+  if (run.asked.rule.guard && !run.asked.rule.guard->allows(run.scratch.change)) return false;
+  carryOut(run, run.scratch.change);
   return true;
 }
 
@@ -83,15 +99,17 @@ inline bool commitUnlessFlat(Run& run) {
 // than a hundred, a needle as many as there are places to try.
 inline void grantProofs(const Run& run, std::size_t perTriangle) {
   constexpr std::size_t kLeast = 1 << 16;
-  if (!run.rule.bound) return;
-  run.rule.bound->grant(std::max(kLeast, perTriangle * run.mesh.mesh().faceCount()));
+  if (!run.asked.rule.bound) return;
+  run.asked.rule.bound->grant(std::max(kLeast, perTriangle * run.mesh.mesh().faceCount()));
 }
 
-inline bool areProofsSpent(const Run& run) { return run.rule.bound && run.rule.bound->isSpent(); }
+inline bool areProofsSpent(const Run& run) {
+  return run.asked.rule.bound && run.asked.rule.bound->isSpent();
+}
 
 // The run's rule, but more tolerant of folds: for changes that are worth one.
 inline FidelityRule lenient(const Run& run) {
-  FidelityRule rule = run.rule;
+  FidelityRule rule = run.asked.rule;
   rule.fold = kTightFold;
   return rule;
 }

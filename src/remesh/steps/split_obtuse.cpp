@@ -25,12 +25,12 @@ void splitObtuse(Run& run) {
       edges.emplace_back(m.origin(h), m.tip(h));
   }
   grantProofs(run, kProofs);
-  const ErrorBound* bound = run.rule.bound;
+  const ErrorBound* bound = run.asked.rule.bound;
   for (const auto& [from, to] : edges)
-    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.change) &&
-        !flattens(run.mesh, run.change, run.rule.grain) &&
-        (!bound || bound->allows(run.mesh, run.change)))
-      apply(run.mesh, run.change);
+    if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.scratch.change) &&
+        !flattens(run.mesh, run.scratch.change, run.asked.rule.grain) &&
+        (!bound || bound->allows(run.mesh, run.scratch.change)))
+      apply(run.mesh, run.scratch.change);
 }
 
 }  // namespace remesher

@@ -52,7 +52,7 @@ void subdivide(Run& run) {
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i)
     if (mesh.isEdge(Halfedge(i))) midpoints.push_back(middleOf(run, Halfedge(i)));
   run.mesh.subdivide(midpoints);
-  run.scale /= 2;
+  run.asked.scale /= 2;
 }
 
 std::size_t coarseCount(const HalfedgeMesh& mesh, std::size_t vertices, int levels) {

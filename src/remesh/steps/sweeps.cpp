@@ -32,7 +32,7 @@ bool proposeTarget(Run& run, const PolarMap& star, Vertex v, const Vec2& target)
   const auto location = star.locate(target);
   if (!location) return false;
   const Halfedge h = run.mesh.mesh().find(v, star.neighbor(location->triangle));
-  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.change);
+  return proposeRelocation(run.mesh, run.projector, {h, location->barycentric}, run.scratch.change);
 }
 
 bool relocateTo(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
@@ -60,7 +60,7 @@ double staggered(const Run& run, Vertex v, const Stretch& between, double even) 
   run.mesh.mesh().forEachNeighbor(
       v, [&](Vertex w) { sum += run.mesh.position(w) - run.mesh.position(v); });
   const double ahead = way.dot(sum) / (run.mesh.mesh().valence(v) * squared) * length;
-  const double arc = even + run.stagger * (run.mesh.on(v).arc + ahead - even);
+  const double arc = even + run.asked.stagger * (run.mesh.on(v).arc + ahead - even);
   return between.from + length * std::clamp((arc - between.from) / length, kRoom, 1 - kRoom);
 }
 
@@ -94,11 +94,11 @@ bool slide(Run& run, Vertex v) {
   const double right = own + run.sizes.at(run.mesh.at(after));
   double arc = from + (to - from) * left / (left + right);
   const bool isBoundary = run.mesh.surface().curves().chains()[chain].boundary;
-  if (run.stagger > 0)
+  if (run.asked.stagger > 0)
     arc = staggered(run, v, {before, after, from, to}, arc);
-  else if (isBoundary && run.boundaries == Boundaries::Staggered)
+  else if (isBoundary && run.asked.boundaries == Boundaries::Staggered)
     arc = besideInner(run, v, {before, after, from, to}, arc);
-  proposePlacement(run.mesh, v, run.mesh.onCurve({chain, arc}), run.change);
+  proposePlacement(run.mesh, v, run.mesh.onCurve({chain, arc}), run.scratch.change);
   return commit(run);
 }
 
@@ -116,8 +116,8 @@ Vec2 areaTarget(const Run& run, const PolarMap& star, Vertex v, std::vector<doub
 // distance from v, and then walks to the surface. The original beneath the star does not tilt the
 // plane: even where it is rough, a move does not lean towards one side.
 bool walkToMean(Run& run, Vertex v, double part) {
-  const Star& star = run.star;
-  run.star.gather(run.mesh, v);
+  const Star& star = run.scratch.star;
+  run.scratch.star.gather(run.mesh, v);
   const Vec3& at = run.mesh.position(v);
   const Vec3 normal = star.areaVector(at).normalized();
   Vec3 sum = Vec3::Zero();
@@ -157,9 +157,9 @@ bool widenAround(Run& run, PolarMap& star, Vertex v) {
   star.build(run.mesh.mesh(), run.mesh.positions(), v);
   const Vec2 target = wideTarget(star);
   if (target == Vec2::Zero() || !proposeTarget(run, star, v, target)) return false;
-  const Grain& grain = run.rule.grain;
-  const double kept = std::min(smallestGoingAngle(run.mesh, run.change, grain), kWideAngle);
-  return smallestComingAngle(run.mesh, run.change, grain, kept) > kept && commit(run);
+  const Grain& grain = run.asked.rule.grain;
+  const double kept = std::min(smallestGoingAngle(run.mesh, run.scratch.change, grain), kWideAngle);
+  return smallestComingAngle(run.mesh, run.scratch.change, grain, kept) > kept && commit(run);
 }
 
 void laplacianSweep(Run& run) {

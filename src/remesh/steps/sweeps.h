@@ -29,8 +29,8 @@ bool laplacianMove(Run& run, PolarMap& star, Vertex v, double part = 1);
 bool widenAround(Run& run, PolarMap& star, Vertex v);
 
 // Slides curve vertices along their chain to where the target sizes want them between their two
-// neighbours there or, with run.stagger = 1, level with the mean of all their neighbours. So the
-// vertices of two adjacent curves come to face each other's gaps, as in any two rows.
+// neighbours there or, with run.asked.stagger = 1, level with the mean of all their neighbours. So
+// the vertices of two adjacent curves come to face each other's gaps, as in any two rows.
 void curveSweep(Run& run);
 
 }  // namespace remesher

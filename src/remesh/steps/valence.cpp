@@ -97,8 +97,8 @@ std::size_t flipsWhere(Run& run, ValenceExcess& excess, double smallestAngle, Ac
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!mesh.isEdge(h) || mesh.isBoundary(h) || run.mesh.isCurve(h)) continue;
-    if (!accept(excess.flipCost(h)) || !proposeFlip(run.mesh, h, run.change)) continue;
-    if (smallestComingAngle(run.mesh, run.change) < smallestAngle) continue;
+    if (!accept(excess.flipCost(h)) || !proposeFlip(run.mesh, h, run.scratch.change)) continue;
+    if (smallestComingAngle(run.mesh, run.scratch.change) < smallestAngle) continue;
     if (!commit(run)) continue;
     excess.flipped(mesh.prev(h));
     ++flips;
@@ -135,7 +135,7 @@ void annealValences(Run& run, int rounds, const Progress& progress) {
     giveWay(run);
     excess->moved();
     if ((i + 1) % kDelaunayEvery != 0) continue;
-    if (delaunayFlips(run.mesh, run.rule) > 0) excess.emplace(run.mesh);
+    if (delaunayFlips(run.mesh, run.asked.rule) > 0) excess.emplace(run.mesh);
   }
   run.mesh.unsettleAll();
 }

@@ -35,8 +35,8 @@ TriangleMesh trianglesOf(const WorkingMesh& mesh) {
 // A fine surface, and on it a mesh of a tenth as many vertices, smoothed.
 void thinOut(shapes::TestRun& test) {
   const VertexData<double> spacing(test.mesh.mesh().vertexCapacity(), 3.3 * test.sizes.mean());
-  decimate(test.mesh, test.run.rule, spacing);
-  test.run.scale = 3.3;
+  decimate(test.mesh, test.run.asked.rule, spacing);
+  test.run.asked.scale = 3.3;
   relax(test.run, 10);
 }
 

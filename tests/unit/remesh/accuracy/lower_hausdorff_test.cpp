@@ -39,7 +39,7 @@ TriangleMesh dentedSkins() {
 // Flips keep the smoothing from finding everything even already.
 void wearDown(shapes::TestRun& test) {
   for (Index i = 0; i < test.mesh.mesh().halfedgeCapacity(); i += 7)
-    if (proposeFlip(test.mesh, Halfedge(i), test.run.change)) commit(test.run);
+    if (proposeFlip(test.mesh, Halfedge(i), test.run.scratch.change)) commit(test.run);
   relax(test.run, 8);
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("two-sided distance: what a flip is said to bring is what it brings") 
   std::size_t flips = 0;
   for (Index i = 0; i < mesh.halfedgeCapacity(); i += 5) {
     const Halfedge h(i);
-    if (!proposeFlip(test.mesh, h, test.run.change)) continue;
+    if (!proposeFlip(test.mesh, h, test.run.scratch.change)) continue;
     const Face left = mesh.face(h), right = mesh.face(mesh.twin(h));
     const double expected = distances.ifFlipped(h);
     distances.update(test.mesh.flip(h));

@@ -24,8 +24,8 @@ void crowd(shapes::TestRun& test) {
   const HalfedgeMesh& mesh = test.mesh.mesh();
   for (Index i = 0; i < mesh.vertexCapacity(); i += 23) {
     const Halfedge h = mesh.outgoing(Vertex(i));
-    if (proposeRelocation(test.mesh, test.projector, {h, {0.2, 0.8, 0}}, test.run.change))
-      apply(test.mesh, test.run.change);
+    if (proposeRelocation(test.mesh, test.projector, {h, {0.2, 0.8, 0}}, test.run.scratch.change))
+      apply(test.mesh, test.run.scratch.change);
   }
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("poor regions: no triangle stays below 20°, and the surface stays whe
   shapes::TestRun test(steepSphere());
   RemeshOptions options;
   options.scheme = Scheme::Rounds;
-  test.run.rule = fidelityRule(options);
+  test.run.asked.rule = fidelityRule(options);
   crowd(test);
   REQUIRE(shapes::worstAngle(test.mesh) < radians(15));
   const double before = farthest(test.run);
@@ -53,5 +53,5 @@ TEST_CASE("poor regions: no triangle stays below 20°, and the surface stays whe
   CHECK(farthest(test.run) <= before);
   CHECK(test.mesh.mesh().vertexCount() == vertices);
   CHECK(check(test.mesh.mesh()) == "");
-  CHECK(test.run.rule.mode == Fidelity::Loose);
+  CHECK(test.run.asked.rule.mode == Fidelity::Loose);
 }

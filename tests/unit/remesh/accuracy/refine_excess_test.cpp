@@ -20,14 +20,14 @@ TEST_CASE("refine excess: a fine mesh finds its way to the corners of a coarse o
     SizeField sizes(surface, {double(vertices)});
     Projector projector(surface, Projection::Patches, 2 * sizes.mean());
     WorkingMesh mesh(surface);
-    Run run{mesh, projector, sizes, fidelityRule({})};
+    Run run{mesh, projector, sizes, {fidelityRule({})}};
     adaptToSizes(run, vertices, {});
     const ErrorBound bound(surface, 0.002 * surface.diagonal());
     ExcessSearch search(bound);
     REQUIRE_FALSE(search.find(mesh).empty());
     for (int i = 0; i < kRounds; ++i) {
       refineExcess(run, search.find(mesh), Moves::Allowed);
-      delaunayFlips(mesh, run.rule);
+      delaunayFlips(mesh, run.asked.rule);
     }
     CHECK(search.find(mesh).empty());
     CHECK(check(mesh.mesh()).empty());

@@ -59,7 +59,7 @@ TEST_CASE("stand_in: what is far from a coarse mesh is seen from its vertices, w
   WorkingMesh mesh(standIn.surface());
   decimate(mesh, {}, VertexData<double>(mesh.mesh().vertexCapacity(), 0.6));
   Run run{mesh, projector, sizes, {}};
-  run.standIn = &standIn;
+  run.grounds.standIn = &standIn;
   land(run);
   const auto look = [&] { return measurePlaces(run, 0, 0); };
   const auto farthest = [](const std::vector<Place>& places) {
@@ -68,7 +68,7 @@ TEST_CASE("stand_in: what is far from a coarse mesh is seen from its vertices, w
     return most;
   };
   const std::vector<Place> few = look();
-  run.thinned.reset();
+  run.grounds.thinned.reset();
   const std::vector<Place> all = look();
   CHECK(few.size() <= standIn.surface().mesh().vertexCount());
   CHECK(all.size() > 2 * few.size());
@@ -82,11 +82,11 @@ TEST_CASE("stand_in: a mesh that lands lies on the original, its curve vertices 
   Projector projector(standIn.surface(), Projection::Patches, 2 * sizes.mean());
   WorkingMesh mesh(standIn.surface());
   Run run{mesh, projector, sizes, {}};
-  run.standIn = &standIn;
+  run.grounds.standIn = &standIn;
   laplacianSweep(run);
   const WorkingMesh before = mesh;
   land(run);
-  CHECK(run.standIn == nullptr);
+  CHECK(run.grounds.standIn == nullptr);
   CHECK(&mesh.surface() == &original);
   CHECK(shapes::checkWorkingMesh(mesh) == "");
   for (Index i = 0; i < mesh.mesh().vertexCapacity(); ++i) {

@@ -17,7 +17,7 @@ TEST_CASE("rounds: needles are not split without end where sizes are graded") {
   Projector projector(surface, Projection::Patches, 2 * sizes.mean());
   WorkingMesh mesh(surface);
   Run run{mesh, projector, sizes, {}};
-  run.rule.mode = Fidelity::Loose;
+  run.asked.rule.mode = Fidelity::Loose;
   const std::size_t given = mesh.mesh().vertexCount();
   runRounds(run, {kWanted}, {});
   // Places of vertices that went are kept, so that these are as many as there ever were at a time.

@@ -29,7 +29,7 @@ TEST_CASE(
       SizeField sizes(surface, {.vertices = double(vertices), .adaptivity = 0});
       Projector projector(surface, Projection::Patches, 2 * sizes.mean());
       WorkingMesh mesh(surface);
-      Run run{mesh, projector, sizes, {}, effortOf(quality, Level::Finest, vertices)};
+      Run run{mesh, projector, sizes, {{}, effortOf(quality, Level::Finest, vertices)}};
       adaptToSizes(run, vertices, {});
       CHECK(shapes::worstAngle(mesh) > radians(5));
       CHECK(mesh.mesh().vertexCount() > 0.9 * double(vertices));

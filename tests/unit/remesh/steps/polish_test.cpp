@@ -57,8 +57,8 @@ TEST_CASE("polish: what it takes to prove a bound on the error is in proportion 
   constexpr std::size_t kMost = 1300, kOneProof = 2000;  // pieces: to each triangle; at the end
   shapes::TestRun test(flatShells());
   const ErrorBound bound(test.surface, 0.002 * test.surface.diagonal());
-  test.run.rule = fidelityRule({});
-  test.run.rule.bound = &bound;
+  test.run.asked.rule = fidelityRule({});
+  test.run.asked.rule.bound = &bound;
   grantProofs(test.run, kMost);
   polish(test.run, {radians(45)});
   CHECK(bound.piecesLookedAt() > kMost * test.mesh.mesh().faceCount() / 2);
@@ -90,7 +90,7 @@ TEST_CASE("polish: a hub stays, for no place gives its triangles angles") {
   TriangleMesh input = shapes::wheel(Hubs::kFewestSpokes);
   input.positions[kHub].x() = 0.3;
   shapes::TestRun test(input);
-  test.run.rule = fidelityRule({});
+  test.run.asked.rule = fidelityRule({});
   polish(test.run, {radians(20)});
   CHECK(test.mesh.position(Vertex(kHub)) == input.positions[kHub]);
   CHECK(shapes::checkWorkingMesh(test.mesh) == "");

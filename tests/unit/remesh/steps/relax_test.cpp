@@ -17,7 +17,7 @@ namespace {
 // Flips leave something to smooth.
 void disturb(shapes::TestRun& test, Index every = 11) {
   for (Index i = 0; i < test.mesh.mesh().halfedgeCapacity(); i += every)
-    if (proposeFlip(test.mesh, Halfedge(i), test.run.change)) commit(test.run);
+    if (proposeFlip(test.mesh, Halfedge(i), test.run.scratch.change)) commit(test.run);
 }
 
 std::vector<Vertex> movedSince(const VertexData<Vec3>& before, const WorkingMesh& mesh) {
