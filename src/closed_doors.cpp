@@ -3,8 +3,8 @@
 // are in the whole one. Whoever calls a module by way of the package gets the engine that the job
 // needs.
 #include "base/error.h"
+#include "jobs/checks/whole_steps.h"
 #include "jobs/part_repair.h"
-#include "jobs/whole_steps.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/uncrossed.h"
 

@@ -125,18 +125,22 @@ add_library(small OBJECT
   src/io/text/obj_writer.cpp
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
+  src/jobs/baking.cpp
+  src/jobs/checks/precision.cpp
+  src/jobs/checks/result_check.cpp
   src/jobs/fewest_vertices.cpp
+  src/jobs/inspected_parts.cpp
+  src/jobs/level_files.cpp
   src/jobs/mending.cpp
-  src/jobs/part_borders.cpp
-  src/jobs/part_joining.cpp
-  src/jobs/part_places.cpp
-  src/jobs/part_report.cpp
   src/jobs/part_run.cpp
-  src/jobs/part_scale.cpp
-  src/jobs/part_targets.cpp
-  src/jobs/part_unions.cpp
-  src/jobs/precision.cpp
-  src/jobs/result_check.cpp
+  src/jobs/parts/part_borders.cpp
+  src/jobs/parts/part_joining.cpp
+  src/jobs/parts/part_places.cpp
+  src/jobs/parts/part_report.cpp
+  src/jobs/parts/part_scale.cpp
+  src/jobs/parts/part_targets.cpp
+  src/jobs/parts/part_unions.cpp
+  src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/facing.cpp
   src/measure/quad_report.cpp
@@ -250,8 +254,8 @@ add_library(small OBJECT
   src/textures/repaint.cpp
 )
 add_library(doors OBJECT
+  src/jobs/checks/whole_steps.cpp
   src/jobs/part_repair.cpp
-  src/jobs/whole_steps.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/uncrossed.cpp
 )

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "io/formats.h"
-#include "jobs/part_joining.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/part_joining.h"
 #include "jobs/run_guards.h"
 #include "remesher.h"
 

@@ -45,15 +45,6 @@ struct RemeshSceneResult {
 RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress = {});
 
-// A decoded image, for baking textures: four bytes per texel, row after row from the top. Images of
-// glTF are named by their numbers.
-struct Picture {
-  std::string name;
-  std::string type;  // of an image to encode: image/png, image/jpeg or image/webp
-  Index width = 0, height = 0;
-  std::vector<std::uint8_t> texels;
-};
-
 // A file with the files that it refers to (a .bin, images, a .mtl), by the names that it uses.
 struct FileBundle {
   File file;

@@ -4,7 +4,7 @@
 
 #include "io/formats.h"
 #include "jobs/mending.h"
-#include "jobs/part_report.h"
+#include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 #include "remesher.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "jobs/part_report.h"
-#include "jobs/part_run.h"
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
+#include "jobs/inspected_parts.h"
+#include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 
 namespace remesher {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/error.h"
-#include "jobs/part_report.h"
-#include "jobs/part_scale.h"
-#include "jobs/result_check.h"
+#include "jobs/checks/result_check.h"
+#include "jobs/parts/part_report.h"
+#include "jobs/parts/part_scale.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "repair/repair.h"

@@ -8,7 +8,7 @@
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
 #include "remesh/schemes/remesh.h"
 
 namespace remesher {

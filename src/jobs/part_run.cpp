@@ -5,8 +5,6 @@
 
 #include "jobs/fewest_vertices.h"
 #include "jobs/part_repair.h"
-#include "jobs/part_report.h"
-#include "jobs/part_scale.h"
 
 namespace remesher {
 
@@ -45,13 +43,6 @@ RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome,
 io::Part withoutMesh(const io::Part& part) {
   return {part.name, {},          part.instances, part.groups,
           part.lods, part.source, part.finer,     part.hidden};
-}
-
-MeshReport inspectScaled(const std::vector<io::Part>& parts) {
-  const PartScale scale(parts);
-  if (!scale.isNeeded()) return inspectParts(parts, weldingsOf(parts), placesOf(parts));
-  const std::vector<io::Part> scaled = scale.applied(parts);
-  return inspectParts(scaled, weldingsOf(scaled), placesOf(scaled));
 }
 
 }  // namespace remesher

@@ -6,10 +6,10 @@
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
-#include "jobs/part_places.h"
-#include "jobs/part_targets.h"
-#include "jobs/part_unions.h"
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
+#include "jobs/parts/part_places.h"
+#include "jobs/parts/part_targets.h"
+#include "jobs/parts/part_unions.h"
 #include "mesh/welding.h"
 #include "remesh/schemes/remesh.h"
 
@@ -37,8 +37,5 @@ RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome,
 
 // A copy of the part without its mesh.
 io::Part withoutMesh(const io::Part& part);
-
-// The report on parts of any size. Throws the Errors of requireValid.
-MeshReport inspectScaled(const std::vector<io::Part>& parts);
 
 }  // namespace remesher

@@ -50,11 +50,14 @@ export async function lineOfPage(browser, folder, path = '/', allowed = '') {
     if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
   });
   try {
+    /** @type {(line: string) => void} */
+    let tell = () => {};
     const line = new Promise((resolve) => {
-      void page.exposeFunction('tell', resolve);
+      tell = resolve;
       page.on('pageerror', (error) => resolve(complaints.push(String(error)) && ''));
       setTimeout(resolve, 120_000, '').unref();
     });
+    await page.exposeFunction('tell', tell);
     await page.goto(url + path);
     return { line: await line, complaints };
   } finally {

@@ -50,10 +50,12 @@ export const coreRooms = {
   'textures/charts': ['base', 'mesh', 'geometry'],
   'textures/painting': ['base', 'mesh', 'geometry', 'io/model'],
   textures: ['base', 'mesh', 'geometry', 'io/model', 'textures/charts', 'textures/painting'],
-  jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair',
-    'io/model'],
-  '': ['base', 'geometry', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io',
-    'textures', 'jobs'],
+  'jobs/parts': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model'],
+  'jobs/checks': ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'io/model',
+    'jobs/parts'],
+  jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair', 'io/model', 'io',
+    'textures', 'jobs/parts', 'jobs/checks'],
+  '': ['base', 'io/model', 'io', 'jobs/parts', 'jobs'],
 };
 
 /** @type {Record<string, string[]>} folders of bindings/package; '': modules imported by name */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_joining.h"
+#include "jobs/parts/part_joining.h"
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_unions.h"
+#include "jobs/parts/part_unions.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "base/place.h"
 #include "io/model/bake.h"
-#include "jobs/part_borders.h"
+#include "jobs/parts/part_borders.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {

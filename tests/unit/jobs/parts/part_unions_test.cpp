@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_unions.h"
+#include "jobs/parts/part_unions.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A result has as many digits as what it was made of, and what falls together by that is counted.
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whole steps are kept where they keep the shape.
-#include "jobs/whole_steps.h"
+#include "jobs/checks/whole_steps.h"
 
 #include <doctest/doctest.h>
 
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
 #include "support/shapes.h"
 
 using namespace remesher;

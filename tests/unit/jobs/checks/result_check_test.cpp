@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is worse than given is said, and nothing else is.
-#include "jobs/result_check.h"
+#include "jobs/checks/result_check.h"
 
 #include <doctest/doctest.h>
 

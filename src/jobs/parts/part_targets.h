@@ -8,7 +8,7 @@
 
 #include "base/options.h"
 #include "io/model/model.h"
-#include "jobs/part_places.h"
+#include "jobs/parts/part_places.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {

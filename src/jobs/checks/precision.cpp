@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/precision.h"
+#include "jobs/checks/precision.h"
 
 #include <utility>
 
 #include "base/place.h"
-#include "jobs/whole_steps.h"
+#include "jobs/checks/whole_steps.h"
 #include "mesh/joining.h"
 
 namespace remesher {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/whole_steps.h"
+#include "jobs/checks/whole_steps.h"
 
 #include "base/place.h"
 

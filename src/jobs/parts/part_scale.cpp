@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_scale.h"
+#include "jobs/parts/part_scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_places.h"
+#include "jobs/parts/part_places.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_report.h"
+#include "jobs/parts/part_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/result_check.h"
+#include "jobs/checks/result_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "base/legible.h"
 #include "geometry/triangle.h"
-#include "jobs/part_places.h"
+#include "jobs/parts/part_places.h"
 #include "mesh/welding.h"
 
 namespace remesher {

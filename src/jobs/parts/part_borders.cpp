@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_borders.h"
+#include "jobs/parts/part_borders.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/part_targets.h"
+#include "jobs/parts/part_targets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "base/report.h"
 #include "geometry/triangle_tree.h"
 #include "io/model/model.h"
-#include "jobs/part_places.h"
+#include "jobs/parts/part_places.h"
 #include "measure/hausdorff.h"
 #include "mesh/welding.h"
 

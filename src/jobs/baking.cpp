@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/baking.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/legible.h"
+#include "io/formats.h"
+#include "jobs/run_guards.h"
+#include "textures/repaint.h"
+
+namespace remesher {
+
+namespace {
+
+// The approximate share of a run's time.
+constexpr double kPaintShare = 0.4;
+
+// Materials are read only from glTF and OBJ; colors of vertices from other formats, too.
+void requirePaint(const io::Model& model) {
+  const auto isPaint = [](const io::Part& part) {
+    const auto& groups = part.groups;
+    return findAttribute(part.mesh, "COLOR_0") != nullptr ||
+           std::any_of(groups.begin(), groups.end(),
+                       [](const io::GroupInfo& group) { return !group.look.name.empty(); });
+  };
+  if (model.conventions == io::Conventions::Gltf) return;
+  if (std::all_of(model.parts.begin(), model.parts.end(), isPaint)) return;
+  throw Error(ErrorCode::Unsupported,
+              "Textures are painted from glTF files, from the materials of OBJ and from colours of "
+              "vertices, and this has none.",
+              "Give an OBJ with its material library, or convert it to .glb with its textures.");
+}
+
+// Requires all images that materials name; for glTF, the decoder of the images checks this.
+void requireImages(const io::Model& model, const std::vector<Picture>& pictures) {
+  if (model.conventions == io::Conventions::Gltf) return;
+  const auto require = [&](const io::Map& map) {
+    const auto isIt = [&](const Picture& picture) { return picture.name == map.image; };
+    if (!map || std::any_of(pictures.begin(), pictures.end(), isIt)) return;
+    throw Error(ErrorCode::MissingResource, "The image " + legible(map.image) + " was not given.",
+                "Give the image with the file, or keep the textures.");
+  };
+  for (const io::Part& part : model.parts)
+    for (const io::GroupInfo& group : part.groups)
+      for (const io::Map* map :
+           {&group.look.baseColorMap, &group.look.emissiveMap, &group.look.normalMap})
+        require(*map);
+}
+
+std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures) {
+  std::vector<io::NamedImage> images;
+  for (Picture& picture : pictures)
+    images.push_back(
+        {std::move(picture.name), {picture.width, picture.height, std::move(picture.texels)}});
+  return images;
+}
+
+}  // namespace
+
+void requireTextured(const std::string& outputName, const RemeshOptions& options) {
+  if (!options.lods.empty())
+    throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
+                "Ask for one of them: --textures, --lods.");
+  if (io::canHold(outputName, io::kHoldsImages)) return;
+  throw Error(ErrorCode::Unsupported,
+              "Baked textures are written as glTF only, not as " + legible(outputName) + ".",
+              "Let the output's name end in .glb or .gltf.");
+}
+
+SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+                     const Progress& progress) {
+  requirePaint(model);
+  requireImages(model, pictures);
+  std::erase_if(model.warnings,
+                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
+  const Repaint repaint(model, imagesFrom(std::move(pictures)));
+  SceneRun run = remeshParts(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
+  model.parts = std::move(run.parts);
+  withinMemory([&] {
+    repaint.paint(model, run.places, options, progress.phase("paint", 1 - kPaintShare, 1));
+  });
+  run.parts = std::move(model.parts);
+  return run;
+}
+
+}  // namespace remesher

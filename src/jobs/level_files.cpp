@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/level_files.h"
+
+#include <set>
+#include <utility>
+
+#include "base/legible.h"
+#include "jobs/parts/part_report.h"
+
+namespace remesher {
+
+namespace {
+
+// The model with the finest level as its parts, which hold the coarser ones.
+io::Model withLods(io::Model model, std::vector<SceneRun>& runs) {
+  model.parts = std::move(runs.front().parts);
+  for (std::size_t level = 1; level < runs.size(); ++level)
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+      model.parts[i].lods.push_back(std::move(runs[level].parts[i].mesh));
+  return model;
+}
+
+// "horse.glb" becomes "horse_lod1.glb".
+std::string nameOfLod(const std::string& outputName, std::size_t level) {
+  if (level == 0) return outputName;
+  return std::string(outputName).insert(outputName.rfind('.'), "_lod" + std::to_string(level));
+}
+
+// Writes a file for each level. Files beside them, such as textures, are written once.
+io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
+                           const std::string& outputName) {
+  io::WrittenFiles all;
+  std::set<std::string> names;
+  for (std::size_t level = 0; level < runs.size(); ++level) {
+    model.parts = std::move(runs[level].parts);
+    io::WrittenFiles written = io::write(model, nameOfLod(outputName, level));
+    for (File& file : written.files)
+      if (names.insert(file.name).second) all.files.push_back(std::move(file));
+    all.warnings = joined(std::move(all.warnings), written.warnings);
+  }
+  return all;
+}
+
+}  // namespace
+
+void requireRoomForLevels(const std::string& outputName, const RemeshOptions& options) {
+  if (options.lods.empty() || options.lodFiles || io::canHold(outputName, io::kHoldsScenes)) return;
+  throw Error(ErrorCode::InvalidOption, legible(outputName) + " cannot hold levels of detail.",
+              "Name the output .glb or .gltf, or ask for a file each: --lod-files, lodFiles.");
+}
+
+io::WrittenFiles writeLevels(io::Model model, std::vector<SceneRun>& runs,
+                             const std::string& outputName, const RemeshOptions& options) {
+  if (options.lodFiles) return writeEach(std::move(model), runs, outputName);
+  return io::write(withLods(std::move(model), runs), outputName);
+}
+
+}  // namespace remesher

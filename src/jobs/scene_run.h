@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Remeshes all parts of a scene, once or to several levels of detail.
+#pragma once
+
+#include <vector>
+
+#include "base/options.h"
+#include "base/progress.h"
+#include "base/report.h"
+#include "io/model/model.h"
+#include "remesh/schemes/remesh.h"
+
+namespace remesher {
+
+// All parts remeshed, and the report without reading and writing.
+struct SceneRun {
+  std::vector<io::Part> parts;
+  std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
+  Report report;
+};
+
+// Remeshes parts of any size; the options' levels of detail are left out. Throws the Errors of
+// requireValid, of remeshSurface and of PartTargets.
+SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
+                     const Progress& progress);
+
+// All levels of detail, each from the originals. The finest is the first: it is remeshed with the
+// options as given, and its report has those of the others.
+std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
+                                   const RemeshOptions& options, const Progress& progress);
+
+}  // namespace remesher
