@@ -114,11 +114,24 @@ val faultsFrom(const FaultReport& faults) {
   return result;
 }
 
-val inspectClosely(const val& mesh) {
+val edgesFrom(const EdgeReport& edges) {
+  val result = val::object();
+  result.set("boundary", arrayFrom(edges.boundary));
+  result.set("nonManifold", arrayFrom(edges.nonManifold));
+  result.set("flipped", arrayFrom(edges.flipped));
+  result.set("bent", arrayFrom(edges.bent));
+  result.set("bends", arrayFrom(edges.bends));
+  result.set("first", arrayFrom(edges.first));
+  return result;
+}
+
+// wanted: { faults, edges }
+val inspectClosely(const val& mesh, const val& wanted) {
   return guarded([&] {
     const TriangleMesh given = meshFrom(mesh);
     val result = objectFrom(inspect(given));
-    result.set("faults", faultsFrom(findFaults(given)));
+    if (wanted["faults"].as<bool>()) result.set("faults", faultsFrom(findFaults(given)));
+    if (wanted["edges"].as<bool>()) result.set("edges", edgesFrom(findEdges(given)));
     return result;
   });
 }

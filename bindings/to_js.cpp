@@ -18,11 +18,6 @@ val (*repairInJs)(const RepairReport& repair) = nullptr;
 
 namespace {
 
-template <class T>
-val arrayFrom(const std::vector<T>& values) {
-  return val(typed_memory_view(values.size(), values.data())).template call<val>("slice");
-}
-
 val objectFrom(const AngleStatistics& angles) {
   val result = val::object();
   val histogram = val::array();

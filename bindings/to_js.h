@@ -11,6 +11,12 @@
 
 namespace remesher {
 
+template <class T>
+emscripten::val arrayFrom(const std::vector<T>& values) {
+  const auto view = emscripten::typed_memory_view(values.size(), values.data());
+  return emscripten::val(view).template call<emscripten::val>("slice");
+}
+
 emscripten::val objectFrom(const TriangleMesh& mesh);
 emscripten::val objectFrom(const std::vector<TriangleMesh>& meshes);
 emscripten::val objectFrom(const std::vector<File>& files);

@@ -142,6 +142,7 @@ add_library(small OBJECT
   src/jobs/parts/part_unions.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
+  src/measure/edge_report.cpp
   src/measure/facing.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp

@@ -88,4 +88,7 @@ Report inspectFile(const FileBundle& input);
 FaultReport findFaults(const TriangleMesh& mesh);
 FaultReport findFaultsInFile(const FileBundle& input);
 
+// The edges of the mesh by kind.
+EdgeReport findEdges(const TriangleMesh& mesh);
+
 }  // namespace remesher

@@ -31,18 +31,19 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/checks/precision_test.cpp
+  tests/unit/jobs/checks/result_check_test.cpp
+  tests/unit/jobs/checks/whole_steps_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
-  tests/unit/jobs/part_joining_test.cpp
-  tests/unit/jobs/part_places_test.cpp
   tests/unit/jobs/part_repair_test.cpp
-  tests/unit/jobs/part_report_test.cpp
-  tests/unit/jobs/part_scale_test.cpp
-  tests/unit/jobs/part_targets_test.cpp
-  tests/unit/jobs/part_unions_test.cpp
-  tests/unit/jobs/precision_test.cpp
-  tests/unit/jobs/result_check_test.cpp
-  tests/unit/jobs/whole_steps_test.cpp
+  tests/unit/jobs/parts/part_joining_test.cpp
+  tests/unit/jobs/parts/part_places_test.cpp
+  tests/unit/jobs/parts/part_report_test.cpp
+  tests/unit/jobs/parts/part_scale_test.cpp
+  tests/unit/jobs/parts/part_targets_test.cpp
+  tests/unit/jobs/parts/part_unions_test.cpp
   tests/unit/main.cpp
+  tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp
   tests/unit/measure/mesh_report_test.cpp
   tests/unit/measure/quad_report_test.cpp

@@ -23,6 +23,7 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
  * @typedef {import('./base/messages.js').Distances} Distances
+ * @typedef {import('./base/messages.js').EdgeSummary} EdgeSummary
  * @typedef {import('./base/messages.js').FaultSummary} FaultSummary
  * @typedef {import('./base/messages.js').Floats} Floats
  * @typedef {import('./base/messages.js').Indices} Indices
@@ -159,7 +160,7 @@ export function convertFile(bytes, options) {
 
 /**
  * Reports on a file or a mesh; changes nothing. With `faults` it also reports what is broken and
- * what would mend it.
+ * what would mend it; with `edges`, of a mesh, which edges are open, bad or bent.
  *
  * @example
  * const { input, warnings } = await inspect(file);

@@ -106,6 +106,16 @@ struct FaultReport {
   FaultPlaces places;
 };
 
+// The edges of a mesh by kind, as pairs of its vertices; of vertices at one place the first.
+struct EdgeReport {
+  std::vector<Index> boundary;     // of one triangle
+  std::vector<Index> nonManifold;  // of more than two
+  std::vector<Index> flipped;      // of two that face opposite ways
+  std::vector<Index> bent;         // of two that bend there by 5 degrees or more, sharpest first
+  std::vector<double> bends;       // of each of these, in degrees
+  std::vector<Index> first;        // per vertex the first at its place
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection

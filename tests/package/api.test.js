@@ -131,6 +131,20 @@ test('bytes may be a Blob, an ArrayBuffer or a Node Buffer', async () => {
   }
 });
 
+test('the edges of a mesh are told by kind, of arrays only', async () => {
+  const cells = 10;
+  const { input, edges } = await inspect(sheet(cells), { edges: true });
+  assert.equal(edges.boundary.length, 2 * input.boundaryEdges);
+  assert.equal(edges.boundary.length, 2 * 4 * cells);
+  assert.deepEqual([edges.nonManifold.length, edges.flipped.length], [0, 0]);
+  assert.equal(edges.bends.length, edges.bent.length / 2);
+  assert.equal(edges.first.length, sheet(cells).positions.length / 3);
+  assert.equal((await inspect(sheet(cells))).edges, undefined);
+  const bytes = new TextEncoder().encode(offText(sheet(cells)));
+  await rejectsWith(inspect(bytes, { name: 'a.off', edges: true }),
+    'INVALID_OPTION', /arrays/);
+});
+
 test('an inspection tells what a mesh is like', async () => {
   const { input, version } = await inspect(sheet(10));
   assert.equal(input.vertices, 11 * 11);

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { remesh } from 'remesher';
+import { inspect, remesh } from 'remesher';
 import { BufferAttribute, BufferGeometry, Color, Mesh, SphereGeometry } from 'three';
 
 import { angleColors } from '../../web/base/colors.js';
@@ -99,7 +99,8 @@ test('quads are drawn without diagonals, and dots are where not four of them mee
   const { count, irregular } = report.output.quads;
   assert.equal(polygons.length - 1, count);
   assert.equal(outlineOf(mesh.geometry, polygons).length / 2, 2 * count, 'an edge for two quads');
-  const { valences, places } = irregularVertices(soupOf([mesh]));
+  const { edges: { first } } = await inspect({ positions, indices }, { edges: true });
+  const { valences, places } = irregularVertices(soupOf([mesh]), first);
   assert.equal(valences.length, irregular);
   assert.equal(places.length, 3 * irregular);
   // Around a ring those of fewer and of more quads cancel.

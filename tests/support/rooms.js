@@ -55,7 +55,8 @@ export const coreRooms = {
     'jobs/parts'],
   jobs: ['base', 'mesh', 'geometry', 'remesh/schemes', 'measure', 'repair', 'io/model', 'io',
     'textures', 'jobs/parts', 'jobs/checks'],
-  '': ['base', 'io/model', 'io', 'jobs/parts', 'jobs'],
+  '': ['base', 'mesh', 'remesh/quads', 'remesh/schemes', 'measure', 'io/model', 'io', 'jobs/parts',
+    'jobs/checks', 'jobs'],
 };
 
 /** @type {Record<string, string[]>} folders of bindings/package; '': modules imported by name */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is shown on top of the surfaces: distances as colours; curves, borders and faults as lines;
-// the triangle under the pointer. The survey's worker finds them.
+// the triangle under the pointer. The core finds edges, the survey's worker the rest.
 import { Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
 import { distanceColors } from '../base/colors.js';
@@ -15,7 +15,7 @@ import { ramp } from '../view/ramp.js';
 /** @typedef {import('../view/viewer.js').Side} Side */
 /** @typedef {import('../survey/surface.js').Distances} Distances */
 /** @typedef {import('../survey/surface.js').Point} Point */
-/** @typedef {import('../survey/topology.js').Edges} Edges */
+/** @typedef {import('../survey/lines.js').Edges} Edges */
 
 /** @typedef {{ stage: import('../view/stage.js').Stage, panel: import('../panel/panel.js').Panel,
  *   session: import('../model/session.js').Session }} Desk */
@@ -60,15 +60,20 @@ export class Surveying {
 
   /** A model is on the stage, or gone. @param {Side} side */
   async shown(side) {
-    const { viewer } = this.#page.stage;
+    const { session, stage: { viewer } } = this.#page;
     if (side !== 'baseline') this.distances = null;
     const soup = viewer?.view(side)?.soup() ?? null;
+    const isAsked = soup?.indices.length && (side === 'original' || soup.polygons);
+    // The core copies what it is asked about before the worker gets it.
+    const finding = isAsked ? session.edgesOf(soup) : null;
     const buffers = soup ? [soup.positions.buffer, soup.indices.buffer] : [];
-    await this.survey.ask('setSurface', { side, soup }, buffers);
-    viewer?.overlays[side].setDots(await this.survey.ask('irregular', side));
+    const [found] = await Promise.all(
+      [finding, this.survey.ask('setSurface', { side, soup }, buffers)]);
+    viewer?.overlays[side].setDots(found
+      && await this.survey.ask('irregular', { side, first: found.first }));
     viewer?.draw();
     this.#showLegend();
-    if (side === 'original') await this.#findEdges();
+    if (side === 'original') await this.#showEdges(found);
   }
 
   /** Finds misplaced pieces and triangles, which takes longer. */
@@ -82,9 +87,10 @@ export class Surveying {
     this.#showLandmarks();
   }
 
-  async #findEdges() {
+  /** @param {import('remesher').EdgeSummary | null} found on the original */
+  async #showEdges(found) {
     this.#faults = null;
-    this.#edges = await this.survey.ask('edges');
+    this.#edges = found && await this.survey.ask('lines', found);
     const edges = this.#edges;
     const overlays = this.#page.stage.viewer?.overlays.original;
     if (edges) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One model, its results, and at most one run: a new run ends the run before it. Uses the package,
 // not the page. Every method rejects with AbortError when it was overtaken.
-import { convertFile, inspect, remeshFile } from 'remesher';
+import { convertFile, inspect, RemeshError, remeshFile } from 'remesher';
 import { extensionOf } from '../files/files.js';
 
 /** @typedef {import('../files/models.js').Model} Model */
@@ -79,6 +79,19 @@ export class Session {
     const signal = this.#stay.signal;
     const { faults } = await inspect(model.bytes, { ...describe(model), faults: true, signal });
     return faults ?? null;
+  }
+
+  /** The edges of a surface by kind, as the core finds them; null for a surface that the core
+   * refuses, or if another model came meanwhile.
+   * @param {{ positions: Float32Array, indices: Uint32Array }} surface */
+  async edgesOf({ positions, indices }) {
+    const { signal } = this.#stay;
+    try {
+      return (await inspect({ positions, indices }, { edges: true, signal })).edges ?? null;
+    } catch (error) {
+      if (signal.aborted || error instanceof RemeshError) return null;
+      throw error;
+    }
   }
 
   /** The model as glTF, for the viewer: the file itself, or a conversion.

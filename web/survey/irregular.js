@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The irregular vertices inside a quad surface: those with a valence other than four.
 import { forEachPolygon } from '../triangles/polygons.js';
-import { welded } from './topology.js';
 
-/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {import('../triangles/soup.js').Soup} Soup */
 /** @typedef {import('../triangles/polygons.js').Irregular} Irregular */
 
 /** The valence of each vertex after welding, 0 for border vertices and duplicates.
@@ -27,10 +26,10 @@ function valencesInside(polygons, vertices, count) {
   return valences.map((valence, vertex) => (isBorder[vertex] ? 0 : valence));
 }
 
-/** @param {Soup} soup @returns {Irregular} empty if the soup has no polygons */
-export function irregularVertices({ positions, indices, polygons }) {
+/** @param {Soup} soup @param {Uint32Array} first for each vertex the first at its place
+ * @returns {Irregular} empty if the soup has no polygons */
+export function irregularVertices({ positions, indices, polygons }, first) {
   if (!polygons) return { places: new Float32Array(), valences: [] };
-  const first = welded(positions);
   const vertices = indices.map((vertex) => first[vertex]);
   const all = valencesInside(polygons, vertices, positions.length / 3);
   const found = [...all.keys()].filter((vertex) => all[vertex] && all[vertex] !== 4);

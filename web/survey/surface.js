@@ -4,7 +4,7 @@
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 
-/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {import('../triangles/soup.js').Soup} Soup */
 /** @typedef {[number, number, number]} Point */
 /** distance: in model units, from `point` on one surface to `nearest` on the other.
  * @typedef {{ distance: number, point: Point, nearest: Point }} Place */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The worker that holds the surfaces, and answers questions that take longer than a frame.
 import { irregularVertices } from './irregular.js';
+import { linesOf } from './lines.js';
 import { offVertices } from './off.js';
 import { pick } from './picking.js';
 import { measureDistances, Surface } from './surface.js';
-import { findEdges } from './topology.js';
 
-/** @typedef {import('./topology.js').Soup} Soup */
+/** @typedef {import('../triangles/soup.js').Soup} Soup */
 /** @typedef {import('./surface.js').Point} Point */
 /** @typedef {import('./surface.js').Distances} Distances */
 /** @typedef {'original' | 'baseline' | 'result'} Side */
@@ -22,9 +22,11 @@ const questions = {
     else delete surfaces[side];
     return null;
   },
-  edges: () => (surfaces.original ? findEdges(surfaces.original.soup) : null),
-  /** @param {Side} side */
-  irregular: (side) => (surfaces[side] ? irregularVertices(surfaces[side].soup) : null),
+  /** @param {import('remesher').EdgeSummary} found on the original */
+  lines: (found) => (surfaces.original ? linesOf(surfaces.original.soup, found) : null),
+  /** @param {{ side: Side, first: Uint32Array }} request first: see EdgeSummary */
+  irregular: ({ side, first }) => (surfaces[side]
+    ? irregularVertices(surfaces[side].soup, first) : null),
   /** @returns {Distances | null} */
   distances: () => (surfaces.result && surfaces.original
     ? measureDistances(surfaces.result, surfaces.original) : null),

@@ -31,6 +31,8 @@ import { checkOptions, checkRepair } from '../base/options.js';
 /**
  * @typedef {object} InspectOptions
  * @property {boolean} [faults] Whether to look for what is broken, and for what would mend it.
+ * @property {boolean} [edges] Whether to tell the edges by kind: of arrays, whose vertices have
+ *   numbers.
  */
 
 /**
@@ -152,18 +154,25 @@ export class Api extends ArraysApi {
    * @returns {Promise<Inspection>}
    */
   async inspect(bytesOrMesh, options = {}) {
-    refuseOthers(options, [...runNames, ...fileNames, 'faults']);
+    refuseOthers(options, [...runNames, ...fileNames, 'faults', 'edges']);
     const faults = checkSwitch('faults', options.faults);
+    const edges = checkSwitch('edges', options.edges);
     if (isBytes(bytesOrMesh)) {
+      if (edges) throw edgesOfFile();
       const file = await fileRequest(bytesOrMesh, options);
       return this.#client.run({ kind: 'inspectFile', file, faults }, fileBuffers(file), options);
     }
     const { signal, onProgress, worker } = options;
-    if (!faults) return super.inspect(bytesOrMesh, { signal, onProgress, worker });
+    if (!faults && !edges) return super.inspect(bytesOrMesh, { signal, onProgress, worker });
     const mesh = copyMesh(bytesOrMesh);
-    return this.#client.run({ kind: 'inspect', mesh, faults }, buffersOf(mesh), options);
+    const job = { kind: /** @type {const} */ ('inspect'), mesh, closely: { faults, edges } };
+    return this.#client.run(job, buffersOf(mesh), options);
   }
 }
+
+const edgesOfFile = () => new RemeshError('INVALID_OPTION',
+  'edges are told of arrays only: they name vertices by their numbers.',
+  'Give a mesh of positions and indices.');
 
 /** @param {string} name @param {unknown} value @returns {boolean} */
 function checkSwitch(name, value = false) {

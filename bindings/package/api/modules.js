@@ -11,7 +11,7 @@ import { RemeshError } from '../base/errors.js';
 
 /** @param {Job} job @returns {EngineName} the least that can run it */
 export function neededBy(job) {
-  if (job.kind === 'inspect') return job.faults ? 'whole' : 'arrays';
+  if (job.kind === 'inspect') return job.closely ? 'whole' : 'arrays';
   if (job.kind !== 'remesh') return 'whole';
   const { repair = 'off', quads = false } = job.options;
   return repair === 'off' && !quads ? 'arrays' : 'whole';

@@ -61,7 +61,7 @@
  *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'convertFile', file: FileRequest }
- *   | { kind: 'inspect', mesh: Mesh, faults?: boolean }
+ *   | { kind: 'inspect', mesh: Mesh, closely?: { faults: boolean, edges: boolean } }
  *   | { kind: 'inspectFile', file: FileRequest, faults?: boolean }} Job
  */
 
@@ -186,6 +186,19 @@
  * @property {Phase[]} phases All phases of the run, in order.
  * @property {Warning[]} warnings What was mended or left out.
  * @property {FaultSummary} [faults] What is broken, if the inspection was asked for it.
+ * @property {EdgeSummary} [edges] The edges by kind, if the inspection was asked for them.
+ */
+
+/**
+ * The edges of a mesh by kind: two vertices for each edge, of those at one place the first.
+ * @typedef {object} EdgeSummary
+ * @property {Uint32Array} boundary Edges of one triangle.
+ * @property {Uint32Array} nonManifold Edges of more than two.
+ * @property {Uint32Array} flipped Edges of two triangles that face opposite ways.
+ * @property {Uint32Array} bent Edges of two triangles that bend there by 5 degrees at least, those
+ *   that bend most first.
+ * @property {Float64Array} bends The degrees by which these bend.
+ * @property {Uint32Array} first For each vertex the first at its place.
  */
 
 /**

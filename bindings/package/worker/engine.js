@@ -99,8 +99,9 @@ function call(instance, job, ask) {
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
-      return job.faults
-        ? instance.inspectClosely(withList(job.mesh)) : instance.inspect(withList(job.mesh));
+      return job.closely
+        ? instance.inspectClosely(withList(job.mesh), job.closely)
+        : instance.inspect(withList(job.mesh));
     default:
       return instance.inspectFile(job.file, job.faults ?? false);
   }
