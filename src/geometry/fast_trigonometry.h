@@ -14,7 +14,6 @@ namespace remesher {
 // The angle in [0, π] whose sine and cosine have the ratio sine : cosine, where sine ≥ 0; 0 if both
 // are 0.
 inline double angleOf(double sine, double cosine) {
-  constexpr double kPi = std::numbers::pi;
   // Reduced to |t| ≤ tan(π/8) by atan x = π/2 − atan(1/x) and atan x = π/4 + atan((x − 1)/(x + 1)).
   constexpr double kTanEighth = std::numbers::sqrt2 - 1;
   const double adjacent = cosine < 0 ? -cosine : cosine;
@@ -25,16 +24,15 @@ inline double angleOf(double sine, double cosine) {
   const double t = wide ? (small - large) / (small + large) : small / large, u = t * t;
   double sum = 0;
   for (int k = 15; k >= 1; k -= 2) sum = 1.0 / k - u * sum;  // Taylor's series
-  double angle = t * sum + (wide ? kPi / 4 : 0);
-  if (steep) angle = kPi / 2 - angle;
-  return cosine < 0 ? kPi - angle : angle;
+  double angle = t * sum + (wide ? std::numbers::pi / 4 : 0);
+  if (steep) angle = kQuarterTurn - angle;
+  return cosine < 0 ? std::numbers::pi - angle : angle;
 }
 
 // (cos, sin) of an angle ≥ 0, not many turns.
 inline Vec2 onUnitCircle(double angle) {
-  constexpr double kQuarter = std::numbers::pi / 2;
-  const int quarters = int(std::floor(angle / kQuarter + 0.5));
-  const double x = angle - quarters * kQuarter, u = x * x;
+  const int quarters = int(std::floor(angle / kQuarterTurn + 0.5));
+  const double x = angle - quarters * kQuarterTurn, u = x * x;
   double cosine = 1, sine = 1;
   for (int k = 8; k >= 2; k -= 2) {
     cosine = 1 - u * (1.0 / (k * (k - 1))) * cosine;

@@ -70,9 +70,8 @@ bool isLocallyDelaunay(const UnfoldedEdge& quad) {
   const Vec2 ca = quad.a - quad.c, cb = quad.b - quad.c, da = quad.a - quad.d, db = quad.b - quad.d;
   const double cosC = ca.dot(cb), sinC = cross(ca, cb), cosD = da.dot(db), sinD = cross(db, da);
   // A flip must gain more than rounding, or two cocircular triangles would swap for ever.
-  constexpr double kTie = 1e-9;
   const double sinSum = sinC * cosD + cosC * sinD;
-  return sinSum >= -kTie * (ca.norm() * cb.norm() * da.norm() * db.norm());
+  return sinSum >= -kRoundOff * (ca.norm() * cb.norm() * da.norm() * db.norm());
 }
 
 }  // namespace remesher

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,8 +20,8 @@
 namespace remesher {
 
 struct Box {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 low = Vec3::Constant(kInfinity);
+  Vec3 high = Vec3::Constant(-kInfinity);
 
   void extend(const Vec3& p) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -40,7 +39,7 @@ class TriangleTree {
   struct Nearest {
     Index triangle = kNone;
     Vec3 point = Vec3::Zero();
-    double squaredDistance = std::numeric_limits<double>::infinity();
+    double squaredDistance = kInfinity;
     Index looked = 0;  // number of triangles looked at
   };
 

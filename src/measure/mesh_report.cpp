@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -88,7 +87,7 @@ void reportAngles(const TriangleMesh& mesh, const Welding& welding, MeshReport& 
   std::array<std::size_t, 6> counts{};
   double sum = 0, worst = std::numbers::pi, largest = 0;
   // An angle whose cosine exceeds leastRatio × its sine cannot be the largest so far.
-  double leastRatio = std::numeric_limits<double>::infinity();
+  double leastRatio = kInfinity;
   for (std::size_t t = 0; t < n; ++t) {
     const auto at = [&](std::size_t i) -> const Vec3& {
       return mesh.positions[welding.first[mesh.indices[i]]];

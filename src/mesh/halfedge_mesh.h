@@ -96,6 +96,9 @@ class HalfedgeMesh {
   int valence(Vertex v) const;  // number of neighbours
   // Whether the valence exceeds `than` (2 or more). Stops counting there.
   bool hasMoreNeighbors(Vertex v, int than) const;
+  // A look around a vertex costs as much as it has neighbours: no operator makes one with more.
+  static constexpr int kMostNeighbors = 128;
+  bool isHub(Vertex v) const { return hasMoreNeighbors(v, kMostNeighbors); }
   Halfedge find(Vertex from, Vertex to) const;  // the halfedge from → to, or none
   bool adjacent(Vertex a, Vertex b) const { return find(a, b) || find(b, a); }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -65,7 +64,7 @@ void countCrossings(RepairedMesh& result) {
 }
 
 double longestLoop(const TriangleMesh& input, const RemeshOptions& options) {
-  if (!options.holesUpTo) return std::numeric_limits<double>::infinity();
+  if (!options.holesUpTo) return kInfinity;
   return *options.holesUpTo / 100 * diagonalOf(input);
 }
 

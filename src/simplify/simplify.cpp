@@ -32,10 +32,6 @@ constexpr double kSharp = 0.8;
 constexpr double kTurned = 0.5, kFarTurned = 0;
 // In lengths of the edge: the remaining vertex moves no farther from its place.
 constexpr double kFarthest = 2;
-// A look around a vertex costs as much as it has neighbours. A vertex with more neighbours than
-// this is a hub: the hub stays, and loses neighbours as they are merged with each other.
-constexpr int kMostNeighbors = 64;
-
 struct Offer {
   double cost;  // the sum times √area: a large area shows errors more
   Halfedge halfedge;
@@ -156,8 +152,6 @@ class Simplification {
     return seams == 0 ? Freedom::Free : seams == 2 ? Freedom::Seam : Freedom::Fixed;
   }
 
-  bool isHub(Vertex v) const { return mesh_.hasMoreNeighbors(v, kMostNeighbors); }
-
   // Stamps only grow: if their sum is the same, so are both.
   bool isCurrent(const Offer& offered) const {
     const Halfedge h = offered.halfedge;
@@ -201,8 +195,10 @@ class Simplification {
   }
 
   bool isLegal(Halfedge h) const {
-    if (isHub(mesh_.origin(h)) || isHub(mesh_.tip(h))) return false;
-    if (mesh_.valence(mesh_.origin(h)) + mesh_.valence(mesh_.tip(h)) - 4 > kMostNeighbors)
+    // A hub stays, and loses neighbours as they are merged with each other.
+    if (mesh_.isHub(mesh_.origin(h)) || mesh_.isHub(mesh_.tip(h))) return false;
+    if (mesh_.valence(mesh_.origin(h)) + mesh_.valence(mesh_.tip(h)) - 4 >
+        HalfedgeMesh::kMostNeighbors)
       return false;
     if (!EulerOperators::canCollapse(mesh_, h)) return false;
     // Two seams of one triangle would become one.
@@ -251,7 +247,7 @@ class Simplification {
     surface_.positions[into] = offered.place;
     quadrics_[into].add(gone);
     ++stamps_[into];
-    mesh_.forEachNeighbor(into, [&](Vertex w) { stamps_[w] += isHub(w) ? 0 : 1; });
+    mesh_.forEachNeighbor(into, [&](Vertex w) { stamps_[w] += mesh_.isHub(w) ? 0 : 1; });
     offerAround(into);
   }
 
@@ -276,7 +272,7 @@ class Simplification {
     };
     gather(v);
     mesh_.forEachNeighbor(v, [&](Vertex w) {
-      if (!isHub(w)) gather(w);
+      if (!mesh_.isHub(w)) gather(w);
     });
     std::sort(around_.begin(), around_.end());
     around_.erase(std::unique(around_.begin(), around_.end()), around_.end());

@@ -29,8 +29,8 @@ EncodedAccessor encodeAs(const Table& table, const Encoding& encoding) {
   EncodedAccessor result;
   result.stride = (width * sizeof(Component) + 3) / 4 * 4;
   result.bytes.resize(result.stride * table.rows(), 0);
-  result.min.assign(width, std::numeric_limits<double>::infinity());
-  result.max.assign(width, -std::numeric_limits<double>::infinity());
+  result.min.assign(width, kInfinity);
+  result.max.assign(width, -kInfinity);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t k = 0; k < width; ++k) {
       const auto value =

@@ -35,7 +35,7 @@ constexpr int kDigits = 4, kMostDigits = 17;
 std::string number(double x) { return inDigits(x, kDigits); }
 
 struct WorstTriangle {
-  double angle = std::numeric_limits<double>::infinity();
+  double angle = kInfinity;
   Vec3 centre = Vec3::Zero();
 };
 
@@ -60,7 +60,7 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
 
 // The box of all vertices; without any, `low` is above `high`.
 struct Extent {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Vec3 low = Vec3::Constant(kInfinity), high = -low;
   bool isSingle = false;  // of any of them
   double size() const { return (high - low).maxCoeff(); }
   double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }

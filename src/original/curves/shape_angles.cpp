@@ -12,7 +12,8 @@ namespace remesher {
 
 namespace {
 
-// Coordinates are rounded to 2^-24 of themselves in binary files, to six digits in text.
+// Coordinates are rounded to 2^-24 of themselves in binary files, to six digits in text; cosines
+// are no better.
 constexpr double kPrecision = 1e-6;
 
 struct Side {
@@ -83,8 +84,7 @@ double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Ha
 // Angles are computed only for the few edges that may be sharp.
 HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
                               double angle) {
-  constexpr double kRounding = 1e-6;
-  const double flat = std::cos(std::clamp(angle, 0.0, std::numbers::pi)) + kRounding;
+  const double flat = std::cos(std::clamp(angle, 0.0, std::numbers::pi)) + kPrecision;
   HalfedgeData<char> sharp(mesh.halfedgeCapacity(), angle <= 0);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i), t = mesh.twin(h);
@@ -127,8 +127,7 @@ double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
 
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                          double angle) {
-  constexpr double kRounding = 1e-6;
-  const double least = 1 - angle / (2 * std::numbers::pi) + kRounding;  // cosine
+  const double least = 1 - angle / (2 * std::numbers::pi) + kPrecision;  // cosine
   VertexData<char> result(mesh.vertexCapacity(), 0);
   VertexData<Vec3> first(mesh.vertexCapacity(), Vec3::Zero());  // normal, not unit, at each
   for (Index f = 0; f < mesh.faceCapacity(); ++f) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -126,7 +125,7 @@ class Search {
     const auto isTip = [&](Vertex v) {
       return std::find(tips.begin(), tips.end(), v) != tips.end();
     };
-    double shortest = std::numeric_limits<double>::infinity(), around = 0;
+    double shortest = kInfinity, around = 0;
     for (const Vertex v : tips)
       mesh_.forEachOutgoing(v, [&](Halfedge h) {
         const Vertex a = mesh_.tip(h), b = mesh_.opposite(h);

@@ -18,9 +18,6 @@ namespace {
 // no reason to move, kMaxThrow in all, where the surface may bulge.
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
-// Tolerance for rounding, a share of the bounding box's diagonal: corners may coincide.
-constexpr double kRounding = 1e-9;
-
 // Limit on the faces that all on-demand patches together may visit: per face of the mesh, and at
 // least.
 constexpr std::size_t kOnDemandShare = 1, kMinOnDemandFaces = 100000;
@@ -50,7 +47,8 @@ struct PatchAtlas::Impl {
       : mesh(m),
         positions(p),
         barriers(std::move(b)),
-        squaredRounding(std::pow(kRounding * diagonal(positions), 2)),
+        // Corners may coincide.
+        squaredRounding(std::pow(kRoundOff * diagonal(positions), 2)),
         builder(mesh, positions, barriers.values(), margin),
         patches(builder.cells().count()),
         isBuilt(patches.size(), 0),

@@ -3,8 +3,6 @@
 // positively oriented and the patch is convex; if it ever circles, all faces are searched.
 #include "original/patches/point_location.h"
 
-#include <limits>
-
 namespace remesher {
 namespace {
 
@@ -47,7 +45,7 @@ Vec3 PlanarPatch::areasIn(const LocalFace& f, const Vec2& point) const {
 
 PlanarPatch::Location PlanarPatch::searchAll(const Vec2& point) const {
   LocalIndex best = 0;
-  double bestLowest = -std::numeric_limits<double>::infinity();
+  double bestLowest = -kInfinity;
   for (std::size_t n = 0; n < faces_.size(); ++n) {
     const Vec3 areas = areasIn(faces_[n], point);
     const double lowest = areas.minCoeff() / areas.sum();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
@@ -49,7 +48,7 @@ FaceData<double> widthsBetweenCurves(const OriginalSurface& surface) {
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const Face region(regions.find(i));
     const double rim = rims[region];
-    widths[Face(i)] = rim > 0 ? 2 * areas[region] / rim : std::numeric_limits<double>::infinity();
+    widths[Face(i)] = rim > 0 ? 2 * areas[region] / rim : kInfinity;
   }
   return widths;
 }

@@ -129,7 +129,7 @@ class Placing {
 
   // Among placements of equal cost the first choice of the vertex before wins.
   Choice bestWayTo(double arc, std::size_t i, const Costs& cheapest) const {
-    Choice choice{curve_.at(arc), std::numeric_limits<double>::infinity(), 0};
+    Choice choice{curve_.at(arc), kInfinity, 0};
     const double move = (arc - arcs_[i]) / even_;
     for (const auto& [costBefore, k] : cheapest) {
       const double moved = costBefore + move * move;

@@ -2,7 +2,6 @@
 #include "original/surface/refined_faces.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -115,7 +114,7 @@ RefinedFaces::RefinedFaces(const OriginalSurface& surface, double longest) {
 }
 
 VertexData<double> RefinedFaces::leastAround(const FaceData<double>& values) const {
-  VertexData<double> least(positions_.size(), std::numeric_limits<double>::infinity());
+  VertexData<double> least(positions_.size(), kInfinity);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].first == kNone)
       for (const Vertex v : nodes_[i].corners) least[v] = std::min(least[v], values[owners_[i]]);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "original/surface/surface_walk.h"
 
-#include <limits>
-
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -11,9 +9,6 @@ namespace {
 
 // A walk of more steps is no longer local; the point reached is then the answer.
 constexpr int kMaxSteps = 4096;
-// A barycentric coordinate below this means a point on the opposite edge, moved off it by rounding:
-// at a wall of 90° over an edge exactly this point counts.
-constexpr double kOnEdge = 1e-9;
 
 class Walk {
  public:
@@ -52,7 +47,7 @@ class Walk {
   struct Found {
     SurfacePoint point;
     Vec3 toTarget = Vec3::Zero();  // from the point
-    double distance2 = std::numeric_limits<double>::infinity();
+    double distance2 = kInfinity;
   };
 
   SurfacePoint from(Found best) const {
@@ -77,7 +72,9 @@ class Walk {
   // The best point on the faces that touch the point found; infinitely far if none can be nearer.
   Found closestAround(const Found& found) const {
     const Vec3& w = found.point.barycentric;
-    const bool on[] = {w[0] < kOnEdge, w[1] < kOnEdge, w[2] < kOnEdge};
+    // A point on an edge may be moved off it by rounding: at a wall of 90° over the edge exactly
+    // this point counts.
+    const bool on[] = {w[0] < kRoundOff, w[1] < kRoundOff, w[2] < kRoundOff};
     const int edges = on[0] + on[1] + on[2];
     if (edges == 0) return {};
     if (edges == 1) return closestAcross(found, on[0] ? 1 : on[1] ? 2 : 0);

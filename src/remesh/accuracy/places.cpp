@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -27,7 +26,6 @@ constexpr double kBetween = 2;    // target edge lengths
 constexpr double kSameWay = 0.9;  // cosine
 // More places than this, per vertex of the mesh and triangle of the original, cannot matter.
 constexpr double kMostPlaces = 64;
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 struct Start {
   Face face;
@@ -200,7 +198,7 @@ class Survey {
   // Returns the triangle nearest to the place, or one that is near enough.
   Face add(const SurfacePoint& original, Face start) {
     const double size = run_.asked.scale * run_.sizes.at(original);
-    Place place{original, mesh_.surface().position(original), start, kEndless};
+    Place place{original, mesh_.surface().position(original), start, kInfinity};
     improve(mesh_, place, {start, enough_ * size});
     retry(place, size);
     if (isDoubtful(place, size)) {
@@ -334,7 +332,7 @@ class Survey {
 }  // namespace
 
 void measureAgain(const WorkingMesh& mesh, Place& place) {
-  place.distance = kEndless;
+  place.distance = kInfinity;
   improve(mesh, place, {place.nearest});
 }
 

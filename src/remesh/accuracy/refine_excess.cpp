@@ -2,7 +2,6 @@
 #include "remesh/accuracy/refine_excess.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -48,7 +47,7 @@ Halfedge longestSide(const WorkingMesh& mesh, Face f) {
 }
 
 double shortestEdge(const WorkingMesh& mesh, Vertex v) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = kInfinity;
   mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
     shortest = std::min(shortest, (mesh.position(w) - mesh.position(v)).norm());
   });
@@ -99,7 +98,7 @@ class Refinement {
   Face nearestFace(const std::vector<Vertex>& near, const SurfacePoint& point) const {
     const Vec3 target = run_.mesh.surface().position(point);
     Face nearest;
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const Vertex v : near)
       run_.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
         const auto [a, b, c] = run_.mesh.mesh().vertices(HalfedgeMesh::face(h));

@@ -14,7 +14,6 @@ namespace remesher {
 
 namespace {
 
-constexpr double kFarOff = std::numeric_limits<double>::infinity();
 // A place beside a vertex and nearer to its tangent plane than this decides nothing.
 constexpr double kBesideIt = 0.05;  // of the target edge length
 // An edge follows the original if its slope to the tangent planes at both ends is below kSlope (a
@@ -54,7 +53,7 @@ SurfacePoint TwoSidedDistance::startNear(const Vec3& sample, Face f) const {
   const Triangle corners = mesh_.corners(f);
   const auto vertices = mesh_.mesh().vertices(f);
   const auto distance2 = [&](int i) {
-    return hubs_.contains(vertices[i]) ? kFarOff : (corners[i] - sample).squaredNorm();
+    return hubs_.contains(vertices[i]) ? kInfinity : (corners[i] - sample).squaredNorm();
   };
   int nearest = 0;
   for (const int i : {1, 2})
@@ -170,7 +169,7 @@ void TwoSidedDistance::gather(Vertex v, const Placement& to) {
 
 // Measures the place against the gathered triangles.
 void TwoSidedDistance::measureNear(Place& place) const {
-  double nearest = kFarOff;
+  double nearest = kInfinity;
   for (const auto& [face, at] : gathered_) {
     const double distance2 =
         (closestPoint(place.position, at[0], at[1], at[2]) - place.position).squaredNorm();
@@ -250,7 +249,7 @@ double TwoSidedDistance::ifFlipped(Halfedge h) {
   const Vec3 &c = mesh_.position(m.opposite(h)), &d = mesh_.position(m.opposite(t));
   moved_ = {};
   gathered_ = {{m.face(h), {a, d, c}}, {m.face(t), {b, c, d}}};
-  double farthest = std::max(farthestPlace(kFarOff), fromOriginal(d, c, m.face(h)));
+  double farthest = std::max(farthestPlace(kInfinity), fromOriginal(d, c, m.face(h)));
   for (const auto& [face, at] : gathered_)
     farthest = std::max({farthest, fromOriginal(at, face), fromOriginal(at[0], face),
                          fromOriginal(at[1], face), fromOriginal(at[0], at[1], face),

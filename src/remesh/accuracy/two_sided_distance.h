@@ -3,7 +3,6 @@
 // date while vertices move. It steers the lowering of the Hausdorff distance.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,8 +22,7 @@ class TwoSidedDistance {
 
   // The largest distance around v if v were at `to`, of those that its move changes. Above `limit`
   // it may be any value above it.
-  double around(Vertex v, const Placement& to,
-                double limit = std::numeric_limits<double>::infinity());
+  double around(Vertex v, const Placement& to, double limit = kInfinity);
 
   // The largest distance around v that no move of v changes: along the rim of its star.
   double onRim(Vertex v);
@@ -61,8 +59,7 @@ class TwoSidedDistance {
   SurfacePoint startNear(const Vec3& sample, Face f) const;
   double fromOriginal(const Vec3& sample, SurfacePoint& place) const;
   double fromOriginal(const Vec3& sample, Face f) const;
-  double fromOriginal(const Vec3& from, const Vec3& to, Face f,
-                      double limit = std::numeric_limits<double>::infinity()) const;
+  double fromOriginal(const Vec3& from, const Vec3& to, Face f, double limit = kInfinity) const;
   double fromOriginal(const Triangle& triangle, Face f) const;
   bool followsOriginal(Halfedge h) const;
   void raise(Face f, double distance);

@@ -2,7 +2,6 @@
 #include "remesh/gate/angles.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/extremes.h"
 #include "geometry/fast_trigonometry.h"
@@ -56,7 +55,7 @@ bool AngleLimit::isAboveAround(const Star& star, const Vec3& center) const {
 double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain,
                            double beyond) {
   const auto at = [&](Vertex v) -> const Vec3& { return positionAfter(mesh, change, v); };
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = kInfinity;
   for (const auto& [a, b, c] : change.coming) {
     smallest = std::min(smallest, angleAsWritten({at(a), at(b), at(c)}, grain));
     if (smallest <= beyond) break;
@@ -65,13 +64,13 @@ double smallestComingAngle(const WorkingMesh& mesh, const LocalChange& change, c
 }
 
 double smallestGoingAngle(const WorkingMesh& mesh, const LocalChange& change, const Grain& grain) {
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = kInfinity;
   for (const Face f : change.going) smallest = std::min(smallest, smallestAngle(mesh, f, grain));
   return smallest;
 }
 
 double smallestAngleAround(const WorkingMesh& mesh, Vertex v, const Vec3& position) {
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = kInfinity;
   mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
     smallest = std::min(smallest, minAngle(position, mesh.position(mesh.mesh().tip(h)),
                                            mesh.position(mesh.mesh().opposite(h))));

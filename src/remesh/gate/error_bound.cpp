@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "remesh/gate/nearness.h"
 
@@ -27,7 +26,7 @@ class Nearby {
 
   struct Nearest {
     std::size_t member = 0;
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = kInfinity;
   };
 
   // Fastest when `start` is near.

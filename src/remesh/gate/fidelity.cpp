@@ -59,8 +59,8 @@ bool isPlain(double longer, double area, const Grain& grain) {
 // Whether a triangle surely is no fold. lean: the least product of its area vector with the normals
 // of its corners; squared: the square of its area vector.
 bool isUpright(double lean, double squared, const FidelityRule& rule) {
-  constexpr double kSurely = 1 + 1e-9;  // rounding changes no answer
-  return lean > 0 && lean * lean > kSurely * rule.fold * rule.fold * squared;
+  // Rounding changes no answer.
+  return lean > 0 && lean * lean > (1 + kRoundOff) * rule.fold * rule.fold * squared;
 }
 
 // A quick test that a triangle is far from a line and from a fold; most proposals need no more. At

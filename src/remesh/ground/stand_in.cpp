@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/ground/stand_in.h"
 
-#include <limits>
 #include <utility>
 
 #include "original/surface/surface_walk.h"
@@ -56,7 +55,7 @@ StandIn::StandIn(const OriginalSurface& original, Parts&& thinned)
 SurfacePoint StandIn::onOriginal(const SurfacePoint& p) const {
   const Vec3 target = surface_.position(p);
   SurfacePoint best;
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = kInfinity;
   for (const Vertex corner : surface_.mesh().vertices(p.face)) {
     const SurfacePoint found =
         closestPointFrom(*original_, original_->at(onOriginal_[corner]), target);

@@ -24,10 +24,8 @@ bool mayLeave(const WorkingMesh& mesh, Halfedge h) {
 // one hub, each later look would cost thousands. Where one end has at most four neighbours, the
 // other gets no more than it has.
 bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
-  constexpr int kMostNeighbors = 128;
   if (!m.hasMoreNeighbors(a, 4) || !m.hasMoreNeighbors(b, 4)) return false;
-  return m.hasMoreNeighbors(a, kMostNeighbors) || m.hasMoreNeighbors(b, kMostNeighbors) ||
-         m.valence(a) + m.valence(b) - 4 > kMostNeighbors;
+  return m.isHub(a) || m.isHub(b) || m.valence(a) + m.valence(b) - 4 > HalfedgeMesh::kMostNeighbors;
 }
 
 bool isLegal(const WorkingMesh& mesh, Halfedge h) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/operators/projection.h"
 
-#include <limits>
-
 #include "original/surface/surface_walk.h"
 
 namespace remesher {
@@ -35,7 +33,7 @@ SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
     if (const auto point = atlas_->interpolate(corners, places, weights)) return *point;
   const Vec3 flat = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   SurfacePoint best;
-  double bestDistance = std::numeric_limits<double>::infinity();
+  double bestDistance = kInfinity;
   const double enough = kPlainlyNear * kPlainlyNear * (places[1] - places[0]).squaredNorm();
   for (int i = 0; i < 3 && bestDistance > enough; ++i) {
     if (weights[i] <= 0) continue;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -25,8 +24,7 @@ class RowQr {
   }
 
   Vec2 solve() const {
-    constexpr double kSingular = 1e-9;
-    if (!(std::abs(r11_) > kSingular * std::abs(r00_))) return Vec2::Zero();
+    if (!(std::abs(r11_) > kRoundOff * std::abs(r00_))) return Vec2::Zero();
     const double y = q1_ / r11_;
     return {(q0_ - r01_ * y) / r00_, y};
   }
@@ -61,16 +59,15 @@ double costOf(double cosine) {
 // The cost of all triangles if the vertex were at p; infinite if one would turn over or the sum
 // reaches `limit`. Never inlined: it takes far longer than a call.
 [[gnu::noinline]] double costAt(const PolarMap& star, const Vec2& p, double limit) {
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
   Vec2 a = star.rim(0) - p;
   double toA = a.norm(), sum = 0;
   for (int i = 0; i < star.size(); ++i) {
     const Vec2 b = star.rim(star.after(i)) - p, side = b - a;
-    if (!(cross(a, b) > 0)) return kEndless;
+    if (!(cross(a, b) > 0)) return kInfinity;
     const double toB = b.norm(), length = side.norm();
     sum += costOf(greatest(a.dot(b) / (toA * toB), -a.dot(side) / (toA * length),
                            b.dot(side) / (toB * length)));
-    if (!(sum < limit)) return kEndless;
+    if (!(sum < limit)) return kInfinity;
     a = b;
     toA = toB;
   }
@@ -104,7 +101,7 @@ Vec2 wideTarget(const PolarMap& star) {
   constexpr int kDirections = 4;
   const double spoke = star.meanSpoke();
   Vec2 at = Vec2::Zero();
-  double cost = costAt(star, at, std::numeric_limits<double>::infinity());
+  double cost = costAt(star, at, kInfinity);
   for (double step = kFirstStep; step >= kLastStep;) {
     const Vec2 from = at;
     for (int i = 0; i < kDirections; ++i) {

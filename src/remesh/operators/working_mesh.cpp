@@ -13,7 +13,7 @@ WorkingMesh::WorkingMesh(const OriginalSurface& surface)
       on_(mesh_.vertexCapacity()),
       kind_(mesh_.vertexCapacity(), VertexKind::Interior),
       pinned_(mesh_.vertexCapacity(), 0),
-      unrest_(mesh_.vertexCapacity(), kEndless),
+      unrest_(mesh_.vertexCapacity(), kInfinity),
       curve_(mesh_.halfedgeCapacity(), kNone) {
   for (Index i = 0; i < mesh_.vertexCapacity(); ++i) {
     if (!mesh_.isAlive(Vertex(i))) continue;
@@ -140,14 +140,14 @@ void WorkingMesh::grow() {
     on_.resize(vertices);
     kind_.resize(vertices);
     pinned_.resize(vertices, 0);
-    unrest_.resize(vertices, kEndless);
+    unrest_.resize(vertices, kInfinity);
   }
   if (curve_.size() < mesh_.halfedgeCapacity()) curve_.resize(mesh_.halfedgeCapacity(), kNone);
 }
 
 void WorkingMesh::unsettleStar(Vertex v) {
-  unrest_[v] = kEndless;
-  mesh_.forEachNeighbor(v, [&](Vertex w) { unrest_[w] = kEndless; });
+  unrest_[v] = kInfinity;
+  mesh_.forEachNeighbor(v, [&](Vertex w) { unrest_[w] = kInfinity; });
 }
 
 void WorkingMesh::stirNeighbors(Vertex v, double moved) {
@@ -163,7 +163,7 @@ Halfedge WorkingMesh::flip(Halfedge h) {
   curve_[t] = curve_[edge];
   curve_[edge] = curve_[back] = kNone;
   for (const Halfedge side : {edge, back})
-    unrest_[mesh_.origin(side)] = unrest_[mesh_.opposite(side)] = kEndless;
+    unrest_[mesh_.origin(side)] = unrest_[mesh_.opposite(side)] = kInfinity;
   return edge;
 }
 

@@ -5,7 +5,6 @@
 // operators (legality) and the fidelity gate (geometry) decide beforehand what is allowed.
 #pragma once
 
-#include <limits>
 #include <span>
 
 #include "geometry/triangle.h"
@@ -101,7 +100,7 @@ class WorkingMesh {
   void settle(Vertex v) { unrest_[v] = 0; }
   void stirNeighbors(Vertex v, double moved);  // v moved by `moved`
   void unsettleStar(Vertex v);                 // v and its neighbours
-  void unsettleAll() { unrest_.assign(unrest_.size(), kEndless); }
+  void unsettleAll() { unrest_.assign(unrest_.size(), kInfinity); }
   void settleAll() { unrest_.assign(unrest_.size(), 0); }
 
   // Each triangle becomes four. midpoints[i] is the place of the middle of the i-th edge, in the
@@ -116,8 +115,6 @@ class WorkingMesh {
   void compact();
 
  private:
-  static constexpr double kEndless = std::numeric_limits<double>::infinity();
-
   void place(Vertex v, const Placement& place);
   void grow();
 

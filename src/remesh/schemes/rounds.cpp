@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/patience.h"
 #include "remesh/gate/angles.h"
@@ -29,7 +28,6 @@ constexpr int kGradingRounds = 12;
 constexpr double kSettled = 0.01;
 constexpr double kGradingShare = 0.4;  // of the time
 constexpr double kMostGraded = 4;      // of the vertices asked for, or present: else slivers go on
-constexpr double kAny = std::numeric_limits<double>::infinity();
 
 // The length of an edge, in units of its target edge length if sizes differ.
 double length(const Run& run, Halfedge h) {
@@ -92,15 +90,16 @@ std::vector<Ranked> shortestFirst(const Run& run, double below) {
 // The order of insertion: the edges of the worst triangles first; with graded sizes the edges that
 // exceed their target most, for bad angles say nothing about sizes.
 std::vector<Ranked> splitOrder(const Run& run) {
-  if (!run.sizes.isEven()) return longestFirst(run, -kAny);
-  return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return badness(run.mesh, h); });
+  if (!run.sizes.isEven()) return longestFirst(run, -kInfinity);
+  return rankedEdges(run.mesh.mesh(), -kInfinity, [&](Halfedge h) { return badness(run.mesh, h); });
 }
 
 // The order of collapses: the edges of the best triangles first; with graded sizes the edges
 // shortest for their target.
 std::vector<Ranked> collapseOrder(const Run& run) {
-  if (!run.sizes.isEven()) return shortestFirst(run, kAny);
-  return rankedEdges(run.mesh.mesh(), -kAny, [&](Halfedge h) { return goodness(run.mesh, h); });
+  if (!run.sizes.isEven()) return shortestFirst(run, kInfinity);
+  return rankedEdges(run.mesh.mesh(), -kInfinity,
+                     [&](Halfedge h) { return goodness(run.mesh, h); });
 }
 
 // One round of insertion: edges that are the longest of their triangles, no triangle twice.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -264,8 +263,7 @@ void settleBoundaries(Run& run) {
   Known known;
   for (int i = 0; i < kMostRounds && slide(run, planFor(run, known).moves); ++i) {
   }
-  constexpr double kNowhere = std::numeric_limits<double>::infinity();
-  VertexData<Vec3> before(run.mesh.mesh().vertexCapacity(), Vec3::Constant(kNowhere));
+  VertexData<Vec3> before(run.mesh.mesh().vertexCapacity(), Vec3::Constant(kInfinity));
   for (int i = 0; i < kMostRounds; ++i) {
     const VertexData<Vec3> now = run.mesh.positions();
     if (!mendStars(run, before)) break;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
@@ -202,19 +201,17 @@ class InVain {
   bool knows(Vertex v, double gain) const { return v.index < most_.size() && most_[v] <= gain; }
 
   void note(Vertex v, double gain) {
-    if (v.index >= most_.size()) most_.resize(v.index + 1, kUnknown);
+    if (v.index >= most_.size()) most_.resize(v.index + 1, kInfinity);
     most_[v] = std::min(most_[v], gain);
   }
 
   void forget(const HalfedgeMesh& mesh, const LocalChange& change) {
     for (const Face f : change.going)
       for (const Vertex v : mesh.vertices(f))
-        if (v.index < most_.size()) most_[v] = kUnknown;
+        if (v.index < most_.size()) most_[v] = kInfinity;
   }
 
  private:
-  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
   VertexData<double> most_;
 };
 
@@ -329,7 +326,7 @@ bool areFewBelow(const Run& run, double angle) {
 void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const std::size_t vertices = run.mesh.mesh().vertexCount();
   const int rounds = run.asked.effort.polishRounds;
-  double before = std::numeric_limits<double>::infinity();
+  double before = kInfinity;
   const Hubs hubs(run.mesh.mesh());
   std::size_t work = mostWork(run);
   const auto mayTry = [&](Face f) {

@@ -4,8 +4,6 @@
 // never piles up vertices where it does not.
 #pragma once
 
-#include <limits>
-
 #include "remesh/steps/run.h"
 
 namespace remesher {
@@ -14,8 +12,8 @@ namespace remesher {
 constexpr double kSmallShift = 0.16;
 
 struct PolishGoal {
-  double angle;  // radians; triangles with a smaller one are worked on
-  double shift = std::numeric_limits<double>::infinity();  // of a step, in target edge lengths
+  double angle;              // radians; triangles with a smaller one are worked on
+  double shift = kInfinity;  // of a step, in target edge lengths
 };
 
 // Whether hardly any triangle has a smaller angle. Many have one between curves and around handles

@@ -2,7 +2,6 @@
 #include "remesh/transfer/chart_keeper.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/triangle.h"
 
@@ -62,7 +61,7 @@ std::array<SurfacePoint, 3> ChartKeeper::intoChart(
   for (SurfacePoint& point : result) {
     if (contains(point.face)) continue;
     const Vec3 p = surface.position(point);
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const Face f : chart_) {
       const auto [a, b, c] = surface.mesh().vertices(f);
       const auto at = [&](Vertex v) -> const Vec3& { return surface.positions()[v]; };

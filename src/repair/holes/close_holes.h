@@ -2,7 +2,6 @@
 // Closes the open loops of a surface. The rest stays the same, bit for bit.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -22,7 +21,6 @@ struct ClosedHoles {
 // Loops longer than `longest` stay open. Each other loop gets a disk, so the result is a closed
 // 2-manifold except at loops left open. A plug intersects the surface only if each of its three
 // shapes does (smooth, flat, without new vertices). Throws the Errors of keptSurface.
-ClosedHoles closeHoles(const TriangleMesh& input,
-                       double longest = std::numeric_limits<double>::infinity());
+ClosedHoles closeHoles(const TriangleMesh& input, double longest = kInfinity);
 
 }  // namespace remesher

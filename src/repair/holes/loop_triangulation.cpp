@@ -2,7 +2,6 @@
 #include "repair/holes/loop_triangulation.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <queue>
 #include <utility>
@@ -15,8 +14,6 @@ namespace {
 
 // The tables take n² entries and n³ / 6 steps: 300 thousand steps for this n, some milliseconds.
 constexpr std::size_t kMostByTables = 128;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The cost of a triangulation: its sharpest fold (1 - cosine between neighbours' normals), then its
 // area.
@@ -57,7 +54,7 @@ class Tables {
       for (std::size_t i = 0; i + length < n_; ++i) choose(i, i + length);
   }
 
-  bool isComplete() const { return costs_[n_ - 1].fold < kNever; }
+  bool isComplete() const { return costs_[n_ - 1].fold < kInfinity; }
 
   std::vector<Corners3> triangles() const {
     std::vector<Corners3> result;
@@ -85,11 +82,11 @@ class Tables {
 
   void choose(std::size_t i, std::size_t k) {
     Cost& best = costs_[i * n_ + k];
-    best = {kNever, kNever};
+    best = {kInfinity, kInfinity};
     if (taken_[i * n_ + k]) return;
     for (std::size_t m = i + 1; m < k; ++m) {
       const Cost left = costs_[i * n_ + m], right = costs_[m * n_ + k];
-      if (left.fold == kNever || right.fold == kNever || left.fold > best.fold ||
+      if (left.fold == kInfinity || right.fold == kInfinity || left.fold > best.fold ||
           right.fold > best.fold)
         continue;
       Cost cost{std::max({left.fold, right.fold, foldBetween({at(i), at(m), at(k)}, beyond(i, m)),

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -181,7 +180,7 @@ class Cleaner {
     const double most =
         rule_.spacing * (length < shortest * shortest ? kToleranceOfShort : kTolerance);
     const double squared = sums_[from].at(at(into) - origin());
-    if (squared > most * most) return std::numeric_limits<double>::infinity();
+    if (squared > most * most) return kInfinity;
     // Among collapses without cost the shortest edges go first, which keeps triangles even.
     constexpr double kByLength = 1e-4;
     return squared + kByLength * length;
@@ -234,7 +233,7 @@ class Cleaner {
 
   // The tangent of the smallest angle in the star.
   double smallestAround(Vertex v) const {
-    double worst = std::numeric_limits<double>::infinity();
+    double worst = kInfinity;
     mesh_.forEachOutgoing(v, [&](Halfedge h) {
       worst = std::min(worst, tangentOfSmallest(cornersOf(HalfedgeMesh::face(h))));
     });

@@ -37,7 +37,7 @@ class Distances {
   }
 
   double at(std::size_t p, const Place& place) const {
-    if (nearest_[p] == kNone) return std::numeric_limits<double>::infinity();
+    if (nearest_[p] == kNone) return kInfinity;
     return (lattice_.position(place) - places_[nearest_[p]]).norm();
   }
 
@@ -45,7 +45,7 @@ class Distances {
   enum class Towards { Lower, Upper };
 
   double squaredDistance(const Vec3& p, Index crossing) const {
-    if (crossing == kNone) return std::numeric_limits<double>::infinity();
+    if (crossing == kNone) return kInfinity;
     return (p - places_[crossing]).squaredNorm();
   }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -22,7 +21,7 @@ constexpr double kShrink = 0.9;  // from one scale to the next until all fits
 constexpr int kTries = 4, kMostTries = 90;
 
 struct Bounds {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 low = Vec2::Constant(kInfinity);
   Vec2 high = -low;
 
   explicit Bounds(const PlaneChart& chart) {
@@ -45,7 +44,7 @@ PlaneChart turned(const PlaneChart& chart, double angle) {
 
 // The chart turned to its smallest box, wider than high, with the box's corner at the origin.
 PlaneChart laidOut(const PlaneChart& chart) {
-  double least = std::numeric_limits<double>::infinity(), best = 0;
+  double least = kInfinity, best = 0;
   for (int i = 0; i < kTurns; ++i) {
     const double angle = i * std::numbers::pi / 2 / kTurns;
     const Vec2 size = Bounds(turned(chart, angle)).size();

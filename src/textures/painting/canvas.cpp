@@ -29,7 +29,7 @@ class Outline {
     for (std::size_t k = 0; k < 3; ++k) edges_[k] = triangle[(k + 1) % 3] - triangle[k];
     const bool isFlat = !(cross(edges_[0], edges_[1]) > 0);
     for (std::size_t k = 0; k < 3; ++k)
-      beyond_[k] = isFlat ? -kFar : -kReach * 1.001 * edges_[k].norm();
+      beyond_[k] = isFlat ? -kInfinity : -kReach * 1.001 * edges_[k].norm();
   }
 
   // Infinite if the line of an edge already shows that p is beyond the reach.
@@ -37,7 +37,7 @@ class Outline {
     bool isInside = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const double side = cross(edges_[k], p - corners_[k]);
-      if (side < beyond_[k]) return kFar;
+      if (side < beyond_[k]) return kInfinity;
       isInside &= side >= 0;
     }
     if (isInside) return 0;
@@ -47,8 +47,6 @@ class Outline {
   }
 
  private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-
   TexelTriangle corners_, edges_;
   std::array<double, 3> beyond_;  // per edge: nothing beyond this is within reach
 };

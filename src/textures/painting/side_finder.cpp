@@ -15,7 +15,6 @@ constexpr double kLeastAgreement = 0.1;
 // Tolerance on weights, so that a line through an edge between two triangles meets one of them in
 // spite of rounding.
 constexpr double kEdge = 1e-7;
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // Whether a triangle touches a ball; tests corners first, since most triangles are inside with a
 // corner.
@@ -81,7 +80,7 @@ SideFinder::Hit SideFinder::meet(const Facet& facet, const Vec3& point, const Ve
 
 InputPlace SideFinder::nearest(const Vec3& point, const Vec3& normal) const {
   InputPlace best;
-  double least = kFar;
+  double least = kInfinity;
   for (const bool mustFace : {true, false}) {
     for (const Facet& facet : facets_) {
       if (mustFace && !(facet.normal.dot(normal) > kLeastAgreement)) continue;
@@ -93,7 +92,7 @@ InputPlace SideFinder::nearest(const Vec3& point, const Vec3& normal) const {
       least = distance;
       best = {facet.triangle, weights};
     }
-    if (least < kFar) break;
+    if (least < kInfinity) break;
   }
   return best;
 }
@@ -106,7 +105,7 @@ void SideFinder::remember(std::size_t facet, std::size_t before) {
 InputPlace SideFinder::find(const Vec3& point, const Vec3& normal) {
   for (std::size_t k = 0; k < last_.size(); ++k) {
     const Hit hit = meet(facets_[last_[k]], point, normal, reach_);
-    if (!(hit.distance < kFar)) continue;
+    if (!(hit.distance < kInfinity)) continue;
     remember(last_[k], k);
     return hit.place;
   }
@@ -118,7 +117,7 @@ InputPlace SideFinder::find(const Vec3& point, const Vec3& normal) {
     best = hit;
     met = i;
   }
-  if (!(best.distance < kFar)) return nearest(point, normal);
+  if (!(best.distance < kInfinity)) return nearest(point, normal);
   remember(met, last_.size() - 1);
   return best.place;
 }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,7 +50,7 @@ class SideFinder {
   };
   struct Hit {
     InputPlace place;
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = kInfinity;
   };
 
   Facet facetOf(Index triangle) const;

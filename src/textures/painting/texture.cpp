@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "io/model/conventions.h"
 
@@ -26,7 +25,7 @@ struct Tables {
       fractions[i] = float(i) / 255;
     }
     for (int i = 0; i < 255; ++i) bounds[i] = io::linearFromSrgb((i + 0.5) / 255);
-    bounds[255] = std::numeric_limits<double>::infinity();
+    bounds[255] = kInfinity;
     for (int i = 0; i <= kSteps; ++i)
       bytes[i] = std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), double(i) / kSteps) -
                               bounds.begin());

@@ -12,8 +12,6 @@ namespace remesher {
 
 namespace {
 
-constexpr double kQuarter = std::numbers::pi / 2;
-
 // Weights per triangle, relative to smoothness: of a clear direction of curvature, and of the
 // triangle's last direction while it is smoothed.
 constexpr double kAlign = 0.25, kCling = 0.05;
@@ -176,7 +174,7 @@ bool isBesideCurve(const WorkingMesh& mesh, Face f) {
 
 double CrossField::bend(const FaceFrames& frames, const HalfedgeMesh& mesh, Halfedge h) const {
   const Face f = HalfedgeMesh::face(h), g = HalfedgeMesh::face(mesh.twin(h));
-  return angle[g] + turn[h] * kQuarter - angle[f] - frames.between(h);
+  return angle[g] + turn[h] * kQuarterTurn - angle[f] - frames.between(h);
 }
 
 CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
@@ -189,7 +187,7 @@ CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, dou
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i), twin = m.twin(h);
     if (!twin || twin < h) continue;
-    field.turn[h] = int(std::lround(-field.bend(frames, m, h) / kQuarter));
+    field.turn[h] = int(std::lround(-field.bend(frames, m, h) / kQuarterTurn));
     field.turn[twin] = -field.turn[h];
   }
   turnSectors(field, mesh, frames);

@@ -13,7 +13,6 @@ namespace remesher {
 
 namespace {
 
-constexpr double kQuarterTurn = std::numbers::pi / 2;
 // The angle between two edges of a curve beyond which the curve goes on.
 constexpr double kGoesOn = 1.25 * kQuarterTurn;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -216,7 +215,7 @@ class Reaching {
   }
 
   static double distanceFrom(const QuadMesh& mesh, const Vec3& p) {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = kInfinity;
     for (const Four<Index>& quad : mesh.quads)
       nearest = std::min(nearest, squaredDistance(p, mesh, quad));
     return nearest;
@@ -250,7 +249,7 @@ void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
   const std::vector<Tip> possible = possibleTips(ground.surface());
   Reaching reaching(mesh, ground, least);
   std::vector<Placement> best = mesh.vertices;
-  double farthest = std::numeric_limits<double>::infinity();
+  double farthest = kInfinity;
   for (;;) {
     const std::vector<Tip> tips = farthestFirst(possible, mesh, ground.surface(), least);
     if (tips.empty()) return;
