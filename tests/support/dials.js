@@ -5,7 +5,7 @@ import { filesUnder, readText } from './tree.js';
 
 /** The rooms of src that are the algorithm, and the most dials that they may have together. */
 export const algorithm = ['mesh', 'geometry', 'original', 'remesh', 'simplify', 'textures'];
-export const mostDials = 448;
+export const mostDials = 426;
 
 /** How many named constants a C++ text defines. @param {string} text */
 export function dialsIn(text) {
