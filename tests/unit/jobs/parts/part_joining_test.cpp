@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "jobs/part_run.h"
+#include "jobs/inspected_parts.h"
 #include "support/shapes.h"
 
 using namespace remesher;
