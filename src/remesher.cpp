@@ -36,6 +36,7 @@ struct Run {
   std::vector<Welding> weldings;                // of the given parts that are not remeshed yet
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   Report report;
+  std::size_t mirrors = 0;  // of all parts; see RemeshOutcome
 };
 
 void take(Run& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh rounded) {
@@ -49,6 +50,7 @@ void take(Run& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh rounde
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
+  run.mirrors += outcome.mirrors;
 }
 
 // Remeshes each part, and parts with coincident borders as one. Returns the last part's tree.
@@ -93,6 +95,7 @@ Run remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& opt
   std::optional<ListedTree> tree = remeshSurfaces(run, originals, options, progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
+  if (run.report.output->quads) run.report.output->quads->symmetry = run.mirrors;
   // Only the two-sided distance shows whether a bound is kept.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
   if (!originals.empty())
@@ -252,19 +255,13 @@ io::Model withLods(io::Model model, std::vector<Run>& runs) {
   return model;
 }
 
-// "horse.glb" becomes "horse_lod1.glb".
-std::string nameOfLod(const std::string& outputName, std::size_t level) {
-  if (level == 0) return outputName;
-  return std::string(outputName).insert(outputName.rfind('.'), "_lod" + std::to_string(level));
-}
-
 // Writes a file for each level. Files beside them, such as textures, are written once.
 io::WrittenFiles writeEach(io::Model model, std::vector<Run>& runs, const std::string& outputName) {
   io::WrittenFiles all;
   std::set<std::string> names;
   for (std::size_t level = 0; level < runs.size(); ++level) {
     model.parts = std::move(runs[level].parts);
-    io::WrittenFiles written = io::write(model, nameOfLod(outputName, level));
+    io::WrittenFiles written = io::write(model, io::nameOfLevel(outputName, level));
     for (File& file : written.files)
       if (names.insert(file.name).second) all.files.push_back(std::move(file));
     all.warnings = joined(std::move(all.warnings), written.warnings);
