@@ -94,7 +94,7 @@ class Joining {
     else
       for (std::size_t a = 0; a < mesh_.attributes.size(); ++a) {
         const Attribute& from = made_.mesh.attributes[a];
-        const auto first = from.values.begin() + std::ptrdiff_t{vertex.source} * from.itemSize;
+        const auto first = from.values.begin() + std::size_t{vertex.source} * from.itemSize;
         std::vector<float>& to = mesh_.attributes[a].values;
         to.insert(to.end(), first, first + from.itemSize);
       }
@@ -103,7 +103,7 @@ class Joining {
 
   bool haveSameAttributes(Index v, Index w) const {
     return std::all_of(mesh_.attributes.begin(), mesh_.attributes.end(), [&](const Attribute& x) {
-      const auto at = [&](Index i) { return x.values.begin() + std::ptrdiff_t{i} * x.itemSize; };
+      const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
       return std::equal(at(v), at(v) + x.itemSize, at(w));
     });
   }
