@@ -49,9 +49,9 @@ Moments momentsOf(const TriangleMesh& mesh) {
   return moments;
 }
 
-class Finding {
+class PlaneSearch {
  public:
-  Finding(const TriangleMesh& mesh, double tolerance)
+  PlaneSearch(const TriangleMesh& mesh, double tolerance)
       : mesh_(mesh), tolerance_(tolerance), moments_(momentsOf(mesh)) {}
 
   std::vector<MirrorPlane> run() {
@@ -115,7 +115,7 @@ class Finding {
 }  // namespace
 
 std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance) {
-  return Finding(mesh, tolerance).run();
+  return PlaneSearch(mesh, tolerance).run();
 }
 
 }  // namespace remesher
