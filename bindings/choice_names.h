@@ -28,6 +28,8 @@ inline constexpr Names<Textures, 3> kTextures = {
     {{"auto", Textures::Auto}, {"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
+inline constexpr Names<Symmetry, 2> kSymmetries = {
+    {{"auto", Symmetry::Auto}, {"off", Symmetry::Off}}};
 inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
                                                {"holes", Repair::Holes},
                                                {"solid", Repair::Solid},
@@ -47,6 +49,7 @@ constexpr const auto& namesOf(Projection) { return kProjections; }
 constexpr const auto& namesOf(Fidelity) { return kFidelities; }
 constexpr const auto& namesOf(Boundary) { return kBoundaries; }
 constexpr const auto& namesOf(Textures) { return kTextures; }
+constexpr const auto& namesOf(Symmetry) { return kSymmetries; }
 constexpr const auto& namesOf(Repair) { return kRepairs; }
 constexpr const auto& namesOf(Sheets) { return kSheets; }
 constexpr const auto& namesOf(TextureFormat) { return kTextureFormats; }

@@ -40,6 +40,7 @@ void forEachOption(Options& options, const Visit& visit) {
 template <class Options, class Visit>
 void forEachWholeOption(Options& options, const Visit& visit) {
   visit("exact", options.exact);
+  visit("symmetry", options.symmetry);
   visit("textureSize", options.textureSize);
   visit("textureFormat", options.textureFormat);
   visit("holesUpTo", options.holesUpTo);

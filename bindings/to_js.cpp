@@ -40,6 +40,7 @@ val objectFrom(const QuadReport& quads) {
   result.set("angleDeviation", deviation);
   result.set("scaledJacobian", jacobian);
   result.set("edgeVariation", quads.edgeVariation);
+  result.set("symmetry", double(quads.symmetry));
   return result;
 }
 

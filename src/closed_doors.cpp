@@ -6,6 +6,7 @@
 #include "jobs/checks/whole_steps.h"
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/mirror_door.h"
 #include "remesh/schemes/uncrossed.h"
 
 namespace remesher {
@@ -26,6 +27,13 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
+
+std::size_t wholeCount(const QuadMesh&, const Mirrors&) { return 0; }
+
+std::optional<RemeshOutcome> remeshIfMirrored(const TriangleMesh&, const RemeshOptions&,
+                                              const HalfRemesher&) {
+  return {};
+}
 
 Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }
 

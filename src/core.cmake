@@ -65,6 +65,8 @@ add_library(linear OBJECT
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
   src/remesh/gate/nearness.cpp
+  src/remesh/quads/shape/quad_star.cpp
+  src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
   src/repair/solid/inside.cpp
   src/simplify/attribute_quadrics.cpp
@@ -196,11 +198,9 @@ add_library(small OBJECT
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/quad_patch.cpp
-  src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp
   src/remesh/quads/shape/side_places.cpp
-  src/remesh/quads/shape/smoothing.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
@@ -208,6 +208,7 @@ add_library(small OBJECT
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
   src/remesh/schemes/land.cpp
+  src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
   src/remesh/schemes/rival.cpp
@@ -219,9 +220,14 @@ add_library(small OBJECT
   src/remesh/steps/left_out.cpp
   src/remesh/steps/split_obtuse.cpp
   src/remesh/steps/subdivide.cpp
+  src/remesh/symmetry/half.cpp
+  src/remesh/symmetry/joined.cpp
+  src/remesh/symmetry/mirror_planes.cpp
+  src/remesh/symmetry/mirroring.cpp
   src/remesh/transfer/attribute_mix.cpp
   src/remesh/transfer/attribute_transfer.cpp
   src/remesh/transfer/chart_keeper.cpp
+  src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
   src/repair/holes/close_holes.cpp
   src/repair/holes/fairing.cpp
@@ -258,5 +264,6 @@ add_library(doors OBJECT
   src/jobs/checks/whole_steps.cpp
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp
+  src/remesh/schemes/mirror_door.cpp
   src/remesh/schemes/uncrossed.cpp
 )

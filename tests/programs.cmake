@@ -112,6 +112,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/quad_tips_test.cpp
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
@@ -129,6 +130,9 @@ add_executable(unit_tests
   tests/unit/remesh/steps/relax_test.cpp
   tests/unit/remesh/steps/subdivide_test.cpp
   tests/unit/remesh/steps/sweeps_test.cpp
+  tests/unit/remesh/symmetry/half_test.cpp
+  tests/unit/remesh/symmetry/mirror_planes_test.cpp
+  tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp

@@ -22,11 +22,34 @@ enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where s
 // surface.
 enum class Textures { Auto, Keep, Bake };
 enum class TextureFormat { Png, Jpeg, Webp };
+enum class Symmetry { Auto, Off };  // of quads: mirrored exactly where the input is mirrored
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs
 // If even triangles exceed an error bound: use those of the original | end the run.
 enum class OutOfBound { FromOriginal, GiveUp };
+
+// A plane that mirrors a surface onto itself.
+struct MirrorPlane {
+  Vec3 normal;  // unit
+  double offset = 0;
+
+  // Signed: positive on the side that the normal points to.
+  double distance(const Vec3& p) const { return normal.dot(p) - offset; }
+  // Both are exact for a plane x = 0, y = 0 or z = 0.
+  Vec3 mirrored(const Vec3& p) const { return p - 2 * distance(p) * normal; }
+  Vec3 onto(const Vec3& p) const { return p - distance(p) * normal; }
+};
+
+// Lengths, beside the diagonal, and cosines that are smaller are 0 but for rounding.
+constexpr double kByRounding = 1e-6;
+
+// What a half is to be mirrored by: planes at right angles to each other.
+struct Mirrors {
+  std::vector<MirrorPlane> planes;
+  double slack = 0;          // what is nearer to a plane lies on it
+  std::size_t vertices = 0;  // of the whole
+};
 
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
@@ -51,8 +74,9 @@ struct RemeshOptions {
   std::vector<std::pair<Index, Index>> featureEdges;  // the caller's, as input vertex pairs
   bool quads = false;                                 // pure quads instead of triangles
   bool exact = false;                                 // of quads: exactly so many vertices
-  Textures textures = Textures::Auto;                 // for files
-  std::optional<Index> textureSize;                   // texels along a side
+  Symmetry symmetry = Symmetry::Auto;
+  Textures textures = Textures::Auto;  // for files
+  std::optional<Index> textureSize;    // texels along a side
   std::optional<TextureFormat> textureFormat;
   Repair repair = Repair::Off;
   std::optional<double> holesUpTo;  // the longest loop to be closed, percent of the diagonal
@@ -62,11 +86,12 @@ struct RemeshOptions {
   std::vector<double> lods;  // shares of the number of vertices, each > 0
   bool lodFiles = false;     // a file for each level, not one for all
 
-  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h.
+  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
   std::vector<Index> bodies;      // per input group its body; all bodies form one surface
   std::optional<Index> inBodies;  // exact number of positions, each counted once per body
+  Mirrors mirrors;                // of quads: the input is a half, cut off along these planes
 };
 
 }  // namespace remesher

@@ -30,6 +30,7 @@ struct AngleStatistics {
 // Figures of a mesh of quads. irregular: interior vertices whose valence is not 4. angleDeviation:
 // |angle − 90°| over all corners. scaledJacobian: of each quad's worst corner, 1 in a square,
 // negative in a fold. edgeVariation: standard deviation of the edge lengths over their mean.
+// symmetry: planes about which the quads were made their own mirror images, in all parts together.
 struct QuadReport {
   struct Deviation {
     double mean = 0, p95 = 0, worst = 0;
@@ -42,6 +43,7 @@ struct QuadReport {
   Deviation angleDeviation;
   Jacobian scaledJacobian;
   double edgeVariation = 0;
+  std::size_t symmetry = 0;
 };
 
 struct MeshReport {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/legible.h"
+#include "io/model/levels.h"
 #include "jobs/parts/part_report.h"
 
 namespace remesher {
@@ -20,12 +21,6 @@ io::Model withLods(io::Model model, std::vector<SceneRun>& runs) {
   return model;
 }
 
-// "horse.glb" becomes "horse_lod1.glb".
-std::string nameOfLod(const std::string& outputName, std::size_t level) {
-  if (level == 0) return outputName;
-  return std::string(outputName).insert(outputName.rfind('.'), "_lod" + std::to_string(level));
-}
-
 // Writes a file for each level. Files beside them, such as textures, are written once.
 io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
                            const std::string& outputName) {
@@ -33,7 +28,7 @@ io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
   std::set<std::string> names;
   for (std::size_t level = 0; level < runs.size(); ++level) {
     model.parts = std::move(runs[level].parts);
-    io::WrittenFiles written = io::write(model, nameOfLod(outputName, level));
+    io::WrittenFiles written = io::write(model, io::nameOfLevel(outputName, level));
     for (File& file : written.files)
       if (names.insert(file.name).second) all.files.push_back(std::move(file));
     all.warnings = joined(std::move(all.warnings), written.warnings);

@@ -45,6 +45,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
+  run.mirrors += outcome.mirrors;
 }
 
 // Remeshes each part, and parts with coincident borders as one. Returns the last part's tree.
@@ -80,6 +81,7 @@ std::optional<ListedTree> remeshSurfaces(SceneRun& run, const InspectedParts& or
 void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options,
              std::optional<ListedTree> tree) {
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
+  if (run.report.output->quads) run.report.output->quads->symmetry = run.mirrors;
   if (run.parts.empty()) return;
   // Only the two-sided distance shows whether a bound is kept.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;

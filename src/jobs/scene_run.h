@@ -17,6 +17,7 @@ struct SceneRun {
   std::vector<io::Part> parts;
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   Report report;
+  std::size_t mirrors = 0;  // of all parts; see RemeshOutcome
 };
 
 // Remeshes parts of any size; the options' levels of detail are left out. Throws the Errors of

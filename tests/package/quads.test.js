@@ -150,3 +150,88 @@ test('triangles made of quads are said to be triangles', async () => {
   assert.equal(report.output.quads, undefined);
   assert.equal(openGltf({ bytes: glb }).tree.meshes[0].primitives[0].extensions, undefined);
 });
+
+/** An ellipsoid with a bump on either side of x = 0, or on one side alone. */
+function bumpy({ isMirrored }) {
+  const [columns, rows] = [48, 24];
+  const positions = [];
+  const indices = [];
+  const turn = (k, n) => 2 * Math.PI * k / n;
+  for (let row = 0; row <= rows; row += 1) {
+    const [sine, cosine] = [Math.sin(turn(row, 2 * rows)), Math.cos(turn(row, 2 * rows))];
+    for (let column = 0; column < (row % rows === 0 ? 1 : columns); column += 1) {
+      // The angles on one side are those on the other, so that cosines are exact opposites.
+      const isBehind = column > columns / 4 && column < 3 * columns / 4;
+      const own = isBehind ? (3 * columns / 2 - column) % columns : column;
+      const isBetween = column % (columns / 2) === columns / 4;
+      const x = (isBehind ? -1 : 1) * (isBetween ? 0 : sine * Math.cos(turn(own, columns)));
+      const y = sine * Math.sin(turn(own, columns));
+      const side = isMirrored ? Math.abs(x) : x;
+      const away = (side - 0.7) ** 2 + (y - 0.6) ** 2 + (cosine - 0.3) ** 2;
+      const radius = 1 + 0.25 * Math.exp(-8 * away);
+      positions.push(1.3 * radius * x, 0.9 * radius * y, 0.7 * radius * cosine + 0.1 * y * y);
+    }
+  }
+  const last = positions.length / 3 - 1;
+  const at = (row, column) => {
+    if (row === 0) return 0;
+    return row === rows ? last : 1 + (row - 1) * columns + column % columns;
+  };
+  for (let row = 0; row < rows; row += 1) {
+    for (let column = 0; column < columns; column += 1) {
+      const [a, b] = [at(row, column), at(row, column + 1)];
+      const [c, d] = [at(row + 1, column + 1), at(row + 1, column)];
+      if (row > 0) indices.push(a, c, b);
+      if (row < rows - 1) indices.push(a, d, c);
+    }
+  }
+  return { positions: Float64Array.from(positions), indices: Uint32Array.from(indices) };
+}
+
+/** Each quad by the places of its corners, from the least one on, mirrored or as it is. */
+function quadsByPlace({ positions, quads }, sign) {
+  const place = (v) => [sign * positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]]
+    .map((x) => x + 0).join();
+  return fours(quads).map((quad) => {
+    const corners = (sign < 0 ? [...quad].reverse() : quad).map(place);
+    const first = corners.indexOf([...corners].sort()[0]);
+    return [...corners.slice(first), ...corners.slice(0, first)].join(' ');
+  }).sort();
+}
+
+test('quads of a model that a plane mirrors are their own mirror image, bit for bit', async () => {
+  const model = bumpy({ isMirrored: true });
+  for (const exact of [false, true]) {
+    const { mesh, report } = await remesh(model, { quads: true, vertices: 1000, exact });
+    assert.equal(report.output.quads.symmetry, 1);
+    assert.deepEqual(quadsByPlace(mesh, -1), quadsByPlace(mesh, 1));
+    assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
+    assert.equal(eulerCharacteristic(mesh), 2);
+    assert.ok(Math.abs(report.output.vertices - 1000) <= (exact ? 0 : 10));
+  }
+});
+
+test('where nothing is mirrored, or on request, quads are not mirrored either', async () => {
+  const lopsided = await remesh(bumpy({ isMirrored: false }), { quads: true, vertices: 1000 });
+  assert.equal(lopsided.report.output.quads.symmetry, 0);
+  const off = { quads: true, vertices: 1000, symmetry: 'off' };
+  const { report } = await remesh(bumpy({ isMirrored: true }), off);
+  assert.equal(report.output.quads.symmetry, 0);
+});
+
+test('an odd number of a closed model is exact, and so not mirrored', async () => {
+  const asExact = { quads: true, vertices: 1001, exact: true };
+  const { report } = await remesh(bumpy({ isMirrored: true }), asExact);
+  assert.equal(report.output.vertices, 1001);
+  assert.equal(report.output.quads.symmetry, 0);
+});
+
+test('quads are smaller where the caller wants more of them', async () => {
+  const model = bumpy({ isMirrored: true });
+  const density = Float32Array.from({ length: model.positions.length / 3 },
+    (_, v) => (model.positions[3 * v] > 0 ? 4 : 1));
+  const { mesh } = await remesh(model, { quads: true, vertices: 1000, density });
+  const right = fours(mesh.quads).filter((quad) =>
+    quad.reduce((sum, v) => sum + mesh.positions[3 * v], 0) > 0).length;
+  assert.ok(right > 1.3 * (mesh.quads.length / 4 - right), `${right}`);
+});

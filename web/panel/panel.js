@@ -103,7 +103,7 @@ const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
  * @param {string} name @param {Values} values */
 const isIdle = (name, { textures, repair, quads }) =>
   (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
-  || (name === 'exact' && !quads)
+  || ((name === 'exact' || name === 'symmetry') && !quads)
   || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
   || (name === 'gap' && repair !== 'wrap' && repair !== 'auto')
   || (name === 'cavities' && repair !== 'solid' && repair !== 'auto')

@@ -33,6 +33,7 @@ const quadRows = [
   ['report.deviationMost', ({ angleDeviation }) => degrees(angleDeviation.p95)],
   ['report.deviationWorst', ({ angleDeviation }) => degrees(angleDeviation.worst)],
   ['report.jacobian', ({ scaledJacobian }) => decimal(scaledJacobian.min)],
+  ['report.symmetry', ({ symmetry }) => (symmetry > 0 ? count(symmetry) : '–')],
 ];
 
 /** @param {string} label @param {string[]} values */

@@ -95,6 +95,7 @@ export default {
   'report.deviationMost': 'Winkel neben 90°, 95 % in',
   'report.deviationWorst': 'Winkel neben 90°, größter',
   'report.jacobian': 'Kleinste skalierte Jacobi',
+  'report.symmetry': 'Ebenen, die spiegeln',
   'dots': 'Tupfen: Vierecke um einen Punkt:',
   'dots.three': '3',
   'dots.five': '5',

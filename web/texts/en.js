@@ -92,6 +92,7 @@ export default {
   'report.deviationMost': 'Angles off 90°, 95 % within',
   'report.deviationWorst': 'Angles off 90°, worst',
   'report.jacobian': 'Smallest scaled Jacobian',
+  'report.symmetry': 'Mirrored by planes',
   'dots': 'Dots: quads around a vertex:',
   'dots.three': '3',
   'dots.five': '5',

@@ -96,6 +96,7 @@ export default {
   'report.deviationMost': 'Écart à 90°, 95 % en deçà de',
   'report.deviationWorst': 'Écart à 90°, le pire',
   'report.jacobian': 'Plus petit jacobien normalisé',
+  'report.symmetry': 'Plans de symétrie',
   'dots': 'Points : quadrilatères autour d’un sommet :',
   'dots.three': '3',
   'dots.five': '5',

@@ -147,6 +147,8 @@
  * @property {{ min: number, mean: number }} scaledJacobian The sine of the angle at each quad’s
  *   worst corner: 1 in a square, negative in a fold.
  * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
+ * @property {number} symmetry Of a result: the planes about which quads were made their own mirror
+ *   images, in all meshes together.
  */
 
 /**

@@ -85,6 +85,9 @@ export const optionTable = [
       + 'within 1 %' },
   { name: 'exact', flag: '--exact', type: 'boolean', default: false,
     help: 'of quads: exactly the number of vertices' },
+  { name: 'symmetry', flag: '--symmetry S', type: 'choice', choices: ['auto', 'off'],
+    default: 'auto',
+    help: 'of quads: auto: about planes that mirror the model, quads that they mirror exactly' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['auto', 'keep', 'bake'],
     default: 'auto',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted '

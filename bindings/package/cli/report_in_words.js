@@ -4,13 +4,17 @@
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
 
 /** @param {import('../base/messages.js').QuadReport} quads */
-function quadsInWords({ count, irregular, angleDeviation, scaledJacobian, edgeVariation }) {
+function quadsInWords({
+  count, irregular, angleDeviation, scaledJacobian, edgeVariation, symmetry,
+}) {
   return [
     `  ${count} quads, irregular vertices ${irregular}; off 90°: mean `
       + `${angleDeviation.mean.toFixed(1)}°, 95 % within ${angleDeviation.p95.toFixed(1)}°, worst `
       + `${angleDeviation.worst.toFixed(1)}°`,
     `  scaled Jacobian: worst ${scaledJacobian.min.toFixed(2)}, mean `
       + `${scaledJacobian.mean.toFixed(2)}; edge lengths vary by ${edgeVariation.toFixed(2)}`,
+    ...(symmetry > 0 ? [`  mirrored exactly about ${symmetry} plane${symmetry === 1 ? '' : 's'}`]
+      : []),
   ];
 }
 

@@ -21,4 +21,9 @@ void replaceLevels(Model& model) {
                             levels});
 }
 
+std::string nameOfLevel(const std::string& fileName, std::size_t level) {
+  if (level == 0) return fileName;
+  return std::string(fileName).insert(fileName.rfind('.'), "_lod" + std::to_string(level));
+}
+
 }  // namespace remesher::io

@@ -30,15 +30,14 @@ constexpr std::size_t kLeastForMap = 5000;
 // Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
 constexpr int kTries = 12;
-constexpr double kCountTolerance = 0.01, kNudge = 0.0015;
-// So many scales are corrected by the count of the last map; later ones lie aside of the best.
+constexpr double kNudge = 0.0015;
+// So many scales are corrected by the count of the last map; later ones lie aside of the best. At
+// most so many maps have their quads shaped and judged.
 constexpr int kSteps = 4;
 // A map with a larger count error is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7
 // neighboring counts, not at 1; five other models are the same.
 constexpr double kFarthest = 0.2;
 constexpr int kSmoothings = 12;
-// At most so many maps have their quads shaped and judged.
-constexpr int kShaped = 4;
 
 double areaOf(const WorkingMesh& mesh) {
   double sum = 0;
@@ -118,7 +117,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   std::optional<Extracted> best;
   double nearest = length, least = kFarthest;
   int shaped = 0;
-  for (int i = 0; i < kTries && shaped < kShaped && (!best || best->faults > 0); ++i) {
+  for (int i = 0; i < kTries && shaped < kSteps && (!best || best->faults > 0); ++i) {
     const bool isFirst = i < kSteps;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
@@ -140,6 +139,27 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   return best;
 }
 
+// The mesh's own number of vertices that makes so many of the whole, if what is added or removed is
+// on no plane.
+std::size_t ownCount(std::size_t whole, const QuadMesh& mesh, const Mirrors& mirrors) {
+  const std::size_t now = wholeCount(mesh, mirrors), own = mesh.vertices.size();
+  const std::size_t images = std::size_t{1} << mirrors.planes.size();
+  if (whole >= now) return own + (whole - now) / images;
+  return own - std::min(own, (now - whole + images - 1) / images);
+}
+
+// Removes single quads. Of a half this leads to a number of the whole in several rounds, for not
+// all vertices have the same number of images.
+std::size_t removeQuads(QuadMesh& mesh, const QuadGoal& goal, const WorkingMesh& ground) {
+  std::size_t removed = 0, now = 1;
+  while (now > 0 && (removed == 0 || wholeCount(mesh, goal.mirrors) > goal.vertices)) {
+    const std::size_t own = ownCount(goal.vertices, mesh, goal.mirrors);
+    now = collapseTo(mesh, ground, {std::max<std::size_t>(own, 8), goal.isExact});
+    removed += now;
+  }
+  return removed;
+}
+
 // Brings the count to the goal, or as near as allowed. Adding whole rows of quads makes no vertex
 // irregular; removing single quads does.
 void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
@@ -148,38 +168,62 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   const auto least = std::size_t(std::ceil(double(goal.vertices) * (1 - slack)));
   QuadMesh& mesh = made.mesh;
   const std::size_t before = mesh.vertices.size();
-  if (before < least) divideChords(mesh, ground, goal.vertices);
-  if (mesh.vertices.size() < least) divideShortestChord(mesh, ground, least - mesh.vertices.size());
+  const auto count = [&] { return wholeCount(mesh, goal.mirrors); };
+  const auto own = [&](std::size_t whole) { return ownCount(whole, mesh, goal.mirrors); };
+  if (count() < least) divideChords(mesh, ground, own(goal.vertices));
+  if (count() < least) divideShortestChord(mesh, ground, own(least) - mesh.vertices.size());
   // Leaves room for vertices that rewiring may add.
-  const std::size_t enough = mesh.vertices.size() > most ? (goal.vertices + most) / 2 : most;
-  made.collapsed = collapseTo(mesh, ground, {std::max<std::size_t>(enough, 8), goal.isExact});
+  const std::size_t enough = count() > most ? (goal.vertices + most) / 2 : most;
+  made.collapsed = removeQuads(mesh, {enough, goal.isExact, goal.mirrors}, ground);
   if (mesh.vertices.size() == before && made.collapsed == 0) return;
   settle(mesh, ground);
   const std::size_t faults = countFaults(mesh, ground);
   if (faults == 0) return;
   MadeQuads rewired = made;
   rewire(rewired.mesh, ground);
-  rewired.collapsed += collapseTo(rewired.mesh, ground, {std::max<std::size_t>(most, 8), false});
+  rewired.collapsed += removeQuads(rewired.mesh, {most, false, goal.mirrors}, ground);
   settle(rewired.mesh, ground);
-  const std::size_t count = rewired.mesh.vertices.size();
-  if (count < least || count > most) return;
+  const std::size_t reached = wholeCount(rewired.mesh, goal.mirrors);
+  if (reached < least || reached > most) return;
   if (countFaults(rewired.mesh, ground) < faults) made = std::move(rewired);
 }
 
-// The share of a part in the vertices, by area.
+// The share of a part in the vertices, by area or, where triangles are graded, by their number.
 struct PartShare {
   Index number;  // of the original's connected part below
   double vertices;
 };
 
-std::vector<PartShare> sharesOf(const std::vector<WorkingMesh>& parts, double vertices) {
+std::vector<PartShare> sharesOf(const std::vector<WorkingMesh>& parts, double vertices,
+                                bool isGraded) {
   const FaceData<Index> numbers = partNumbers(parts.front().surface().mesh());
+  const auto weightOf = [&](const WorkingMesh& part) {
+    return isGraded ? double(part.mesh().faceCount()) : areaOf(part);
+  };
   double whole = 0;
-  for (const WorkingMesh& part : parts) whole += areaOf(part);
+  for (const WorkingMesh& part : parts) whole += weightOf(part);
   std::vector<PartShare> shares;
   for (const WorkingMesh& part : parts)
-    shares.push_back({numbers[part.at(Vertex(0)).face], vertices * areaOf(part) / whole});
+    shares.push_back({numbers[part.at(Vertex(0)).face], vertices * weightOf(part) / whole});
   return shares;
+}
+
+// The vertices that a mesh gets of the whole's, if all quads are squares of one size: of those on
+// planes a half only is its own.
+double ownVertices(const WorkingMesh& mesh, const QuadGoal& goal) {
+  const auto images = double(std::size_t{1} << goal.mirrors.planes.size());
+  const double length = std::sqrt(images * areaOf(mesh) / double(goal.vertices));
+  const auto isOn = [&](Vertex v, const MirrorPlane& plane) {
+    return std::abs(plane.distance(mesh.position(v))) <= goal.mirrors.slack;
+  };
+  double onPlanes = 0;
+  for (Index i = 0; i < mesh.mesh().halfedgeCapacity(); ++i) {
+    const Vertex a = mesh.mesh().origin(Halfedge(i)), b = mesh.mesh().tip(Halfedge(i));
+    for (const MirrorPlane& plane : goal.mirrors.planes)
+      if (mesh.mesh().isBoundary(Halfedge(i)) && isOn(a, plane) && isOn(b, plane))
+        onPlanes += (mesh.position(b) - mesh.position(a)).norm() / length;
+  }
+  return double(goal.vertices) / images + onPlanes / 2;
 }
 
 // Quads by pairs, for the parts with these numbers. The number of vertices depends on how many
@@ -213,11 +257,36 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
 
 }  // namespace
 
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices) {
+FaceData<double> gradedSizes(const WorkingMesh& mesh) {
+  const HalfedgeMesh& m = mesh.mesh();
+  VertexData<double> lengths(m.vertexCapacity());
+  for (Index v = 0; v < lengths.size(); ++v) lengths[Vertex(v)] = mesh.meanSpoke(Vertex(v));
+  for (int i = 0; i < kSmoothings; ++i) {
+    const VertexData<double> before = lengths;
+    for (Index v = 0; v < lengths.size(); ++v) {
+      double sum = 0;
+      m.forEachNeighbor(Vertex(v), [&](Vertex w) { sum += before[w]; });
+      lengths[Vertex(v)] = (before[Vertex(v)] + sum / m.valence(Vertex(v))) / 2;
+    }
+  }
+  FaceData<double> sizes(m.faceCapacity());
+  double squares = 0;
+  for (Index f = 0; f < sizes.size(); ++f) {
+    const auto [a, b, c] = m.vertices(Face(f));
+    sizes[Face(f)] = (lengths[a] + lengths[b] + lengths[c]) / 3;
+    const auto [p, q, r] = mesh.corners(Face(f));
+    squares += area(p, q, r) / (sizes[Face(f)] * sizes[Face(f)]);
+  }
+  const double factor = std::sqrt(squares / areaOf(mesh));
+  for (Index f = 0; f < sizes.size(); ++f) sizes[Face(f)] *= factor;
+  return sizes;
+}
+
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes) {
   const FaceFrames frames(part);
   const double length = std::sqrt(areaOf(part) / vertices);
   const CrossField field = fieldOn(part, frames, length);
-  const MapMaker maker(part, field);
+  const MapMaker maker(part, field, std::move(sizes));
   if (!maker.isPossible()) return {};
   std::optional<Extracted> found = searchScale(part, maker, length, vertices);
   if (!found) return {};
@@ -232,36 +301,62 @@ QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
   return quads;
 }
 
+std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors) {
+  std::size_t sum = 0;
+  for (const Placement& place : mesh.vertices) {
+    std::size_t images = std::size_t{1} << mirrors.planes.size();
+    if (place.kind != VertexKind::Interior)
+      for (const MirrorPlane& plane : mirrors.planes)
+        if (std::abs(plane.distance(place.position)) <= mirrors.slack) images /= 2;
+    sum += images;
+  }
+  return sum;
+}
+
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
-  WorkingMesh base = triangles(std::max(goal.vertices, kLeastForMap));
+  const std::size_t least = kLeastForMap >> goal.mirrors.planes.size();
+  const std::size_t dense = goal.vertices >> goal.mirrors.planes.size();
+  WorkingMesh base = triangles(std::max(goal.isDraft ? dense / 2 : dense, least));
   openSectors(base);
   const std::vector<WorkingMesh> parts = connectedParts(base);
+  const double expected = ownVertices(base, goal);
   const auto made = [&](double share) {
-    const double vertices = share * double(goal.vertices);
-    const std::vector<PartShare> shares = sharesOf(parts, vertices);
+    const double vertices = share * expected;
+    const std::vector<PartShare> shares = sharesOf(parts, vertices, goal.isGraded);
     MadeQuads result{{}, parts.size(), 0};
     std::vector<PartShare> failed;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const QuadMesh quads = mapToQuads(parts[i], shares[i].vertices);
+      const FaceData<double> even(parts[i].mesh().faceCapacity(), 1.0);
+      const QuadMesh quads =
+          mapToQuads(parts[i], shares[i].vertices, goal.isGraded ? gradedSizes(parts[i]) : even);
       quads.quads.empty() ? failed.push_back(shares[i]) : append(result.mesh, quads);
     }
     result.paired = failed.size();
     if (!failed.empty())
       append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
     matchCount(result, goal, base);
-    reachTips(result.mesh, base, kSmoothings);
+    if (!goal.isDraft) reachTips(result.mesh, base, kSmoothings);
     return result;
   };
-  if (!goal.isExact) return made(1);
-  // Tries a slightly smaller count first, to which rows are added; if that does not do, a slightly
-  // larger one, from which quads are removed.
-  MadeQuads fromBelow = made(1 - kCountTolerance);
-  if (fromBelow.collapsed == 0 && fromBelow.mesh.vertices.size() == goal.vertices) return fromBelow;
-  MadeQuads fromAbove = made(1 + kCountTolerance);
+  // An exact number is reached by adding rows to a slightly smaller one, else by removing quads
+  // from a slightly larger one. Of a half fewer numbers can be had: rows are added to several.
+  std::vector<double> shares = {1};
+  if (goal.isExact) shares = {1 - kCountTolerance, 1 + kCountTolerance};
+  for (int i = 1; i < 4 && !goal.mirrors.planes.empty(); ++i)
+    shares.push_back(1 - 3 * i * kCountTolerance);
+  const double slack = goal.isExact ? 0 : kCountTolerance * double(goal.vertices);
   const auto order = [&](const MadeQuads& one) {
-    return std::tuple(one.mesh.vertices.size() != goal.vertices, one.paired, one.collapsed);
+    const double off = double(wholeCount(one.mesh, goal.mirrors)) - double(goal.vertices);
+    return std::tuple(std::abs(off) > slack, one.paired, one.collapsed);
   };
-  return order(fromAbove) < order(fromBelow) ? fromAbove : fromBelow;
+  std::optional<MadeQuads> best;
+  for (const double share : shares) {
+    MadeQuads one = made(share);
+    if (!best || order(one) < order(*best)) best = std::move(one);
+    const auto [isOff, paired, collapsed] = order(*best);
+    if (!isOff && collapsed == 0) break;
+  }
+  return std::move(*best);
 }
 
 }  // namespace remesher

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "base/options.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
@@ -20,16 +21,29 @@ struct MadeQuads {
 // Makes even, compact triangle meshes of about so many vertices, all on the same surface.
 using TriangleMaker = std::function<WorkingMesh(std::size_t vertices)>;
 
+// A number that is not to be exact is met within this share.
+constexpr double kCountTolerance = 0.01;
+
 struct QuadGoal {
-  std::size_t vertices = 0;
-  bool isExact = false;  // else within a hundredth
+  std::size_t vertices = 0;  // of the whole
+  bool isExact = false;      // else within kCountTolerance
+  Mirrors mirrors = {};      // the mesh is a half of the whole, cut off along these planes
+  bool isGraded = false;     // quads are as large, beside each other, as the triangles
+  bool isDraft = false;      // from a map of half as many triangles, and lost tips stay lost
 };
+
+// The number of vertices of the whole: those on a plane are their own image.
+std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors);
 
 // Makes quads from the meshes that `triangles` makes.
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 
-// Quads by the map, for one connected part; no quads if the map fails.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices);
+// Per face the length of edges around it, smoothed; the mean square of their inverses is 1.
+FaceData<double> gradedSizes(const WorkingMesh& mesh);
+
+// Quads by the map, for one connected part; no quads if the map fails. sizes: per face the side
+// length of quads wanted there beside the others.
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes);
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);

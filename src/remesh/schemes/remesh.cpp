@@ -17,6 +17,7 @@
 #include "remesh/schemes/best.h"
 #include "remesh/schemes/bodies.h"
 #include "remesh/schemes/follow.h"
+#include "remesh/schemes/mirror_door.h"
 #include "remesh/schemes/plan.h"
 #include "remesh/schemes/rival.h"
 #include "remesh/schemes/rounds.h"
@@ -167,15 +168,15 @@ bool mayFollow(const RemeshOptions& options) {
          options.repair == Repair::Off;
 }
 
-// The shares of a run's time: for the triangles of the map, and for each mesh of pairs.
-constexpr double kMapShare = 0.4, kPairShare = 0.1;
+// The share of a run's time for the triangles of the map; each mesh of pairs takes a quarter of it.
+constexpr double kMapShare = 0.4;
 
 // Options for the even triangles that quads are made of: quick, and without the options that only
 // triangles have.
 RemeshOptions optionsForQuads(RemeshOptions options) {
   options.quality = Quality::Draft;
   options.scheme = Scheme::Best;
-  options.adaptivity = 0;
+  options.adaptivity = options.adaptivity.value_or(0);
   options.splitObtuse = false;
   options.edgeLength.reset();
   options.maxError.reset();
@@ -198,8 +199,8 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   std::vector<std::unique_ptr<Prepared>> originals;  // all of the same surface
   // The map is made on the first mesh, pairs on the meshes that may follow.
   const auto triangles = [&](std::size_t vertices) {
-    const double begin = originals.empty() ? 0 : kMapShare + kPairShare * double(originals.size());
-    const double end = originals.empty() ? kMapShare : begin + kPairShare;
+    const double begin = originals.empty() ? 0 : kMapShare * (1 + double(originals.size()) / 4);
+    const double end = originals.empty() ? kMapShare : begin + kMapShare / 4;
     const Progress stretch = progress.part(begin, std::min(end, 1.0));
     Plan copy = plan;
     copy.vertices = vertices;
@@ -212,18 +213,24 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     stretch.phase("quads", 1, 1);
     return std::move(remeshed.mesh);
   };
-  const MadeQuads quads = makeQuads({plan.vertices, wanted.exact}, triangles);
+  const bool isHalf = !options.mirrors.planes.empty();
+  const std::size_t aim = isHalf ? options.mirrors.vertices : plan.vertices;
+  const bool isGraded = *options.adaptivity > 0 || !options.density.empty();
+  const MadeQuads quads = makeQuads(
+      {aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft}, triangles);
   progress.phase("extract", 1, 1);
   const Prepared& original = *originals.front();
   const WorkingMesh mesh = triangulated(quads.mesh, original.surface());
   std::vector<InputPlace> places;
-  if (options.textures == Textures::Bake) places = cornerPlaces(mesh, input);
+  if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();
   if (quads.paired > 0) warnings.push_back(pairedWarning(quads));
   TriangleMesh result = extractMesh(mesh, input, original.transfer());
   result.isQuads = true;
-  const std::size_t vertices = distinctPositions(mesh.mesh(), mesh.positions());
-  const bool isReached = !wanted.exact || vertices == plan.vertices;
+  const std::size_t vertices = isHalf ? wholeCount(quads.mesh, options.mirrors)
+                                      : distinctPositions(mesh.mesh(), mesh.positions());
+  // Quads removed from a half are missing in all its images, so that the whole is better made.
+  const bool isReached = wanted.exact ? vertices == aim : !isHalf || quads.collapsed == 0;
   return {std::move(result), std::move(places), isReached ? Stopped::Target : Stopped::Fidelity,
           vertices, std::move(warnings)};
 }
@@ -315,6 +322,12 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   checkOptions(options, input.positions.size());
+  const auto remeshHalf = [&](const TriangleMesh& half, const RemeshOptions& own) {
+    return remeshPlanned(half, Welding(half), own, progress);
+  };
+  if (options.quads)
+    if (std::optional<RemeshOutcome> mirrored = remeshIfMirrored(input, options, remeshHalf))
+      return std::move(*mirrored);
   try {
     return remeshPlanned(input, std::move(welding), options, progress);
   } catch (const TooFewVertices& error) {

@@ -25,6 +25,7 @@ struct RemeshOutcome {
   // Present if the run needed a tree and all these triangles are in the surface.
   std::optional<ListedTree> tree = {};
   Prefer prefer = Prefer::Even;  // or Shape
+  std::size_t mirrors = 0;       // planes about which quads are their own mirror image
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

@@ -121,8 +121,16 @@ class Extraction {
   TriangleMesh result_;
 };
 
+}  // namespace
+
+TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
+                         const TransferRules& rules) {
+  return Extraction(mesh, input, rules).run();
+}
+
 // The builder may have turned a triangle over: weights go to the corners that they belong to.
-InputPlace placeOf(const SurfacePoint& point, const BuiltMesh& built, const TriangleMesh& input) {
+InputPlace inputPlace(const SurfacePoint& point, const BuiltMesh& built,
+                      const TriangleMesh& input) {
   InputPlace place{built.triangles[point.face], Vec3::Zero()};
   for (int i = 0; i < 3; ++i) {
     const Index wedge = built.wedges[HalfedgeMesh::halfedge(point.face, i)];
@@ -132,13 +140,6 @@ InputPlace placeOf(const SurfacePoint& point, const BuiltMesh& built, const Tria
   return place;
 }
 
-}  // namespace
-
-TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
-                         const TransferRules& rules) {
-  return Extraction(mesh, input, rules).run();
-}
-
 std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input) {
   const BuiltMesh& built = mesh.surface().built();
   std::vector<InputPlace> places;
@@ -146,7 +147,7 @@ std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh
     if (!mesh.mesh().isAlive(Face(f))) continue;
     for (int k = 0; k < 3; ++k) {
       const SurfacePoint point = mesh.cornerPoint(HalfedgeMesh::halfedge(Face(f), k));
-      places.push_back(placeOf(point, built, input));
+      places.push_back(inputPlace(point, built, input));
     }
   }
   return places;

@@ -25,4 +25,7 @@ TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
 // curves.
 std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input);
 
+// A point of the surface built from the input, as a place on the input.
+InputPlace inputPlace(const SurfacePoint& point, const BuiltMesh& built, const TriangleMesh& input);
+
 }  // namespace remesher

@@ -21,6 +21,7 @@ export default {
   'option.weld': 'Verbinden',
   'option.quads': 'Vierecke',
   'option.exact': 'Genaue Zahl',
+  'option.symmetry': 'Spiegelung',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
@@ -48,6 +49,7 @@ export default {
   'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der '
     + 'Punkte auf 1 % genau',
   'help.exact': 'von Vierecken: genau so viele Punkte',
+  'help.symmetry': 'von Vierecken: auto: an Ebenen, die das Modell spiegeln, genau gespiegelte',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',

@@ -21,6 +21,7 @@ export default {
   'option.weld': 'Souder',
   'option.quads': 'Quadrilatères',
   'option.exact': 'Nombre exact',
+  'option.symmetry': 'Symétrie',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
@@ -47,6 +48,8 @@ export default {
   'help.weld': 'réunit les endroits plus proches ; sinon ce qui ne diffère que par l’arrondi',
   'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
   'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
+  'help.symmetry': 'des quadrilatères : auto : exactement symétriques, si le modèle l’est par un '
+    + 'plan',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',

@@ -2,6 +2,7 @@
 #include "remesh/quads/map/seamless_map.h"
 
 #include <cmath>
+#include <utility>
 
 #include "mesh/topology.h"
 #include "remesh/quads/field/singularities.h"
@@ -37,14 +38,15 @@ Transition SeamlessMap::across(const HalfedgeMesh& mesh, Halfedge h) const {
   return {turn[h], there - turned(corners[h], turn[h])};
 }
 
-MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field)
+MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<double> sizes)
     : mesh_(mesh),
       frames_(mesh),
+      sizes_(std::move(sizes)),
       singular_(quarterIndices(field, mesh, frames_)),
       cut_(cutOpen(mesh, field, singular_)),
       system_({mesh, frames_, cut_, singular_}) {
   if (!system_.isSolvable() || system_.count() - system_.realCount() > kMostWholes) return;
-  const SeamlessSystem::Quadratic quadratic = system_.quadratic();
+  const SeamlessSystem::Quadratic quadratic = system_.quadratic(sizes_);
   rounding_ = std::make_unique<Rounding>(quadratic.matrix, quadratic.right, system_.realCount());
   if (rounding_->isSolvable())
     rounding_->require(leastSpacings({mesh, frames_, cut_, singular_}, system_));
@@ -54,7 +56,7 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field)
 
 SeamlessMap MapMaker::map(double length) const {
   Eigen::VectorXd values = rounding_->rounded(1 / length);
-  untangle(values, {mesh_, frames_, system_, length});
+  untangle(values, {mesh_, frames_, system_, sizes_, length});
   return inWholes(values);
 }
 

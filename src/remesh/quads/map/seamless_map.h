@@ -50,8 +50,9 @@ struct SeamlessMap {
 // Makes maps of one surface at any scale.
 class MapMaker {
  public:
-  // The mesh must outlive it.
-  MapMaker(const WorkingMesh& mesh, const CrossField& field);
+  // sizes: per face the side length of quads wanted there beside the others. The mesh must outlive
+  // it.
+  MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<double> sizes);
 
   // Whether a map is possible; also false with too many integer variables for dense matrices.
   bool isPossible() const { return bool(rounding_); }
@@ -67,6 +68,7 @@ class MapMaker {
 
   const WorkingMesh& mesh_;
   FaceFrames frames_;
+  FaceData<double> sizes_;
   VertexData<int> singular_;
   CutField cut_;
   SeamlessSystem system_;

@@ -177,7 +177,7 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
 
 // Dirichlet's energy of the difference between the gradients of u and v and the crosses'
 // directions, edge by edge with cotangents.
-SeamlessSystem::Quadratic SeamlessSystem::quadratic() const {
+SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& sizes) const {
   std::vector<Eigen::Triplet<double>> entries;
   Quadratic result{{}, Eigen::VectorXd::Zero(count_)};
   for (Index i = 0; i < copies_.size(); ++i) {
@@ -185,7 +185,8 @@ SeamlessSystem::Quadratic SeamlessSystem::quadratic() const {
     const double weight = cotangent(input_.frames.edge(prev), -input_.frames.edge(next)) / 2;
     const double angle = input_.cut.angle[HalfedgeMesh::face(h)];
     const Vec2 along(std::cos(angle), std::sin(angle)), edge = input_.frames.edge(h);
-    const double wanted[] = {edge.dot(along), cross(along, edge)};
+    const double size = sizes[HalfedgeMesh::face(h)];
+    const double wanted[] = {edge.dot(along) / size, cross(along, edge) / size};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const IntegerSum row = plus(corner(next)[axis], corner(h)[axis], -1);
       for (const auto& [a, x] : row) {

@@ -38,12 +38,13 @@ class SeamlessSystem {
   const std::array<IntegerSum, 2>& corner(Halfedge h) const { return sums_[copies_[h]]; }
 
   // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
-  // model units. For another side length divide b by the length.
+  // model units. For another side length divide b by the length. sizes: per face the side length
+  // wanted there beside the others.
   struct Quadratic {
     Eigen::SparseMatrix<double> matrix;  // its lower half
     Eigen::VectorXd right;
   };
-  Quadratic quadratic() const;
+  Quadratic quadratic(const FaceData<double>& sizes) const;
 
  private:
   void nameCopies();

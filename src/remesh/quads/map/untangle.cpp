@@ -61,7 +61,7 @@ class Untangling {
     Matrix2 image, rest;
     image << at(HalfedgeMesh::next(h)) - a, at(HalfedgeMesh::prev(h)) - a;
     rest << input_.frames.edge(h), -input_.frames.edge(HalfedgeMesh::prev(h));
-    return image * rest.inverse() * input_.length;
+    return image * rest.inverse() * (input_.length * input_.sizes[f]);
   }
 
   std::vector<Face> foldedOf(const std::vector<Face>& faces) const {

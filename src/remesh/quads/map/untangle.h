@@ -12,7 +12,8 @@ struct TangleInput {
   const WorkingMesh& mesh;
   const FaceFrames& frames;
   const SeamlessSystem& system;
-  double length;  // of the quads, model units
+  const FaceData<double>& sizes;  // as in SeamlessSystem::quadratic
+  double length;                  // of the quads, model units
 };
 
 // Changes real variables only. Returns how many triangles are still folded.

@@ -83,11 +83,13 @@ std::optional<Placement> MovingQuads::placeNear(Index v, const Vec3& p) const {
 }
 
 bool MovingQuads::moveUnlessWorse(Index v, const Placement& place, double enough) {
-  const double least = std::min(qualityAround(v), enough);
   const Placement before = std::exchange(mesh_.vertices[v], place);
-  if (qualityAround(v) >= least) return true;
-  mesh_.vertices[v] = before;
-  return false;
+  const double now = qualityAround(v);
+  if (now >= enough) return true;
+  const Placement after = std::exchange(mesh_.vertices[v], before);
+  if (now < qualityAround(v)) return false;
+  mesh_.vertices[v] = after;
+  return true;
 }
 
 }  // namespace remesher

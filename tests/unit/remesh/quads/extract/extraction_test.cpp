@@ -15,7 +15,8 @@ namespace {
 struct ExtractedQuads {
   ExtractedQuads(const TriangleMesh& input, double length)
       : surface(shapes::surfaceOf(input)), mesh(surface), frames(mesh) {
-    const MapMaker maker(mesh, makeCrossField(mesh, frames, length));
+    const FaceData<double> even(mesh.mesh().faceCapacity(), 1.0);
+    const MapMaker maker(mesh, makeCrossField(mesh, frames, length), even);
     const SeamlessMap map = maker.map(length);
     counted = maker.countVertices(map);
     quads = extractQuads(mesh, map);

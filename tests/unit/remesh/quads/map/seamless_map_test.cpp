@@ -18,7 +18,7 @@ struct Mapped {
         mesh(surface),
         frames(mesh),
         field(makeCrossField(mesh, frames, length)),
-        maker(mesh, field),
+        maker(mesh, field, FaceData<double>(mesh.mesh().faceCapacity(), 1.0)),
         map(maker.map(length)) {}
 
   OriginalSurface surface;

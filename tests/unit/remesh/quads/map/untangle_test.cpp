@@ -20,14 +20,15 @@ TEST_CASE("untangle: a plane map whose inner vertices were thrown about has no f
   const CutField cut = cutOpen(mesh, field, singular);
   const SeamlessSystem system({mesh, frames, cut, singular});
   REQUIRE(system.isSolvable());
-  const auto quadratic = system.quadratic();
+  const FaceData<double> even(mesh.mesh().faceCapacity(), 1.0);
+  const auto quadratic = system.quadratic(even);
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(quadratic.matrix);
   const Eigen::VectorXd exact = solver.solve(quadratic.right);
   soups::Random random(3);
   Eigen::VectorXd values = exact;
   for (Index i = 0; i < system.realCount(); ++i)
     if (random.number() < 0.05) values[i] += 3 * (random.number() - 0.5);
-  CHECK(untangle(values, {mesh, frames, system, 1}) == 0);
+  CHECK(untangle(values, {mesh, frames, system, even, 1}) == 0);
   // What is to be whole stays.
   CHECK(values.tail(values.size() - system.realCount()) ==
         exact.tail(values.size() - system.realCount()));

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Cuts off what lies behind planes, so that a half, a quarter or an eighth of a mesh is left.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/input_place.h"
+#include "base/options.h"
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+struct Half {
+  TriangleMesh mesh;                              // without attributes
+  std::vector<InputPlace> vertices;               // per vertex its place on the whole
+  std::vector<std::array<InputPlace, 3>> places;  // per corner of each triangle, on one triangle
+};
+
+// What lies in front of all planes; none if a triangle lies in a plane.
+std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole);
+
+}  // namespace remesher

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/symmetry/mirror_planes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
+
+namespace remesher {
+
+namespace {
+
+Triangle cornersOf(const TriangleMesh& mesh, std::size_t t) {
+  return {mesh.positions[mesh.indices[3 * t]], mesh.positions[mesh.indices[3 * t + 1]],
+          mesh.positions[mesh.indices[3 * t + 2]]};
+}
+
+// The center of the surface's area, and the squares around it.
+struct Moments {
+  Vec3 center = Vec3::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+};
+Moments momentsOf(const TriangleMesh& mesh) {
+  Moments moments;
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = cornersOf(mesh, t);
+    const double weight = area(a, b, c);
+    sum += weight;
+    moments.center += weight / 3 * (a + b + c);
+  }
+  if (!(sum > 0)) return moments;
+  moments.center /= sum;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    Triangle corners = cornersOf(mesh, t);
+    Vec3 all = Vec3::Zero();
+    for (Vec3& p : corners) {
+      p -= moments.center;
+      all += p;
+    }
+    const double weight = area(corners[0], corners[1], corners[2]);
+    moments.squares += weight * all * all.transpose();
+    for (const Vec3& p : corners) moments.squares += weight * p * p.transpose();
+  }
+  return moments;
+}
+
+class PlaneSearch {
+ public:
+  PlaneSearch(const TriangleMesh& mesh, double tolerance)
+      : mesh_(mesh), tolerance_(tolerance), moments_(momentsOf(mesh)) {}
+
+  std::vector<MirrorPlane> run() {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) tryAxis(Vec3::Unit(axis));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_.squares);
+    for (Eigen::Index i = 0; i < 3; ++i) tryAxis(solver.eigenvectors().col(i));
+    return std::move(planes_);
+  }
+
+ private:
+  void tryAxis(Vec3 normal) {
+    for (const MirrorPlane& plane : planes_)
+      if (std::abs(plane.normal.dot(normal)) > kByRounding) return;
+    Eigen::Index largest = 0;
+    normal.cwiseAbs().maxCoeff(&largest);
+    if (normal[largest] < 0) normal = -normal;
+    if ((normal - Vec3::Unit(largest)).norm() < kByRounding) normal = Vec3::Unit(largest);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Index v : mesh_.indices) {
+      low = std::min(low, normal.dot(mesh_.positions[v]));
+      high = std::max(high, normal.dot(mesh_.positions[v]));
+    }
+    const double middle = (low + high) / 2;
+    if (std::abs(middle - normal.dot(moments_.center)) > tolerance_) return;
+    // A model that was made has its plane through the origin, exactly.
+    const MirrorPlane plane{normal, std::abs(middle) < kByRounding * (high - low) ? 0 : middle};
+    if (isMirror(plane)) planes_.push_back(plane);
+  }
+
+  bool isMirror(const MirrorPlane& plane) {
+    if (!tree_) tree_.emplace(mesh_.positions, mesh_.indices);
+    // Most of what is no mirror shows in a few places.
+    const auto few = std::size_t(std::sqrt(double(mesh_.triangleCount())));
+    for (const std::size_t stride : {few, std::size_t{1}}) {
+      Index last = 0;
+      const auto isOnSurface = [&](const Vec3& p, double farthest) {
+        const auto found = tree_->nearest(plane.mirrored(p), last);
+        last = found.triangle;
+        return found.squaredDistance <= farthest * farthest;
+      };
+      for (std::size_t t = 0; t < mesh_.triangleCount(); t += stride) {
+        const auto [a, b, c] = cornersOf(mesh_, t);
+        for (const Vec3& p : {a, b, c})
+          if (!isOnSurface(p, tolerance_)) return false;
+        // From an opening the middle of a triangle would be a third of its height away.
+        const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+        const double height = 2 * area(a, b, c) / longest;
+        if (!isOnSurface((a + b + c) / 3, std::max(tolerance_, height / 6))) return false;
+      }
+    }
+    return true;
+  }
+
+  const TriangleMesh& mesh_;
+  const double tolerance_;
+  const Moments moments_;
+  std::optional<TriangleTree> tree_;
+  std::vector<MirrorPlane> planes_;
+};
+
+}  // namespace
+
+std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance) {
+  return PlaneSearch(mesh, tolerance).run();
+}
+
+}  // namespace remesher

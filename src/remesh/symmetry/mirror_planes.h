@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Finds the planes that mirror a surface onto itself.
+#pragma once
+
+#include <vector>
+
+#include "base/options.h"
+#include "base/triangle_mesh.h"
+
+namespace remesher {
+
+// Up to three planes, each at right angles to the others: of those through the middle whose normals
+// are coordinate axes or principal axes of the surface. Mirrored, no vertex is farther from the
+// surface than `tolerance`; triangles may differ, but none is missing.
+std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance);
+
+}  // namespace remesher
