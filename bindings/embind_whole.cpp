@@ -70,6 +70,14 @@ val convertBytes(const val& request) {
   });
 }
 
+// Coordinates of all, three each.
+val coordinatesOf(const std::vector<Vec3>& places) {
+  val result = val::array();
+  for (const Vec3& place : places)
+    for (const double x : place) result.call<void>("push", x);
+  return result;
+}
+
 val writtenRepair(const RepairReport& repair) {
   val result = val::object();
   val selfIntersections = val::array();
@@ -82,15 +90,9 @@ val writtenRepair(const RepairReport& repair) {
   result.set("shells", double(repair.shells));
   result.set("turned", double(repair.turned));
   result.set("lost", repair.lost);
+  result.set("lostBeyond", repair.lostBeyond);
+  result.set("lostAt", coordinatesOf(repair.lostAt));
   result.set("selfIntersections", selfIntersections);
-  return result;
-}
-
-// Coordinates of all, three each.
-val coordinatesOf(const std::vector<Vec3>& places) {
-  val result = val::array();
-  for (const Vec3& place : places)
-    for (const double x : place) result.call<void>("push", x);
   return result;
 }
 
@@ -102,6 +104,10 @@ val faultsFrom(const FaultReport& faults) {
   result.set("innerShells", double(faults.innerShells));
   result.set("insideOut", double(faults.insideOut));
   result.set("repair", std::string(nameOf(kRepairs, faults.repair)));
+  val needs = val::object();
+  needs.set("bytes", faults.needs.bytes);
+  needs.set("seconds", faults.needs.seconds);
+  result.set("needs", needs);
   val places = val::object();
   using Named = std::pair<const char*, const std::vector<Vec3>*>;
   const FaultPlaces& at = faults.places;

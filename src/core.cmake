@@ -229,6 +229,7 @@ add_library(small OBJECT
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
+  src/repair/fineness.cpp
   src/repair/holes/close_holes.cpp
   src/repair/holes/fairing.cpp
   src/repair/holes/kept_surface.cpp
@@ -245,7 +246,9 @@ add_library(small OBJECT
   src/repair/solid/lattice.cpp
   src/repair/solid/oriented_patches.cpp
   src/repair/solid/outside_flood.cpp
+  src/repair/solid/seen_loss.cpp
   src/repair/solid/solid.cpp
+  src/repair/solid/thin_walls.cpp
   src/repair_file.cpp
   src/textures/charts/chart_growth.cpp
   src/textures/charts/chart_joining.cpp

@@ -135,11 +135,15 @@ add_executable(unit_tests
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/repair/repair_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp
+  tests/unit/repair/solid/lattice_test.cpp
+  tests/unit/repair/solid/seen_loss_test.cpp
   tests/unit/repair/solid/solid_test.cpp
+  tests/unit/repair/solid/thin_walls_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/painting/canvas_test.cpp

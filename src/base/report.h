@@ -83,12 +83,14 @@ struct Timings {  // milliseconds
 // What repair did. For files of several parts: sums, and the mode that mended most triangles.
 struct RepairReport {
   std::string mode;
-  std::string reason;       // why that one: asked, sound, shells, enclosed, open
-  std::size_t holes = 0;    // open loops closed
-  std::size_t islands = 0;  // open pieces removed
-  std::size_t shells = 0;   // bodies inside other bodies, removed
-  std::size_t turned = 0;   // triangles turned over
-  double lost = 0;          // percent of the input's area that the result lacks
+  std::string reason;        // why that one: asked, sound, shells, enclosed, open
+  std::size_t holes = 0;     // open loops closed
+  std::size_t islands = 0;   // open pieces removed
+  std::size_t shells = 0;    // bodies inside other bodies, removed
+  std::size_t turned = 0;    // triangles turned over
+  double lost = 0;           // percent of the area that the result lacks: seen and farther than:
+  double lostBeyond = 0;     // percent of the diagonal
+  std::vector<Vec3> lostAt;  // a few places of it, apart from each other, the farthest first
   std::array<std::size_t, 2> selfIntersections{};  // triangles that meet others, before and after
 };
 
@@ -98,6 +100,12 @@ struct FaultPlaces {
   std::vector<Vec3> openLoops, selfIntersections, innerShells, insideOut;
 };
 
+// What a repair takes, known before it begins. Approximate.
+struct RepairNeeds {
+  double bytes = 0;
+  double seconds = 0;  // of one core, in WebAssembly
+};
+
 // What is broken, and which repair would mend it.
 struct FaultReport {
   std::vector<double> openLoops;      // lengths in percent of the diagonal, the longest first
@@ -105,6 +113,7 @@ struct FaultReport {
   std::size_t innerShells = 0;        // closed pieces inside others, cavities not counted
   std::size_t insideOut = 0;          // closed pieces that face inwards
   Repair repair = Repair::Off;        // Off: nothing is broken
+  RepairNeeds needs;                  // of that repair
   FaultPlaces places;
 };
 

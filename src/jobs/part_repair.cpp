@@ -29,6 +29,7 @@ void add(RepairReport& sum, const RepairReport& part) {
   sum.islands += part.islands;
   sum.shells += part.shells;
   sum.turned += part.turned;
+  sum.lostBeyond = std::max(sum.lostBeyond, part.lostBeyond);
   for (std::size_t i = 0; i < 2; ++i) sum.selfIntersections[i] += part.selfIntersections[i];
 }
 
@@ -111,6 +112,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     part.mesh = std::move(repaired.mesh);
     add(result.report, repaired.report);
     result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;
+    addPlaces(result.report.lostAt, inWorld(repaired.report.lostAt, part, scale));
     if (triangles >= most) {
       result.report.mode = repaired.report.mode;
       result.report.reason = repaired.report.reason;
@@ -152,6 +154,8 @@ FaultReport faultsOf(const std::vector<io::Part>& parts) {
     sum.innerShells += faults.innerShells;
     sum.insideOut += faults.insideOut;
     sum.repair = std::max(sum.repair, faults.repair);
+    sum.needs.bytes = std::max(sum.needs.bytes, faults.needs.bytes);
+    sum.needs.seconds += faults.needs.seconds;
     addPlaces(sum.places.selfIntersections, inWorld(faults.places.selfIntersections, part, scale));
     addPlaces(sum.places.innerShells, inWorld(faults.places.innerShells, part, scale));
     addPlaces(sum.places.insideOut, inWorld(faults.places.insideOut, part, scale));

@@ -8,8 +8,9 @@
 
 #include "base/error.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
+#include "mesh/joining.h"
+#include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
 #include "repair/solid/solid.h"
@@ -17,12 +18,6 @@
 namespace remesher {
 
 namespace {
-
-double diagonalOf(const TriangleMesh& mesh) {
-  Box box;
-  for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
-  return (box.high - box.low).norm();
-}
 
 double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
   double sum = 0;
@@ -91,37 +86,6 @@ RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& opt
   return result;
 }
 
-// Half the target edge length, but fine enough to show parts and coarse enough for memory: 250 MB
-// at 1/400 of the diagonal of a cube.
-double spacingFor(const TriangleMesh& input, const RemeshOptions& options) {
-  constexpr double kFinest = 400, kCoarsest = 128, kUsual = 200;
-  const double diagonal = diagonalOf(input);
-  double edge = 2 * diagonal / kUsual;
-  if (options.vertices) {
-    const double each = areaOf(input, input.triangleCount()) / double(*options.vertices);
-    edge = std::sqrt(2 / std::sqrt(3.0) * each);
-  }
-  if (options.edgeLength) edge = *options.edgeLength;
-  return std::clamp(edge / 2, diagonal / kFinest, diagonal / kCoarsest);
-}
-
-// Remeshing to a number or an edge length replaces the triangles anyway.
-Cleaning cleaningFor(const RemeshOptions& options) {
-  const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
-  return isRemeshed ? Cleaning::None : Cleaning::Thorough;
-}
-
-SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
-  constexpr double kUsualGap = 2;  // percent of the diagonal
-  const double gap = options.gap.value_or(kUsualGap) / 100 * diagonalOf(input);
-  return {spacingFor(input, options),
-          by,
-          by == InsideBy::Reach ? gap : 0,
-          cleaningFor(options),
-          options.sheets,
-          options.cavities};
-}
-
 void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
   if (sheets == Sheets::Drop)
     warn(result, {"SHEETS_DROPPED", "Sheets, which enclose nothing, were left out.", count});
@@ -132,27 +96,29 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
           count});
 }
 
-RepairedMesh asRepaired(Solid solid, const SolidRule& rule) {
+RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule) {
   const InsideBy by = rule.by;
   RepairedMesh result;
-  const bool isLost = std::round(100 * solid.enclosure.lost) > 0;  // the report has two decimals
+  const bool isLost = std::round(100 * solid.loss.share) > 0;  // the report has two decimals
   warn(result,
        {"SEEN_PARTS_LOST",
         "Parts that are seen from outside are lost: they are too thin, or lie in gaps that close.",
         std::size_t{isLost}},
-       {solid.enclosure.lostAt.value_or(Vec3::Zero())});
+       solid.loss.places);
   warnOfSheets(result, rule.sheets, solid.enclosure.sheets);
   result.report.mode = by == InsideBy::Reach ? "wrap" : "solid";
   result.report.shells = solid.enclosure.shells;
   result.report.turned = by == InsideBy::Reach ? 0 : solid.enclosure.turned;
-  result.report.lost = solid.enclosure.lost;
+  result.report.lost = solid.loss.share;
+  result.report.lostBeyond = 100 * solid.loss.beyond / diagonalOf(input);
+  result.report.lostAt = std::move(solid.loss.places);
   result.mesh = std::move(solid.mesh);
   return result;
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
   const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
-  RepairedMesh result = asRepaired(solidOf(input, rule), rule);
+  RepairedMesh result = asRepaired(solidOf(input, rule), input, rule);
   if (!result.mesh.indices.empty()) return result;
   if (rule.sheets == Sheets::Drop)
     throw Error(ErrorCode::NoTriangles, "There are only sheets, which were to be left out.",
@@ -165,7 +131,7 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
 // A surface that encloses nothing is wrapped instead.
 RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
   if (solid.mesh.indices.empty()) return wrapped(input, options);
-  return asRepaired(std::move(solid), ruleFor(input, options, InsideBy::Enclosure));
+  return asRepaired(std::move(solid), input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
 // Whether there is a shell within a body that is no cavity, or a body inside out.
@@ -267,6 +233,7 @@ RepairedMesh repaired(const Broken& broken, const RemeshOptions& options) {
 
 FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
+  requireMemory(input, {});
   const Enclosure enclosure = roughEnclosure(input);
   FaultReport faults;
   // All loops of the input, also of islands and pinches, which hole closing would remove.
@@ -285,14 +252,17 @@ FaultReport faultsOf(const TriangleMesh& input) {
   faults.places.insideOut = enclosure.insideOutAt;
   if (faults.openLoops.empty() && crossings.empty() && !facesWrongWay(enclosure)) return faults;
   const std::optional<RepairedMesh> closed = closedSoundly({input, crossings}, {}, enclosure);
-  faults.repair = closed && isEnough(*closed)    ? Repair::Holes
-                  : closed || isClear(enclosure) ? Repair::Solid
-                                                 : Repair::Wrap;
+  RemeshOptions alone;
+  alone.repair = faults.repair = closed && isEnough(*closed)    ? Repair::Holes
+                                 : closed || isClear(enclosure) ? Repair::Solid
+                                                                : Repair::Wrap;
+  faults.needs = needsOf(input, alone);
   return faults;
 }
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
+  requireMemory(input, options);
   const std::vector<Index> crossings = selfIntersections(input);
   RepairedMesh result = repaired({input, crossings}, options);
   result.report.selfIntersections[0] = crossings.size();

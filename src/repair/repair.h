@@ -23,10 +23,12 @@ struct RepairedMesh {
 };
 
 // Follows the options repair, holesUpTo, gap, cavities and sheets. Throws the Errors of
-// requireValid, and NO_TRIANGLES if nothing can be kept.
+// requireValid, NO_TRIANGLES if nothing can be kept, and OUT_OF_MEMORY, before the work, if no
+// memory can hold it.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
-// Finds what is broken; open loops are in no particular order. Throws the Errors of buildMesh.
+// Finds what is broken; open loops are in no particular order. Throws the Errors of buildMesh, and
+// OUT_OF_MEMORY as above.
 FaultReport faultsOf(const TriangleMesh& input);
 
 }  // namespace remesher

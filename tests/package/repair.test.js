@@ -154,7 +154,7 @@ test('an inspection tells what is broken, and what would mend it', async () => {
   assert.equal((await inspect(open)).faults, undefined);
   const sound = (await inspect(whole, { faults: true })).faults;
   assert.deepEqual(sound, { openLoops: [], selfIntersections: 0, innerShells: 0, insideOut: 0,
-    repair: 'off',
+    repair: 'off', needs: { bytes: 0, seconds: 0 },
     places: { openLoops: [], selfIntersections: [], innerShells: [], insideOut: [] } });
   const { faults } = await inspect(open, { faults: true });
   assert.ok(faults.openLoops.length >= 1);
@@ -178,7 +178,38 @@ test('an inspection tells what is broken, and what would mend it', async () => {
 test('faults are said in words', async () => {
   const words = reportInWords(await inspect(open, { faults: true }));
   assert.match(words, /faults: \d+ open loops, around, of the diagonal: [\d.]+ %/);
-  assert.match(words, /what would mend it: holes/);
+  assert.match(words, /what would mend it: holes.*; it takes about \d+ MB and [\d.]+ s/);
+});
+
+test('what a repair takes is said before it begins, and too much is refused', async () => {
+  const [holes, solid] = await Promise.all([open, joined(whole, whole, 0.9)]
+    .map(async (mesh) => (await inspect(mesh, { faults: true })).faults.needs));
+  assert.ok(0 < holes.bytes && holes.bytes < solid.bytes, `${holes.bytes} ${solid.bytes}`);
+  assert.ok(0 < holes.seconds && holes.seconds < solid.seconds);
+  const next = (() => {
+    let state = 1;
+    return () => (state = (state * 48271) % 2147483647) / 2147483647;
+  })();
+  // Each as large as the whole.
+  const soup = { positions: Float32Array.from({ length: 9 * 60000 }, next),
+    indices: Uint32Array.from({ length: 3 * 60000 }, (_, i) => i) };
+  await rejectsWith(repair(soup), 'OUT_OF_MEMORY', /takes about [\d.]+ GB of memory for this mesh/);
+});
+
+test('what is lost is an area with places; what keeps all loses nothing', async () => {
+  const { report } = await repair(joined(whole, whole, 0.9), { repair: 'solid' });
+  assert.deepEqual([report.repair.lost, report.repair.lostAt], [0, []]);
+  assert.ok(report.repair.lostBeyond > 0.1 && report.repair.lostBeyond < 0.5);
+  assert.match(reportInWords(report), /0\.00 % of the area seen from outside is farther from/);
+});
+
+test('walls thinner than the lattice keep both sides where they are', async () => {
+  for (const wall of [0.005, 0.001]) {
+    const { mesh, report } = await repair(broken.thinHouse(wall), { repair: 'solid' });
+    assert.ok(report.repair.lost < 0.01, `${report.repair.lost} %`);
+    assert.ok(!report.warnings.some(({ code }) => code === 'SEEN_PARTS_LOST'));
+    await assertSound(mesh, `walls of ${wall}`);
+  }
 });
 
 /** One within the other, which faces into what it encloses. */
@@ -214,7 +245,10 @@ test('sheets become thin solids, or are left out; both is said with a place', as
     assert.ok(report.warnings.some((warning) => warning.code === code), code);
     assert.equal(report.repair.lost > 1, sheets === 'drop', `${report.repair.lost} %`);
     const lost = report.warnings.find((warning) => warning.code === 'SEEN_PARTS_LOST');
-    if (sheets === 'drop') assert.match(lost.message, /near \([5-9][.\d]*, /);
+    if (sheets === 'drop') {
+      assert.match(lost.message, /near \([5-9][.\d]*, /);
+      assert.ok(report.repair.lostAt.every((x, i) => i % 3 > 0 || x > 4), 'places on the sheet');
+    }
     await assertSound(mesh, sheets);
   }
   const square = { positions: Float32Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0),

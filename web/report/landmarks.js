@@ -2,7 +2,7 @@
 // Peculiarities of the input, each with a button that shows where it is.
 import { lineColors } from '../base/colors.js';
 import { byId, element } from '../base/dom.js';
-import { count } from '../base/format.js';
+import { count, fileSize } from '../base/format.js';
 import { t } from '../base/i18n.js';
 
 /** Landmarks are edges, which are drawn; fault places are points.
@@ -43,6 +43,15 @@ function chip(name, total, color, onclick) {
     dot, t(`landmark.${name}`, { count: count(total) }));
 }
 
+/** What mending takes, where that is known.
+ * @param {import('remesher').FaultSummary | null} faults */
+function needsOf(faults) {
+  if (!faults || faults.repair === 'off') return [];
+  const { bytes, seconds } = faults.needs;
+  return [element('span', { className: 'needs' }, t('mend.needs',
+    { seconds: count(Math.max(1, Math.round(seconds))), size: fileSize(bytes) }))];
+}
+
 /** @param {{ edges: Record<Landmark, number> | null,
  *   faults: import('remesher').FaultSummary | null }} found
  * @param {{ onVisit: (landmark: Landmark) => void, onFault: (fault: FaultPlace) => void,
@@ -57,5 +66,5 @@ export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
   ];
   box.hidden = !chips.length;
   box.replaceChildren(...chips, element('button', { type: 'button', className: 'chip', id: 'mend',
-    onclick: onMend }, t('mend')));
+    onclick: onMend }, t('mend'), ...needsOf(faults)));
 }

@@ -9,6 +9,11 @@ import { t, textIfAny } from '../base/i18n.js';
 const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
 
 /** @param {RepairSummary} repair */
+const lossOf = ({ lost, lostBeyond }) => (lostBeyond > 0
+  ? t('repair.far', { share: percent(lost), distance: percent(lostBeyond) })
+  : t('repair.lost', { share: percent(lost) }));
+
+/** @param {RepairSummary} repair */
 function whatWasDone(repair) {
   const [before, after] = repair.selfIntersections;
   const done = counted.filter((name) => repair[name])
@@ -16,7 +21,7 @@ function whatWasDone(repair) {
   return [...done,
     ...(before || after ? [t('repair.crossings', { before: count(before), after: count(after) })]
       : []),
-    ...(repair.lost >= 0.005 ? [t('repair.lost', { share: percent(repair.lost) })] : [])];
+    ...(repair.lost >= 0.005 ? [lossOf(repair)] : [])];
 }
 
 /** @param {RepairSummary | undefined} repair */

@@ -268,6 +268,7 @@ export default {
     + 'remeshing goes on.',
 
   'mend': 'Mend it',
+  'mend.needs': ' (about {seconds} s, {size})',
   'cut': 'Cut',
   'cut.depth': 'How deep the cut is',
   'key.cut': 'Cut through the models',
@@ -280,6 +281,7 @@ export default {
   'repair.turned': '{count} triangles turned over',
   'repair.crossings': '{before} triangles passed through others; now {after}',
   'repair.lost': '{share} of the area is gone',
+  'repair.far': '{share} of the visible area is farther than {distance} from the result',
   'reason.sound': 'With its holes closed it is sound.',
   'reason.shells': 'Pieces lay within others or faced inwards.',
   'reason.enclosed': 'What is seen encloses something.',

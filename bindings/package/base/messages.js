@@ -213,7 +213,15 @@
  * @property {number} insideOut Closed pieces that face inwards.
  * @property {'off' | 'holes' | 'solid' | 'wrap'} repair The repair that `auto` would choose; `off`:
  *   nothing is broken.
+ * @property {RepairNeeds} needs What that repair takes, before it begins. Approximate.
  * @property {FaultPlaces} places Where it is broken.
+ */
+
+/**
+ * What a repair takes.
+ * @typedef {object} RepairNeeds
+ * @property {number} bytes The most memory that it holds.
+ * @property {number} seconds The time of one core.
  */
 
 /**
@@ -255,7 +263,10 @@
  * @property {number} islands Loose open scraps removed.
  * @property {number} shells Bodies inside of others, removed.
  * @property {number} turned Triangles turned over.
- * @property {number} lost Percent of the area that the result lacks.
+ * @property {number} lost Percent of the area that the result lacks: of what is seen from outside,
+ *   what is farther from the result than `lostBeyond`. Where only holes are closed, of all.
+ * @property {number} lostBeyond In percent of the diagonal; 0 where only holes are closed.
+ * @property {number[]} lostAt A few places of it, three coordinates each, the farthest first.
  * @property {number[]} selfIntersections Triangles that meet others, before and after repair.
  */
 

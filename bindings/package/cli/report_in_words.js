@@ -49,12 +49,24 @@ const reasons = {
   open: 'for what is seen encloses nothing clearly',
 };
 
+/** `, the first near (0.5, 2, 1)` @param {number[]} places */
+const firstOf = (places) => (places.length === 0 ? ''
+  : `, the first near (${places.slice(0, 3).map((x) => Number(x.toPrecision(4))).join(', ')})`);
+
 /** @param {import('../base/messages.js').RepairSummary} repair */
-function repairInWords({ mode, reason, holes, islands, shells, turned, lost, selfIntersections }) {
+function lossInWords({ lost, lostBeyond, lostAt }) {
+  const share = `  ${lost.toFixed(2)} % of the area `;
+  return lostBeyond > 0 ? `${share}seen from outside is farther from the result than `
+    + `${lostBeyond.toFixed(3)} % of the diagonal${firstOf(lostAt)}` : `${share}lost`;
+}
+
+/** @param {import('../base/messages.js').RepairSummary} repair */
+function repairInWords(repair) {
+  const { mode, reason, holes, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
   return `repair (${mode}, ${reasons[reason]}):\n`
     + `  ${holes} holes closed, ${islands} islands and ${shells} inner shells removed, `
-    + `${turned} triangles turned over, ${lost.toFixed(2)} % of the area lost\n`
+    + `${turned} triangles turned over\n${lossInWords(repair)}\n`
     + `  triangles that pass through others: ${before} before, ${after} after`;
 }
 
@@ -65,12 +77,13 @@ const cures = {
   wrap: 'what would mend it: wrap, what can be reached from outside',
 };
 
-/** `, the first near (0.5, 2, 1)` @param {number[]} places */
-const firstOf = (places) => (places.length === 0 ? ''
-  : `, the first near (${places.slice(0, 3).map((x) => Number(x.toPrecision(4))).join(', ')})`);
+/** `; about 120 MB and 3 s` @param {import('../base/messages.js').RepairNeeds} needs */
+const needsInWords = ({ bytes, seconds }) => `; it takes about ${Math.ceil(bytes / 1e6)} MB and `
+  + `${Number(seconds.toPrecision(1))} s`;
 
 /** @param {import('../base/messages.js').FaultSummary} faults */
-function faultsInWords({ openLoops, selfIntersections, innerShells, insideOut, repair, places }) {
+function faultsInWords(faults) {
+  const { openLoops, selfIntersections, innerShells, insideOut, repair, needs, places } = faults;
   const told = 10;
   const lengths = openLoops.slice(0, told).map((length) => `${length.toPrecision(3)} %`).join(', ');
   const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
@@ -81,7 +94,7 @@ function faultsInWords({ openLoops, selfIntersections, innerShells, insideOut, r
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
-    `  ${cures[repair]}`,
+    `  ${cures[repair]}${repair === 'off' ? '' : needsInWords(needs)}`,
   ].join('\n');
 }
 

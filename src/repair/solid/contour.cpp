@@ -210,12 +210,13 @@ class Contourer {
     const double margin = lattice_.margin(0.02);  // of the face's width
     if (!s.isAlone || !t.isAlone || !isSharp_[s.apex] || !isSharp_[t.apex]) return std::nullopt;
     const auto axis = Eigen::Index(s.face % 3);
-    const Vec3 low = lattice_.position(s.face / 3);
+    const std::array<std::size_t, 3> place = lattice_.place(s.face / 3);
+    const Vec3 low = lattice_.position(place);
     const Vec3 &a = result_.points[s.apex], &b = result_.points[t.apex];
     Vec3 at = a + (low[axis] - a[axis]) / (b[axis] - a[axis]) * (b - a);
     at[axis] = low[axis];
     for (Eigen::Index u = 0; u < 3; ++u)
-      if (const double share = (at[u] - low[u]) / lattice_.spacing();
+      if (const double share = (at[u] - low[u]) / lattice_.width(std::size_t(u), place);
           u != axis && !(share > margin && share < 1 - margin))
         return std::nullopt;
     return at;

@@ -12,6 +12,9 @@ namespace remesher {
 
 namespace {
 
+// The least width of a cell, and the least distance of inner points from its sides, in grains.
+constexpr double kFewestGrains = 8, kGrainsBeside = 2;
+
 // Coordinates that differ by no more than this may be equal to a reader of the result.
 double grainOf(const TriangleMesh& mesh, const Box& box) {
   const double farthest = std::max(box.high.cwiseAbs().maxCoeff(), box.low.cwiseAbs().maxCoeff());
@@ -21,14 +24,27 @@ double grainOf(const TriangleMesh& mesh, const Box& box) {
 
 }  // namespace
 
-Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
-  // The least width of a cell, and the least distance of inner points from its sides, in grains.
-  constexpr double kFewestGrains = 8, kGrainsBeside = 2;
+double Lattice::rounded(double coordinate) const {
+  return scale_ > 0 ? double(float(coordinate / scale_)) * scale_ : coordinate;
+}
+
+void Lattice::countPoints() {
+  double narrowest = spacing_;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& c = coordinates_[axis];
+    counts_[axis] = c.size();
+    for (std::size_t i = 0; i + 1 < c.size(); ++i) narrowest = std::min(narrowest, c[i + 1] - c[i]);
+  }
+  leastMargin_ = kGrainsBeside * grain_ / narrowest;
+  strides_ = {counts_[1] * counts_[2], counts_[2], 1};
+}
+
+Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare)
+    : scale_(mesh.isSingle ? mesh.scale : 0) {
   Box box;
   for (const Index v : mesh.indices) box.extend(mesh.positions[v]);
-  const double grain = grainOf(mesh, box);
-  spacing_ = spacing = std::max(spacing, kFewestGrains * grain);
-  leastMargin_ = kGrainsBeside * grain / spacing;
+  grain_ = grainOf(mesh, box);
+  spacing_ = spacing = std::max(spacing, kFewestGrains * grain_);
   const double cells = 2 + spare / spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Offset from the box by an odd fraction, so that planes of boxes seldom lie in planes of the
@@ -37,13 +53,28 @@ Lattice::Lattice(const TriangleMesh& mesh, double spacing, double spare) {
     const auto a = Eigen::Index(axis);
     const double low = box.low[a] - (cells + kOff) * spacing;
     const double length = box.high[a] + cells * spacing - low;
-    counts_[axis] = std::size_t(std::ceil(length / spacing)) + 1;
-    for (std::size_t i = 0; i < counts_[axis]; ++i) {
-      const double x = low + double(i) * spacing;
-      coordinates_[axis].push_back(mesh.isSingle ? double(float(x / mesh.scale)) * mesh.scale : x);
+    const std::size_t count = std::size_t(std::ceil(length / spacing)) + 1;
+    for (std::size_t i = 0; i < count; ++i)
+      coordinates_[axis].push_back(rounded(low + double(i) * spacing));
+  }
+  countPoints();
+}
+
+Lattice Lattice::withPlanes(const std::array<std::vector<double>, 3>& planes) const {
+  Lattice result = *this;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double>& c = result.coordinates_[axis];
+    for (const double given : planes[axis]) {
+      const double plane = rounded(given);
+      const auto above = std::upper_bound(c.begin(), c.end(), plane);
+      const bool isWithin = above != c.begin() && above != c.end();
+      if (!isWithin || std::min(plane - above[-1], *above - plane) < kFewestGrains * grain_)
+        continue;
+      c.insert(above, plane);
     }
   }
-  strides_ = {counts_[1] * counts_[2], counts_[2], 1};
+  result.countPoints();
+  return result;
 }
 
 std::size_t Lattice::firstFrom(std::size_t axis, double coordinate) const {

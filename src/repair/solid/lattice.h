@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lattice of points around a mesh, with two cells to spare on all sides. A point is named by one
-// number; an edge by its axis and the point at its lower end; a cell by its lowest corner.
+// A lattice of points around a mesh, with two cells to spare on all sides. Cells are cubes, except
+// beside planes that were added. A point is named by one number; an edge by its axis and the point
+// at its lower end; a cell by its lowest corner.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +20,15 @@ class Lattice {
   // written.
   Lattice(const TriangleMesh& mesh, double spacing, double spare = 0);
 
+  // The same with further planes, per axis ascending. Planes that lie too near to their neighbours
+  // for the mesh's coordinates are left out.
+  Lattice withPlanes(const std::array<std::vector<double>, 3>& planes) const;
+
   std::size_t size() const { return counts_[0] * counts_[1] * counts_[2]; }
   std::size_t count(std::size_t axis) const { return counts_[axis]; }
   // From a point to the next one along the axis.
   std::size_t stride(std::size_t axis) const { return strides_[axis]; }
-  double spacing() const { return spacing_; }
+  double spacing() const { return spacing_; }  // of the cubes
   // A share of a cell's width, or more where rounding needs more: a vertex so far within a cell is
   // still within it when written.
   double margin(double share) const { return std::max(share, leastMargin_); }
@@ -64,11 +69,20 @@ class Lattice {
            i[2] == 0 || i[2] + 1 == counts_[2];
   }
 
+  // The extent of the cell along the axis.
+  double width(std::size_t axis, const std::array<std::size_t, 3>& cell) const {
+    return at(axis, cell[axis] + 1) - at(axis, cell[axis]);
+  }
+
   // The first index along the axis at the coordinate or beyond; count(axis) if there is none.
   std::size_t firstFrom(std::size_t axis, double coordinate) const;
 
  private:
-  double spacing_, leastMargin_;
+  double rounded(double coordinate) const;
+  void countPoints();
+
+  double spacing_, grain_, leastMargin_;
+  double scale_;  // coordinates are single precision numbers times this; 0: of double precision
   std::array<std::size_t, 3> counts_{}, strides_{};
   std::array<std::vector<double>, 3> coordinates_;
 };

@@ -175,8 +175,9 @@ bool keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossin
     if (in.edge != out.edge || in.up > 0 || out.up < 0) continue;
     const std::size_t p = in.edge / 3, axis = in.edge % 3, q = p + lattice.stride(axis);
     if (before[p] || before[q]) continue;
-    const double low = lattice.at(axis, lattice.place(p)[axis]);
-    const bool isLow = (in.at + out.at) / 2 - low < lattice.spacing() / 2;
+    const auto place = lattice.place(p);
+    const double above = (in.at + out.at) / 2 - lattice.at(axis, place[axis]);
+    const bool isLow = above < lattice.width(axis, place) / 2;
     field.isInside[isLow ? p : q] = 1;
     isAny = true;
   }

@@ -11,6 +11,7 @@
 #include "repair/solid/inside.h"
 #include "repair/solid/oriented_patches.h"
 #include "repair/solid/outside_flood.h"
+#include "repair/solid/thin_walls.h"
 
 namespace remesher {
 
@@ -109,8 +110,7 @@ void measureLost(const Lattice& lattice, const InsideField& field,
   forEachCrossedLine(lattice, crossings, [&](const CrossedLine& line) {
     for (const EdgeCrossing* c : {&line.crossings.front(), &line.crossings.back()}) {
       ++seen;
-      if (isFound(*c)) continue;
-      if (lost++ == 0) result.lostAt = placeOf(lattice, *c);
+      lost += !isFound(*c);
     }
   });
   result.lost = seen > 0 ? 100 * double(lost) / double(seen) : 0;
@@ -128,6 +128,7 @@ struct SolidGround::Known {
         patches(rule.keepsCavities ? withCavitiesKept(orientedPatches(built, lattice, crossings))
                                    : orientedPatches(built, lattice, crossings)) {
     turnCrossings(crossings, patches);
+    divideThinWalls();
     const std::vector<std::size_t> kept = keptPoints(lattice, patches, crossings);
     field = rule.by == InsideBy::Reach ? outsideFlood(lattice, crossings, {rule.gap, rule.sheets})
                                        : insideField(lattice, crossings, kept);
@@ -136,10 +137,18 @@ struct SolidGround::Known {
       fillCavities(lattice, kept, field.isInside);
   }
 
+  void divideThinWalls() {
+    const auto planes = planesInThinWalls(lattice, crossings, patches, rule.mostPoints);
+    if (planes[0].empty() && planes[1].empty() && planes[2].empty()) return;
+    lattice = lattice.withPlanes(planes);
+    crossings = crossingsOfEdges(lattice, built.positions.values(), built.mesh.triangles());
+    turnCrossings(crossings, patches);
+  }
+
   const TriangleMesh& input;
   const SolidRule rule;
   const BuiltMesh built;
-  const Lattice lattice;
+  Lattice lattice;
   std::vector<EdgeCrossing> crossings;
   const OrientedPatches patches;
   InsideField field;
@@ -170,13 +179,13 @@ Solid SolidGround::solid() {
   const TriangleMesh& input = known_->input;
   const BuiltMesh& built = known_->built;
   const std::vector<Index> corners = turnedCorners(built, known_->patches);
-  Contour contour = contourOf(known_->lattice, known_->field,
-                              {built.positions.values(), corners, input.isSingle, input.scale},
-                              known_->crossings);
+  const SolidSource source = {built.positions.values(), corners, input.isSingle, input.scale};
+  Contour contour = contourOf(known_->lattice, known_->field, source, known_->crossings);
   const Enclosure enclosed = enclosure();
   if (known_->rule.cleaning == Cleaning::Thorough)
     contour = cleanedUp(contour, {known_->lattice.spacing(), kindsOf(contour, input, built)});
-  return {withAttributes(contour, input, built), enclosed};
+  return {withAttributes(contour, input, built), enclosed,
+          seenLoss(known_->lattice, source, known_->crossings, contour)};
 }
 
 }  // namespace remesher

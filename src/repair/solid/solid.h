@@ -3,21 +3,20 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "base/options.h"
 #include "base/triangle_mesh.h"
+#include "repair/solid/seen_loss.h"
 
 namespace remesher {
 
 // The findings on the enclosed volume and on the pieces of the surface.
 struct Enclosure {
-  std::size_t turned = 0;      // triangles that faced the other way
-  std::size_t shells = 0;      // closed pieces that nobody sees, removed
-  double lost = 0;             // percent of the surface seen along the axes that the result lacks
-  std::optional<Vec3> lostAt;  // the first place of it
-  std::size_t sheets = 0;      // open pieces with nothing behind them, in part or as a whole
+  std::size_t turned = 0;  // triangles that faced the other way
+  std::size_t shells = 0;  // closed pieces that nobody sees, removed
+  double lost = 0;         // percent of the lines that do not find what they see on the border
+  std::size_t sheets = 0;  // open pieces with nothing behind them, in part or as a whole
   // A corner of each closed piece that nobody sees and that is no cavity; a corner of each closed
   // piece that is seen and faces inwards.
   std::vector<Vec3> innerAt, insideOutAt;
@@ -28,6 +27,7 @@ struct Enclosure {
 struct Solid {
   TriangleMesh mesh;  // without triangles if nothing is enclosed
   Enclosure enclosure;
+  SeenLoss loss;
 };
 
 // Which points are inside: those enclosed by triangles that face outwards, or those not reached
@@ -45,6 +45,7 @@ struct SolidRule {
   Cleaning cleaning = Cleaning::None;
   Sheets sheets = Sheets::Thicken;  // for Reach
   bool keepsCavities = false;       // for Enclosure
+  std::size_t mostPoints = 0;       // of the lattice, with planes added in thin walls
 };
 
 // A surface with its inside found. The input has to outlive it.

@@ -82,6 +82,8 @@ export default {
   'landmark.selfIntersections': '{count} Dreiecke durchdringen andere',
   'landmark.innerShells': '{count} innere Hüllen',
   'landmark.insideOut': '{count} Körper mit dem Inneren nach außen',
+  'mend.needs': ' (etwa {seconds} s, {size})',
+  'repair.far': '{share} der sichtbaren Fläche sind weiter als {distance} vom Ergebnis weg',
   'reason.sound': 'Mit geschlossenen Löchern ist sie heil.',
   'reason.shells': 'Stücke lagen in anderen oder zeigten nach innen.',
   'reason.enclosed': 'Was zu sehen ist, umschließt etwas.',

@@ -84,6 +84,8 @@ export default {
   'landmark.selfIntersections': '{count} triangles en traversent d’autres',
   'landmark.innerShells': '{count} coques intérieures',
   'landmark.insideOut': '{count} corps à l’envers',
+  'mend.needs': ' (environ {seconds} s, {size})',
+  'repair.far': '{share} de la surface visible sont à plus de {distance} du résultat',
   'reason.sound': 'Ses trous fermés, elle est saine.',
   'reason.shells': 'Des pièces étaient dans d’autres ou tournées vers l’intérieur.',
   'reason.enclosed': 'Ce que l’on voit enferme quelque chose.',

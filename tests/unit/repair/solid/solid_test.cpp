@@ -49,6 +49,8 @@ TEST_CASE("solid: a sphere stays one") {
   checkPromise(solid.mesh);
   CHECK(inspectMesh(solid.mesh).eulerCharacteristic == 2);
   CHECK(solid.enclosure.lost == 0);
+  CHECK(solid.loss.share == 0);
+  CHECK(solid.loss.places.empty());
   CHECK(solid.enclosure.turned == 0);
   CHECK(volume(solid.mesh) == doctest::Approx(volume(shapes::icosphere(10))).epsilon(0.01));
 }
@@ -188,7 +190,8 @@ TEST_CASE("solid: sheets beside a body are dropped where that is asked for") {
   CHECK(inspectMesh(alone.mesh).components == 1);
   CHECK(alone.enclosure.sheets == 1);
   CHECK(alone.enclosure.lost > 0);
-  CHECK(alone.enclosure.lostAt->x() > 1.5);
+  CHECK(alone.loss.share > 0);
+  CHECK(alone.loss.places.front().x() > 1.5);
 }
 
 TEST_CASE("solid: groups and values come from the triangles that are seen") {

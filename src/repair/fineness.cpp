@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "repair/fineness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/error.h"
+#include "base/legible.h"
+#include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
+
+namespace remesher {
+
+namespace {
+
+// Spacings of the lattice, as shares of the diagonal.
+constexpr double kFinest = 1.0 / 400, kCoarsest = 1.0 / 128, kUsual = 1.0 / 200;
+
+// Peak memory for each triangle of the input, for each point of the lattice, for each crossing of
+// the surface with its lines, and besides: fitted to the peaks of 18 repairs, most of which held
+// 0.6 to 1.1 times what is said, and one, of 2000 loose triangles, twice. The further planes through
+// thin walls are not counted.
+constexpr double kBytesPerTriangle = 300, kBytesPerPoint = 25, kBytesPerCrossing = 100;
+constexpr double kBytesBesides = 2.5e7;
+// The memory that a lattice is made coarser for, and the points up to which thin walls make it
+// finer: some 3 s.
+constexpr double kMostBytes = 5e8, kMostPoints = 8e6;
+// Times of one core, within a factor of two for most of the same shapes.
+constexpr double kSecondsPerTriangle = 2e-5, kSecondsPerPoint = 1.2e-6;
+
+constexpr double kUsualGap = 2;  // percent of the diagonal
+
+struct Extent {
+  Vec3 sides = Vec3::Zero();  // of the box
+  double area = 0;
+  double shadows = 0;  // the area as it is seen along each axis, in sum
+  double triangles = 0;
+};
+
+Extent extentOf(const TriangleMesh& mesh) {
+  Extent extent;
+  Box box;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],
+               &c = mesh.positions[mesh.indices[i + 2]];
+    for (const Vec3* corner : {&a, &b, &c}) box.extend(*corner);
+    const Vec3 vector = areaVector(a, b, c) / 2;
+    extent.area += vector.norm();
+    extent.shadows += vector.cwiseAbs().sum();
+  }
+  if (!mesh.indices.empty()) extent.sides = box.high - box.low;
+  extent.triangles = double(mesh.triangleCount());
+  return extent;
+}
+
+struct Grid {
+  double spacing, spare;  // spare: lengths beyond the mesh on all sides
+};
+
+double pointsOf(const Extent& extent, const Grid& grid) {
+  constexpr double kBeside = 5;  // the lattice's own spare cells, and the last point
+  double points = 1;
+  for (const double side : extent.sides) points *= (side + 2 * grid.spare) / grid.spacing + kBeside;
+  return points;
+}
+
+double crossingsOf(const Extent& extent, double spacing) {
+  return spacing > 0 ? extent.shadows / (spacing * spacing) : 0;
+}
+
+double bytesOf(const Extent& extent, const Grid& grid) {
+  return kBytesBesides + kBytesPerTriangle * extent.triangles +
+         kBytesPerCrossing * crossingsOf(extent, grid.spacing) +
+         kBytesPerPoint * pointsOf(extent, grid);
+}
+
+double gapOf(const RemeshOptions& options, double diagonal) {
+  return options.gap.value_or(kUsualGap) / 100 * diagonal;
+}
+
+double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
+  double edge = 2 * kUsual * extent.sides.norm();
+  if (options.vertices)
+    edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
+  if (options.edgeLength) edge = *options.edgeLength;
+  return edge / 2;
+}
+
+Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
+  constexpr double kStep = 1.05;
+  const double diagonal = extent.sides.norm();
+  const double finest = kFinest * diagonal, coarsest = kCoarsest * diagonal;
+  const double spare = by == InsideBy::Reach ? gapOf(options, diagonal) / 2 : 0;
+  Grid grid = {std::clamp(wishedSpacing(extent, options), finest, coarsest), spare};
+  while (grid.spacing < coarsest && bytesOf(extent, grid) > kMostBytes)
+    grid.spacing = std::min(coarsest, kStep * grid.spacing);
+  return grid;
+}
+
+// Remeshing to a number or an edge length replaces the triangles anyway.
+Cleaning cleaningFor(const RemeshOptions& options) {
+  const bool isRemeshed = options.vertices || options.ratio || options.edgeLength;
+  return isRemeshed ? Cleaning::None : Cleaning::Thorough;
+}
+
+std::string inWords(double bytes) {
+  constexpr double kMega = 1e6, kGiga = 1e9;
+  constexpr int kDigits = 2;
+  return bytes < kGiga ? inDigits(bytes / kMega, kDigits) + " MB"
+                       : inDigits(bytes / kGiga, kDigits) + " GB";
+}
+
+}  // namespace
+
+SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
+  const Extent extent = extentOf(input);
+  const Grid grid = gridFor(extent, options, by);
+  SolidRule rule{grid.spacing, by};
+  if (by == InsideBy::Reach) rule.gap = gapOf(options, extent.sides.norm());
+  rule.cleaning = cleaningFor(options);
+  rule.sheets = options.sheets;
+  rule.keepsCavities = options.cavities;
+  const double left = std::max(0.0, kMostBytes - bytesOf(extent, grid)) / kBytesPerPoint;
+  rule.mostPoints = std::size_t(std::min(kMostPoints, pointsOf(extent, grid) + left));
+  return rule;
+}
+
+RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options) {
+  const Extent extent = extentOf(input);
+  RepairNeeds needs{kBytesPerTriangle * extent.triangles, kSecondsPerTriangle * extent.triangles};
+  if (options.repair == Repair::Holes) return needs;
+  const InsideBy by = options.repair == Repair::Solid ? InsideBy::Enclosure : InsideBy::Reach;
+  const Grid grid = gridFor(extent, options, by);
+  needs.bytes = bytesOf(extent, grid);
+  needs.seconds += kSecondsPerPoint * pointsOf(extent, grid);
+  return needs;
+}
+
+void requireMemory(const TriangleMesh& input, const RemeshOptions& options, double most) {
+  const double bytes = needsOf(input, options).bytes;
+  if (!(bytes > most)) return;
+  throw Error(ErrorCode::OutOfMemory,
+              "Repair takes about " + inWords(bytes) + " of memory for this mesh, more than the " +
+                  inWords(most) + " there are.",
+              "Give the model in parts, or with fewer triangles.");
+}
+
+void requireMemory(const TriangleMesh& input, const RemeshOptions& options) {
+  requireMemory(input, options, double(std::numeric_limits<std::size_t>::max()));
+}
+
+}  // namespace remesher

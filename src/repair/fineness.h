@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// How fine the lattice of a repair is, and what the repair takes: known from the input before the
+// work begins.
+#pragma once
+
+#include "base/options.h"
+#include "base/report.h"
+#include "base/triangle_mesh.h"
+#include "repair/solid/solid.h"
+
+namespace remesher {
+
+// Half the target edge length, but fine enough to show parts, and as coarse as memory asks for.
+SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by);
+
+// What the repair takes that the options ask for. Approximate.
+RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options);
+
+// Throws OUT_OF_MEMORY for a repair that no memory of `most` bytes can hold; most: all addresses
+// there are if not given.
+void requireMemory(const TriangleMesh& input, const RemeshOptions& options);
+void requireMemory(const TriangleMesh& input, const RemeshOptions& options, double most);
+
+}  // namespace remesher

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// How much of what is seen from outside a result lacks, and where.
+#pragma once
+
+#include <vector>
+
+#include "repair/solid/contour.h"
+
+namespace remesher {
+
+struct SeenLoss {
+  double share = 0;   // percent of the seen area that is farther from the result than `beyond`
+  double beyond = 0;  // a length
+  std::vector<Vec3> places;  // a few, apart from each other, the farthest first
+};
+
+// Seen are, along the three axes, the first and the last triangle on each line of the lattice.
+// Beyond half a cell, which no feature that the lattice resolves is off.
+SeenLoss seenLoss(const Lattice& lattice, const SolidSource& source,
+                  std::span<const EdgeCrossing> crossings, const Contour& result);
+
+}  // namespace remesher
