@@ -135,6 +135,7 @@ add_executable(unit_tests
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp
   tests/unit/repair/solid/solid_test.cpp
+  tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/painting/canvas_test.cpp

@@ -81,8 +81,9 @@ class Simplification {
     }
   }
 
-  // Flips edges where the smallest angle of their two triangles grows. The smallest angles of the
-  // mesh only grow, so that the loop ends.
+  // Flips edges where the smallest angle of their two triangles grows, by more than rounding, which
+  // would turn the diagonals of a square for ever. The smallest angles of the mesh only grow, so
+  // that the loop ends.
   void widenAngles() {
     for (bool hasTurned = true; hasTurned;) {
       hasTurned = false;
@@ -291,7 +292,8 @@ class Simplification {
     const Vertex left = mesh_.opposite(h), right = mesh_.opposite(t);
     const Vec3 a = at(from), b = at(to), c = at(left), d = at(right);
     const double before = std::min(minAngle(a, b, c), minAngle(b, a, d));
-    if (!(std::min(minAngle(a, d, c), minAngle(b, c, d)) > before)) return false;
+    const double after = std::min(minAngle(a, d, c), minAngle(b, c, d));
+    if (!(after > before + std::numeric_limits<float>::epsilon())) return false;
     const Vec3 first = unitNormal(a, d, c), second = unitNormal(b, c, d);
     for (const Vec3& old : {unitNormal(a, b, c), unitNormal(b, a, d)})
       if (!old.isZero() && !(std::min(old.dot(first), old.dot(second)) > kTurned)) return false;

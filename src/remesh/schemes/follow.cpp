@@ -134,25 +134,29 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
 }
 
 // Samples lie away from a triangle's corners, for vertices may have stayed there.
-double distanceTo(const MeshTree& mesh, const BuiltMesh& original, const Samples& samples) {
-  constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6, kMiddle = 1.0 / 3;
-  const std::array<Vec3, 4> weights = {Vec3(kMiddle, kMiddle, kMiddle), Vec3(kFar, kNear, kNear),
+Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+              const Samples& samples) {
+  constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6;
+  const std::array<Vec3, 4> weights = {Vec3::Constant(1.0 / 3), Vec3(kFar, kNear, kNear),
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
-  const Index step = Index(1 + original.mesh.faceCapacity() / samples.triangles);
-  double sum = 0, total = 0;
+  const Index step = Index(1 + mesh.faceCapacity() / samples.triangles);
+  double sum = 0, total = 0, farthest = 0;
   Face last;
-  for (Index f = 0; f < original.mesh.faceCapacity(); f += step) {
-    const auto [a, b, c] = original.mesh.vertices(Face(f));
-    const auto& p = original.positions;
+  for (Index f = 0; f < mesh.faceCapacity(); f += step) {
+    if (!mesh.isAlive(Face(f))) continue;
+    const auto [a, b, c] = mesh.vertices(Face(f));
+    const auto& p = positions;
     const double share = area(p[a], p[b], p[c]) / double(samples.ofEach);
     for (const Vec3& w : std::span(weights).first(samples.ofEach)) {
-      const MeshTree::Nearest nearest = mesh.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
+      const MeshTree::Nearest nearest =
+          other.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
       last = nearest.face;
+      farthest = std::max(farthest, nearest.distance);
       sum += share * nearest.distance * nearest.distance;
       total += share;
     }
   }
-  return total > 0 ? std::sqrt(sum / total) : 0;
+  return {total > 0 ? std::sqrt(sum / total) : 0, farthest};
 }
 
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
@@ -169,14 +173,14 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
   // A collapse takes one position at most, and none if other vertices share it.
-  while (now > positions) {
+  do {
     const std::size_t before = surface.mesh.vertexCount();
     simplify(surface, before - (now - positions), kept);
-    if (surface.mesh.vertexCount() == before) return {};
+    if (now > positions && surface.mesh.vertexCount() == before) return {};
     now = distinctPositions(surface.mesh, surface.positions);
-  }
+  } while (now > positions);
   Followed result = Extraction(surface, original, input, kept).run();
-  result.distance = distanceTo({surface.mesh, surface.positions}, original);
+  result.away = awayFrom({surface.mesh, surface.positions}, original.mesh, original.positions);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
@@ -22,6 +23,22 @@ TriangleMesh pleats(int rows = 32) {
     const bool isHigh = std::lround(p.x()) % 2 != 0;
     p = {p.x() / 2, 4 * p.y() / rows, isHigh ? 0.1 : 0.0};
   }
+  return mesh;
+}
+
+// A prism of so many sides whose ends are fans of long triangles.
+TriangleMesh coin(Index sides) {
+  constexpr double kTurn = 6.283185307179586;
+  TriangleMesh mesh;
+  for (const double z : {0.0, 0.3})
+    for (Index i = 0; i < sides; ++i)
+      mesh.positions.emplace_back(std::cos(kTurn * i / sides), std::sin(kTurn * i / sides), z);
+  for (Index i = 0; i < sides; ++i) {
+    const Index next = (i + 1) % sides;
+    mesh.indices.insert(mesh.indices.end(), {i, next, next + sides, i, next + sides, i + sides});
+  }
+  for (Index i = 1; i + 1 < sides; ++i)
+    mesh.indices.insert(mesh.indices.end(), {0, i + 1, i, sides, sides + i, sides + i + 1});
   return mesh;
 }
 
@@ -54,7 +71,7 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   const std::optional<Followed> whole =
       follow(built, input, built.mesh.vertexCount(), Textures::Keep);
   REQUIRE(whole);
-  CHECK(whole->distance < 1e-12);
+  CHECK(whole->away.rms < 1e-12);
   CHECK(!follow(built, input, built.mesh.vertexCount(), Textures::Bake));
   CHECK(!follow(built, input, built.mesh.vertexCount() + 1, Textures::Bake));
 }
@@ -143,4 +160,18 @@ TEST_CASE("follow: taken for pleats that even triangles lose, not for what is ro
   CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);
+}
+
+TEST_CASE("follow: with about its own number of vertices a body of flat sides stays itself") {
+  const TriangleMesh input = coin(64);
+  for (const Index vertices : {128u, 129u}) {
+    CAPTURE(vertices);
+    RemeshOptions options;
+    options.vertices = vertices;
+    const RemeshOutcome outcome = remeshSurface(input, options, {});
+    CHECK(outcome.prefer == Prefer::Shape);
+    CHECK(inspectMesh(outcome.mesh).vertices == vertices);
+    const DeviationBothWays d = measureDeviation(input, outcome.mesh, Maximum::Sampled);
+    CHECK(std::max(d.toResult.maximum, d.toOriginal.maximum) < 1e-9 * d.diagonal);
+  }
 }
