@@ -55,6 +55,9 @@ class Extraction {
   Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input,
              const KeptAttributes* kept)
       : surface_(surface), original_(original), input_(input), kept_(kept) {
+    if (kept) corners_.resize(input.positions.size());
+    for (Index i = 0; kept && i < original.mesh.halfedgeCapacity(); ++i)
+      if (original.mesh.isAlive(Halfedge(i))) corners_[original.wedges[Halfedge(i)]] = Halfedge(i);
     for (const Attribute& attribute : input.attributes)
       result_.mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -93,7 +96,10 @@ class Extraction {
       best = h;
       most = agreement;
     });
-    return best;
+    // Attributes may have come here from another vertex, where seams meet.
+    const bool isMoved =
+        kept_ && !haveSameLook(input_, original_.wedges[best], kept_->wedges[corner]);
+    return isMoved ? corners_[kept_->wedges[corner]] : best;
   }
 
   void addCorner(Vertex v, Halfedge original) {
@@ -119,6 +125,7 @@ class Extraction {
   const BuiltMesh& original_;
   const TriangleMesh& input_;
   const KeptAttributes* kept_;
+  std::vector<Halfedge> corners_;  // one of each wedge
   Followed result_;
   std::map<std::pair<Index, Index>, Index> copies_;
 };

@@ -94,6 +94,36 @@ TEST_CASE("follow: where attributes are kept, vertices are the original's, and s
   }
 }
 
+TEST_CASE("follow: fewer vertices than places where seams meet, and no triangle leaves its chart") {
+  // Tiles of two by two cells, each a chart of its own, ten to the right of the one before.
+  const TriangleMesh sheet = shapes::grid(24, 24);
+  TriangleMesh input;
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (Index t = 0; t < sheet.triangleCount(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (Index k = 0; k < 3; ++k) middle += sheet.positions[sheet.indices[3 * t + k]] / 3;
+    const double chart = 12 * std::floor(middle.y() / 2) + std::floor(middle.x() / 2);
+    for (Index k = 0; k < 3; ++k) {
+      const Vec3& p = sheet.positions[sheet.indices[3 * t + k]];
+      input.indices.push_back(Index(input.positions.size()));
+      input.positions.push_back(p);
+      uv.values.insert(uv.values.end(), {float(10 * chart + p.x() / 24), float(p.y() / 24)});
+    }
+  }
+  input.attributes.push_back(uv);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 150, Textures::Keep);
+  REQUIRE(followed);
+  const TriangleMesh& result = followed->mesh;
+  CHECK(inspectMesh(result).vertices == 150);
+  for (Index t = 0; t < result.triangleCount(); ++t) {
+    const auto chartAt = [&](Index k) {
+      return std::floor(result.attributes[0].values[2 * result.indices[3 * t + k]] / 10);
+    };
+    CHECK(chartAt(0) == chartAt(1));
+    CHECK(chartAt(0) == chartAt(2));
+  }
+}
+
 TEST_CASE("follow: every triangle keeps its group, and corners know a place of that near them") {
   TriangleMesh input = shapes::grid(24, 24);
   Attribute places{"_PLACE", 3, {}};
