@@ -143,6 +143,8 @@ test('low poly prefers shape, and paints anew what has textures', async () => {
 });
 
 test('a model too coarse for even triangles opens with twice as many, in one step', async () => {
+  await page.locator('button', { hasText: 'Back to the defaults' }).dispatchEvent('click');
+  await page.selectOption('.target select', 'vertices');
   await drop(page, { 'plate.off': offText(plate()) });
   await opened(page, 'plate.off');
   assert.equal(await result(), '784');

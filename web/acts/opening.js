@@ -13,7 +13,6 @@ import { chooseModel } from '../panel/chooser.js';
 import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
-import { TargetField } from '../panel/target_field.js';
 import { modelFacts } from '../report/report_view.js';
 import { clearResult, remesh, remeshToTwice, showReport } from './running.js';
 
@@ -60,16 +59,16 @@ function setForm({ panel, session }, wished) {
   if (Object.keys(wished).length) panel.setValues(wished);
 }
 
-/** Remeshes by the form. Where the model's own number of vertices is too few for even triangles,
- * twice as many are tried, unless the address names a number.
+/** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too
+ * few for even triangles, twice as many are tried, unless the address names a number.
  * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
 async function remeshAtFirst(page, { wished, onForm }) {
   await remesh(page);
-  const { shown, inspection, source } = page.session;
-  const isNamed = sampleOf(source) || TargetField.names.some((name) => name in wished);
-  const isFew = (inspection?.input.vertices ?? Infinity) <= largestTwice;
-  const isAuto = (wished.prefer ?? 'auto') === 'auto';
-  if (isNamed || !isFew || !isAuto || !shown?.report.prefer.includes('shape')) return;
+  const { shown, inspection } = page.session;
+  const own = inspection?.input.vertices ?? Infinity;
+  const { vertices, prefer } = shown?.values ?? {};
+  const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape';
+  if (!isFree || own > largestTwice || !shown?.report.prefer.includes('shape')) return;
   await remeshToTwice(page, onForm);
 }
 
