@@ -2,9 +2,8 @@
 #include "simplify/divide.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
-#include <utility>
+#include <tuple>
+#include <vector>
 
 #include "geometry/triangle.h"
 
@@ -12,99 +11,87 @@ namespace remesher {
 
 namespace {
 
-using Ends = std::pair<Index, Index>;  // of an edge, the lower one first
+struct Side {
+  double length;  // of the edge, negative: the longest come first
+  Index low, high, group, triangle;
 
-class Division {
- public:
-  explicit Division(TriangleMesh& mesh) : mesh_(mesh) {
-    for (Index t = 0; t < mesh.triangleCount(); ++t) join(t);
-  }
-
-  bool run(std::size_t vertices) {
-    for (; vertices > 0 && !longest_.empty(); --vertices) divide(longest_.rbegin()->second);
-    return vertices == 0;
-  }
-
- private:
-  Ends edge(Index t, Index k) const {
-    const Index a = mesh_.indices[3 * t + k], b = mesh_.indices[3 * t + (k + 1) % 3];
-    return std::minmax(a, b);
-  }
-
-  Index groupOf(Index t) const { return mesh_.groups.empty() ? 0 : mesh_.groups[t]; }
-
-  bool isInside(const std::vector<Index>& sides) const {
-    return sides.size() == 2 && groupOf(sides[0]) == groupOf(sides[1]);
-  }
-
-  double lengthOf(const Ends& ends) const {
-    return distance(mesh_.positions[ends.first], mesh_.positions[ends.second]);
-  }
-
-  void join(Index t) {
-    for (Index k = 0; k < 3; ++k) {
-      const Ends ends = edge(t, k);
-      std::vector<Index>& sides = sides_[ends];
-      sides.push_back(t);
-      if (isInside(sides)) longest_.emplace(lengthOf(ends), ends);
-    }
-  }
-
-  void part(Index t) {
-    for (Index k = 0; k < 3; ++k) {
-      const Ends ends = edge(t, k);
-      std::vector<Index>& sides = sides_[ends];
-      if (isInside(sides)) longest_.erase({lengthOf(ends), ends});
-      sides.erase(std::find(sides.begin(), sides.end(), t));
-    }
-  }
-
-  Index middleOf(const Ends& ends) {
-    const auto [a, b] = ends;
-    mesh_.positions.push_back((mesh_.positions[a] + mesh_.positions[b]) / 2);
-    for (Attribute& attribute : mesh_.attributes) {
-      const auto size = std::size_t(attribute.itemSize);
-      Eigen::VectorXf value(attribute.itemSize);
-      for (std::size_t i = 0; i < size; ++i)
-        value[Eigen::Index(i)] =
-            (attribute.values[a * size + i] + attribute.values[b * size + i]) / 2;
-      const bool isDirection = attribute.semantic == "NORMAL" || attribute.semantic == "TANGENT";
-      if (isDirection) value.head(3).normalize();
-      attribute.values.insert(attribute.values.end(), value.begin(), value.end());
-    }
-    return Index(mesh_.positions.size() - 1);
-  }
-
-  void divide(const Ends ends) {
-    const std::vector<Index> sides = sides_[ends];
-    for (const Index t : sides) part(t);
-    const Index middle = middleOf(ends);
-    for (const Index t : sides) {
-      const auto other = Index(mesh_.triangleCount());
-      for (Index k = 0; k < 3; ++k) {
-        const Index corner = mesh_.indices[3 * t + k];
-        mesh_.indices.push_back(corner == ends.first ? middle : corner);
-        if (corner == ends.second) mesh_.indices[3 * t + k] = middle;
-      }
-      if (!mesh_.groups.empty()) mesh_.groups.push_back(groupOf(t));
-      join(t);
-      join(other);
-    }
-  }
-
-  TriangleMesh& mesh_;
-  std::map<Ends, std::vector<Index>> sides_;   // the triangles at each edge
-  std::set<std::pair<double, Ends>> longest_;  // of the edges that may be divided
+  auto key() const { return std::tie(length, low, high, group, triangle); }
+  bool operator<(const Side& other) const { return key() < other.key(); }
+  bool isAt(const Side& other) const { return low == other.low && high == other.high; }
 };
+
+std::vector<Side> sidesOf(const TriangleMesh& mesh) {
+  std::vector<Side> sides;
+  for (Index i = 0; i < mesh.indices.size(); ++i) {
+    const Index t = i / 3, a = mesh.indices[i], b = mesh.indices[3 * t + (i + 1) % 3];
+    sides.push_back({-distance(mesh.positions[a], mesh.positions[b]), std::min(a, b),
+                     std::max(a, b), mesh.groups.empty() ? 0 : mesh.groups[t], t});
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// Directions are those of the first end.
+void addMiddle(TriangleMesh& mesh, const Side& edge) {
+  mesh.positions.push_back((mesh.positions[edge.low] + mesh.positions[edge.high]) / 2);
+  for (Attribute& attribute : mesh.attributes) {
+    const auto size = std::size_t(attribute.itemSize);
+    const bool isMixed = attribute.semantic != "NORMAL" && attribute.semantic != "TANGENT";
+    for (std::size_t k = 0; k < size; ++k) {
+      const float first = attribute.values[edge.low * size + k];
+      const float second = attribute.values[edge.high * size + k];
+      attribute.values.push_back(isMixed ? (first + second) / 2 : first);
+    }
+  }
+}
+
+void divide(TriangleMesh& mesh, const Side& side) {
+  const Index middle = Index(mesh.positions.size() - 1);
+  for (Index i = 3 * side.triangle; i < 3 * side.triangle + 3; ++i) {
+    const Index corner = mesh.indices[i];
+    mesh.indices.push_back(corner == side.low ? middle : corner);
+    if (corner == side.high) mesh.indices[i] = middle;
+  }
+  if (!mesh.groups.empty()) mesh.groups.push_back(side.group);
+}
+
+// Whether the side and the next one are the two sides of an edge inside a group.
+bool isInside(const std::vector<Side>& sides, std::size_t i) {
+  const Side &one = sides[i], &other = sides[i + 1];
+  const bool hasThird =
+      (i > 0 && sides[i - 1].isAt(one)) || (i + 2 < sides.size() && sides[i + 2].isAt(one));
+  return one.isAt(other) && one.group == other.group && !hasThird;
+}
+
+// Divides the longest edges, at most so many, and at most one of each triangle. Returns how many.
+std::size_t divideOnce(TriangleMesh& mesh, std::size_t most) {
+  const std::vector<Side> sides = sidesOf(mesh);
+  std::vector<char> isDivided(mesh.triangleCount(), 0);
+  std::size_t divided = 0;
+  for (std::size_t i = 0; i + 1 < sides.size() && divided < most; ++i) {
+    const Side &one = sides[i], &other = sides[i + 1];
+    char &first = isDivided[one.triangle], &second = isDivided[other.triangle];
+    if (first || second || !isInside(sides, i)) continue;
+    first = second = 1;
+    addMiddle(mesh, one);
+    divide(mesh, one);
+    divide(mesh, other);
+    ++divided;
+  }
+  return divided;
+}
 
 }  // namespace
 
 bool divideEdges(TriangleMesh& mesh, std::size_t vertices) {
-  const auto names = [](const Attribute& attribute) {
-    return attribute.semantic.starts_with("JOINTS");
-  };
-  if (std::any_of(mesh.attributes.begin(), mesh.attributes.end(), names)) return false;
-  return Division(mesh).run(vertices);
+  for (const Attribute& attribute : mesh.attributes)
+    if (attribute.semantic.starts_with("JOINTS")) return false;
+  while (vertices > 0) {
+    const std::size_t divided = divideOnce(mesh, vertices);
+    if (divided == 0) return false;
+    vertices -= divided;
+  }
+  return true;
 }
 
 }  // namespace remesher
