@@ -250,6 +250,7 @@ add_library(small OBJECT
   src/repair/solid/solid.cpp
   src/repair/solid/thin_walls.cpp
   src/repair_file.cpp
+  src/simplify/divide.cpp
   src/textures/charts/chart_growth.cpp
   src/textures/charts/chart_joining.cpp
   src/textures/charts/chart_overlap.cpp

@@ -144,6 +144,7 @@ add_executable(unit_tests
   tests/unit/repair/solid/seen_loss_test.cpp
   tests/unit/repair/solid/solid_test.cpp
   tests/unit/repair/solid/thin_walls_test.cpp
+  tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp
   tests/unit/textures/painting/canvas_test.cpp

@@ -77,8 +77,9 @@ class Simplification {
     }
   }
 
-  // Flips edges where the smallest angle of their two triangles grows. The smallest angles of the
-  // mesh only grow, so that the loop ends.
+  // Flips edges where the smallest angle of their two triangles grows, by more than rounding, which
+  // would turn the diagonals of a square for ever. The smallest angles of the mesh only grow, so
+  // that the loop ends.
   void widenAngles() {
     for (bool hasTurned = true; hasTurned;) {
       hasTurned = false;
@@ -162,7 +163,8 @@ class Simplification {
   void offer(Halfedge h) {
     if (!mesh_.isAlive(h)) return;
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
-    if (freedom_[from] == Freedom::Fixed || (freedom_[from] == Freedom::Seam && !isSeam(h))) return;
+    if (freedom_[from] != Freedom::Free && !isSeam(h)) return;
+    if (freedom_[from] == Freedom::Fixed && !attributes_) return;
     Quadric sum = quadrics_[from];
     sum.add(quadrics_[into]);
     Offer offered{sum.at(at(into)),        h, from, into, stamps_[from] + stamps_[into],
@@ -170,6 +172,8 @@ class Simplification {
     if (attributes_) {
       for (const auto& [going, staying] : wedgesAlong(h))
         offered.cost += attributes_->cost(going, staying, at(into));
+      for (const Index wedge : wedgesBeside(h))
+        offered.cost += attributes_->cost(wedge, wedge, at(into));
     } else if (freedom_[from] == freedom_[into]) {
       const Vec3 best = sum.square.ldlt().solve(-sum.linear);
       const double farthest = kFarthest * (at(into) - at(from)).norm();
@@ -194,6 +198,20 @@ class Simplification {
     return pairs;
   }
 
+  // The other wedges at the origin of an edge, where seams meet.
+  std::vector<Index> wedgesBeside(Halfedge h) const {
+    std::vector<Index> result;
+    if (freedom_[mesh_.origin(h)] != Freedom::Fixed) return result;
+    const auto pairs = wedgesAlong(h);
+    mesh_.forEachOutgoing(mesh_.origin(h), [&](Halfedge corner) {
+      const Index wedge = kept_->wedges[corner];
+      const bool isAlong = wedge == pairs.front().first || wedge == pairs.back().first;
+      if (!isAlong && std::find(result.begin(), result.end(), wedge) == result.end())
+        result.push_back(wedge);
+    });
+    return result;
+  }
+
   bool isLegal(Halfedge h) const {
     // A hub stays, and loses neighbours as they are merged with each other.
     if (mesh_.isHub(mesh_.origin(h)) || mesh_.isHub(mesh_.tip(h))) return false;
@@ -201,7 +219,8 @@ class Simplification {
         HalfedgeMesh::kMostNeighbors)
       return false;
     if (!EulerOperators::canCollapse(mesh_, h)) return false;
-    // Two seams of one triangle would become one.
+    // Two seams of one triangle would become one. Where attributes are kept, their cost decides.
+    if (attributes_) return true;
     for (const Halfedge side : {h, mesh_.twin(h)})
       if (side && isSeam(HalfedgeMesh::next(side)) && isSeam(HalfedgeMesh::prev(side)))
         return false;
@@ -246,18 +265,23 @@ class Simplification {
     const Vertex into = EulerOperators(surface_.mesh).collapse(h);
     surface_.positions[into] = offered.place;
     quadrics_[into].add(gone);
+    if (freedom_[offered.from] == Freedom::Fixed) freedom_[into] = Freedom::Fixed;
     ++stamps_[into];
     mesh_.forEachNeighbor(into, [&](Vertex w) { stamps_[w] += mesh_.isHub(w) ? 0 : 1; });
     offerAround(into);
   }
 
   // Before the collapse of h: the corners at its origin get the wedges at its tip on the same side.
+  // Where seams meet, the other corners keep their wedge: its attributes move to the tip.
   void mergeWedges(Halfedge h) {
     const auto pairs = wedgesAlong(h);
     for (const auto& [going, staying] : pairs) attributes_->merge(going, staying);
     mesh_.forEachOutgoing(mesh_.origin(h), [&](Halfedge corner) {
       Index& wedge = kept_->wedges[corner];
-      wedge = pairs[wedge == pairs.back().first ? pairs.size() - 1 : 0].second;
+      if (wedge == pairs.back().first)
+        wedge = pairs.back().second;
+      else if (wedge == pairs.front().first)
+        wedge = pairs.front().second;
     });
   }
 
@@ -287,7 +311,8 @@ class Simplification {
     const Vertex left = mesh_.opposite(h), right = mesh_.opposite(t);
     const Vec3 a = at(from), b = at(to), c = at(left), d = at(right);
     const double before = std::min(minAngle(a, b, c), minAngle(b, a, d));
-    if (!(std::min(minAngle(a, d, c), minAngle(b, c, d)) > before)) return false;
+    const double after = std::min(minAngle(a, d, c), minAngle(b, c, d));
+    if (!(after > before + std::numeric_limits<float>::epsilon())) return false;
     const Vec3 first = unitNormal(a, d, c), second = unitNormal(b, c, d);
     for (const Vec3& old : {unitNormal(a, b, c), unitNormal(b, a, d)})
       if (!old.isZero() && !(std::min(old.dot(first), old.dot(second)) > kTurned)) return false;

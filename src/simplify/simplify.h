@@ -12,7 +12,8 @@ namespace remesher {
 struct SimpleSurface {
   HalfedgeMesh mesh;
   VertexData<Vec3> positions;
-  HalfedgeData<char> seams;  // both halfedges; triangles between seams must remain
+  // Of both halfedges. Without attributes, triangles between seams must remain.
+  HalfedgeData<char> seams;
 };
 
 // Attributes that vertices keep, scaled to lengths: an attribute error of 1 is seen as much as a
@@ -28,7 +29,8 @@ struct KeptAttributes {
 // triangles merged into it, and from sharp edges and borders [Garland & Heckbert 1997]. Boundaries
 // and seams are only shortened along themselves; vertices where seams meet stay. With attributes no
 // vertex moves, and collapses that change attributes more come later [Hoppe 1999]; edges across
-// which attributes jump must be seams.
+// which attributes jump must be seams. Vertices where seams meet go too then, along a seam: corners
+// of charts on neither side of it keep their wedge, now at the place of another vertex.
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept = nullptr);
 
 }  // namespace remesher

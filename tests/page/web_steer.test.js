@@ -6,7 +6,9 @@ import { before, test } from 'node:test';
 
 import { drop, opened, reportRow, settled, visit } from '../support/browser_page.js';
 import { presets, withPreset } from '../../web/model/presets.js';
+import { plate } from '../support/machine_parts.js';
 import { objText, torus } from '../support/shape_files.js';
+import { offText } from '../support/shapes.js';
 
 const { page, complaints } = await visit({ hash: '#model=gear&vertices=500',
   viewport: { width: 800, height: 480 }, unseen: true, prepare: noteStates });
@@ -138,4 +140,38 @@ test('low poly prefers shape, and paints anew what has textures', async () => {
   assert.equal(await value('#option-prefer'), 'shape');
   await best('13');
   assert.match(await page.textContent('#result'), /vertices of the original/);
+});
+
+test('a model too coarse for even triangles opens with twice as many, in one step', async () => {
+  await page.locator('button', { hasText: 'Back to the defaults' }).dispatchEvent('click');
+  await page.selectOption('.target select', 'vertices');
+  await drop(page, { 'plate.off': offText(plate()) });
+  await opened(page, 'plate.off');
+  assert.equal(await result(), '784');
+  assert.match(await page.textContent('#target-hint'),
+    /^Exactly: twice as many as the original has, for even triangles need them/);
+  assert.equal(await page.isDisabled('#undo'), true);
+  assert.equal(await page.locator('.history-entry').count(), 0);
+  assert.match(await page.evaluate(() => location.hash), /vertices=784/);
+  await page.fill('#target', '392');
+  await page.dispatchEvent('#target', 'change');
+  await best('392');
+  assert.match(await page.textContent('#target-hint'), /as many as the original has/);
+  await page.click('#undo');
+  await best('784');
+  assert.match(await page.textContent('#target-hint'), /twice as many as the original has/);
+});
+
+test('where shape was lost is said, and shown', async () => {
+  assert.equal(await page.locator('#shape-lost').count(), 0);
+  await page.selectOption('#option-prefer', 'even', { force: true });
+  await page.fill('#target', '120');
+  await page.dispatchEvent('#target', 'change');
+  await best('120');
+  assert.match(await page.textContent('#shape-lost'),
+    /^Shape was lost: at its farthest the result is [\d.]+ % of the diagonal/);
+  await page.waitForSelector('#visit-largest');
+  await page.click('#shape-lost button');
+  await page.waitForSelector('[data-shading=distance][aria-pressed=true]');
+  assert.deepEqual(complaints, []);
 });

@@ -14,7 +14,7 @@ import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { modelFacts } from '../report/report_view.js';
-import { clearResult, remesh, showReport } from './running.js';
+import { clearResult, remesh, remeshToTwice, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
@@ -22,6 +22,8 @@ import { clearResult, remesh, showReport } from './running.js';
 
 /** Larger models wait for the button instead of starting by themselves. */
 const largestAutomatic = 150_000;
+/** For larger models a second run, with twice as many vertices, takes too long. */
+const largestTwice = 50_000;
 
 /** What is known of the model, in words. @param {Page} page */
 export function showFacts({ session: { model, inspection, source } }) {
@@ -55,6 +57,19 @@ function setForm({ panel, session }, wished) {
   const sample = sampleOf(session.source);
   if (sample) panel.setTarget(sample.vertices);
   if (Object.keys(wished).length) panel.setValues(wished);
+}
+
+/** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too
+ * few for even triangles, twice as many are tried, unless the address names a number.
+ * @param {Page} page @param {{ wished: Values, onForm: () => void }} opening */
+async function remeshAtFirst(page, { wished, onForm }) {
+  await remesh(page);
+  const { shown, inspection } = page.session;
+  const own = inspection?.input.vertices ?? Infinity;
+  const { vertices, prefer } = shown?.values ?? {};
+  const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape';
+  if (!isFree || own > largestTwice || !shown?.report.prefer.includes('shape')) return;
+  await remeshToTwice(page, onForm);
 }
 
 /** @param {Page} page @param {{ models: PathedFile[], items: PathedFile[] }} found */
@@ -117,6 +132,6 @@ export function open(page, coming, { source, wished, onForm }) {
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
     isQuick = report.input.vertices <= largestAutomatic;
     isQuick &&= !signal.aborted;
-    if (isQuick) await remesh(page);
+    if (isQuick) await remeshAtFirst(page, { wished, onForm });
   }).then(() => { if (isQuick) findFaults(page); });
 }

@@ -9,7 +9,7 @@ import { historyView, resultName } from '../report/history_view.js';
 import { landmarkOf, placeIn } from '../report/landmarks.js';
 import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
-import { reportView } from '../report/report_view.js';
+import { keepsShape, reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
 import { savingActs } from './saving.js';
 
@@ -127,6 +127,22 @@ export async function remesh(page, extra = {}) {
   const values = panel.values();
   history.replaceState(null, '', writeAddress(session.source, values));
   const result = await session.run(values, { ...extra, ...await page.painting.option() });
+  await stageResult(page, result);
+  announce(done(result.report.output));
+}
+
+/** Makes a result of twice as many vertices as the model has. If its triangles keep the model's
+ * shape, it takes the place of all results, and its number that of the first.
+ * @param {Page} page @param {() => void} onForm the form has that number */
+export async function remeshToTwice(page, onForm) {
+  const { session, panel } = page;
+  const vertices = 2 * (session.inspection?.input.vertices ?? 0);
+  const result = await session.attempt({ ...panel.values(), vertices });
+  if (!keepsShape(result.report)) return;
+  panel.setTwice();
+  onForm();
+  history.replaceState(null, '', writeAddress(session.source, panel.values()));
+  session.keepOnly(result);
   await stageResult(page, result);
   announce(done(result.report.output));
 }

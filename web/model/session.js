@@ -125,22 +125,36 @@ export class Session {
     return remeshFile(model.bytes, { ...describe(model), ...options, onProgress, signal });
   }
 
-  /** Remeshes the model; the result is shown from then on.
+  /** Remeshes the model; the result is neither kept nor shown.
    * @param {Values} values as they were asked for
    * @param {RemeshOptions} [extra] options that neither form nor address has
    * @returns {Promise<Result>} */
-  async run(values, extra = {}) {
+  async attempt(values, extra = {}) {
     const options = { ...values, ...extra };
     const made = await this.remeshOther(this.#opened(), { ...options, output: 'glb' });
-    const isDraft = extra.quality === 'draft';
-    const result = { ...made, number: isDraft ? 0 : ++this.#runs, values, options };
-    if (!isDraft) this.#keep(result);
+    return { ...made, number: 0, values, options };
+  }
+
+  /** Remeshes the model; the result is shown from then on.
+   * @param {Values} values @param {RemeshOptions} [extra] */
+  async run(values, extra = {}) {
+    const result = await this.attempt(values, extra);
+    if (extra.quality !== 'draft') this.#keep(result);
     this.shown = result;
     return result;
   }
 
+  /** Keeps and shows this result instead of all before it. @param {Result} result */
+  keepOnly(result) {
+    this.#runs = 0;
+    this.results = [];
+    this.#keep(result);
+    this.shown = result;
+  }
+
   /** @param {Result} result */
   #keep(result) {
+    result.number = ++this.#runs;
     this.results.push(result);
     this.isUnsaved = this.source === null;
     const size = () => this.results.reduce((sum, { bytes }) => sum + bytes.length, 0);

@@ -307,6 +307,11 @@ export class Panel {
     this.#target.setValue({ vertices });
   }
 
+  /** Asks for twice as many vertices as the model has, and says why. */
+  setTwice() {
+    this.#target.setTwice();
+  }
+
   /** @param {'idle' | 'busy' | 'drafting'} state */
   setState(state) {
     this.#button.hidden = state === 'busy';

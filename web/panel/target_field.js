@@ -27,6 +27,8 @@ export class TargetField {
   #inputVertices = 0;
   /** Whether the result has exactly the target number of vertices; else nearly. */
   #isExact = true;
+  /** Whether twice the input's number was the page's own choice. */
+  #isTwice = false;
   #kind = element('select');
   #number = element('input', { id: 'target', type: 'number', min: '0', step: 'any',
     'aria-describedby': 'target-hint' });
@@ -117,6 +119,7 @@ export class TargetField {
     const closely = t(this.#isExact ? 'target.exactly' : 'target.nearly');
     if (!original || !share) return t(this.#isExact ? 'target.exact' : 'target.near');
     if (share === 1) return t('target.same', { closely });
+    if (share === 2 && this.#isTwice) return t('target.twice', { closely });
     return share < 1
       ? t('target.share', { closely, share: number(share, percents), count: count(original) })
       : t('target.times', { closely, times: number(share, times), count: count(original) });
@@ -143,9 +146,16 @@ export class TargetField {
     this.#show();
   }
 
+  /** Twice the input's number, which even triangles need where the input's own are long. */
+  setTwice() {
+    this.#isTwice = true;
+    this.setValue({ vertices: 2 * this.#inputVertices });
+  }
+
   /** @param {number} vertices */
   setInput(vertices) {
     this.#inputVertices = vertices;
+    this.#isTwice = false;
     this.#changeKind();
   }
 }

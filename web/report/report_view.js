@@ -109,11 +109,15 @@ function note(warning, visitorOf) {
 /** Percent of the diagonal: what is farther away anyone sees. */
 const seenByAnyone = 0.5;
 
+/** Whether a result is nowhere away from the original as far as anyone sees.
+ * @param {RemeshReport} report */
+export const keepsShape = ({ fidelity }) => fidelity.hausdorff <= seenByAnyone;
+
 /** Where shape was lost, if it was. @param {RemeshReport} report @param {() => void} onLargest */
-function loss({ fidelity }, onLargest) {
-  if (fidelity.hausdorff <= seenByAnyone) return '';
+function loss(report, onLargest) {
+  if (keepsShape(report)) return '';
   return element('p', { className: 'notice', id: 'shape-lost' },
-    t('report.shapeLost', { distance: percent(fidelity.hausdorff) }),
+    t('report.shapeLost', { distance: percent(report.fidelity.hausdorff) }),
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 

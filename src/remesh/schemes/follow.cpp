@@ -55,6 +55,9 @@ class Extraction {
   Extraction(const SimpleSurface& surface, const BuiltMesh& original, const TriangleMesh& input,
              const KeptAttributes* kept)
       : surface_(surface), original_(original), input_(input), kept_(kept) {
+    if (kept) corners_.resize(input.positions.size());
+    for (Index i = 0; kept && i < original.mesh.halfedgeCapacity(); ++i)
+      if (original.mesh.isAlive(Halfedge(i))) corners_[original.wedges[Halfedge(i)]] = Halfedge(i);
     for (const Attribute& attribute : input.attributes)
       result_.mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
@@ -93,7 +96,10 @@ class Extraction {
       best = h;
       most = agreement;
     });
-    return best;
+    // Attributes may have come here from another vertex, where seams meet.
+    const bool isMoved =
+        kept_ && !haveSameLook(input_, original_.wedges[best], kept_->wedges[corner]);
+    return isMoved ? corners_[kept_->wedges[corner]] : best;
   }
 
   void addCorner(Vertex v, Halfedge original) {
@@ -119,6 +125,7 @@ class Extraction {
   const BuiltMesh& original_;
   const TriangleMesh& input_;
   const KeptAttributes* kept_;
+  std::vector<Halfedge> corners_;  // one of each wedge
   Followed result_;
   std::map<std::pair<Index, Index>, Index> copies_;
 };
@@ -134,25 +141,29 @@ std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& 
 }
 
 // Samples lie away from a triangle's corners, for vertices may have stayed there.
-double distanceTo(const MeshTree& mesh, const BuiltMesh& original, const Samples& samples) {
-  constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6, kMiddle = 1.0 / 3;
-  const std::array<Vec3, 4> weights = {Vec3(kMiddle, kMiddle, kMiddle), Vec3(kFar, kNear, kNear),
+Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+              const Samples& samples) {
+  constexpr double kFar = 2.0 / 3, kNear = 1.0 / 6;
+  const std::array<Vec3, 4> weights = {Vec3::Constant(1.0 / 3), Vec3(kFar, kNear, kNear),
                                        Vec3(kNear, kFar, kNear), Vec3(kNear, kNear, kFar)};
-  const Index step = Index(1 + original.mesh.faceCapacity() / samples.triangles);
-  double sum = 0, total = 0;
+  const Index step = Index(1 + mesh.faceCapacity() / samples.triangles);
+  double sum = 0, total = 0, farthest = 0;
   Face last;
-  for (Index f = 0; f < original.mesh.faceCapacity(); f += step) {
-    const auto [a, b, c] = original.mesh.vertices(Face(f));
-    const auto& p = original.positions;
+  for (Index f = 0; f < mesh.faceCapacity(); f += step) {
+    if (!mesh.isAlive(Face(f))) continue;
+    const auto [a, b, c] = mesh.vertices(Face(f));
+    const auto& p = positions;
     const double share = area(p[a], p[b], p[c]) / double(samples.ofEach);
     for (const Vec3& w : std::span(weights).first(samples.ofEach)) {
-      const MeshTree::Nearest nearest = mesh.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
+      const MeshTree::Nearest nearest =
+          other.nearest(w[0] * p[a] + w[1] * p[b] + w[2] * p[c], last);
       last = nearest.face;
+      farthest = std::max(farthest, nearest.distance);
       sum += share * nearest.distance * nearest.distance;
       total += share;
     }
   }
-  return total > 0 ? std::sqrt(sum / total) : 0;
+  return {total > 0 ? std::sqrt(sum / total) : 0, farthest};
 }
 
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
@@ -169,14 +180,14 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
   // A collapse takes one position at most, and none if other vertices share it.
-  while (now > positions) {
+  do {
     const std::size_t before = surface.mesh.vertexCount();
     simplify(surface, before - (now - positions), kept);
-    if (surface.mesh.vertexCount() == before) return {};
+    if (now > positions && surface.mesh.vertexCount() == before) return {};
     now = distinctPositions(surface.mesh, surface.positions);
-  }
+  } while (now > positions);
   Followed result = Extraction(surface, original, input, kept).run();
-  result.distance = distanceTo({surface.mesh, surface.positions}, original);
+  result.away = awayFrom({surface.mesh, surface.positions}, original.mesh, original.positions);
   return result;
 }
 

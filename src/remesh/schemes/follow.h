@@ -20,10 +20,16 @@ namespace remesher {
 // input apart.
 std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);
 
+// How far a surface is from another, over its samples.
+struct Away {
+  double rms;  // over its area
+  double farthest;
+};
+
 struct Followed {
   TriangleMesh mesh;
   std::vector<InputPlace> places;  // per corner of its triangles
-  double distance;                 // from the original to the mesh, rms
+  Away away;                       // the original from the mesh
 };
 
 // Whether the original has so few vertices, at most 32 per position, that its own triangles show.
@@ -43,8 +49,7 @@ struct Samples {
 };
 constexpr Samples kTelling = {20'000, 4};
 
-// The root mean square, over the original's area, of the distance from the original to a mesh.
-double distanceTo(const MeshTree& mesh, const BuiltMesh& original,
-                  const Samples& samples = kTelling);
+Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+              const Samples& samples = kTelling);
 
 }  // namespace remesher

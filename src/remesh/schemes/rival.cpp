@@ -2,10 +2,12 @@
 #include "remesh/schemes/rival.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
 #include "original/curves/flat_regions.h"
+#include "simplify/divide.h"
 
 namespace remesher {
 
@@ -35,56 +37,81 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
       input_(input),
       textures_(textures),
       isPlain_(isPlain(input, textures)),
-      seen_(kSeen * original.surface().diagonal()) {
-  if (isPlain_ && original.vertices() >= original.surface().mesh().vertexCount())
-    seen_ /= kMuchNearerPlain;
+      unseen_(kSeen * original.surface().diagonal()),
+      seen_(unseen_) {}
+
+// Whether the original has sides that are flat, on which each dent shows.
+bool Rival::hasFlats() {
+  const BuiltMesh& built = original_.surface().built();
+  if (!hasFlats_) hasFlats_ = !findFlatRegions(built.mesh, built.positions, 0).empty();
+  return *hasFlats_;
 }
 
-// A glimpse is exact enough if its distance is so many times below the distance that is seen.
-double Rival::distanceOf(const WorkingMesh& even) {
+// Whether the result has about as many vertices as the original: within a hundredth, rounded. A
+// surface that was cut apart has up to twice as many vertices as places.
+bool Rival::isOwn() {
+  constexpr double kAbout = 0.01;
+  if (isOwn_) return *isOwn_;
   const BuiltMesh& built = original_.surface().built();
+  const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
+  isOwn_ = false;
+  if (vertices > 2 * most || 2 * vertices < most) return false;
+  const auto own = double(distinctPositions(built.mesh, built.positions));
+  isOwn_ = std::abs(double(vertices) - own) <= std::round(kAbout * own);
+  return *isOwn_;
+}
+
+// With its own number of vertices a model with flat sides needs no dent, however small, so that
+// places are looked at in both directions. Otherwise a glimpse is exact enough if its distance is
+// so many times below the distance that is seen.
+Away Rival::awayOf(const WorkingMesh& even) {
+  const HalfedgeMesh& mesh = original_.surface().mesh();
+  const VertexData<Vec3>& positions = original_.surface().positions();
   const MeshTree tree(even.mesh(), even.positions());
-  const double glimpsed = distanceTo(tree, built, kGlimpse);
-  if (muchNearer() * glimpsed > seen_) lookForFlats();
-  return muchNearer() * glimpsed <= seen_ ? glimpsed : distanceTo(tree, built);
-}
-
-// A model with flat sides shows each dent in them, and with its own number of vertices it needs
-// none. Every other plain model may be off by more.
-void Rival::lookForFlats() {
-  const BuiltMesh& built = original_.surface().built();
-  if (isPlain_ && !hasLookedForFlats_ && findFlatRegions(built.mesh, built.positions, 0).empty())
-    seen_ = kMuchNearerPlain * kSeen * original_.surface().diagonal();
-  hasLookedForFlats_ = true;
+  if (isOwn() && hasFlats()) {
+    const Away lost = awayFrom(tree, mesh, positions);
+    const Away made = awayFrom({mesh, positions}, even.mesh(), even.positions());
+    return {lost.rms, std::max(lost.farthest, made.farthest)};
+  }
+  const double glimpsed = awayFrom(tree, mesh, positions, kGlimpse).rms;
+  // Every other plain model may be off by more.
+  if (isPlain_ && muchNearer() * glimpsed > seen_ && !hasFlats())
+    seen_ = kMuchNearerPlain * unseen_;
+  return {muchNearer() * glimpsed <= seen_ ? glimpsed : awayFrom(tree, mesh, positions).rms, 0};
 }
 
 double Rival::muchNearer() const { return isPlain_ ? kMuchNearerPlain : kMuchNearer; }
 
 void Rival::look() {
-  const BuiltMesh& built = original_.surface().built();
-  if (!hasLooked_ && isWorthFollowing(built, original_.vertices()))
-    followed_ = follow(built, input_, original_.vertices(), textures_);
+  if (hasLooked_) return;
   hasLooked_ = true;
+  const BuiltMesh& built = original_.surface().built();
+  const std::size_t own = distinctPositions(built.mesh, built.positions);
+  const std::size_t vertices = original_.vertices(), more = vertices > own ? vertices - own : 0;
+  if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn())) return;
+  followed_ = follow(built, input_, vertices - more, textures_);
+  if (followed_ && more > 0 && !divideEdges(followed_->mesh, more)) followed_.reset();
 }
 
 bool Rival::hasWon(const WorkingMesh& even) {
-  const double distance = distanceOf(even);
-  isSettled_ = distance <= seen_;
-  if (distance <= kFinishing * seen_) return false;
+  const Away away = awayOf(even);
+  isSettled_ = away.rms <= seen_ && away.farthest <= unseen_;
+  if (away.rms <= kFinishing * seen_) return false;
   look();
-  return isSettled_ = followed_ && distance > kFinishing * muchNearer() * followed_->distance;
+  return isSettled_ = followed_ && away.rms > kFinishing * muchNearer() * followed_->away.rms;
 }
 
 std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   if (isSettled_ && isReached) return std::move(followed_);
-  const double distance = distanceOf(even);
-  if (isReached && distance <= seen_) return {};
+  const Away away = awayOf(even);
+  if (isReached && away.rms <= seen_ && away.farthest <= unseen_) return {};
   look();
   if (!isReached || !followed_) return std::move(followed_);
-  const double nearest = followed_->distance;
+  const Away& nearest = followed_->away;
   // Twice the distance that is seen is a pixel.
-  const bool isMuchNearer =
-      distance > muchNearer() * nearest || (!isPlain_ && distance - nearest > 2 * seen_);
+  const bool isMuchNearer = away.rms > muchNearer() * nearest.rms ||
+                            away.farthest > std::max(kMuchNearer * nearest.farthest, unseen_) ||
+                            (!isPlain_ && away.rms - nearest.rms > 2 * seen_);
   return isMuchNearer ? std::move(followed_) : std::nullopt;
 }
 

@@ -27,17 +27,20 @@ class Rival {
   std::optional<Followed> winner(const WorkingMesh& even, bool isReached);
 
  private:
-  double distanceOf(const WorkingMesh& even);
-  void lookForFlats();
+  bool isOwn();
+  bool hasFlats();
+  Away awayOf(const WorkingMesh& even);
   double muchNearer() const;  // the factor at which even triangles lose
   void look();
 
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
-  bool isPlain_;  // no textures, no colours, no second group
-  double seen_;   // the largest distance that is not seen
-  bool isSettled_ = false, hasLooked_ = false, hasLookedForFlats_ = false;
+  bool isPlain_;   // no textures, no colours, no second group
+  double unseen_;  // what is nowhere seen, and what is not seen over an area
+  double seen_;
+  std::optional<bool> isOwn_, hasFlats_;
+  bool isSettled_ = false, hasLooked_ = false;
   std::optional<Followed> followed_;
 };
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
@@ -22,6 +23,22 @@ TriangleMesh pleats(int rows = 32) {
     const bool isHigh = std::lround(p.x()) % 2 != 0;
     p = {p.x() / 2, 4 * p.y() / rows, isHigh ? 0.1 : 0.0};
   }
+  return mesh;
+}
+
+// A prism of so many sides whose ends are fans of long triangles.
+TriangleMesh coin(Index sides) {
+  constexpr double kTurn = 6.283185307179586;
+  TriangleMesh mesh;
+  for (const double z : {0.0, 0.3})
+    for (Index i = 0; i < sides; ++i)
+      mesh.positions.emplace_back(std::cos(kTurn * i / sides), std::sin(kTurn * i / sides), z);
+  for (Index i = 0; i < sides; ++i) {
+    const Index next = (i + 1) % sides;
+    mesh.indices.insert(mesh.indices.end(), {i, next, next + sides, i, next + sides, i + sides});
+  }
+  for (Index i = 1; i + 1 < sides; ++i)
+    mesh.indices.insert(mesh.indices.end(), {0, i + 1, i, sides, sides + i, sides + i + 1});
   return mesh;
 }
 
@@ -54,7 +71,7 @@ TEST_CASE("follow: exactly as many places as asked for, or nothing") {
   const std::optional<Followed> whole =
       follow(built, input, built.mesh.vertexCount(), Textures::Keep);
   REQUIRE(whole);
-  CHECK(whole->distance < 1e-12);
+  CHECK(whole->away.rms < 1e-12);
   CHECK(!follow(built, input, built.mesh.vertexCount(), Textures::Bake));
   CHECK(!follow(built, input, built.mesh.vertexCount() + 1, Textures::Bake));
 }
@@ -74,6 +91,36 @@ TEST_CASE("follow: where attributes are kept, vertices are the original's, and s
     CHECK(std::find(input.positions.begin(), input.positions.end(), p) != input.positions.end());
     CHECK(result.attributes[0].values[2 * v] == float(p.x()));
     CHECK(result.attributes[0].values[2 * v + 1] == float(p.y()));
+  }
+}
+
+TEST_CASE("follow: fewer vertices than places where seams meet, and no triangle leaves its chart") {
+  // Tiles of two by two cells, each a chart of its own, ten to the right of the one before.
+  const TriangleMesh sheet = shapes::grid(24, 24);
+  TriangleMesh input;
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (Index t = 0; t < sheet.triangleCount(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (Index k = 0; k < 3; ++k) middle += sheet.positions[sheet.indices[3 * t + k]] / 3;
+    const double chart = 12 * std::floor(middle.y() / 2) + std::floor(middle.x() / 2);
+    for (Index k = 0; k < 3; ++k) {
+      const Vec3& p = sheet.positions[sheet.indices[3 * t + k]];
+      input.indices.push_back(Index(input.positions.size()));
+      input.positions.push_back(p);
+      uv.values.insert(uv.values.end(), {float(10 * chart + p.x() / 24), float(p.y() / 24)});
+    }
+  }
+  input.attributes.push_back(uv);
+  const std::optional<Followed> followed = follow(buildMesh(input), input, 150, Textures::Keep);
+  REQUIRE(followed);
+  const TriangleMesh& result = followed->mesh;
+  CHECK(inspectMesh(result).vertices == 150);
+  for (Index t = 0; t < result.triangleCount(); ++t) {
+    const auto chartAt = [&](Index k) {
+      return std::floor(result.attributes[0].values[2 * result.indices[3 * t + k]] / 10);
+    };
+    CHECK(chartAt(0) == chartAt(1));
+    CHECK(chartAt(0) == chartAt(2));
   }
 }
 
@@ -143,4 +190,18 @@ TEST_CASE("follow: taken for pleats that even triangles lose, not for what is ro
   CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);
+}
+
+TEST_CASE("follow: with about its own number of vertices a body of flat sides stays itself") {
+  const TriangleMesh input = coin(64);
+  for (const Index vertices : {128u, 129u}) {
+    CAPTURE(vertices);
+    RemeshOptions options;
+    options.vertices = vertices;
+    const RemeshOutcome outcome = remeshSurface(input, options, {});
+    CHECK(outcome.prefer == Prefer::Shape);
+    CHECK(inspectMesh(outcome.mesh).vertices == vertices);
+    const DeviationBothWays d = measureDeviation(input, outcome.mesh, Maximum::Sampled);
+    CHECK(std::max(d.toResult.maximum, d.toOriginal.maximum) < 1e-9 * d.diagonal);
+  }
 }
