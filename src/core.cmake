@@ -10,10 +10,8 @@ add_library(fast OBJECT
   src/measure/hausdorff.cpp
   src/mesh/euler_operators.cpp
   src/mesh/halfedge_mesh.cpp
-  src/original/surface/accurate_sizes.cpp
   src/original/surface/curvature.cpp
   src/original/surface/original_surface.cpp
-  src/original/surface/refined_faces.cpp
   src/original/surface/size_field.cpp
   src/original/surface/surface_walk.cpp
   src/remesh/accuracy/fit.cpp
@@ -38,8 +36,6 @@ add_library(fast OBJECT
   src/remesh/steps/valence.cpp
 )
 add_library(linear OBJECT
-  src/base/place.cpp
-  src/geometry/piecewise.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp
@@ -49,13 +45,9 @@ add_library(linear OBJECT
   src/measure/mesh_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
-  src/mesh/joining.cpp
   src/mesh/mesh_builder.cpp
   src/mesh/space_order.cpp
   src/mesh/welding.cpp
-  src/original/curves/feature_curves.cpp
-  src/original/curves/shape_angles.cpp
-  src/original/curves/spikes.cpp
   src/original/patches/disk_parameterization.cpp
   src/original/patches/disk_patch.cpp
   src/original/patches/patch_atlas.cpp
@@ -80,9 +72,11 @@ add_library(linear OBJECT
 add_library(small OBJECT
   src/base/legible.cpp
   src/base/phase_clock.cpp
+  src/base/place.cpp
   src/base/triangle_mesh.cpp
   src/find_faults.cpp
   src/geometry/mesh_tree.cpp
+  src/geometry/piecewise.cpp
   src/io/formats.cpp
   src/io/gltf/gltf_accessor.cpp
   src/io/gltf/gltf_document.cpp
@@ -151,20 +145,26 @@ add_library(small OBJECT
   src/mesh/check.cpp
   src/mesh/fan_cut.cpp
   src/mesh/hubs.cpp
+  src/mesh/joining.cpp
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
   src/mesh/orientation.cpp
   src/mesh/topology.cpp
   src/original/curves/chain_tracing.cpp
   src/original/curves/curve_simplification.cpp
+  src/original/curves/feature_curves.cpp
   src/original/curves/feature_detection.cpp
   src/original/curves/flat_regions.cpp
   src/original/curves/seams.cpp
+  src/original/curves/shape_angles.cpp
+  src/original/curves/spikes.cpp
   src/original/patches/face_cells.cpp
   src/original/patches/patch_builder.cpp
+  src/original/surface/accurate_sizes.cpp
   src/original/surface/boundary_places.cpp
   src/original/surface/boundary_sizes.cpp
   src/original/surface/original_tree.cpp
+  src/original/surface/refined_faces.cpp
   src/remesh/accuracy/bound_error.cpp
   src/remesh/accuracy/lower_hausdorff.cpp
   src/remesh/accuracy/place_finder.cpp

@@ -20,8 +20,8 @@ constexpr double kFinest = 1.0 / 400, kCoarsest = 1.0 / 128, kUsual = 1.0 / 200;
 
 // Peak memory for each triangle of the input, for each point of the lattice, for each crossing of
 // the surface with its lines, and besides: fitted to the peaks of 18 repairs, most of which held
-// 0.6 to 1.1 times what is said, and one, of 2000 loose triangles, twice. The further planes through
-// thin walls are not counted.
+// 0.6 to 1.1 times what is said, and one, of 2000 loose triangles, twice. The further planes
+// through thin walls are not counted.
 constexpr double kBytesPerTriangle = 300, kBytesPerPoint = 25, kBytesPerCrossing = 100;
 constexpr double kBytesBesides = 2.5e7;
 // The memory that a lattice is made coarser for, and the points up to which thin walls make it
