@@ -131,12 +131,8 @@ function lawsOfColors({ bytes, files = [] }) {
   return broken;
 }
 
-/**
- * The targets of references by number that the validator does not check must exist.
- * @param {any} tree
- */
-export function lawsOfReferences(tree) {
-  const broken = [];
+/** The names of all extensions that something in the tree has. @param {any} tree */
+function extensionsIn(tree) {
   const names = new Set();
   const visit = (/** @type {any} */ value) => {
     if (typeof value !== 'object' || value === null) return;
@@ -144,8 +140,22 @@ export function lawsOfReferences(tree) {
     Object.values(value).forEach(visit);
   };
   visit(tree);
-  const gone = (tree.extensionsUsed ?? []).filter((/** @type {string} */ name) =>
-    !names.has(name) && /^(ACME|CESIUM|EXT_mesh_(feat|mani|poly)|FB|KHR_anim|MSFT_lod)/.test(name));
+  return names;
+}
+
+/**
+ * The targets of references by number that the validator does not check must exist. What is unknown
+ * and was declared in vain before may be so still.
+ * @param {any} tree
+ * @param {any} [before] the tree that it was made from
+ */
+export function lawsOfReferences(tree, before) {
+  const broken = [];
+  const names = extensionsIn(tree), namesBefore = extensionsIn(before);
+  const isKnown = (/** @type {string} */ name) =>
+    /^(CESIUM|EXT_mesh_(feat|mani|poly)|FB|KHR_anim|MSFT_lod)/.test(name);
+  const gone = (tree.extensionsUsed ?? []).filter((/** @type {string} */ name) => !names.has(name)
+    && (isKnown(name) || (name.startsWith('ACME') && (!before || namesBefore.has(name)))));
   if (gone.length > 0) broken.push(`${gone} are declared, and nowhere`);
   const materials = tree.materials?.length ?? 0;
   for (const { channels } of tree.animations ?? []) {
@@ -196,10 +206,14 @@ export async function lawsOfFiles(before, after) {
   if (known.has('MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT')) {
     known.set('MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY', 'perhaps');
   }
+  // What is required is also used afterwards, and its name is looked at.
+  if (known.has('UNUSED_EXTENSION_REQUIRED')) known.set('INVALID_EXTENSION_NAME_FORMAT', 'perhaps');
   const now = await complaints(after);
   const worse = [...now].filter(([code]) => !known.has(code)).map(([, words]) => words);
   if (known.size > 0) return worse;
-  return [...worse, ...lawsOfColors(after), ...lawsOfReferences(openGltf(after).tree)];
+  const references = lawsOfReferences(openGltf(after).tree,
+    isGltf(before) ? openGltf(before).tree : undefined);
+  return [...worse, ...lawsOfColors(after), ...references];
 }
 
 /** @param {any} found @param {any} said */

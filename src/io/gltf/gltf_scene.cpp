@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/gltf/gltf_accessor.h"
+#include "io/gltf/gltf_geometry.h"
 
 namespace remesher::io {
 namespace {
@@ -79,6 +80,14 @@ std::vector<Transform> NodeInstances::of(std::size_t node) const {
 bool hides(const Json& node) {
   const Json::json_pointer path("/extensions/KHR_node_visibility/visible");
   return node.contains(path) && node[path] == false;
+}
+
+// Whether the mesh has joints, which a skin without them does not place. Those of a type that glTF
+// does not allow are left out.
+bool hasJoints(const GltfDocument& document, std::size_t mesh) {
+  const std::vector<VertexPool> pools = vertexPools(document, mesh);
+  return std::any_of(pools.begin(), pools.end(),
+                     [](const VertexPool& pool) { return pool.accessors.contains("JOINTS_0"); });
 }
 
 class SceneWalk {
@@ -165,7 +174,8 @@ void SceneWalk::collect(const NodeInstances& own, std::size_t node,
   if (static_cast<std::size_t>(mesh) >= instances.size())
     document_.fail(ErrorCode::ParseError, "node " + std::to_string(node) + " shows mesh " +
                                               std::to_string(mesh) + ", which is not there.");
-  const bool isSkinned = skin >= 0 && static_cast<std::size_t>(skin) < model.skins.size();
+  const bool isSkinned = skin >= 0 && static_cast<std::size_t>(skin) < model.skins.size() &&
+                         hasJoints(document_, static_cast<std::size_t>(mesh));
   const Transform place = isSkinned ? skinTransform(model.skins[skin]) : world_[node];
   for (const Transform& instance : own.of(node)) {
     instances[mesh].places.push_back(place * instance);

@@ -301,7 +301,8 @@ void settleDeclarations(const Json& before, Json& tree) {
     if (!name.is_string()) return true;
     if (name == kQuantization) return !quantizes;
     if (name == kRestart) return !restarts;
-    return was.count(name) > is.count(name);
+    if (is.contains(name)) return false;
+    return was.contains(name) || rowOf(name.get_ref<const std::string&>()).fate != Fate::Judged;
   };
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     if (!tree.contains(list) || !tree[list].is_array()) continue;

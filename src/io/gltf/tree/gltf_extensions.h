@@ -36,8 +36,8 @@ std::vector<Warning> warningsOf(const LostExtensions& lost);
 // Drops the list of variants if no primitive has variants any more.
 void dropUnusedVariants(Json& tree);
 
-// Reduces `extensionsUsed` and `extensionsRequired` to what the tree needs. A declared extension
-// that never appears in the tree may be needed unseen, and stays.
+// Reduces `extensionsUsed` and `extensionsRequired` to what the tree needs. An extension that is
+// declared, unknown and appeared nowhere before may be needed unseen, and stays.
 void settleDeclarations(const Json& before, Json& tree);
 
 // What an extension may name by number without being found here: nothing; materials, textures or

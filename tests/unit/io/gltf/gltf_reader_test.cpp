@@ -178,7 +178,7 @@ TEST_CASE("gltf: instances stand where the nodes put them") {
   CHECK((model.parts[0].instances[2] * corner - Vec3(0, 3, 0)).norm() < 1e-12);
 }
 
-TEST_CASE("gltf: a skinned mesh stands where its joints carry it, not where its node is") {
+TEST_CASE("gltf: a mesh with joints stands where its skin carries it, not where its node is") {
   GltfMaker maker = squareOf(kSquareIndices, kUShort, 4);
   maker.show(
       {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}}, {{"translation", {0, 7, 0}}}});
@@ -189,8 +189,12 @@ TEST_CASE("gltf: a skinned mesh stands where its joints carry it, not where its 
        {"count", 1},
        {"type", "MAT4"}});
   maker.tree["skins"] = Json::array({{{"joints", {1}}, {"inverseBindMatrices", inverseBind}}});
-  const io::Model model = io::read(maker.glb());
-  CHECK(model.parts[0].instances[0].translation() == Vec3(0, 2, 0));
+  const auto place = [&] { return io::read(maker.glb()).parts[0].instances[0].translation(); };
+  CHECK(place() == Vec3(100, 0, 0));  // without joints the skin means nothing
+  Json& attributes = maker.tree["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = maker.add(Bytes(16, 0), kUByte, "VEC4");
+  attributes["WEIGHTS_0"] = maker.add(std::vector<float>(16, 0.25F), kFloat, "VEC4");
+  CHECK(place() == Vec3(0, 2, 0));
 }
 
 TEST_CASE("gltf: without a scene every mesh is shown once, where it is") {

@@ -127,7 +127,8 @@ TEST_CASE("extensions: a mesh's own go too, with the accessors that only they na
       {"manifoldPrimitive", {{"indices", 3}, {"attributes", {{"POSITION", 1}}}}},
       {"mergeIndices", merged},
       {"mergeValues", merged}};
-  maker.tree["extensionsUsed"] = Json::array({"EXT_mesh_manifold", "ACME_seen_nowhere"});
+  maker.tree["extensionsUsed"] =
+      Json::array({"EXT_mesh_manifold", "CESIUM_primitive_outline", "ACME_seen_nowhere"});
   const io::WrittenFiles files = written(maker.glb());
   const Json tree = treeOf(files.files[0]);
   CHECK(!tree["meshes"][0].contains("extensions"));
