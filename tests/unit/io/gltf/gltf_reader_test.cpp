@@ -189,7 +189,9 @@ TEST_CASE("gltf: a mesh with joints stands where its skin carries it, not where 
        {"count", 1},
        {"type", "MAT4"}});
   maker.tree["skins"] = Json::array({{{"joints", {1}}, {"inverseBindMatrices", inverseBind}}});
-  const auto place = [&] { return io::read(maker.glb()).parts[0].instances[0].translation(); };
+  const auto place = [&]() -> Vec3 {
+    return io::read(maker.glb()).parts[0].instances[0].translation();
+  };
   CHECK(place() == Vec3(100, 0, 0));  // without joints the skin means nothing
   Json& attributes = maker.tree["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_0"] = maker.add(Bytes(16, 0), kUByte, "VEC4");
