@@ -144,8 +144,8 @@ function extensionsIn(tree) {
 }
 
 /**
- * The targets of references by number that the validator does not check must exist. What is unknown
- * and was declared in vain before may be so still.
+ * The targets of references by number that the validator does not check must exist. What is not of
+ * triangles and was declared in vain before may be so still.
  * @param {any} tree
  * @param {any} [before] the tree that it was made from
  */
@@ -153,9 +153,10 @@ export function lawsOfReferences(tree, before) {
   const broken = [];
   const names = extensionsIn(tree), namesBefore = extensionsIn(before);
   const isKnown = (/** @type {string} */ name) =>
-    /^(CESIUM|EXT_mesh_(feat|mani|poly)|FB|KHR_anim|MSFT_lod)/.test(name);
+    /^(CESIUM|EXT_mesh_(feat|mani|poly)|FB)/.test(name);
   const gone = (tree.extensionsUsed ?? []).filter((/** @type {string} */ name) => !names.has(name)
-    && (isKnown(name) || (name.startsWith('ACME') && (!before || namesBefore.has(name)))));
+    && (isKnown(name) || (/^(ACME|KHR_anim|MSFT_lod)/.test(name)
+      && (!before || namesBefore.has(name)))));
   if (gone.length > 0) broken.push(`${gone} are declared, and nowhere`);
   const materials = tree.materials?.length ?? 0;
   for (const { channels } of tree.animations ?? []) {

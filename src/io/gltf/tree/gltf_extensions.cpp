@@ -302,7 +302,8 @@ void settleDeclarations(const Json& before, Json& tree) {
     if (name == kQuantization) return !quantizes;
     if (name == kRestart) return !restarts;
     if (is.contains(name)) return false;
-    return was.contains(name) || rowOf(name.get_ref<const std::string&>()).fate != Fate::Judged;
+    const Fate fate = rowOf(name.get_ref<const std::string&>()).fate;
+    return was.contains(name) || fate == Fate::Dropped || fate == Fate::Followed;
   };
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     if (!tree.contains(list) || !tree[list].is_array()) continue;

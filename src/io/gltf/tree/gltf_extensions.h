@@ -37,7 +37,7 @@ std::vector<Warning> warningsOf(const LostExtensions& lost);
 void dropUnusedVariants(Json& tree);
 
 // Reduces `extensionsUsed` and `extensionsRequired` to what the tree needs. An extension that is
-// declared, unknown and appeared nowhere before may be needed unseen, and stays.
+// declared and appeared nowhere before may be needed unseen, and stays, unless it is of triangles.
 void settleDeclarations(const Json& before, Json& tree);
 
 // What an extension may name by number without being found here: nothing; materials, textures or
