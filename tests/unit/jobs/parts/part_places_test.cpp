@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 #include "remesher.h"
+#include "support/area_of.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -21,14 +21,6 @@ Transform turned(double degrees) {
   Transform transform = Transform::Identity();
   transform.rotate(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3(1, 2, 3).normalized()));
   return transform;
-}
-
-double areaOf(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    sum += area(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                mesh.positions[mesh.indices[i + 2]]);
-  return sum;
 }
 
 TriangleMesh placed(TriangleMesh mesh, const Transform& place) {
@@ -48,7 +40,7 @@ TEST_CASE("part places: a flat part's area is that of what is shown, however it 
   const TriangleMesh grid = shapes::grid(5, 3);
   for (const Transform& place : {scaling(20, 1, 1), Transform(turned(40) * scaling(3, 0.2, 7))}) {
     const std::vector<io::Part> parts = {io::Part{"", grid, {place}}};
-    CHECK(placesOf(parts)[0].area == doctest::Approx(areaOf(placed(grid, place))));
+    CHECK(placesOf(parts)[0].area == doctest::Approx(shapes::areaOf(placed(grid, place))));
   }
 }
 

@@ -3,24 +3,12 @@
 
 #include <doctest/doctest.h>
 
-#include "geometry/triangle.h"
 #include "mesh/mesh_builder.h"
 #include "mesh/topology.h"
+#include "support/area_of.h"
 #include "support/shapes.h"
 
 using namespace remesher;
-
-namespace {
-
-double areaOf(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    sum += area(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                mesh.positions[mesh.indices[i + 2]]);
-  return sum;
-}
-
-}  // namespace
 
 TEST_CASE("half: what lies in front of planes, with its border exactly on them") {
   TriangleMesh ball = shapes::icosphere(5);
@@ -30,9 +18,9 @@ TEST_CASE("half: what lies in front of planes, with its border exactly on them")
   for (const double x : {-1, 1})
     for (const double y : {-1, 1}) {
       const Mirrors other{{{x * Vec3::UnitX(), 0}, {y * Vec3::UnitY(), 0}}, 1e-9, 0};
-      sum += areaOf(inFrontOf(other, ball)->mesh);
+      sum += shapes::areaOf(inFrontOf(other, ball)->mesh);
     }
-  CHECK(sum == doctest::Approx(areaOf(ball)));
+  CHECK(sum == doctest::Approx(shapes::areaOf(ball)));
   const std::optional<Half> half =
       inFrontOf({{{Vec3::UnitX(), 0}, {Vec3::UnitY(), 0}}, 1e-9, 0}, ball);
   REQUIRE(half);
