@@ -75,6 +75,7 @@ add_library(small OBJECT
   src/base/place.cpp
   src/base/triangle_mesh.cpp
   src/find_faults.cpp
+  src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
   src/geometry/piecewise.cpp
   src/io/formats.cpp

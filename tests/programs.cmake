@@ -4,6 +4,7 @@ add_executable(unit_tests
   tests/unit/base/legible_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
+  tests/unit/geometry/extent_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp
   tests/unit/geometry/mesh_tree_test.cpp
   tests/unit/geometry/piecewise_test.cpp

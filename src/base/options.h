@@ -41,9 +41,6 @@ struct MirrorPlane {
   Vec3 onto(const Vec3& p) const { return p - distance(p) * normal; }
 };
 
-// Lengths, beside the diagonal, and cosines that are smaller are 0 but for rounding.
-constexpr double kByRounding = 1e-6;
-
 // What a half is to be mirrored by: planes at right angles to each other.
 struct Mirrors {
   std::vector<MirrorPlane> planes;

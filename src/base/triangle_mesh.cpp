@@ -42,6 +42,19 @@ bool arePairs(const TriangleMesh& mesh) {
   return true;
 }
 
+bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w) {
+  return std::all_of(mesh.attributes.begin(), mesh.attributes.end(), [&](const Attribute& x) {
+    const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
+    return std::equal(at(v), at(v) + x.itemSize, at(w));
+  });
+}
+
+void dropLastVertex(TriangleMesh& mesh) {
+  mesh.positions.pop_back();
+  for (Attribute& attribute : mesh.attributes)
+    attribute.values.resize(attribute.values.size() - std::size_t(attribute.itemSize));
+}
+
 std::size_t groupCount(const TriangleMesh& mesh) {
   if (mesh.groups.empty()) return 1;
   return std::size_t{*std::max_element(mesh.groups.begin(), mesh.groups.end())} + 1;

@@ -58,6 +58,11 @@ bool arePairs(const TriangleMesh& mesh);
 // Null if the mesh has no attribute of this semantic.
 const Attribute* findAttribute(const TriangleMesh& mesh, std::string_view semantic);
 
+// Whether two vertices have the same value of every attribute.
+bool haveSameAttributes(const TriangleMesh& mesh, Index v, Index w);
+// Takes the last vertex off. No triangle may use it.
+void dropLastVertex(TriangleMesh& mesh);
+
 // One more than the largest group number; one where there are no groups.
 std::size_t groupCount(const TriangleMesh& mesh);
 

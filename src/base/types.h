@@ -18,6 +18,8 @@ using Transform = Eigen::Affine3d;
 inline constexpr Index kNone = ~Index{0};
 // What rounding may make of numbers about 1 in some steps of double precision, and far more.
 inline constexpr double kRoundOff = 1e-9;
+// The same in single precision, in which most models are stored.
+inline constexpr double kSingleRoundOff = 1e-6;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Signed area of the parallelogram that a and b span: positive where b lies to the left of a.

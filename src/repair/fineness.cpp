@@ -8,8 +8,7 @@
 
 #include "base/error.h"
 #include "base/legible.h"
-#include "geometry/triangle.h"
-#include "geometry/triangle_tree.h"
+#include "geometry/extent.h"
 
 namespace remesher {
 
@@ -32,29 +31,6 @@ constexpr double kSecondsPerTriangle = 2e-5, kSecondsPerPoint = 1.2e-6;
 
 constexpr double kUsualGap = 2;  // percent of the diagonal
 
-struct Extent {
-  Vec3 sides = Vec3::Zero();  // of the box
-  double area = 0;
-  double shadows = 0;  // the area as it is seen along each axis, in sum
-  double triangles = 0;
-};
-
-Extent extentOf(const TriangleMesh& mesh) {
-  Extent extent;
-  Box box;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],
-               &c = mesh.positions[mesh.indices[i + 2]];
-    for (const Vec3* corner : {&a, &b, &c}) box.extend(*corner);
-    const Vec3 vector = areaVector(a, b, c) / 2;
-    extent.area += vector.norm();
-    extent.shadows += vector.cwiseAbs().sum();
-  }
-  if (!mesh.indices.empty()) extent.sides = box.high - box.low;
-  extent.triangles = double(mesh.triangleCount());
-  return extent;
-}
-
 struct Grid {
   double spacing, spare;  // spare: lengths beyond the mesh on all sides
 };
@@ -71,7 +47,7 @@ double crossingsOf(const Extent& extent, double spacing) {
 }
 
 double bytesOf(const Extent& extent, const Grid& grid) {
-  return kBytesBesides + kBytesPerTriangle * extent.triangles +
+  return kBytesBesides + kBytesPerTriangle * double(extent.triangles) +
          kBytesPerCrossing * crossingsOf(extent, grid.spacing) +
          kBytesPerPoint * pointsOf(extent, grid);
 }
@@ -81,7 +57,7 @@ double gapOf(const RemeshOptions& options, double diagonal) {
 }
 
 double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
-  double edge = 2 * kUsual * extent.sides.norm();
+  double edge = 2 * kUsual * extent.diagonal();
   if (options.vertices)
     edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
   if (options.edgeLength) edge = *options.edgeLength;
@@ -90,7 +66,7 @@ double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
 
 Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
   constexpr double kStep = 1.05;
-  const double diagonal = extent.sides.norm();
+  const double diagonal = extent.diagonal();
   const double finest = kFinest * diagonal, coarsest = kCoarsest * diagonal;
   const double spare = by == InsideBy::Reach ? gapOf(options, diagonal) / 2 : 0;
   Grid grid = {std::clamp(wishedSpacing(extent, options), finest, coarsest), spare};
@@ -118,7 +94,7 @@ SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, Insid
   const Extent extent = extentOf(input);
   const Grid grid = gridFor(extent, options, by);
   SolidRule rule{grid.spacing, by};
-  if (by == InsideBy::Reach) rule.gap = gapOf(options, extent.sides.norm());
+  if (by == InsideBy::Reach) rule.gap = gapOf(options, extent.diagonal());
   rule.cleaning = cleaningFor(options);
   rule.sheets = options.sheets;
   rule.keepsCavities = options.cavities;
@@ -129,7 +105,8 @@ SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, Insid
 
 RepairNeeds needsOf(const TriangleMesh& input, const RemeshOptions& options) {
   const Extent extent = extentOf(input);
-  RepairNeeds needs{kBytesPerTriangle * extent.triangles, kSecondsPerTriangle * extent.triangles};
+  RepairNeeds needs{kBytesPerTriangle * double(extent.triangles),
+                    kSecondsPerTriangle * double(extent.triangles)};
   if (options.repair == Repair::Holes) return needs;
   const InsideBy by = options.repair == Repair::Solid ? InsideBy::Enclosure : InsideBy::Reach;
   const Grid grid = gridFor(extent, options, by);

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "base/place.h"
-#include "geometry/triangle.h"
+#include "geometry/extent.h"
+#include "geometry/triangle_tree.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/curve_choice.h"
 #include "remesh/schemes/targets.h"
@@ -27,22 +28,6 @@ bool mayMirror(const RemeshOptions& options) {
 // What is mirrored but for this share of a quad's side counts as mirrored: the triangles of smooth
 // models seldom are.
 constexpr double kAlike = 0.05;
-
-struct Extent {
-  double area = 0, diagonal = 0;
-};
-Extent extentOf(const TriangleMesh& mesh) {
-  Extent extent;
-  Box box;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],
-               &c = mesh.positions[mesh.indices[i + 2]];
-    for (const Vec3& p : {a, b, c}) box.extend(p);
-    extent.area += area(a, b, c);
-  }
-  extent.diagonal = (box.high - box.low).norm();
-  return extent;
-}
 
 // Whether the middle of each seam comes to a seam.
 bool areMirrored(const std::vector<Halfedge>& seams, const BuiltMesh& built,
@@ -95,7 +80,7 @@ std::optional<RemeshOutcome> remeshMirrored(const TriangleMesh& input, const Rem
   const Extent extent = extentOf(input);
   const double wished = options.vertices.value_or(Index(input.positions.size()));
   const double tolerance = kAlike * evenEdgeLength(extent.area, wished);
-  Mirrors mirrors{findMirrorPlanes(input, tolerance), kByRounding * extent.diagonal};
+  Mirrors mirrors{findMirrorPlanes(input, tolerance), kSingleRoundOff * extent.diagonal()};
   if (mirrors.planes.empty()) return {};
   BuiltMesh built = buildMesh(input);
   mirrors.vertices = targetVertices(built, options);

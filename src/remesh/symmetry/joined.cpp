@@ -81,9 +81,9 @@ class Joining {
       const Index added = add(images_.vertices[v], places_[i]);
       std::vector<Index>& others = known[placeOf_[v]];
       const auto same = std::find_if(others.begin(), others.end(),
-                                     [&](Index w) { return haveSameAttributes(w, added); });
+                                     [&](Index w) { return haveSameAttributes(mesh_, w, added); });
       vertexOf_[v] = same == others.end() ? added : *same;
-      same == others.end() ? others.push_back(added) : dropLast();
+      same == others.end() ? others.push_back(added) : dropLastVertex(mesh_);
     }
   }
 
@@ -99,19 +99,6 @@ class Joining {
         to.insert(to.end(), first, first + from.itemSize);
       }
     return Index(mesh_.positions.size() - 1);
-  }
-
-  bool haveSameAttributes(Index v, Index w) const {
-    return std::all_of(mesh_.attributes.begin(), mesh_.attributes.end(), [&](const Attribute& x) {
-      const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
-      return std::equal(at(v), at(v) + x.itemSize, at(w));
-    });
-  }
-
-  void dropLast() {
-    mesh_.positions.pop_back();
-    for (Attribute& attribute : mesh_.attributes)
-      attribute.values.resize(attribute.values.size() - std::size_t(attribute.itemSize));
   }
 
   // No two quads in a row begin at the same corner, as FB_ngon_encoding wants.

@@ -64,11 +64,11 @@ class PlaneSearch {
  private:
   void tryAxis(Vec3 normal) {
     for (const MirrorPlane& plane : planes_)
-      if (std::abs(plane.normal.dot(normal)) > kByRounding) return;
+      if (std::abs(plane.normal.dot(normal)) > kSingleRoundOff) return;
     Eigen::Index largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);
     if (normal[largest] < 0) normal = -normal;
-    if ((normal - Vec3::Unit(largest)).norm() < kByRounding) normal = Vec3::Unit(largest);
+    if ((normal - Vec3::Unit(largest)).norm() < kSingleRoundOff) normal = Vec3::Unit(largest);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Index v : mesh_.indices) {
       low = std::min(low, normal.dot(mesh_.positions[v]));
@@ -77,7 +77,7 @@ class PlaneSearch {
     const double middle = (low + high) / 2;
     if (std::abs(middle - normal.dot(moments_.center)) > tolerance_) return;
     // A model that was made has its plane through the origin, exactly.
-    const MirrorPlane plane{normal, std::abs(middle) < kByRounding * (high - low) ? 0 : middle};
+    const MirrorPlane plane{normal, std::abs(middle) < kSingleRoundOff * (high - low) ? 0 : middle};
     if (isMirror(plane)) planes_.push_back(plane);
   }
 

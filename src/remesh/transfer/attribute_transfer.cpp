@@ -89,24 +89,11 @@ class Extraction {
     result_.positions.push_back(mesh_.position(v));
     mix_.append(points_[h], result_.attributes);
     for (Index other = begin; other < made; ++other)
-      if (sameAttributes(other, made)) {
-        dropLast();
+      if (haveSameAttributes(result_, other, made)) {
+        dropLastVertex(result_);
         return other;
       }
     return made;
-  }
-
-  bool sameAttributes(Index a, Index b) const {
-    return std::all_of(result_.attributes.begin(), result_.attributes.end(), [&](const auto& x) {
-      const auto at = [&](Index i) { return x.values.begin() + std::size_t{i} * x.itemSize; };
-      return std::equal(at(a), at(a) + x.itemSize, at(b));
-    });
-  }
-
-  void dropLast() {
-    result_.positions.pop_back();
-    for (Attribute& attribute : result_.attributes)
-      attribute.values.resize(attribute.values.size() - attribute.itemSize);
   }
 
   Index groupOf(Face f) const {
