@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Remeshes and measures parts as they look where the file shows them.
+// Remeshes parts as they look where the file shows them, and rounds the results.
 #pragma once
 
 #include "base/options.h"
@@ -21,14 +21,14 @@ struct PartInput {
   const PartPlace& place;
 };
 
-// A part, or a union of several, by its number, with its targets.
+// A surface to remesh (a part, or a union of parts) by its number, and the targets of all surfaces.
 struct PartTarget {
   const PartTargets& targets;
   const PartUnions& unions;
   std::size_t surface;
 };
 
-// The outcome is in the part's own space; it has a tree only if the part is not stretched at its
+// The outcome is in the part's own space. It has a tree only if the part is not stretched at its
 // place.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress);
 

@@ -13,27 +13,27 @@ namespace remesher {
 
 namespace {
 
-// Only a larger distance is worth angles; otherwise good angles stay good.
+// Only distances above this may cost angles, down to kSound; below it good angles stay good.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-// A larger distance is that of a lost tip, which is worth angles below sound: they are polished
-// afterwards.
+// Distances above this are those of lost tips. They may cost angles down to kFair, which polishing
+// widens afterwards.
 constexpr double kLostTip = 0.4;  // of the target edge length
 
 constexpr double kWorthAMove = 0.05;  // of the mean target edge length
-// A move that leaves more than the share kGain of a distance decides nothing; a search that reaches
-// the share kReached may stop there.
+// A move must lower a distance to less than the share kGain; a search may stop at the share
+// kReached.
 constexpr double kGain = 0.99, kReached = 0.65;
-// A move that costs angles, or makes way for another, must come below this share.
+// A move that costs angles, or makes way for another, must lower the distance to this share.
 constexpr double kMuch = 0.9;
-// Where the maximum is stuck, distances below this share of it decide nothing.
+// If the largest distance is stuck, distances below this share of it are not worth a try.
 constexpr double kNearMaximum = 0.8;
 
 constexpr int kRounds = 4;
-// The number of triangles to try: in a large mesh few decide, and a small one has few.
+// The number of triangles to try: few of a large mesh decide, and a small mesh has few.
 constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
-// Between two shells everything is far off, and as near to one as to the other: a try there may
-// look at millions of the original's triangles. Where a mesh passes through itself all over, a try
-// may look at as many of the mesh's own. Elsewhere it seldom looks at more than ten thousand.
+// A point between two shells is far from both, and about as near to one as to the other: a try
+// there may look at millions of the original's triangles. If a mesh passes through itself all over,
+// a try may look at as many of the mesh's own. Other tries seldom look at more than ten thousand.
 constexpr std::size_t kLooksPerTry = 12'000;
 
 std::size_t triesFor(std::size_t vertices) {
@@ -41,8 +41,8 @@ std::size_t triesFor(std::size_t vertices) {
                   vertices / kVerticesPerTry);
 }
 
-// The angle that a move must leave, in radians, and the one that earlier moves, in vain, had to
-// leave.
+// The smallest angle that a move must leave, in radians, and the one asked of the last try, which
+// was in vain, if there was one.
 struct Kept {
   double angle;
   std::optional<double> last;
@@ -123,13 +123,13 @@ class Descent {
     return distances_.of(f) > share * run_.sizes.at(run_.mesh.at(v));
   }
 
-  // Boundaries are near enough already: see followBoundaries. So is a hub, with so many around it.
+  // Boundaries are near enough already (see followBoundaries), and hubs take too long.
   bool isFixed(Vertex v) const {
     return run_.mesh.kind(v) == VertexKind::Corner || mesh_.isBoundary(v) ||
            distances_.hubs().contains(v);
   }
 
-  // Outlines show: on a curve a sound angle is always enough.
+  // Curves show as outlines: for a vertex on one a sound angle is always enough.
   double keptAt(Vertex v, double angle) const {
     return run_.mesh.kind(v) == VertexKind::Curve ? kSound : angle;
   }
@@ -174,7 +174,8 @@ class Descent {
     }
   }
 
-  // A vertex may be held between two sides, each of which a neighbour could take over.
+  // If the largest distance is on the rim of v's star, only a neighbour can lower it. The other
+  // distances around v may be what holds the neighbour in place: v lowers them.
   bool makeWay(Face f, const Kept& kept) {
     const double before = distances_.of(f);
     bool moved = false;

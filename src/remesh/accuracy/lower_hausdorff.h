@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Near the end of both schemes a handful of places decide the Hausdorff distance. The vertices
-// around each place move, on and off the surface, to where the largest distance around them, in
-// both directions, is smallest.
+// Near the end of both schemes a handful of spots decide the Hausdorff distance. The vertices
+// around each spot move, on and off the surface, to where the largest distance around them, in both
+// directions, is smallest.
 #pragma once
 
 #include "remesh/steps/run.h"
 
 namespace remesher {
 
-// Vertices on curves slide along them, corners stay, edges between the places may flip. No step
-// makes a bad triangle, or raises the largest distance around it.
+// Vertices on curves slide along them, corners stay, and edges of the farthest triangles may flip.
+// No step makes a bad triangle, or raises the largest distance around what it changes.
 void lowerHausdorff(Run& run);
 
 }  // namespace remesher

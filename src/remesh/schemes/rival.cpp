@@ -13,13 +13,13 @@ namespace remesher {
 
 namespace {
 
-// How many times nearer the rival must be: with textures or colours, which show errors, and on
-// plain models, where only shape does. Plain models may also be off by so many times as much.
+// How many times nearer the rival must be: on models with textures or colours, which show errors,
+// and on plain models. Plain models without flat sides may also be off by kMuchNearerPlain × kSeen.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;  // finishing never halves a distance
 constexpr Samples kGlimpse = {1000, 1};
 
-// Even triangles are worth more than half a pixel where nothing is drawn on them.
+// Whether nothing is drawn on the surface: there even triangles are worth more than half a pixel.
 bool isPlain(const TriangleMesh& input, Textures textures) {
   const auto isDrawn = [](const Attribute& attribute) {
     return attribute.semantic.starts_with("TEXCOORD") || attribute.semantic.starts_with("COLOR");
@@ -40,15 +40,16 @@ Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textu
       unseen_(kSeen * original.surface().diagonal()),
       seen_(unseen_) {}
 
-// Whether the original has sides that are flat, on which each dent shows.
+// Whether the original has flat sides, on which each dent shows.
 bool Rival::hasFlats() {
   const BuiltMesh& built = original_.surface().built();
   if (!hasFlats_) hasFlats_ = !findFlatRegions(built.mesh, built.positions, 0).empty();
   return *hasFlats_;
 }
 
-// Whether the result has about as many vertices as the original: within a hundredth, rounded. A
-// surface that was cut apart has up to twice as many vertices as places.
+// Whether the target is about the original's own number of places: within a hundredth, rounded.
+// Places are not counted if the numbers differ by more than a factor of two: a surface that was cut
+// apart has up to twice as many vertices as places.
 bool Rival::isOwn() {
   constexpr double kAbout = 0.01;
   if (isOwn_) return *isOwn_;
@@ -61,9 +62,9 @@ bool Rival::isOwn() {
   return *isOwn_;
 }
 
-// With its own number of vertices a model with flat sides needs no dent, however small, so that
-// places are looked at in both directions. Otherwise a glimpse is exact enough if its distance is
-// so many times below the distance that is seen.
+// With about its own number of vertices a model with flat sides can do without any dent, however
+// small: so the largest distances in both directions count. Otherwise a glimpse is exact enough if
+// muchNearer() times its distance is not seen.
 Away Rival::awayOf(const WorkingMesh& even) {
   const HalfedgeMesh& mesh = original_.surface().mesh();
   const VertexData<Vec3>& positions = original_.surface().positions();
@@ -74,7 +75,7 @@ Away Rival::awayOf(const WorkingMesh& even) {
     return {lost.rms, std::max(lost.farthest, made.farthest)};
   }
   const double glimpsed = awayFrom(tree, mesh, positions, kGlimpse).rms;
-  // Every other plain model may be off by more.
+  // Plain models without flat sides may be off by more.
   if (isPlain_ && muchNearer() * glimpsed > seen_ && !hasFlats())
     seen_ = kMuchNearerPlain * unseen_;
   return {muchNearer() * glimpsed <= seen_ ? glimpsed : awayFrom(tree, mesh, positions).rms, 0};
@@ -108,7 +109,7 @@ std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   look();
   if (!isReached || !followed_) return std::move(followed_);
   const Away& nearest = followed_->away;
-  // Twice the distance that is seen is a pixel.
+  // On models that are not plain, seen_ is half a pixel.
   const bool isMuchNearer = away.rms > muchNearer() * nearest.rms ||
                             away.farthest > std::max(kMuchNearer * nearest.farthest, unseen_) ||
                             (!isPlain_ && away.rms - nearest.rms > 2 * seen_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chooses between even triangles and the vertices of the original that its shape needs most.
+// Chooses between even triangles and the original simplified to the vertices that its shape needs
+// most.
 #pragma once
 
 #include <optional>
@@ -14,13 +15,13 @@ namespace remesher {
 // thousand pixels wide.
 constexpr double kSeen = 5e-4;
 
-// The mesh that `follow` makes of an original. It is taken if even triangles are visibly away from
-// the original and it is much nearer, or if even triangles cannot be so few. Made on first use.
+// The mesh that `follow` makes of an original, made on first use. It replaces even triangles that
+// are visibly away from the original, if it is much nearer, or that miss the number asked for.
 class Rival {
  public:
   Rival(const Prepared& original, const TriangleMesh& input, Textures textures);
 
-  // Whether even triangles have lost before they are finished.
+  // Whether the rival has won before the even triangles are finished.
   bool hasWon(const WorkingMesh& even);
 
   // The mesh to take instead of the even triangles, if any.
@@ -30,15 +31,15 @@ class Rival {
   bool isOwn();
   bool hasFlats();
   Away awayOf(const WorkingMesh& even);
-  double muchNearer() const;  // the factor at which even triangles lose
+  double muchNearer() const;  // how many times nearer the rival must be
   void look();
 
   const Prepared& original_;
   const TriangleMesh& input_;
   Textures textures_;
   bool isPlain_;   // no textures, no colours, no second group
-  double unseen_;  // what is nowhere seen, and what is not seen over an area
-  double seen_;
+  double unseen_;  // the largest distance at any one place that is not seen, model units
+  double seen_;    // the largest RMS distance that is not seen
   std::optional<bool> isOwn_, hasFlats_;
   bool isSettled_ = false, hasLooked_ = false;
   std::optional<Followed> followed_;

@@ -13,9 +13,9 @@ namespace remesher {
 namespace {
 
 constexpr double kNeighbors = 6;  // of most vertices
-// A share of a vertex's way to the mean of its neighbours, which follow it: waves of many edges'
-// length settle in far fewer passes (successive over-relaxation). Only for many vertices: few of
-// them would never quite come to rest.
+// How far a vertex goes: a share of the way to the mean of its neighbours, which follow it. Waves
+// many edges long then settle in far fewer passes (successive over-relaxation). Not used in small
+// meshes, whose vertices would never quite come to rest.
 constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
@@ -24,7 +24,7 @@ bool isAtRest(const Run& run, Vertex v, double share) {
                                                                run.sizes.at(run.mesh.at(v)));
 }
 
-constexpr double kNarrow = radians(52);
+constexpr double kNarrow = radians(52);  // hardly above 50°
 
 VertexData<char> narrowCorners(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
@@ -61,7 +61,7 @@ void relax(Run& run, int passes, double share) {
 
 void widenAngles(Run& run) {
   PolarMap star;
-  // If nothing has moved around a vertex, a search in vain would be in vain again.
+  // A search that was in vain is not repeated until something has moved around the vertex.
   VertexData<char> isNew(run.mesh.mesh().vertexCapacity(), 1);
   for (int pass = 0; pass < run.asked.effort.widenings; ++pass) {
     const VertexData<char> narrow = narrowCorners(run);

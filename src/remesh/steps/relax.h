@@ -7,16 +7,17 @@
 namespace remesher {
 
 // Up to `passes` Laplacian passes over the vertices that are not at rest: those whose star has
-// changed since their last visit, and those whose neighbours have moved by more than a small share
-// of the size. Where projection only walks, vertices go a little beyond the mean.
+// changed since their last visit, and those whose neighbours have moved since then by more than a
+// small share of the target edge length. If the projector walks, vertices go a little beyond the
+// mean of their neighbours.
 void relax(Run& run, int passes);
 
-// The same, where a vertex is at rest until the mean of its neighbours has moved by `share` of its
-// target length.
+// The same; a vertex is at rest until its neighbours have moved, on average, by `share` of its
+// target edge length.
 void relax(Run& run, int passes, double share);
 
 // Moves the corners of triangles with an angle below 50°, or hardly above, to where the angles
-// around them are widest.
+// around each corner are widest.
 void widenAngles(Run& run);
 
 }  // namespace remesher

@@ -15,8 +15,9 @@ namespace {
 
 using Place = std::array<std::size_t, 3>;
 
-// Per point the distance from the nearest crossing, found by two sweeps along neighbours: nearly
-// always the nearest crossing is a neighbour's; if not, the error is less than a cell.
+// Per point the distance from the nearest crossing. In two sweeps, each forwards and backwards, a
+// point takes over the crossing of a neighbour if that is nearer than its own: nearly always the
+// nearest of all; if not, the error is less than a cell.
 class Distances {
  public:
   Distances(const Lattice& lattice, std::span<const EdgeCrossing> crossings)
@@ -94,7 +95,7 @@ std::vector<char> flooded(const Lattice& lattice, const Distances& distances, do
   std::vector<char> isReached(lattice.size(), 0);
   std::vector<std::size_t> front = {0};
   isReached[0] = 1;
-  // Beyond the lattice's border the numbers continue at the opposite border, which is free, too.
+  // Beyond the lattice's border come the numbers of points at the opposite border, free as well.
   const auto visit = [&](std::size_t q) {
     if (q >= isFree.size() || isReached[q] || !isFree[q]) return;
     isReached[q] = 1;
@@ -111,7 +112,7 @@ std::vector<char> flooded(const Lattice& lattice, const Distances& distances, do
   return isReached;
 }
 
-// Whether the point is reached and a neighbour is not: only from there the flood can go on.
+// Whether the point is reached and a neighbour is not: the outside can grow only from such points.
 bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::size_t p,
                const Place& place) {
   if (!isReached[p]) return false;
@@ -123,9 +124,9 @@ bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::
   return false;
 }
 
-// Grows the outside back to the surface, as far as the flood kept away from it, but through no
-// surface. The 1.5 cells beyond the clearance reach the points next to the surface; through a crack
-// the outside grows no farther than that.
+// Grows the outside back to the surface, by as much as the flood kept away from it, but not through
+// the surface. The reach is the clearance and 1.5 cells more, to take in the points next to the
+// surface; through a crack the outside grows no farther than the reach.
 void growBack(const Lattice& lattice, const std::vector<char>& crossed, double reach,
               std::vector<char>& isOutside) {
   using Entry = std::pair<float, std::size_t>;
@@ -144,7 +145,7 @@ void growBack(const Lattice& lattice, const std::vector<char>& crossed, double r
     isOutside[p] = 1;
     forEachNeighbor(lattice, crossed, p, [&](std::size_t q, bool isParted) {
       if (isParted) return;
-      // Measured straight from where the flood ended, because ways along the lattice are longer.
+      // Measured straight from where the flood ended: paths along lattice edges are longer.
       const auto next = float((lattice.position(q) - lattice.position(origins[p])).norm());
       if (next > float(reach) || !(next < ways[q])) return;
       ways[q] = next, origins[q] = origins[p];
