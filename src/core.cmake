@@ -42,6 +42,7 @@ add_library(linear OBJECT
   src/geometry/triangle_meeting.cpp
   src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
+  src/measure/facing.cpp
   src/measure/mesh_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
@@ -140,7 +141,6 @@ add_library(small OBJECT
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
-  src/measure/facing.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
   src/mesh/check.cpp
