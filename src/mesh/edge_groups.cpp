@@ -16,14 +16,17 @@ using Entry = std::pair<Index, Index>;
 // Counting sort of the halfedges by the vertex with the smaller number; `starts` gets one entry per
 // vertex and the end.
 struct Buckets {
-  Buckets(std::size_t vertexCount, std::span<const Index> corners)
+  Buckets(std::size_t vertexCount, std::span<const Index> corners, Index perFace)
       : starts(vertexCount + 1, 0), entries(corners.size()) {
-    const auto lower = [&](Index h) { return std::min(corners[h], corners[nextCorner(h)]); };
+    const auto tip = [&](Index h) {
+      return corners[(h + 1) % perFace == 0 ? h + 1 - perFace : h + 1];
+    };
+    const auto lower = [&](Index h) { return std::min(corners[h], tip(h)); };
     for (Index h = 0; h < corners.size(); ++h) ++starts[lower(h)];
     Index sum = 0;
     for (Index& start : starts) start = sum += start;
     for (Index h = Index(corners.size()); h-- > 0;)
-      entries[--starts[lower(h)]] = {std::max(corners[h], corners[nextCorner(h)]), h};
+      entries[--starts[lower(h)]] = {std::max(corners[h], tip(h)), h};
   }
 
   std::vector<Index> starts;
@@ -74,8 +77,8 @@ std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> co
   return twins;
 }
 
-EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners) {
-  Buckets buckets(vertexCount, corners);
+EdgeGroups::EdgeGroups(std::size_t vertexCount, std::span<const Index> corners, Index perFace) {
+  Buckets buckets(vertexCount, corners, perFace);
   halfedges_.resize(corners.size());
   starts_.reserve(corners.size() / 2 + 2);
   Index at = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners of a bag of triangles grouped by undirected edge. Twins are paired from these groups,
-// and the groups show where a surface is not a manifold.
+// The corners of a bag of triangles, or of quads, grouped by undirected edge. Twins are paired from
+// these groups, and the groups show where a surface is not a manifold.
 #pragma once
 
 #include <span>
@@ -21,9 +21,9 @@ std::vector<Index> plainTwins(std::size_t vertexCount, std::span<const Index> co
 
 class EdgeGroups {
  public:
-  // corners: three vertices per triangle, all below vertexCount. Takes time O(n), more only for
-  // vertices of huge valence.
-  EdgeGroups(std::size_t vertexCount, std::span<const Index> corners);
+  // corners: three vertices per triangle, or four per quad, all below vertexCount. Takes time O(n),
+  // more only for vertices of huge valence.
+  EdgeGroups(std::size_t vertexCount, std::span<const Index> corners, Index perFace = 3);
 
   std::size_t size() const { return starts_.size() - 1; }
   // The halfedges of one edge, in both directions, ascending.

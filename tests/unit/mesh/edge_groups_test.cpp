@@ -46,6 +46,17 @@ TEST_CASE("edge_groups: a vertex of huge valence is grouped too") {
   for (std::size_t e = 0; e < edges.size(); ++e) CHECK(edges[e].size() == 2);
 }
 
+TEST_CASE("edge_groups: each edge of a cube of quads is in two of them") {
+  const std::vector<Index> cube = {0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4,
+                                   1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7};
+  const EdgeGroups edges(8, cube, 4);
+  CHECK(edges.size() == 12);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    REQUIRE(edges[e].size() == 2);
+    CHECK(edges[e][0] / 4 != edges[e][1] / 4);
+  }
+}
+
 TEST_CASE("edge_groups: the twins of a manifold are known at once, of nothing else") {
   for (const shapes::Shape& shape : shapes::manifolds()) {
     CAPTURE(shape.name);

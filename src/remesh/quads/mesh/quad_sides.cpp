@@ -1,38 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/mesh/quad_sides.h"
 
-#include <algorithm>
-#include <tuple>
+#include "mesh/edge_groups.h"
 
 namespace remesher {
 
 QuadSides::QuadSides(std::size_t vertexCount, std::span<const Four<Index>> quads)
     : quads_(quads), across_(4 * quads.size(), kNone) {
-  pairSides();
+  pairSides(vertexCount);
   findOutgoing(vertexCount);
 }
 
-// Sides between the same two vertices, whichever way they run, come side by side in order.
-void QuadSides::pairSides() {
-  std::vector<std::tuple<Index, Index, Index>> ends;
-  ends.reserve(across_.size());
-  for (Index side = 0; side < across_.size(); ++side)
-    ends.emplace_back(std::min(origin(side), tip(side)), std::max(origin(side), tip(side)), side);
-  std::sort(ends.begin(), ends.end());
-  const auto areEqual = [&](std::size_t i, std::size_t k) {
-    return std::get<0>(ends[i]) == std::get<0>(ends[k]) &&
-           std::get<1>(ends[i]) == std::get<1>(ends[k]);
-  };
-  for (std::size_t i = 0, end = 0; i < ends.size(); i = end) {
-    for (end = i + 1; end < ends.size() && areEqual(i, end);) ++end;
-    if (end == i + 1) continue;
-    const Index a = std::get<2>(ends[i]), b = std::get<2>(ends[i + 1]);
-    if (end > i + 2 || origin(a) == origin(b)) {
+void QuadSides::pairSides(std::size_t vertexCount) {
+  if (quads_.empty()) return;
+  const EdgeGroups edges(vertexCount, {quads_.front().data(), across_.size()}, 4);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const std::span<const Index> sides = edges[i];
+    if (sides.size() == 1) continue;
+    if (sides.size() > 2 || origin(sides[0]) == origin(sides[1])) {
       isManifold_ = false;
       continue;
     }
-    across_[a] = b;
-    across_[b] = a;
+    across_[sides[0]] = sides[1];
+    across_[sides[1]] = sides[0];
   }
 }
 

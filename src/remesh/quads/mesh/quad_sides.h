@@ -48,7 +48,7 @@ class QuadSides {
   int valence(Index v) const { return quadsAround(v) + (isBoundary(v) ? 1 : 0); }
 
  private:
-  void pairSides();
+  void pairSides(std::size_t vertexCount);
   void findOutgoing(std::size_t vertexCount);
 
   std::span<const Four<Index>> quads_;  // the caller's; must outlive this
