@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { inspect, remesh, remeshScene } from 'remesher';
 
 import { rejectsWith } from '../support/errors.js';
-import { engraved, gear, plate } from '../support/machine_parts.js';
+import { engraved, gear, plate, sheetMetal } from '../support/machine_parts.js';
 import { torus } from '../support/shapes.js';
 
 const ring = torus({ columns: 48, rows: 24 });
@@ -74,6 +74,16 @@ test('auto: a part with flat sides keeps its shape at its own number of vertices
     assert.ok(report.fidelity.hausdorff <= 0.05, `${make.name}: ${report.fidelity.hausdorff} %`);
     assert.equal(report.output.vertices, report.input.vertices, make.name);
   }
+});
+
+test('auto: sheet metal keeps both its bends with more vertices than it has', async () => {
+  for (const ratio of [1.5, 3]) {
+    const { report } = await remesh(sheetMetal(), { ratio, worker: false });
+    assert.equal(report.prefer, 'shape');
+    assert.ok(report.fidelity.hausdorff <= 0.05, `${report.fidelity.hausdorff} %`);
+    assert.equal(report.output.vertices, Math.round(ratio * report.input.vertices));
+  }
+  assert.equal((await remesh(gear(), { ratio: 1.5, worker: false })).report.prefer, 'even');
 });
 
 test('shape: more vertices than the original has stay where it is', async () => {

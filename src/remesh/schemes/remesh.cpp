@@ -292,16 +292,24 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
       return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
   const Prepared original(std::move(plan), options, progress);
   Rival rival(original, input, options.textures);
+  const bool mayMiss = isRivalled && rival.mayMiss();
   OriginalTree tree(original.surface(), &input);
   const Bodies bodies(input, options.bodies);
   const Manner manner{options,        input.attributes.empty() ? 0 : kStagger,
                       grainOf(input), isRivalled ? &rival : nullptr,
                       tree,           bodies};
-  const Remeshed remeshed = remeshOriginal(original, manner, progress);
+  const Remeshed remeshed =
+      remeshOriginal(original, manner, mayMiss ? progress.part(0, 0.5) : progress);
   if (isRivalled)
     if (std::optional<Followed> followed =
             rival.winner(remeshed.mesh, remeshed.stopped == Stopped::Target))
       return outcomeOf(std::move(*followed), original.vertices(), original.warnings());
+  if (mayMiss && rival.isMissedBy(remeshed.mesh)) {
+    RemeshOptions nearer = options;
+    nearer.prefer = Prefer::Shape;
+    RemeshOutcome outcome = remeshPlanned(input, Welding(input), nearer, progress.part(0.5, 1));
+    if (outcome.stopped == Stopped::Target) return outcome;
+  }
   progress.phase("extract", 1, 1);
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);

@@ -102,6 +102,14 @@ bool Rival::hasWon(const WorkingMesh& even) {
   return isSettled_ = followed_ && away.rms > kFinishing * muchNearer() * followed_->away.rms;
 }
 
+bool Rival::mayMiss() {
+  return original_.vertices() > original_.surface().built().mesh.vertexCount() && hasFlats();
+}
+
+bool Rival::isMissedBy(const WorkingMesh& even) {
+  return mayMiss() && awayOf(even).rms > kFinishing * seen_;
+}
+
 std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   if (isSettled_ && isReached) return std::move(followed_);
   const Away away = awayOf(even);

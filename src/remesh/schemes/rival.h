@@ -24,6 +24,12 @@ class Rival {
   // Whether the rival has won before the even triangles are finished.
   bool hasWon(const WorkingMesh& even);
 
+  // Whether even triangles may miss the shape without a rival: there is none with more vertices
+  // than the original has. Flat sides show a miss.
+  bool mayMiss();
+  // Whether such triangles are visibly away.
+  bool isMissedBy(const WorkingMesh& even);
+
   // The mesh to take instead of the even triangles, if any.
   std::optional<Followed> winner(const WorkingMesh& even, bool isReached);
 
