@@ -13,8 +13,8 @@ namespace remesher {
 
 namespace {
 
-// How many times nearer the rival must be: on models with textures or colours, which show errors,
-// and on plain models. Plain models without flat sides may also be off by kMuchNearerPlain × kSeen.
+// How many times nearer the rival must be: on models with textures, colours or flat sides, which
+// show errors, and on other models. These may also be off by kMuchNearerPlain × kSeen.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 constexpr double kFinishing = 2;  // finishing never halves a distance
 constexpr Samples kGlimpse = {1000, 1};
@@ -81,7 +81,7 @@ Away Rival::awayOf(const WorkingMesh& even) {
   return {muchNearer() * glimpsed <= seen_ ? glimpsed : awayFrom(tree, mesh, positions).rms, 0};
 }
 
-double Rival::muchNearer() const { return isPlain_ ? kMuchNearerPlain : kMuchNearer; }
+double Rival::muchNearer() { return isPlain_ && !hasFlats() ? kMuchNearerPlain : kMuchNearer; }
 
 void Rival::look() {
   if (hasLooked_) return;
