@@ -1,20 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/quad.h"
 
+#include <algorithm>
+
 namespace remesher {
 
 Vec3 areaVector(const Quad& corners) {
   return 0.5 * (corners[2] - corners[0]).cross(corners[3] - corners[1]);
 }
 
-std::array<double, 4> cornerSines(const Quad& corners, const Vec3& normal) {
-  std::array<double, 4> sines{};
+Quad cornerNormals(const Quad& corners) {
+  Quad sides, normals;
+  std::array<double, 4> lengths{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3 out = corners[(i + 1) % 4] - corners[i], in = corners[(i + 3) % 4] - corners[i];
-    const double lengths = out.norm() * in.norm();
-    sines[i] = lengths > 0 ? out.cross(in).dot(normal) / lengths : 0;
+    sides[i] = corners[(i + 1) % 4] - corners[i];
+    lengths[i] = sides[i].norm();
   }
-  return sines;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t before = (i + 3) % 4;
+    const double product = lengths[before] * lengths[i];
+    normals[i] = product > 0 ? Vec3(sides[before].cross(sides[i]) / product) : Vec3(Vec3::Zero());
+  }
+  return normals;
+}
+
+double leastSine(const Quad& cornerNormals, const Vec3& normal) {
+  double least = 1;
+  for (const Vec3& corner : cornerNormals) least = std::min(least, corner.dot(normal));
+  return least;
 }
 
 // In a square a quarter turn maps the vector from the centre to a corner onto the next corner's

@@ -14,9 +14,16 @@ using Quad = std::array<Vec3, 4>;  // counterclockwise
 // largest.
 Vec3 areaVector(const Quad& corners);
 
-// The sine of the angle at each corner, seen along a unit normal: 1 at a right angle, negative at a
+// At each corner the normal of its two sides, as long as the sine of the angle between them; zero
+// beside a side without length.
+Quad cornerNormals(const Quad& corners);
+
+// The smallest sine of the four angles seen along a unit normal: 1 at right angles, negative at a
 // folded or reflex corner.
-std::array<double, 4> cornerSines(const Quad& corners, const Vec3& normal);
+double leastSine(const Quad& cornerNormals, const Vec3& normal);
+inline double leastSine(const Quad& corners) {
+  return leastSine(cornerNormals(corners), areaVector(corners).normalized());
+}
 
 // The square nearest to the corners by least squares, corner by corner.
 Quad fittedSquare(const Quad& corners);

@@ -73,8 +73,7 @@ void QuadStatistics::add(const TriangleMesh& mesh, const Welding& welding) {
     const std::array<Index, 4> at = placesOf(mesh, welding, q);
     const Quad corners = {mesh.positions[at[0]], mesh.positions[at[1]], mesh.positions[at[2]],
                           mesh.positions[at[3]]};
-    const auto sines = cornerSines(corners, areaVector(corners).normalized());
-    worstSines_.push_back(*std::min_element(sines.begin(), sines.end()));
+    worstSines_.push_back(leastSine(corners));
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3 out = corners[(i + 1) % 4] - corners[i];
       deviations_.push_back(deviationFrom90(out, corners[(i + 3) % 4] - corners[i]));

@@ -30,19 +30,21 @@ TEST_CASE("quad: the sines and the area of a rhombus follow from its angle") {
   for (const double angle : {radians(20), radians(60), radians(90), radians(135)}) {
     const Quad quad = rhombus(angle);
     CHECK(areaVector(quad).z() == doctest::Approx(std::sin(angle)));
-    for (const double sine : cornerSines(quad, kUp))
-      CHECK(sine == doctest::Approx(std::sin(angle)));
-    for (const double sine : cornerSines(quad, -kUp)) CHECK(sine < 0);
+    for (const Vec3& normal : cornerNormals(quad))
+      CHECK((normal - std::sin(angle) * kUp).norm() < 1e-12);
+    CHECK(leastSine(quad) == doctest::Approx(std::sin(angle)));
+    CHECK(leastSine(cornerNormals(quad), -kUp) == doctest::Approx(-std::sin(angle)));
   }
 }
 
 TEST_CASE("quad: a reflex corner has a negative sine, and no other has") {
-  const auto sines =
-      cornerSines({Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0.4, 0.4, 0), Vec3(0, 2, 0)}, kUp);
-  CHECK(sines[0] > 0);
-  CHECK(sines[1] > 0);
-  CHECK(sines[2] < 0);
-  CHECK(sines[3] > 0);
+  const Quad normals =
+      cornerNormals({Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0.4, 0.4, 0), Vec3(0, 2, 0)});
+  CHECK(normals[0].z() > 0);
+  CHECK(normals[1].z() > 0);
+  CHECK(normals[2].z() < 0);
+  CHECK(normals[3].z() > 0);
+  CHECK(leastSine(normals, kUp) == normals[2].z());
 }
 
 TEST_CASE("quad: the fitted square is one, and none is nearer") {
@@ -52,8 +54,7 @@ TEST_CASE("quad: the fitted square is one, and none is nearer") {
     const Quad quad = {Vec3(0, 0, 0.1) + x, Vec3(1, 0, 0) + y, Vec3(1, 1, 0.2) - x,
                        Vec3(0, 1, 0) - y};
     const Quad square = fittedSquare(quad);
-    for (const double sine : cornerSines(square, areaVector(square).normalized()))
-      CHECK(sine == doctest::Approx(1));
+    CHECK(leastSine(square) == doctest::Approx(1));
     const double nearest = squares(quad, square);
     const Vec3 centre = (square[0] + square[2]) / 2, normal = areaVector(square).normalized();
     for (const double turn : {-0.01, 0.01}) {

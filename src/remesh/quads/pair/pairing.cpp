@@ -25,8 +25,7 @@ std::optional<double> scoreOf(const WorkingMesh& mesh, const FaceFrames& frames,
   if (!twin || mesh.isCurve(h)) return {};
   const Quad corners = {mesh.position(m.origin(h)), mesh.position(m.opposite(twin)),
                         mesh.position(m.tip(h)), mesh.position(m.opposite(h))};
-  const std::array<double, 4> sines = cornerSines(corners, areaVector(corners).normalized());
-  const double worst = *std::min_element(sines.begin(), sines.end());
+  const double worst = leastSine(corners);
   if (worst < kLeastSine || m.opposite(twin) == m.opposite(h)) return {};
   double along = 0;
   for (const Halfedge side : {h, twin})

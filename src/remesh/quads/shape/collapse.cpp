@@ -26,11 +26,6 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return order() < other.order(); }
 };
 
-double worstSine(const Quad& corners) {
-  const std::array<double, 4> sines = cornerSines(corners, areaVector(corners).normalized());
-  return *std::min_element(sines.begin(), sines.end());
-}
-
 class QuadCollapses {
  public:
   explicit QuadCollapses(const QuadMesh& mesh)
@@ -148,9 +143,9 @@ class QuadCollapses {
         if (has(a) && has(c)) return;
         Quad corners{};
         for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh_.position(quad[i]);
-        const double before = worstSine(corners);
+        const double before = leastSine(corners);
         corners[side % 4] = place;
-        isFound |= worstSine(corners) < std::min(before, kLeastSine);
+        isFound |= leastSine(corners) < std::min(before, kLeastSine);
       });
     return isFound;
   }

@@ -29,16 +29,13 @@ Quad MovingQuads::corners(Index quad) const {
 // that its own normal counts too.
 double MovingQuads::quality(Index quad) const {
   const Quad places = corners(quad);
-  const auto worst = [&](const Vec3& normal) {
-    const std::array<double, 4> sines = cornerSines(places, normal);
-    return *std::min_element(sines.begin(), sines.end());
-  };
-  const double own = worst(areaVector(places).normalized());
+  const Quad across = cornerNormals(places);
+  const double own = leastSine(across, areaVector(places).normalized());
   Vec3 normal = Vec3::Zero();
   for (const Index v : mesh_.quads[quad])
     if (mesh_.vertices[v].kind == VertexKind::Interior) normal += mesh_.vertices[v].normal;
   const double length = normal.norm();
-  return length > 0 ? std::min(own, worst(normal / length)) : own;
+  return length > 0 ? std::min(own, leastSine(across, normal / length)) : own;
 }
 
 double MovingQuads::qualityAround(Index v) const {
