@@ -10,16 +10,21 @@ namespace remesher {
 
 namespace {
 
-constexpr double kStep = 0.8;  // of the way, for all quads are fitted before any vertex moves
+// Of the way to the mean of the squares, for all quads are fitted before any vertex moves; and of
+// the vertex's last step, which it makes again [Polyak]: without that, and with three times as many
+// passes, mean deviations of angles are as large.
+constexpr double kStep = 0.8;
 constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
 constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth another try
 
-// The place of each vertex on average over the squares of its quads.
-std::vector<Vec3> targetsOf(const MovingQuads& quads) {
+// The place of each vertex that moves on average over the squares of its quads.
+std::vector<Vec3> targetsOf(const MovingQuads& quads, std::span<const char> isFixed) {
   const QuadMesh& mesh = quads.mesh();
   std::vector<Vec3> sums(mesh.vertices.size(), Vec3::Zero());
   std::vector<double> counts(mesh.vertices.size(), 0);
   for (Index q = 0; q < mesh.quads.size(); ++q) {
+    const auto& [a, b, c, d] = mesh.quads[q];
+    if (isFixed[a] && isFixed[b] && isFixed[c] && isFixed[d]) continue;
     const Quad square = fittedSquare(quads.corners(q));
     for (std::size_t i = 0; i < 4; ++i) {
       sums[mesh.quads[q][i]] += square[i];
@@ -99,13 +104,16 @@ void searchLess(MovingQuads& quads, Index v, double missing) {
 }  // namespace
 
 void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed) {
+  std::vector<Vec3> before;
+  for (const Placement& place : quads.mesh().vertices) before.push_back(place.position);
   for (int pass = 0; pass < passes; ++pass) {
-    const std::vector<Vec3> targets = targetsOf(quads);
+    const std::vector<Vec3> targets = targetsOf(quads, isFixed);
     for (Index v = 0; v < targets.size(); ++v) {
       if (isFixed[v]) continue;
       const Vec3 p = quads.mesh().position(v);
-      if (const auto place = quads.placeNear(v, p + kStep * (targets[v] - p)))
-        quads.moveUnlessWorse(v, *place, kEnough);
+      const Vec3 wanted = p + kStep * (targets[v] - before[v]);
+      before[v] = p;
+      if (const auto place = quads.placeNear(v, wanted)) quads.moveUnlessWorse(v, *place, kEnough);
     }
   }
 }
