@@ -109,6 +109,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/map/seamless_map_test.cpp
   tests/unit/remesh/quads/map/untangle_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
+  tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/mesh/triangulated.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "remesh/quads/mesh/quad_sides.h"
 
 namespace remesher {
@@ -14,13 +17,10 @@ bool areJoined(const QuadSides& sides, Index a, Index b) {
   return found;
 }
 
-// The corner where the diagonal begins: 0 or 1.
-Index diagonalOf(const QuadMesh& mesh, const QuadSides& sides, const Four<Index>& quad) {
-  const auto length = [&](Index k) {
-    return (mesh.position(quad[k + 2]) - mesh.position(quad[k])).norm();
-  };
-  const Index shorter = length(1) < length(0) ? 1 : 0;
-  return areJoined(sides, quad[shorter], quad[shorter + 2]) ? 1 - shorter : shorter;
+// The same, but no edge that is elsewhere already.
+Index diagonalBeside(const QuadMesh& mesh, const QuadSides& sides, const Four<Index>& quad) {
+  const Index nearer = diagonalOf(mesh, quad);
+  return areJoined(sides, quad[nearer], quad[nearer + 2]) ? 1 - nearer : nearer;
 }
 
 template <class T>
@@ -34,7 +34,7 @@ QuadMesh turnedToDiagonals(QuadMesh mesh) {
   const QuadSides sides(mesh.vertices.size(), quads);
   Index last = kNone;
   for (std::size_t i = 0; i < quads.size(); ++i) {
-    Index first = diagonalOf(mesh, sides, quads[i]);
+    Index first = diagonalBeside(mesh, sides, quads[i]);
     if (quads[i][first] == last) first += 2;
     last = quads[i][first];
     mesh.quads[i] = turned(quads[i], first);
@@ -50,6 +50,19 @@ Index halfedgeOf(Index side) {
 }
 
 }  // namespace
+
+// A line bulges over a surface by an eighth of its length times the change of the normals along it.
+Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad) {
+  const bool hasNormals = std::all_of(quad.begin(), quad.end(), [&](Index v) {
+    return mesh.vertices[v].kind == VertexKind::Interior;
+  });
+  const auto badness = [&](Index k) {
+    const Placement &a = mesh.vertices[quad[k]], &b = mesh.vertices[quad[k + 2]];
+    const Vec3 along = b.position - a.position;
+    return hasNormals ? std::abs(along.dot(b.normal - a.normal)) : along.norm();
+  };
+  return badness(1) < badness(0) ? 1 : 0;
+}
 
 WorkingMesh triangulated(const QuadMesh& mesh, const OriginalSurface& surface) {
   const QuadMesh turned = turnedToDiagonals(mesh);

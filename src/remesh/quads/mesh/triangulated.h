@@ -7,8 +7,12 @@
 
 namespace remesher {
 
+// The corner at which the diagonal nearer to the original begins: 0 or 1. With a vertex on a curve,
+// which has several normals, the shorter diagonal.
+Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad);
+
 // Triangles 2i and 2i + 1 are quad i, cut along a diagonal from its first corner. The quads must be
-// a manifold. The diagonal is the shorter one, unless that is an edge elsewhere. Consecutive quads
+// a manifold. The diagonal is the nearer one, unless that is an edge elsewhere. Consecutive quads
 // have different first corners, as FB_ngon_encoding requires.
 WorkingMesh triangulated(const QuadMesh& mesh, const OriginalSurface& surface);
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
 #include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/shape/quad_patch.h"
 #include "remesh/quads/shape/smoothing.h"
 
@@ -27,16 +27,9 @@ struct Tip {
   Index vertex;
   CurvePoint on;  // its place if it is on a curve and no corner
   double distance = 0;
-  Index quad = kNone;  // the nearest one
+  Index triangle = kNone;  // of QuadTree: one that is near enough, else the nearest one
+  Index quad() const { return triangle / 2; }
 };
-
-// The corner at which the shorter diagonal begins: 0 or 1.
-Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad) {
-  const auto length = [&](Index k) {
-    return (mesh.position(quad[k + 2]) - mesh.position(quad[k])).squaredNorm();
-  };
-  return length(1) < length(0) ? 1 : 0;
-}
 
 double squaredDistance(const Vec3& p, const QuadMesh& mesh, const Four<Index>& quad) {
   const auto to = [&](Index a, Index b, Index c) {
@@ -86,7 +79,7 @@ std::vector<Tip> possibleTips(const OriginalSurface& surface) {
   return tips;
 }
 
-// A tree of the quads, as triangles, that finds the nearest quad.
+// A tree of the quads as triangles, two each.
 class QuadTree {
  public:
   explicit QuadTree(const QuadMesh& mesh) {
@@ -98,31 +91,36 @@ class QuadTree {
     tree_.emplace(positions_, indices_);
   }
 
-  // The nearest quad and its distance.
-  std::pair<Index, double> nearest(const Vec3& p) {
-    const auto found = tree_->nearest(p, last_);
-    last_ = found.triangle;
-    return {found.triangle / 2, std::sqrt(found.squaredDistance)};
-  }
+  const TriangleTree& operator*() const { return *tree_; }
 
  private:
   std::vector<Vec3> positions_;
   std::vector<Index> indices_;
   std::optional<TriangleTree> tree_;
-  Index last_ = 0;  // successive queries are near to each other
 };
 
-// The tips farther away than `least`, the farthest first.
-std::vector<Tip> farthestFirst(const std::vector<Tip>& possible, const QuadMesh& mesh,
-                               const OriginalSurface& surface, double least) {
-  QuadTree tree(mesh);
-  std::vector<Tip> tips;
-  for (Tip tip : possible) {
-    std::tie(tip.quad, tip.distance) = tree.nearest(surface.positions()[Vertex(tip.vertex)]);
-    if (tip.distance > least) tips.push_back(tip);
+// Measures the distances of all that may be tips. Most are still near the triangle that they were
+// near before, or that the vertex before them is near: then less than `least` is enough to know.
+void measure(std::vector<Tip>& possible, const QuadMesh& mesh, const OriginalSurface& surface,
+             double least) {
+  const QuadTree tree(mesh);
+  Index before = 0;
+  for (Tip& tip : possible) {
+    const Vec3& p = surface.positions()[Vertex(tip.vertex)];
+    const auto found =
+        (*tree).nearestBeyond(least, p, tip.triangle == kNone ? before : tip.triangle);
+    tip.triangle = before = found.triangle;
+    tip.distance = std::sqrt(found.squaredDistance);
   }
+}
+
+// Those farther away than `least`, the farthest first: of each quad as many as it has corners.
+std::vector<Tip> farthestFirst(std::vector<Tip> tips, std::size_t quads, double least) {
+  std::erase_if(tips, [&](const Tip& tip) { return !(tip.distance > least); });
   std::stable_sort(tips.begin(), tips.end(),
                    [](const Tip& a, const Tip& b) { return a.distance > b.distance; });
+  std::vector<int> ofQuad(quads, 0);
+  std::erase_if(tips, [&](const Tip& tip) { return ++ofQuad[tip.quad()] > 4; });
   return tips;
 }
 
@@ -140,9 +138,13 @@ class Reaching {
 
   // Fits squares anew around the vertices moved to tips, which stay.
   void settle(int smoothings) {
-    MovingQuads moving(mesh_, ground_);
-    smoothToSquares(moving, smoothings, isHeld_);
-    mendCorners(moving, isHeld_);
+    std::vector<char> isFixed(mesh_.vertices.size(), 1);
+    for (const Index q : around_)
+      for (const Index near : quadsNear(sides_, mesh_, q))
+        for (const Index v : quads_[near]) isFixed[v] = isHeld_[v];
+    around_.clear();
+    smoothToSquares(moving_, smoothings, isFixed);
+    mendCorners(moving_, isFixed);
   }
 
   void run(const std::vector<Tip>& tips) {
@@ -153,7 +155,7 @@ class Reaching {
     for (std::size_t q = 0; q < before.size(); ++q)
       for (const Tip& tip : before[q])
         if (!isNew.contains(tip.vertex)) ofQuad_[q].push_back(tip);
-    for (const Tip& tip : tips) ofQuad_[tip.quad].push_back(tip);
+    for (const Tip& tip : tips) ofQuad_[tip.quad()].push_back(tip);
     for (const Tip& tip : tips) reach(tip);
   }
 
@@ -161,7 +163,7 @@ class Reaching {
   // Moves one of the corners of the nearest quad, the nearest first, to the tip.
   void reach(const Tip& tip) {
     const Vec3& p = position(tip);
-    Four<Index> corners = quads_[tip.quad];
+    Four<Index> corners = quads_[tip.quad()];
     const auto distance = [&](Index v) { return (mesh_.position(v) - p).squaredNorm(); };
     std::sort(corners.begin(), corners.end(),
               [&](Index a, Index b) { return distance(a) < distance(b); });
@@ -201,6 +203,7 @@ class Reaching {
     for (std::size_t i = 0; i < patch.outer.size(); ++i)
       mesh_.vertices[patch.outer[i]] = patch.mesh.vertices[i];
     isHeld_[v] = 1;
+    around_.insert(near.begin(), near.end());
     return true;
   }
 
@@ -237,8 +240,9 @@ class Reaching {
   const WorkingMesh& ground_;
   const std::vector<Four<Index>> quads_;
   const QuadSides sides_;
-  const MovingQuads moving_;
+  MovingQuads moving_;
   std::vector<char> isHeld_;
+  std::set<Index> around_;  // quads whose vertices have moved since the last fit
   std::vector<std::vector<Tip>> ofQuad_;
 };
 
@@ -246,12 +250,13 @@ class Reaching {
 
 void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
   const double least = kTip * meanSide(mesh);
-  const std::vector<Tip> possible = possibleTips(ground.surface());
+  std::vector<Tip> possible = possibleTips(ground.surface());
   Reaching reaching(mesh, ground, least);
   std::vector<Placement> best = mesh.vertices;
   double farthest = kInfinity;
   for (;;) {
-    const std::vector<Tip> tips = farthestFirst(possible, mesh, ground.surface(), least);
+    measure(possible, mesh, ground.surface(), least);
+    const std::vector<Tip> tips = farthestFirst(possible, mesh.quads.size(), least);
     if (tips.empty()) return;
     if (!(tips.front().distance < farthest)) break;
     const bool isFirst = std::isinf(farthest);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/mesh/triangulated.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+namespace {
+
+// A vertex on the cylinder of radius 1 around the axis of z.
+Placement onCylinder(double angle, double height) {
+  Placement place{};
+  place.normal = {std::cos(angle), std::sin(angle), 0};
+  place.position = place.normal + Vec3(0, 0, height);
+  place.kind = VertexKind::Interior;
+  return place;
+}
+
+QuadMesh rhombus(double around, double along) {
+  QuadMesh mesh;
+  mesh.vertices = {onCylinder(-around, 0), onCylinder(0, -along), onCylinder(around, 0),
+                   onCylinder(0, along)};
+  mesh.quads = {{0, 1, 2, 3}};
+  mesh.curves = {{kNone, kNone, kNone, kNone}};
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("triangulated: a quad on a cylinder is cut along the axis, though that is longer") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(2, 2));
+  for (const double along : {0.2, 0.5}) {
+    const QuadMesh mesh = rhombus(0.3, along);
+    CHECK(diagonalOf(mesh, mesh.quads[0]) == 1);
+    const HalfedgeMesh triangles = triangulated(mesh, surface).mesh();
+    CHECK(triangles.faceCount() == 2);
+    CHECK(triangles.valence(Vertex(0)) == 2);
+    CHECK(triangles.valence(Vertex(1)) == 3);
+  }
+}
+
+TEST_CASE("triangulated: where a corner has several normals the shorter diagonal is taken") {
+  for (const double along : {0.2, 0.5}) {
+    QuadMesh mesh = rhombus(0.3, along);
+    mesh.vertices[0].kind = VertexKind::Curve;
+    CHECK(diagonalOf(mesh, mesh.quads[0]) == (along < 0.3 ? 1 : 0));
+  }
+}
