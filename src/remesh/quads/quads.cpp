@@ -24,8 +24,12 @@ namespace remesher {
 
 namespace {
 
-// The map's triangles have as many vertices as the quads, but no fewer than this: fields and maps
-// need so many to be smooth.
+// The map's triangles have so many vertices per vertex of the quads. At 10,000 quads of horse, hand
+// and cow, at 7 neighboring counts, 1 takes a fifth longer for angles and distances no better; with
+// 0.5 the median distance of the horse is 0.54 %, not 0.34.
+constexpr double kOfQuads = 0.7;
+// But no fewer than this: fields and maps need so many to be smooth. With 3500 the bunny is made of
+// pairs at one of 7 counts.
 constexpr std::size_t kLeastForMap = 5000;
 // Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
@@ -117,19 +121,22 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   std::optional<Extracted> best;
   double nearest = length, least = kFarthest;
   int shaped = 0;
+  std::vector<Eigen::VectorXd> known;  // of the maps that were extracted
   for (int i = 0; i < kTries && shaped < kSteps && (!best || best->faults > 0); ++i) {
     const bool isFirst = i < kSteps;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
-    const SeamlessMap map = maker.map(scale);
-    const double count = maker.countVertices(map), error = countError(count, vertices);
+    const std::optional<SeamlessMap> map = maker.map(scale, known);
+    if (!map) continue;
+    const double count = maker.countVertices(*map), error = countError(count, vertices);
     if (error < least) {
       least = error;
       nearest = scale;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
     if (error >= (isFirst ? kCountTolerance : kFarthest)) continue;
-    std::optional<Extracted> made = extracted(part, map);
+    known.push_back(map->integers);
+    std::optional<Extracted> made = extracted(part, *map);
     if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) continue;
     shape(made->quads, part);
     made->faults += countFaults(made->quads, part);
@@ -315,8 +322,9 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors) {
 
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   const std::size_t least = kLeastForMap >> goal.mirrors.planes.size();
-  const std::size_t dense = goal.vertices >> goal.mirrors.planes.size();
-  WorkingMesh base = triangles(std::max(goal.isDraft ? dense / 2 : dense, least));
+  const double dense = double(goal.vertices >> goal.mirrors.planes.size());
+  WorkingMesh base =
+      triangles(std::max(std::size_t(dense * (goal.isDraft ? 0.5 : kOfQuads)), least));
   openSectors(base);
   const std::vector<WorkingMesh> parts = connectedParts(base);
   const double expected = ownVertices(base, goal);
@@ -335,7 +343,6 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     if (!failed.empty())
       append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
     matchCount(result, goal, base);
-    if (!goal.isDraft) reachTips(result.mesh, base, kSmoothings);
     return result;
   };
   // An exact number is reached by adding rows to a slightly smaller one, else by removing quads
@@ -344,6 +351,9 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   if (goal.isExact) shares = {1 - kCountTolerance, 1 + kCountTolerance};
   for (int i = 1; i < 4 && !goal.mirrors.planes.empty(); ++i)
     shares.push_back(1 - 3 * i * kCountTolerance);
+  // Where rows are too long to be added, a larger number can be lessened quad by quad.
+  const double above = 1 + 2 * kCountTolerance;
+  if (goal.mirrors.planes.empty()) shares.push_back(above);
   const double slack = goal.isExact ? 0 : kCountTolerance * double(goal.vertices);
   const auto order = [&](const MadeQuads& one) {
     const double off = double(wholeCount(one.mesh, goal.mirrors)) - double(goal.vertices);
@@ -351,11 +361,14 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   };
   std::optional<MadeQuads> best;
   for (const double share : shares) {
+    if (best) {
+      const auto [isOff, paired, collapsed] = order(*best);
+      if (!isOff && (collapsed == 0 || share == above)) break;
+    }
     MadeQuads one = made(share);
     if (!best || order(one) < order(*best)) best = std::move(one);
-    const auto [isOff, paired, collapsed] = order(*best);
-    if (!isOff && collapsed == 0) break;
   }
+  if (!goal.isDraft) reachTips(best->mesh, base, kSmoothings);
   return std::move(*best);
 }
 

@@ -138,7 +138,9 @@ void Rounding::roundAll(Wholes& all) const {
 
 // Pulls the sums that are too small after rounding, and rounds anew.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
-  constexpr int kTries = 3;
+  // With 3 some sums stay too small at the gear, the bunny and the angle block, whose curves then
+  // have no sides of quads.
+  constexpr int kTries = 10;
   std::vector<char> isPulled(required_.size(), 0);
   for (int i = 0;; ++i) {
     Wholes all{factor * relaxed_, inverse_};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/map/seamless_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,8 +55,11 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
     rounding_.reset();
 }
 
-SeamlessMap MapMaker::map(double length) const {
+std::optional<SeamlessMap> MapMaker::map(double length,
+                                         const std::vector<Eigen::VectorXd>& known) const {
   Eigen::VectorXd values = rounding_->rounded(1 / length);
+  const Eigen::VectorXd integers = values.tail(values.size() - system_.realCount());
+  if (std::find(known.begin(), known.end(), integers) != known.end()) return {};
   untangle(values, {mesh_, frames_, system_, sizes_, length});
   return inWholes(values);
 }
@@ -69,7 +73,8 @@ SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
                          ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
                          : Whole(std::llround(values[i])) * kUnit);
   const HalfedgeMesh& m = mesh_.mesh();
-  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn};
+  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn,
+                  values.tail(values.size() - system_.realCount())};
   const auto valueOf = [&](const IntegerSum& sum) {
     Whole value = 0;
     for (const auto& [variable, coefficient] : sum) value += coefficient * wholes[variable];

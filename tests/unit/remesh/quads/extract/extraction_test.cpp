@@ -17,7 +17,7 @@ struct ExtractedQuads {
       : surface(shapes::surfaceOf(input)), mesh(surface), frames(mesh) {
     const FaceData<double> even(mesh.mesh().faceCapacity(), 1.0);
     const MapMaker maker(mesh, makeCrossField(mesh, frames, length), even);
-    const SeamlessMap map = maker.map(length);
+    const SeamlessMap map = maker.map(length).value();
     counted = maker.countVertices(map);
     quads = extractQuads(mesh, map);
     areCurvesFollowed = followCurves(quads, mesh) == 0;

@@ -19,7 +19,7 @@ struct Mapped {
         frames(mesh),
         field(makeCrossField(mesh, frames, length)),
         maker(mesh, field, FaceData<double>(mesh.mesh().faceCapacity(), 1.0)),
-        map(maker.map(length)) {}
+        map(maker.map(length).value()) {}
 
   OriginalSurface surface;
   WorkingMesh mesh;
