@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "measure/hausdorff.h"
+
 namespace remesher {
 
 namespace {
@@ -14,11 +16,15 @@ namespace {
 // one; drafts vary as much.
 constexpr double kNearEnough = 1.1;
 // The ratio from one number to the next, before both are known. The search begins three steps below
-// the input's own number.
+// the input's own number, or above the number that was asked for.
 constexpr double kStep = 2;
 // A surface of a few long triangles needs more even ones than it has: with 1000 here, a block of
 // 352 vertices keeps its needles at all 7 bounds, with a mean smallest angle of 8.9°, not 46.1°.
 constexpr double kMostOfFew = 10'000;
+
+bool hasNumber(const RemeshOptions& options) {
+  return options.vertices || options.ratio || options.edgeLength;
+}
 
 class FewestSearch {
  public:
@@ -26,10 +32,13 @@ class FewestSearch {
                const Progress& progress)
       : input_(input), welding_(welding), asked_(asked), options_(asked), progress_(progress) {}
 
+  RemeshOutcome run() { return hasNumber(asked_) ? raised() : fewest(); }
+
+ private:
   // Drafts may keep a bound that a fitted and polished mesh of the same number does not: so the
   // number is raised in steps, up to kStep times, until the final mesh keeps it.
-  RemeshOutcome run() {
-    const double drafted = search();
+  RemeshOutcome fewest() {
+    const double drafted = search(ownVertices() / (kStep * kStep * kStep));
     options_.quality = asked_.quality;
     options_.tooFew = asked_.tooFew;
     for (double next = drafted; next > 0 && next <= kStep * drafted; next *= kNearEnough) {
@@ -41,14 +50,27 @@ class FewestSearch {
     return runNext();
   }
 
- private:
-  // The smallest number found with which a draft keeps the bound, 0 if none does.
-  double search() {
-    options_.quality = Quality::Draft;
+  // The number asked for, or as few more as keep the bound.
+  RemeshOutcome raised() {
+    RemeshOutcome made = runNext();
+    if (made.stopped != Stopped::MaxError) return made;
+    fails_ = double(made.vertices);
+    options_.ratio.reset();
+    options_.edgeLength.reset();
+    const double enough = search(kStep * *fails_);
+    if (enough == 0) return made;
+    made = runAt(enough);
+    made.stopped = Stopped::MaxError;
+    return made;
+  }
+
+  // The smallest number found with which a draft keeps the bound, 0 if none does. Drafts of quads
+  // do not reach tips: the quads themselves are tried.
+  double search(double next) {
+    if (!asked_.quads) options_.quality = Quality::Draft;
     options_.tooFew = TooFew::Raise;
     options_.outOfBound = OutOfBound::GiveUp;
-    const double own = ownVertices(), most = std::max(own, kMostOfFew);
-    double next = own / (kStep * kStep * kStep);
+    const double most = std::max(ownVertices(), kMostOfFew);
     while (next <= most && !isSettled()) {
       draft(next);
       next = fails_ && does_ ? std::sqrt(*fails_ * *does_)
@@ -75,9 +97,10 @@ class FewestSearch {
   void draft(double vertices) {
     const RemeshOutcome made = runAt(vertices);
     const auto asked = double(*options_.vertices), reached = std::max(asked, double(made.vertices));
-    const bool isWithin = made.stopped == Stopped::Target;
-    (isWithin ? does_ : fails_) = reached;
-    isLeast_ = isWithin && reached > asked;
+    const bool keeps =
+        made.stopped == Stopped::Target || (asked_.quads && made.stopped != Stopped::MaxError);
+    (keeps ? does_ : fails_) = reached;
+    isLeast_ = keeps && reached > asked;
   }
 
   RemeshOutcome runAt(double vertices) {
@@ -89,7 +112,15 @@ class FewestSearch {
   RemeshOutcome runNext() {
     const double begin = done_;
     done_ = (1 + begin) / 2;
-    return remeshSurface(input_, welding_, options_, progress_.part(begin, done_));
+    RemeshOutcome made = remeshSurface(input_, welding_, options_, progress_.part(begin, done_));
+    if (asked_.quads && !isWithin(made.mesh)) made.stopped = Stopped::MaxError;
+    return made;
+  }
+
+  bool isWithin(const TriangleMesh& mesh) const {
+    const DeviationBothWays found = measureDeviation(input_, mesh, Maximum::Proven);
+    return std::max(found.toResult.maximum, found.toOriginal.maximum) <=
+           *asked_.maxError / 100 * found.diagonal;
   }
 
   const TriangleMesh& input_;
@@ -105,8 +136,8 @@ class FewestSearch {
 }  // namespace
 
 bool asksForFewest(const RemeshOptions& options) {
-  return options.maxError && !options.vertices && !options.ratio && !options.edgeLength &&
-         !options.quads && options.scheme == Scheme::Best;
+  return options.maxError && options.scheme == Scheme::Best &&
+         (options.quads || !hasNumber(options));
 }
 
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,

@@ -11,10 +11,12 @@
 
 namespace remesher {
 
-// Whether the options give a bound and no number (scheme best, no quads).
+// Whether the options give a bound and no number (scheme best). For quads they may give a number,
+// which is raised as the bound needs: quads are not made within a bound, but measured.
 bool asksForFewest(const RemeshOptions& options);
 
-// Drafts find the number to a tenth; if no draft keeps the bound, it is the input's own number.
+// Drafts find the number to a tenth; if no draft keeps the bound, it is the input's own number. Of
+// a raised number the outcome says MaxError, also if no number is enough.
 // Throws the Errors of remeshSurface.
 RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
                              const RemeshOptions& options, const Progress& progress);

@@ -55,6 +55,27 @@ TEST_CASE("fewest vertices: a bound near nothing is kept along the edges of the 
   CHECK(measureFidelity(icosahedron, made.mesh).hausdorff <= 1e-5);
 }
 
+TEST_CASE("fewest vertices: quads keep a bound by more of them than were asked for") {
+  const TriangleMesh sphere = shapes::icosphere(8);
+  RemeshOptions options;
+  options.quads = true;
+  options.maxError = 0.5;
+  const auto made = [&] { return remeshToFewest(sphere, Welding(sphere), options, {}); };
+  const RemeshOutcome fewest = made();
+  CHECK(fewest.stopped == Stopped::Target);
+  CHECK(measureFidelity(sphere, fewest.mesh).hausdorff <= 0.5);
+  options.vertices = Index(fewest.vertices / 4);
+  REQUIRE(asksForFewest(options));
+  const RemeshOutcome raised = made();
+  CHECK(raised.stopped == Stopped::MaxError);
+  CHECK(measureFidelity(sphere, raised.mesh).hausdorff <= 0.5);
+  CHECK(raised.vertices > *options.vertices);
+  options.vertices = Index(2 * fewest.vertices);
+  const RemeshOutcome enough = made();
+  CHECK(enough.stopped == Stopped::Target);
+  CHECK(double(enough.vertices) == doctest::Approx(*options.vertices).epsilon(0.01));
+}
+
 TEST_CASE("fewest vertices: looked for where a bound is all that is asked for") {
   RemeshOptions options;
   CHECK(!asksForFewest(options));
