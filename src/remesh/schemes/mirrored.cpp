@@ -59,8 +59,7 @@ std::optional<RemeshOutcome> mirroredBy(const Mirrors& mirrors, const InputAttri
   options.tooFew = TooFew::Raise;
   options.mirrors = mirrors;
   RemeshOutcome made = remeshHalf(half->mesh, options);
-  const double off = double(made.vertices) / double(mirrors.vertices) - 1;
-  if (made.stopped != Stopped::Target || std::abs(off) > kCountTolerance) return {};
+  if (made.stopped != Stopped::Target) return {};
   std::optional<PlacedQuads> joined =
       joinedImages({std::move(made.mesh), std::move(made.places)}, *half, mirrors, whole);
   if (!joined) return {};

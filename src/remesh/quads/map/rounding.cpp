@@ -136,13 +136,12 @@ void Rounding::roundAll(Wholes& all) const {
   }
 }
 
-// Pulls the sums that are too small after rounding, and rounds anew.
+// Pulls the sums that are too small after rounding, and rounds anew, until none is that was not
+// pulled before. Each round lets others fall below 1: with three rounds only, curves of the gear, the
+// bunny and the angle block have no sides of quads.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
-  // With 3 some sums stay too small at the gear, the bunny and the angle block, whose curves then
-  // have no sides of quads.
-  constexpr int kTries = 10;
   std::vector<char> isPulled(required_.size(), 0);
-  for (int i = 0;; ++i) {
+  for (;;) {
     Wholes all{factor * relaxed_, inverse_};
     pull(all, isPulled);
     roundAll(all);
@@ -155,7 +154,7 @@ Rounding::Wholes Rounding::roundedWholes(double factor) const {
       isShort = true;
       isPulled[k] = 1;
     }
-    if (!isShort || i == kTries) return all;
+    if (!isShort) return all;
   }
 }
 

@@ -55,13 +55,16 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
     rounding_.reset();
 }
 
-std::optional<SeamlessMap> MapMaker::map(double length,
-                                         const std::vector<Eigen::VectorXd>& known) const {
+std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> known) const {
   Eigen::VectorXd values = rounding_->rounded(1 / length);
-  const Eigen::VectorXd integers = values.tail(values.size() - system_.realCount());
-  if (std::find(known.begin(), known.end(), integers) != known.end()) return {};
+  double mark = 0;  // no few integers make up for each other in a sum of roots
+  for (Index i = system_.realCount(); i < Index(values.size()); ++i)
+    mark += std::sqrt(double(i)) * values[i];
+  if (std::find(known.begin(), known.end(), mark) != known.end()) return {};
   untangle(values, {mesh_, frames_, system_, sizes_, length});
-  return inWholes(values);
+  SeamlessMap map = inWholes(values);
+  map.mark = mark;
+  return map;
 }
 
 // Real variables become odd integers, in units of 1/kUnit: then no corner is in the middle between
@@ -73,8 +76,7 @@ SeamlessMap MapMaker::inWholes(const Eigen::VectorXd& values) const {
                          ? 2 * Whole(std::floor(values[i] * (double(kUnit) / 2))) + 1
                          : Whole(std::llround(values[i])) * kUnit);
   const HalfedgeMesh& m = mesh_.mesh();
-  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn,
-                  values.tail(values.size() - system_.realCount())};
+  SeamlessMap map{HalfedgeData<MapPoint>(m.halfedgeCapacity()), cut_.turn};
   const auto valueOf = [&](const IntegerSum& sum) {
     Whole value = 0;
     for (const auto& [variable, coefficient] : sum) value += coefficient * wholes[variable];

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "remesh/quads/map/rounding.h"
 #include "remesh/quads/map/seamless_system.h"
@@ -40,7 +40,7 @@ struct Transition {
 struct SeamlessMap {
   HalfedgeData<MapPoint> corners;  // per corner: the origin of h in face(h)
   HalfedgeData<int> turn;          // over h; see CutField
-  Eigen::VectorXd integers;        // what was rounded: maps of one surface differ if these differ
+  double mark = 0;  // of what was rounded: maps of one surface differ if these differ
 
   Transition across(const HalfedgeMesh& mesh, Halfedge h) const;
   Whole area(Face f) const {
@@ -59,10 +59,9 @@ class MapMaker {
   // Whether a map is possible; also false with too many integer variables for dense matrices.
   bool isPossible() const { return bool(rounding_); }
 
-  // A map with quads of this length, unless its integers are known. Folded triangles are unfolded
-  // as far as possible.
-  std::optional<SeamlessMap> map(double length,
-                                 const std::vector<Eigen::VectorXd>& known = {}) const;
+  // A map with quads of this length, unless its mark is known. Folded triangles are unfolded as far
+  // as possible.
+  std::optional<SeamlessMap> map(double length, std::span<const double> known = {}) const;
 
   // The number of vertices of a map's quads, if these are a surface of the mesh's kind.
   double countVertices(const SeamlessMap& map) const;

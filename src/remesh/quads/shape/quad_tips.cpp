@@ -198,6 +198,7 @@ class Reaching {
       moving.move(Index(i), place);
       patch.isRim[i] = 1;
     }
+    if (farthestFrom(patch.mesh, near) >= farthest) return false;
     mendCorners(moving, patch.isRim);
     if (worst(moving) < least || farthestFrom(patch.mesh, near) >= farthest) return false;
     for (std::size_t i = 0; i < patch.outer.size(); ++i)
@@ -258,7 +259,8 @@ void reachTips(QuadMesh& mesh, const WorkingMesh& ground, int smoothings) {
     measure(possible, mesh, ground.surface(), least);
     const std::vector<Tip> tips = farthestFirst(possible, mesh.quads.size(), least);
     if (tips.empty()) return;
-    if (!(tips.front().distance < farthest)) break;
+    // A round that gains less than a hundredth is followed by others that gain nothing.
+    if (!(tips.front().distance < 0.99 * farthest)) break;
     const bool isFirst = std::isinf(farthest);
     farthest = tips.front().distance;
     best = mesh.vertices;

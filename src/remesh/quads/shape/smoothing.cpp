@@ -15,7 +15,7 @@ namespace {
 // passes, mean deviations of angles are as large.
 constexpr double kStep = 0.8;
 constexpr int kSearches = 4, kDirections = 8, kHalvings = 5;
-constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth another try
+constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth a step
 
 // The place of each vertex that moves on average over the squares of its quads.
 std::vector<Vec3> targetsOf(const MovingQuads& quads, std::span<const char> isFixed) {
@@ -78,6 +78,7 @@ std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
 
 // Moves v to where its quads lack less, nearer places once no farther place is better.
 void searchLess(MovingQuads& quads, Index v, double missing) {
+  const double gain = kGain * missing;
   double reach = reachOf(quads, v) / 2;
   for (int halving = 0; halving < kHalvings && missing > 0;) {
     bool isBetter = false;
@@ -88,7 +89,7 @@ void searchLess(MovingQuads& quads, Index v, double missing) {
       const Placement before = quads.mesh().vertices[v];
       quads.move(v, *place);
       const double now = missingAround(quads, v);
-      if (now < (1 - kGain) * missing) {
+      if (now < missing - gain) {
         missing = now;
         isBetter = true;
         break;

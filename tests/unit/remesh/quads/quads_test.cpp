@@ -3,8 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "geometry/quad.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/shape/quad_star.h"
+#include "remesh/schemes/remesh.h"
 #include "support/working_meshes.h"
 
 using namespace remesher;
@@ -26,6 +31,19 @@ TriangleMesh squareRing(int n, int k) {
     const double u = side == 0 ? along : side == 1 ? k : side == 2 ? k - along : 0;
     const double v = side == 0 ? 0 : side == 1 ? along : side == 2 ? k : k - along;
     return Vec3(shapes::onCircle(x, n) * (2 * k + u) + Vec3(0, 0, v));
+  });
+  return mesh;
+}
+
+// A ring of so many teeth with flat flanks, each shorter than a side of quads at few vertices.
+TriangleMesh toothedRing(int teeth) {
+  constexpr double kOutline[][2] = {{0, 1}, {0.18, 1.22}, {0.42, 1.22}, {0.6, 1}};
+  TriangleMesh mesh;
+  shapes::addSheet(mesh, 4 * teeth, 4, [&](int x, int y) {
+    const auto& [turn, radius] = kOutline[x % 4];
+    const double angle = 2 * std::numbers::pi * (x / 4 % teeth + turn) / teeth;
+    const double r = y % 4 % 3 == 0 ? 0.4 : radius, z = y % 4 < 2 ? -0.14 : 0.14;
+    return Vec3(r * std::cos(angle), r * std::sin(angle), z);
   });
   return mesh;
 }
@@ -87,6 +105,25 @@ TEST_CASE("quads: nothing folds at sharp edges, and each of them is followed") {
     }
     for (Index c = 0; c < followed.size(); ++c)
       CHECK(followed[c] == doctest::Approx(surface.curves().chains()[c].length()).epsilon(0.05));
+  }
+}
+
+TEST_CASE("quads: teeth shorter than quads are wide stay apart") {
+  const TriangleMesh ring = toothedRing(14);
+  RemeshOptions options;
+  options.quads = true;
+  for (const Index vertices : {300U, 400U, 500U}) {
+    options.vertices = vertices;
+    const RemeshOutcome made = remeshSurface(ring, options, {});
+    CHECK(made.warnings.empty());
+    CHECK(double(made.vertices) == doctest::Approx(vertices).epsilon(0.01));
+    CHECK(made.stopped == Stopped::Target);
+    for (std::size_t i = 0; i < made.mesh.indices.size(); i += 6) {
+      Quad quad;
+      for (std::size_t k = 0; k < 4; ++k)
+        quad[k] = made.mesh.positions[made.mesh.indices[i + (k < 3 ? k : 5)]];
+      CHECK(leastSine(quad) > 0.5);
+    }
   }
 }
 
