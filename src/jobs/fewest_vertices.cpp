@@ -118,7 +118,7 @@ class FewestSearch {
   }
 
   bool isWithin(const TriangleMesh& mesh) const {
-    const DeviationBothWays found = measureDeviation(input_, mesh, Maximum::Proven);
+    const DeviationBothWays found = measureDeviation(input_, mesh, Maximum::Sampled);
     return std::max(found.toResult.maximum, found.toOriginal.maximum) <=
            *asked_.maxError / 100 * found.diagonal;
   }
