@@ -28,10 +28,13 @@ bool makesHub(const HalfedgeMesh& m, Vertex a, Vertex b) {
   return m.isHub(a) || m.isHub(b) || m.valence(a) + m.valence(b) - 4 > HalfedgeMesh::kMostNeighbors;
 }
 
+bool canVanish(const HalfedgeMesh& m, Halfedge h) {
+  return !makesHub(m, m.origin(h), m.tip(h)) && EulerOperators::canCollapse(m, h);
+}
+
 bool isLegal(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
-  if (!mayLeave(mesh, h) || makesHub(m, m.origin(h), m.tip(h))) return false;
-  if (!EulerOperators::canCollapse(m, h)) return false;
+  if (!mayLeave(mesh, h) || !canVanish(m, h)) return false;
   // Two curve edges of one triangle would become one: the chains would lose a piece.
   for (const Halfedge side : {h, m.twin(h)})
     if (side && mesh.isCurve(m.next(side)) && mesh.isCurve(m.prev(side))) return false;
@@ -48,15 +51,28 @@ void addStar(const HalfedgeMesh& m, Vertex v, Vertex w, LocalChange& change) {
   });
 }
 
+// Both ends meet at the tip.
+void describe(const WorkingMesh& mesh, Halfedge h, LocalChange& change) {
+  change.reset(Operation::Collapse);
+  change.halfedge = h;
+  change.place = mesh.placement(mesh.mesh().tip(h));
+  addStar(mesh.mesh(), mesh.mesh().origin(h), mesh.mesh().tip(h), change);
+}
+
 }  // namespace
 
 bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& change) {
   if (!isLegal(mesh, h)) return false;
-  const Vertex a = mesh.mesh().origin(h), b = mesh.mesh().tip(h);
-  change.reset(Operation::Collapse);
-  change.halfedge = h;
-  change.place = mesh.placement(b);
-  addStar(mesh.mesh(), a, b, change);
+  describe(mesh, h, change);
+  return true;
+}
+
+bool proposeUnion(const WorkingMesh& mesh, Halfedge h, LocalChange& change) {
+  const HalfedgeMesh& m = mesh.mesh();
+  bool isHeld = m.isBoundary(m.origin(h));
+  m.forEachOutgoing(m.origin(h), [&](Halfedge out) { isHeld = isHeld || mesh.isKept(out); });
+  if (isHeld || !canVanish(m, h)) return false;
+  describe(mesh, h, change);
   return true;
 }
 

@@ -206,6 +206,16 @@ Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
   return remaining;
 }
 
+void WorkingMesh::release(Vertex v) {
+  mesh_.forEachOutgoing(v, [&](Halfedge h) {
+    if (!isCurve(h)) return;
+    pin(mesh_.tip(h));
+    curve_[h] = kNone;
+    if (mesh_.twin(h)) curve_[mesh_.twin(h)] = kNone;
+  });
+  kind_[v] = VertexKind::Interior;
+}
+
 void WorkingMesh::move(Vertex v, const Placement& to) { place(v, to); }
 
 namespace {

@@ -96,6 +96,7 @@ class WorkingMesh {
   EulerOperators::Split split(Halfedge h, const Placement& middle);  // the new vertex at `middle`
   Vertex collapse(Halfedge h, const Placement& merged);              // tip(h) remains, at `merged`
   void move(Vertex v, const Placement& place);
+  void release(Vertex v);  // from its curves: they end at its neighbours, which are pinned
   void pin(Vertex v) { pinned_[v] = 1; }
   void settle(Vertex v) { unrest_[v] = 0; }
   void stirNeighbors(Vertex v, double moved);  // v moved by `moved`

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "remesh/accuracy/needles.h"
 #include "remesh/accuracy/uncross.h"
 #include "remesh/gate/angles.h"
 #include "remesh/steps/adapt.h"
@@ -56,9 +57,7 @@ bool makeAnew(Run& run, std::size_t vertices) {
   return finishUncrossed(run, vertices);
 }
 
-}  // namespace
-
-Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
+Uncrossed uncrossed(Run& run, std::size_t vertices) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
   if (guard->crossing().empty()) return {std::move(guard), true, 0};
   if (uncross(run) == 0) return {std::move(guard), finishUncrossed(run, vertices), 0};
@@ -66,6 +65,18 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   const bool isReached = makeAnew(run, vertices);
   const std::size_t crossing = guard->crossing().size();
   return {std::move(guard), isReached, crossing};
+}
+
+}  // namespace
+
+Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
+  Uncrossed result = uncrossed(run, vertices);
+  // With attributes curves are seams, too, which all triangles beside them need.
+  const FidelityRule& rule = run.asked.rule;
+  const bool isPlain = run.asked.stagger == 0 && rule.mode == Fidelity::Fold && !rule.bound;
+  for (int i = 0; isPlain && i < run.asked.effort.polishRounds && mendNeedles(run); ++i)
+    result.isReached = matchCount(run, vertices);
+  return result;
 }
 
 }  // namespace remesher

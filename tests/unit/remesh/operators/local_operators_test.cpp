@@ -51,6 +51,31 @@ TEST_CASE("local_operators: a vertex leaves its place only as its kind allows") 
   CHECK(alongCurve > 0);
 }
 
+TEST_CASE("local_operators: a union ends curves, but takes no vertex from a boundary") {
+  for (const auto& [input, isClosed] :
+       {std::pair(shapes::cube(4), true), std::pair(shapes::grid(4, 4), false)}) {
+    const OriginalSurface surface = shapes::surfaceOf(input);
+    const WorkingMesh mesh(surface);
+    LocalChange change;
+    int corners = 0;
+    forEachHalfedge(mesh, [&](Halfedge h) {
+      const Vertex from = mesh.mesh().origin(h);
+      const bool proposed = proposeUnion(mesh, h, change);
+      CHECK_FALSE((proposed && mesh.mesh().isBoundary(from)));
+      if (!proposed || mesh.kind(from) != VertexKind::Corner) return;
+      ++corners;
+      WorkingMesh tried = mesh;
+      tried.release(from);
+      apply(tried, change);
+      CHECK(check(tried.mesh()) == "");
+      for (const Halfedge edge : shapes::curveEdgesAt(mesh, from))
+        if (const Vertex end = mesh.mesh().tip(edge); tried.mesh().isAlive(end))
+          CHECK(tried.isPinned(end));
+    });
+    CHECK((corners > 0) == isClosed);
+  }
+}
+
 TEST_CASE("local_operators: a collapse ends in the middle between equals, else at the fixed end") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::cube(4));
   const WorkingMesh mesh(surface);

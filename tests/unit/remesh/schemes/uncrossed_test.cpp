@@ -21,11 +21,19 @@ TriangleMesh thinShell() {
   return soups::joined({outer, inner});
 }
 
-TriangleMesh remeshed(const TriangleMesh& input, Repair repair) {
+TriangleMesh remeshed(const TriangleMesh& input, Repair repair, Index vertices = 300) {
   RemeshOptions options;
-  options.vertices = 300;
+  options.vertices = vertices;
   options.repair = repair;
   return remeshSurface(input, Welding(input), options, {}).mesh;
+}
+
+// A block with a step that is a fifth of an edge of the result high.
+TriangleMesh lowStep() {
+  TriangleMesh mesh = shapes::cells(4, [](int x, int, int z) { return z < 3 || x < 2; });
+  for (Vec3& p : mesh.positions)
+    if (p.z() == 4) p.z() = 3.1;
+  return mesh;
 }
 
 }  // namespace
@@ -42,4 +50,15 @@ TEST_CASE("uncrossed: thin walls pass through each other nowhere where the input
   CHECK(report.components == 2);
   CHECK(report.boundaryEdges == 0);
   CHECK(report.eulerCharacteristic == 4);
+}
+
+TEST_CASE("uncrossed: between sharp edges that are near each other no angle stays below 15°") {
+  for (Index vertices = 297; vertices <= 303; ++vertices) {
+    const TriangleMesh result = remeshed(lowStep(), Repair::Solid, vertices);
+    const MeshReport report = inspectMesh(result);
+    CHECK(report.minAngle.worst >= 15);
+    CHECK(report.vertices == vertices);
+    CHECK(report.eulerCharacteristic == 2);
+    CHECK(selfIntersections(result).empty());
+  }
 }
