@@ -20,7 +20,7 @@ export const coreRooms = {
   'remesh/accuracy': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators',
     'remesh/gate', 'remesh/ground', 'remesh/steps'],
   'remesh/transfer': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators'],
-  'remesh/quads/mesh': ['base', 'mesh', 'original/surface', 'remesh/operators'],
+  'remesh/quads/mesh': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators'],
   'remesh/symmetry': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators',
     'remesh/transfer', 'remesh/quads/mesh'],
   'remesh/quads/field': ['base', 'mesh', 'geometry', 'original/surface', 'remesh/operators'],

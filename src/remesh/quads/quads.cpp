@@ -108,18 +108,10 @@ double countError(double count, double wanted) {
   return off > kCountTolerance ? kTooMany * off : std::abs(off);
 }
 
-// What a result lacks: its faults, and that vertices are to be taken out.
+// What a result lacks: its faults, and that vertices are to be taken out or added.
 double costOf(const Extracted& made, double wanted) {
-  const double most = (1 + kCountTolerance) * wanted;
-  return double(made.faults) + std::max(0.0, double(made.quads.vertices.size()) - most) / kTooMany;
-}
-
-bool isBetter(const Extracted& a, const std::optional<Extracted>& b, double wanted) {
-  if (!b) return true;
-  const double costA = costOf(a, wanted), costB = costOf(*b, wanted);
-  if (costA != costB) return costA < costB;
-  return countError(double(a.quads.vertices.size()), wanted) <
-         countError(double(b->quads.vertices.size()), wanted);
+  const double count = double(made.quads.vertices.size()), most = (1 + kCountTolerance) * wanted;
+  return double(made.faults) + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
 }
 
 // Rounding makes another map at each scale, and counts come in steps: tries scales on both sides of
@@ -149,7 +141,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     shape(made->quads, part);
     made->faults += countFaults(made->quads, part);
     ++shaped;
-    if (isBetter(*made, best, vertices)) best = std::move(made);
+    if (!best || costOf(*made, vertices) < costOf(*best, vertices)) best = std::move(made);
   }
   return best;
 }
@@ -371,7 +363,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   for (const double share : shares) {
     if (best) {
       const auto [isOff, paired, collapsed] = order(*best);
-      if (!isOff && (collapsed == 0 || share == above)) break;
+      if (share == above ? !isOff || paired > 0 : !isOff && collapsed == 0) break;
     }
     MadeQuads one = made(share);
     if (!best || order(one) < order(*best)) best = std::move(one);

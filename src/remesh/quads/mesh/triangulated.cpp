@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/quad.h"
 #include "remesh/quads/mesh/quad_sides.h"
 
 namespace remesher {
@@ -49,10 +50,24 @@ Index halfedgeOf(Index side) {
   return side / 4 * 6 + kOfSide[side % 4];
 }
 
+// The first corner of half a turn or more, nearly: 0 to 3, or 4.
+Index straightCorner(const QuadMesh& mesh, const Four<Index>& quad) {
+  Quad places;
+  for (std::size_t i = 0; i < 4; ++i) places[i] = mesh.position(quad[i]);
+  const Quad normals = cornerNormals(places);
+  const Vec3 own = areaVector(places).normalized();
+  for (Index i = 0; i < 4; ++i) {
+    const Vec3 out = places[(i + 1) % 4] - places[i], in = places[(i + 3) % 4] - places[i];
+    if (normals[i].dot(own) < kLeastSine && out.dot(in) < 0) return i;
+  }
+  return 4;
+}
+
 }  // namespace
 
 // A line bulges over a surface by an eighth of its length times the change of the normals along it.
 Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad) {
+  if (const Index straight = straightCorner(mesh, quad); straight < 4) return straight % 2;
   const bool hasNormals = std::all_of(quad.begin(), quad.end(), [&](Index v) {
     return mesh.vertices[v].kind == VertexKind::Interior;
   });

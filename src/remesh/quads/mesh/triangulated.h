@@ -8,7 +8,8 @@
 namespace remesher {
 
 // The corner at which the diagonal nearer to the original begins: 0 or 1. With a vertex on a curve,
-// which has several normals, the shorter diagonal.
+// which has several normals, the shorter diagonal. From a corner that is nearly straight the
+// diagonal there: the other one would cut off a triangle without area.
 Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad);
 
 // Triangles 2i and 2i + 1 are quad i, cut along a diagonal from its first corner. The quads must be

@@ -50,3 +50,19 @@ TEST_CASE("triangulated: where a corner has several normals the shorter diagonal
     CHECK(diagonalOf(mesh, mesh.quads[0]) == (along < 0.3 ? 1 : 0));
   }
 }
+
+TEST_CASE("triangulated: no triangle is cut off at a straight corner, or outside of a reflex one") {
+  for (const double straight : {0.5, 0.3}) {
+    QuadMesh mesh;
+    for (const Vec3& p :
+         {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(straight, straight, 0), Vec3(0, 1, 0)}) {
+      Placement place{};
+      place.position = p;
+      mesh.vertices.push_back(place);
+    }
+    for (Index turn = 0; turn < 4; ++turn) {
+      const Four<Index> quad = {turn, (turn + 1) % 4, (turn + 2) % 4, (turn + 3) % 4};
+      CHECK(diagonalOf(mesh, quad) == turn % 2);
+    }
+  }
+}
