@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Runs cases by their seeds, and prints the cases that break a law:
-//   npm run laws -- [--seed first] [--cases number] [--every nth] [--repair]
-// With --repair, other cases are run under the laws of repair.
+//   npm run laws -- [--seed first] [--cases number] [--every nth] [--quads] [--repair]
+// With --quads, the same surfaces become quads. With --repair, other cases are run under the laws
+// of repair.
 // The same seed is the same case: --seed with --cases 1 runs a printed case again. Processor time
 // only ends runs that do not end, and tells which cases took longest for their size.
 import { parseArgs } from 'node:util';
 
 import { makeCase } from './cases.js';
 import { firstWithScenes } from './made_scenes.js';
+import { makeQuadsCase } from './quads_case.js';
 import { makeRepairCase, runRepairCase } from './repair_case.js';
 import { runCase } from './run_case.js';
 
@@ -47,17 +49,20 @@ function slowest(timings) {
     .sort((a, b) => b.ratio - a.ratio).slice(0, timedAgain);
 }
 
-/** Times a case again, because V8's compilers may have been at work. @param {Timing} timing */
-async function timeAgain({ seed, size, seconds }) {
+/** @typedef {(seed: number) => import('./cases.js').Case} CaseMaker */
+
+/** Times a case again, because V8's compilers may have been at work.
+ * @param {Timing} timing @param {CaseMaker} caseOf */
+async function timeAgain({ seed, size, seconds }, caseOf) {
   const { signal, seconds: again, stop } = watch();
-  await runCase(makeCase(seed), { how: { signal } });
+  await runCase(caseOf(seed), { how: { signal } });
   stop();
   return { seed, size, seconds: Math.min(seconds, again()) };
 }
 
-/** @param {number} seed */
-async function runSeed(seed) {
-  const input = makeCase(seed);
+/** @param {number} seed @param {CaseMaker} caseOf */
+async function runSeed(seed, caseOf) {
+  const input = caseOf(seed);
   const { signal, seconds, stop } = watch();
   const { broken, size, code = 'done' } =
     await runCase(input, { how: { signal }, repeats: seed % everyRepeated === 0 });
@@ -88,12 +93,14 @@ async function runLaws() {
     seed: { type: 'string', default: String(firstWithScenes) },
     cases: { type: 'string', default: '1000' },
     every: { type: 'string', default: '1' },
+    quads: { type: 'boolean', default: false },
     repair: { type: 'boolean', default: false },
   } });
   const [first, count, step] = [values.seed, values.cases, values.every].map(Number);
   const outcomes = [];
+  const caseOf = values.quads ? makeQuadsCase : makeCase;
   const run = values.repair ? repairSeed : runSeed;
-  for (let i = 0; i < count; i += 1) outcomes.push(await run(first + i * step));
+  for (let i = 0; i < count; i += 1) outcomes.push(await run(first + i * step, caseOf));
   /** @type {Record<string, number>} */
   const codes = {};
   for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
@@ -103,7 +110,7 @@ async function runLaws() {
   const timed = outcomes.filter(({ size }) => size > 0);
   for (const { seed } of slowest(timed)) {
     const at = timed.findIndex((timing) => timing.seed === seed);
-    timed[at] = await timeAgain(timed[at]);
+    timed[at] = await timeAgain(timed[at], caseOf);
   }
   const [worst] = slowest(timed);
   if (worst) {

@@ -2,7 +2,7 @@
 // Runs one case through the package's public functions, and judges the result.
 import { inspect, remesh, remeshFile } from 'remesher';
 
-import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReading, lawsOfReports }
+import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfQuads, lawsOfReading, lawsOfReports }
   from '../support/laws.js';
 
 /** @typedef {import('./cases.js').Case} Case */
@@ -49,6 +49,8 @@ export async function runCase(input, { how = {}, repeats = false } = {}) {
   const broken = lawsOfReports(report, input.options);
   if (input.mesh) broken.push(...lawsOfMeshes(result.mesh));
   else broken.push(...await judgeFile(input, result, how));
+  const isRounded = report.warnings.some(({ code }) => code === 'VERTICES_COINCIDE');
+  if (input.mesh && !isRounded) broken.push(...lawsOfQuads(result.mesh));
   if (repeats) {
     const again = await runOnce(input, how);
     const same = input.mesh ? isSame(again.mesh.positions, result.mesh.positions)

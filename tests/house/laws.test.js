@@ -7,9 +7,11 @@ import { test } from 'node:test';
 import { remesh } from 'remesher';
 
 import { makeCase } from '../fuzz/cases.js';
+import { makeQuadsCase } from '../fuzz/quads_case.js';
 import { makeRepairCase, runRepairCase } from '../fuzz/repair_case.js';
 import { runCase } from '../fuzz/run_case.js';
-import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfReports } from '../support/laws.js';
+import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfQuads, lawsOfReports }
+  from '../support/laws.js';
 import { files } from '../fuzz/made_files.js';
 import { shapes } from '../fuzz/made_shapes.js';
 
@@ -50,6 +52,25 @@ test('a broken law is noticed', async () => {
   const words = new TextEncoder().encode('v 0 nan 0\n');
   assert.match((await lawsOfFiles(good, { name: 'a.obj', bytes: words }))[0], /not finite/);
   assert.match((await lawsOfFiles(good, bad))[0], /ACCESSOR_JOINTS_INDEX_OOB/);
+});
+
+test('a broken law of quads is noticed', () => {
+  // A cube, and the cube without its last side.
+  const positions = Float32Array.from([0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) =>
+    [i & 1, i >> 1 & 1, i >> 2]));
+  const cube = [0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 1, 3, 7, 5, 3, 2, 6, 7, 2, 0, 4, 6];
+  const mesh = (/** @type {number[]} */ quads) => ({ positions, quads: Uint32Array.from(quads),
+    indices: Uint32Array.from({ length: 6 * quads.length / 4 }, () => 0) });
+  assert.deepEqual(lawsOfQuads(mesh(cube)), []);
+  assert.deepEqual(lawsOfQuads(mesh(cube.slice(4))), []);
+  assert.match(lawsOfQuads(mesh([0, 2, 3, 0]))[0], /equal corners/);
+  assert.match(lawsOfQuads(mesh([0, 1, 3, 2, 0, 2, 3, 1]))[0], /4 inner vertices of two quads/);
+  assert.match(lawsOfQuads({ ...mesh(cube), indices: new Uint32Array(39) })[0], /of no quad/);
+  const side = { vertices: 101, components: 1, boundaryEdges: 0, nonManifoldEdges: 0,
+    eulerCharacteristic: 2, degenerateTriangles: 0, minAngle: { worst: 20 } };
+  const report = { input: side, output: side, warnings: [], stopped: 'target' };
+  assert.deepEqual(lawsOfReports(report, { vertices: 100, quads: true }), []);
+  assert.match(lawsOfReports(report, { vertices: 100, quads: true, exact: true })[0], /101 vert/);
 });
 
 test('a star of 20,000 triangles around one vertex is as good as any surface', async () => {
@@ -100,6 +121,15 @@ for (const seed of seeds) {
   test(`case ${seed}: ${input.description}`, async () => {
     const { broken } = await runCase(input, { repeats: seed % 8 === 0 });
     assert.deepEqual(broken, []);
+  });
+}
+
+const quadsCases = 12;
+
+for (let seed = 1; seed <= quadsCases; seed += 1) {
+  const input = makeQuadsCase(seed);
+  test(`quads, case ${seed}: ${input.description}`, async () => {
+    assert.deepEqual((await runCase(input, { repeats: seed % 4 === 0 })).broken, []);
   });
 }
 

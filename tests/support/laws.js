@@ -24,6 +24,10 @@ export function lawsOfErrors(error) {
   return /\.$/.test(message) ? [] : [`not a sentence: ${message}`];
 }
 
+/** Whether a number is met as the options ask. @param {number} count @param {any} options */
+const isMet = (count, { vertices = count, quads, exact, splitObtuse }) => splitObtuse
+  || (quads && !exact ? Math.abs(count / vertices - 1) <= 0.01 : count === vertices);
+
 /** @param {any} report @param {Record<string, any>} options of the run */
 export function lawsOfReports(report, options) {
   const { input, output, fidelity, stopped, warnings } = report;
@@ -31,8 +35,7 @@ export function lawsOfReports(report, options) {
   const require = (/** @type {boolean} */ holds, /** @type {string} */ law) => {
     if (!holds) broken.push(law);
   };
-  require(stopped !== 'target' || options.splitObtuse || options.vertices === undefined
-    || output.vertices === options.vertices || warnings.length > 0,
+  require(stopped !== 'target' || isMet(output.vertices, options) || warnings.length > 0,
   `${output.vertices} vertices instead of ${options.vertices}, and no reason`);
   const says = (/** @type {string} */ code) => warnings.some((/** @type {any} */ warning) =>
     warning.code === code && /near \(/.test(warning.message));
@@ -42,10 +45,13 @@ export function lawsOfReports(report, options) {
     || says('SHAPE_LOST_TO_ROUNDING');
   // A sound surface stays sound. An unsound surface may become worse if a warning names the place.
   require(output.degenerateTriangles <= input.degenerateTriangles
-    || ((isThin(input) || isRounded) && says('DEGENERATE_TRIANGLES_MADE')),
+    || ((isThin(input) || isRounded || (options.quads && isRepaired))
+      && says('DEGENERATE_TRIANGLES_MADE')),
   `${output.degenerateTriangles} degenerate triangles, of ${input.degenerateTriangles}`);
+  // Only vertices of triangles are moved apart where a surface is too thin for its numbers.
+  const mayMeet = isRepaired || (options.quads && isThin(input));
   require(output.nonManifoldEdges <= input.nonManifoldEdges
-    || (isRepaired && says('NON_MANIFOLD_EDGES_MADE')),
+    || (mayMeet && says('NON_MANIFOLD_EDGES_MADE')),
   `${output.nonManifoldEdges} non-manifold edges, of ${input.nonManifoldEdges}`);
   if (input.nonManifoldEdges === 0 && input.boundaryEdges === 0) {
     require(output.boundaryEdges === 0 || (isRepaired && says('SURFACE_OPENED')),
@@ -98,6 +104,38 @@ export function lawsOfMeshes({ positions, indices, attributes = {} }) {
   for (const [semantic, { array, itemSize }] of Object.entries(attributes)) {
     broken.push(...lawsOfAttribute(semantic, rowsOf(array, itemSize)));
   }
+  return broken;
+}
+
+/**
+ * The laws of quads, if the mesh has them: four places each, three or more at each inner vertex,
+ * and two triangles for each.
+ */
+export function lawsOfQuads({ positions, indices, quads }) {
+  if (!quads) return [];
+  const broken = [];
+  if (3 * quads.length !== 2 * indices.length) broken.push('triangles that are of no quad');
+  const places = new Map();
+  const placeOf = (/** @type {number} */ v) => {
+    const key = positions.subarray(3 * v, 3 * v + 3).join();
+    if (!places.has(key)) places.set(key, places.size);
+    return places.get(key);
+  };
+  const sides = new Map(), around = new Map();
+  for (let i = 0; i < quads.length; i += 4) {
+    const corners = [...quads.subarray(i, i + 4)].map(placeOf);
+    if (new Set(corners).size < 4) broken.push(`quad ${i / 4} has equal corners`);
+    corners.forEach((a, k) => {
+      const b = corners[(k + 1) % 4];
+      const side = `${Math.min(a, b)}-${Math.max(a, b)}`;
+      sides.set(side, (sides.get(side) ?? 0) + 1);
+      around.set(a, (around.get(a) ?? 0) + 1);
+    });
+  }
+  const open = new Set([...sides].filter(([, count]) => count !== 2)
+    .flatMap(([side]) => side.split('-').map(Number)));
+  const doublets = [...around].filter(([v, count]) => count < 3 && !open.has(v));
+  if (doublets.length > 0) broken.push(`${doublets.length} inner vertices of two quads`);
   return broken;
 }
 
