@@ -18,11 +18,11 @@ namespace {
 constexpr double kFinest = 1.0 / 400, kCoarsest = 1.0 / 128, kUsual = 1.0 / 200;
 
 // Peak memory for each triangle of the input, for each point of the lattice, for each crossing of
-// the surface with its lines, and besides: fitted to the peaks of 18 repairs, most of which held
-// 0.6 to 1.1 times what is said, and one, of 2000 loose triangles, twice. The further planes
-// through thin walls are not counted.
+// the surface with its lines, and besides; or, when the lattice is gone, for each crossing with the
+// triangles that are made there. Fitted to the peaks of 33 repairs, most of which held 0.6 to 1.2
+// times what is said, two of many thin plates and one of 2000 loose triangles up to twice.
 constexpr double kBytesPerTriangle = 300, kBytesPerPoint = 25, kBytesPerCrossing = 100;
-constexpr double kBytesBesides = 2.5e7;
+constexpr double kBytesPerMade = 400, kBytesBesides = 2.5e7;
 // The memory that a lattice is made coarser for, and the points up to which thin walls make it
 // finer: some 3 s.
 constexpr double kMostBytes = 5e8, kMostPoints = 8e6;
@@ -47,9 +47,10 @@ double crossingsOf(const Extent& extent, double spacing) {
 }
 
 double bytesOf(const Extent& extent, const Grid& grid) {
+  const double crossings = crossingsOf(extent, grid.spacing);
+  const double first = kBytesPerCrossing * crossings + kBytesPerPoint * pointsOf(extent, grid);
   return kBytesBesides + kBytesPerTriangle * double(extent.triangles) +
-         kBytesPerCrossing * crossingsOf(extent, grid.spacing) +
-         kBytesPerPoint * pointsOf(extent, grid);
+         std::max(first, kBytesPerMade * crossings);
 }
 
 double gapOf(const RemeshOptions& options, double diagonal) {

@@ -56,6 +56,20 @@ TEST_CASE("fineness: a finer lattice takes more memory and time, and a wrap more
   CHECK(2 * solid.bytes < finer.bytes);
 }
 
+TEST_CASE("fineness: what a surface of many walls becomes counts, not only the lattice around it") {
+  const auto plates = [](int count) {
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i) {
+      TriangleMesh plate = shapes::cube(1);
+      for (Vec3& p : plate.positions) p.z() = (i + 0.1 * p.z()) / (count - 0.9);
+      mesh = soups::joined({mesh, plate});
+    }
+    return mesh;
+  };
+  const RepairNeeds few = needsOf(plates(2), asked(Repair::Solid));
+  CHECK(4 * few.bytes < needsOf(plates(40), asked(Repair::Solid)).bytes);
+}
+
 TEST_CASE("fineness: the lattice is coarser where memory asks for it, down to the coarsest") {
   const TriangleMesh few = largeTriangles(10), many = largeTriangles(3000);
   RemeshOptions options = asked(Repair::Wrap);
