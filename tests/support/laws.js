@@ -26,7 +26,7 @@ export function lawsOfErrors(error) {
 
 /** Whether a number is met as the options ask. @param {number} count @param {any} options */
 const isMet = (count, { vertices = count, quads, exact, splitObtuse }) => splitObtuse
-  || (quads && !exact ? Math.abs(count / vertices - 1) <= 0.01 : count === vertices);
+  || (quads && !exact ? Math.abs(count - vertices) < 0.010001 * vertices : count === vertices);
 
 /** @param {any} report @param {Record<string, any>} options of the run */
 export function lawsOfReports(report, options) {

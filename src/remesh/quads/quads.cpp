@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
@@ -355,18 +354,19 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   const double above = 1 + 2 * kCountTolerance;
   if (goal.mirrors.planes.empty()) shares.push_back(above);
   const double slack = goal.isExact ? 0 : kCountTolerance * double(goal.vertices);
-  const auto order = [&](const MadeQuads& one) {
-    const double off = double(wholeCount(one.mesh, goal.mirrors)) - double(goal.vertices);
-    return std::tuple(std::abs(off) > slack, one.paired, one.collapsed);
+  const auto isOff = [&](const MadeQuads& one) {
+    return std::abs(double(wholeCount(one.mesh, goal.mirrors)) - double(goal.vertices)) > slack;
+  };
+  // A missed number is worse than any pairs, and these than any number of quads taken out.
+  const auto lackOf = [&](const MadeQuads& one) {
+    return 1e9 * (1e9 * isOff(one) + double(one.paired)) + double(one.collapsed);
   };
   std::optional<MadeQuads> best;
   for (const double share : shares) {
-    if (best) {
-      const auto [isOff, paired, collapsed] = order(*best);
-      if (share == above ? !isOff || paired > 0 : !isOff && collapsed == 0) break;
-    }
+    if (best && !isOff(*best) && (share == above || lackOf(*best) == 0)) break;
+    if (best && share == above && best->paired > 0) break;
     MadeQuads one = made(share);
-    if (!best || order(one) < order(*best)) best = std::move(one);
+    if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
   }
   if (!goal.isDraft) reachTips(best->mesh, base, kSmoothings);
   return std::move(*best);

@@ -229,10 +229,11 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   result.isQuads = true;
   const std::size_t vertices = isHalf ? wholeCount(quads.mesh, options.mirrors)
                                       : distinctPositions(mesh.mesh(), mesh.positions());
-  const double off = std::abs(double(vertices) / double(aim) - 1);
+  const double off = std::abs(double(vertices) - double(aim));
   // Quads removed from a half are missing in all its images, so that the whole is better made.
-  const bool isReached = off <= (wanted.exact ? 0 : kCountTolerance) &&
-                         !(isHalf && !wanted.exact && quads.collapsed > 0);
+  const bool isReached =
+      wanted.exact ? off == 0
+                   : off / kCountTolerance <= double(aim) && !(isHalf && quads.collapsed > 0);
   return {std::move(result), std::move(places), isReached ? Stopped::Target : Stopped::Fidelity,
           vertices, std::move(warnings)};
 }
