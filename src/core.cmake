@@ -47,7 +47,6 @@ add_library(linear OBJECT
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
   src/mesh/mesh_builder.cpp
-  src/mesh/space_order.cpp
   src/mesh/welding.cpp
   src/original/patches/disk_parameterization.cpp
   src/original/patches/disk_patch.cpp
@@ -150,6 +149,7 @@ add_library(small OBJECT
   src/mesh/joints.cpp
   src/mesh/manifold_cut.cpp
   src/mesh/orientation.cpp
+  src/mesh/space_order.cpp
   src/mesh/topology.cpp
   src/original/curves/chain_tracing.cpp
   src/original/curves/curve_simplification.cpp
