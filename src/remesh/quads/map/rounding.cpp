@@ -137,8 +137,8 @@ void Rounding::roundAll(Wholes& all) const {
 }
 
 // Pulls the sums that are too small after rounding, and rounds anew, until none is that was not
-// pulled before. Each round lets others fall below 1: with three rounds only, curves of the gear, the
-// bunny and the angle block have no sides of quads.
+// pulled before. Each round lets others fall below 1: with three rounds only, curves of the gear,
+// the bunny and the angle block have no sides of quads.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
   std::vector<char> isPulled(required_.size(), 0);
   for (;;) {
