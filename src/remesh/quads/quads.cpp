@@ -2,6 +2,7 @@
 #include "remesh/quads/quads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -359,11 +360,12 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   };
   // A missed number is worse than any pairs, and these than any number of quads taken out.
   const auto lackOf = [&](const MadeQuads& one) {
-    return 1e9 * (1e9 * isOff(one) + double(one.paired)) + double(one.collapsed);
+    return std::array{std::size_t{isOff(one)}, one.paired, one.collapsed};
   };
   std::optional<MadeQuads> best;
   for (const double share : shares) {
-    if (best && !isOff(*best) && (share == above || lackOf(*best) == 0)) break;
+    if (best && !isOff(*best) && (share == above || lackOf(*best) == std::array<std::size_t, 3>{}))
+      break;
     if (best && share == above && best->paired > 0) break;
     MadeQuads one = made(share);
     if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);

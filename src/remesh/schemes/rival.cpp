@@ -106,9 +106,7 @@ bool Rival::mayMiss() {
   return original_.vertices() > original_.surface().built().mesh.vertexCount() && hasFlats();
 }
 
-bool Rival::isMissedBy(const WorkingMesh& even) {
-  return mayMiss() && awayOf(even).rms > kFinishing * seen_;
-}
+bool Rival::isMissedBy(const WorkingMesh& even) { return awayOf(even).rms > kFinishing * seen_; }
 
 std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   if (isSettled_ && isReached) return std::move(followed_);

@@ -27,7 +27,7 @@ class Rival {
   // Whether even triangles may miss the shape without a rival: there is none with more vertices
   // than the original has. Flat sides show a miss.
   bool mayMiss();
-  // Whether such triangles are visibly away.
+  // Whether such triangles are visibly away, if they may miss it.
   bool isMissedBy(const WorkingMesh& even);
 
   // The mesh to take instead of the even triangles, if any.
