@@ -48,6 +48,9 @@ struct Mirrors {
   std::size_t vertices = 0;  // of the whole
 };
 
+// Sharper edges count as features, in degrees, unless the caller sets another angle.
+inline constexpr double kFeatureAngle = 40;
+
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
   std::optional<double> ratio;       // the same as a share of the input's

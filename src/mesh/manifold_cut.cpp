@@ -43,11 +43,11 @@ Vec3 normalAt(const Corners& soup, Index h) {
 // 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one counts as smaller, so
 // that two solids that touch along an edge are separated.
 double bend(const Corners& soup, Index h, Index other) {
-  constexpr double kReflexPenalty = 1e-6;  // beyond rounding, below any angle that matters
+  // The penalty of a reflex angle is beyond rounding, and below any angle that matters.
   const Vec3 normal = normalAt(soup, h);
   const Vec3 away =
       soup.positions[soup.corners[prevCorner(other)]] - soup.positions[soup.corners[other]];
-  return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kReflexPenalty : 0);
+  return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kSingleRoundOff : 0);
 }
 
 // Per triangle whether it belongs to a sheet given with both sides: one of its edges has several

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/options.h"
 #include "geometry/triangle.h"
 #include "mesh/euler_operators.h"
 #include "simplify/attribute_quadrics.h"
@@ -25,8 +26,7 @@ constexpr double kSideways = 5e-6;
 // The weights of edges, times their squared length: of a border, a seam, and a sharp edge within
 // the surface.
 constexpr double kBorder = 2, kSeam = 1, kCrease = 0.2;
-// The cosine of the angle between normals beyond which an edge is sharp: 37°.
-constexpr double kSharp = 0.8;
+const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // The cosine of the largest angle by which a collapse may turn a triangle: 60°, and 90° where
 // nothing else goes.
 constexpr double kTurned = 0.5, kFarTurned = 0;

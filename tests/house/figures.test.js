@@ -4,10 +4,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { cppFunctions } from '../support/cpp_functions.js';
-import { dialsIn, dialsOfRooms, mostDials } from '../support/dials.js';
+import { constantsIn, dialsOfRooms, facts, mostDials } from '../support/dials.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
 } from '../support/figures.js';
+import { readText } from '../support/tree.js';
 
 const sources = ['src', 'bindings', 'web'].flatMap(filesWithSizes);
 const files = [...sources, ...filesWithSizes('tests')];
@@ -102,10 +103,19 @@ test(`a function has at most ${limits.parameters} parameters`, () => {
   assert.deepEqual(wrong.map(({ where }) => where), []);
 });
 
-test('dials are counted, several to a statement, and no calls or mentions', () => {
-  assert.equal(dialsIn(`constexpr double kOne = 1, kTwo = 2.5;  // not kThree = 3
+test('constants are found, several to a statement, and no calls or mentions', () => {
+  assert.deepEqual(constantsIn(`constexpr double kOne = 1, kTwo = 2.5;  // not kThree = 3
     inline constexpr Effort kRow = {1, 2}; const double kFour = std::cos(kOne);
-    if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`), 5);
+    if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`),
+  ['kOne', 'kTwo', 'kRow', 'kFour', 'kFive']);
+});
+
+test('every constant that counts as a fact is in its file', () => {
+  const wrong = Object.entries(facts).flatMap(([file, names]) => {
+    const constants = constantsIn(readText(`src/${file}`));
+    return names.filter((name) => !constants.includes(name)).map((name) => `${file}: ${name}`);
+  });
+  assert.deepEqual(wrong, []);
 });
 
 test('the algorithm has no more dials than it had', () => {

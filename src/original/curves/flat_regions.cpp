@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/options.h"
 #include "geometry/triangle.h"
 #include "original/curves/shape_angles.h"
 
@@ -11,8 +12,7 @@ namespace remesher {
 
 namespace {
 
-// Edges are sharp if the cosine between their normals is below this: 40° and more.
-constexpr double kSharp = 0.766;
+const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // A neighbor more than half as wide as a region is its like; a region with more than half of its
 // border to its likes is a facet.
 constexpr double kLike = 2, kMostLikes = 0.5;

@@ -12,10 +12,6 @@ namespace remesher {
 
 namespace {
 
-// Coordinates are rounded to 2^-24 of themselves in binary files, to six digits in text; cosines
-// are no better.
-constexpr double kPrecision = 1e-6;
-
 struct Side {
   Halfedge halfedge;
   double squaredLength = -1;
@@ -35,7 +31,7 @@ Side longestSide(Face f, const Triangle& corners) {
 double coordinateStep(const VertexData<Vec3>& positions) {
   double largest = 0;
   for (const Vec3& p : positions.values()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return kPrecision * largest;
+  return kSingleRoundOff * largest;
 }
 
 FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
@@ -84,7 +80,7 @@ double dihedralAngle(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals, Ha
 // Angles are computed only for the few edges that may be sharp.
 HalfedgeData<char> sharpEdges(const HalfedgeMesh& mesh, const FaceData<Vec3>& normals,
                               double angle) {
-  const double flat = std::cos(std::clamp(angle, 0.0, std::numbers::pi)) + kPrecision;
+  const double flat = std::cos(std::clamp(angle, 0.0, std::numbers::pi)) + kSingleRoundOff;
   HalfedgeData<char> sharp(mesh.halfedgeCapacity(), angle <= 0);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i), t = mesh.twin(h);
@@ -127,7 +123,7 @@ double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions
 
 VertexData<char> mayMiss(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                          double angle) {
-  const double least = 1 - angle / (2 * std::numbers::pi) + kPrecision;  // cosine
+  const double least = 1 - angle / (2 * std::numbers::pi) + kSingleRoundOff;  // cosine
   VertexData<char> result(mesh.vertexCapacity(), 0);
   VertexData<Vec3> first(mesh.vertexCapacity(), Vec3::Zero());  // normal, not unit, at each
   for (Index f = 0; f < mesh.faceCapacity(); ++f) {

@@ -19,9 +19,7 @@ constexpr float kMinRimStep = 0.02f;
 
 // Half-angle tangents and lengths of nearly degenerate faces are clamped to these bounds (lengths
 // relative to the face's longest side), so that no weight exceeds float's precision.
-constexpr float kMinHalfAngleTangent = 1e-3f;
-constexpr float kMaxHalfAngleTangent = 1e3f;
-constexpr float kMinSideRatio = 1e-3f;
+constexpr float kLeastRatio = 1e-3f;
 
 // The row of an inner vertex the search has not reached yet.
 constexpr LocalIndex kUnnumbered = kNoLocal - 1;
@@ -42,10 +40,10 @@ std::array<std::array<float, 2>, 3> cornerWeights(const std::array<Vec3f, 3>& p)
     const int k = (i + 2) % 3;
     // tan(α/2) = |a × b| / (|a||b| + a · b), with a = side i and b = minus side i + 2
     const float base = length[i] * length[k] - side[i].dot(side[k]);
-    const float tangent = base > 0 ? doubleArea / base : kMaxHalfAngleTangent;
-    const float t = std::clamp(tangent, kMinHalfAngleTangent, kMaxHalfAngleTangent);
-    weights[i] = {t / std::max(length[i], kMinSideRatio * longest),
-                  t / std::max(length[k], kMinSideRatio * longest)};
+    const float tangent = base > 0 ? doubleArea / base : 1 / kLeastRatio;
+    const float t = std::clamp(tangent, kLeastRatio, 1 / kLeastRatio);
+    weights[i] = {t / std::max(length[i], kLeastRatio * longest),
+                  t / std::max(length[k], kLeastRatio * longest)};
   }
   return weights;
 }

@@ -35,7 +35,7 @@ struct DiskPatch {
 class DiskGrower {
  public:
   // A patch does not grow beyond this number of faces, so that local numbers suffice.
-  static constexpr std::size_t kMaxFaces = 32000;
+  static constexpr std::size_t kMaxFaces = kNoLocal / 2;
 
   // mesh and barriers must outlive the grower. barriers: by halfedge, both of each barrier edge
   // marked, or empty.

@@ -18,9 +18,8 @@ namespace {
 // no reason to move, kMaxThrow in all, where the surface may bulge.
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
-// Limit on the faces that all on-demand patches together may visit: per face of the mesh, and at
-// least.
-constexpr std::size_t kOnDemandShare = 1, kMinOnDemandFaces = 100000;
+// All on-demand patches together may visit as many faces as the mesh has, and at least so many.
+constexpr std::size_t kMinOnDemandFaces = 100000;
 
 // A patch on demand reaches this many times its triangle's longest side from the centroid.
 constexpr double kOnDemandReach = 1.3;
@@ -53,7 +52,7 @@ struct PatchAtlas::Impl {
         patches(builder.cells().count()),
         isBuilt(patches.size(), 0),
         ownNumber(mesh.faceCapacity(), kNoLocal),
-        onDemandBudget(std::max(kMinOnDemandFaces, kOnDemandShare * mesh.faceCapacity())) {}
+        onDemandBudget(std::max(kMinOnDemandFaces, std::size_t(mesh.faceCapacity()))) {}
 
   Vec3 position(const SurfacePoint& p) const {
     const auto [a, b, c] = mesh.vertices(p.face);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The walk crosses the side beyond which the point lies farthest. It arrives, because every face is
-// positively oriented and the patch is convex; if it ever circles, all faces are searched.
+// positively oriented and the patch is convex. If it circles, which takes more steps than there are
+// faces, all faces are searched.
 #include "original/patches/point_location.h"
 
 namespace remesher {
@@ -9,9 +10,6 @@ namespace {
 // An area above this (of the unit disk) counts as inside, so that rounding does not send the walk
 // back and forth. Corners are rounded to 6e-8, so nothing is lost.
 constexpr double kInside = -1e-15;
-
-// Walks take a handful of steps; a walk this long is circling.
-constexpr int kMaxSteps = 200;
 
 // Raises weights that rounding or the rim left below zero, so that they name a point of the face.
 Vec3 weightsOf(const Vec3& areas) {
@@ -58,7 +56,7 @@ PlanarPatch::Location PlanarPatch::searchAll(const Vec2& point) const {
 
 PlanarPatch::Location PlanarPatch::locate(const Vec2& point, LocalIndex start) const {
   LocalIndex at = start;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (std::size_t step = 0; step < faces_.size(); ++step) {
     const LocalFace& f = faces_[at];
     const Vec3 areas = areasIn(f, point);
     // Area i is negative beyond the side from corner i + 1 to corner i + 2.

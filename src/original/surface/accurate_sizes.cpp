@@ -12,8 +12,8 @@ namespace remesher {
 
 namespace {
 
-// Bounds on sizes, as factors of the even size, before the power that adaptivity sets (sizesFor).
-constexpr double kSmallest = 0.0625, kLargest = 2.25;
+// The lower bound on sizes: see kCoarsest.
+constexpr double kSmallest = 0.0625;
 // The common distance is searched between this share of the even length and the even length itself,
 // by this many bisections of the ratio.
 constexpr double kLeastError = 1e-4;
@@ -98,7 +98,7 @@ class Accuracy {
   VertexData<double> sizesFor(double error) const {
     const double strength = rules_.adaptivity * (1.25 - rules_.adaptivity / 2);
     const double smallest = rules_.mean * std::pow(kSmallest, strength);
-    const double largest = rules_.mean * std::pow(kLargest, strength);
+    const double largest = rules_.mean * std::pow(kCoarsest, strength);
     VertexData<double> sizes(bends_.size());
     for (Index i = 0; i < sizes.size(); ++i) {
       const double bend = bends_[Vertex(i)];

@@ -7,6 +7,9 @@
 
 namespace remesher {
 
+// The upper bound on sizes relative to even ones, before the power that adaptivity sets.
+inline constexpr double kCoarsest = 2.25;
+
 struct AccuracyRules {
   double mean = 0;        // the edge length of an even mesh with the wished number of vertices
   double adaptivity = 0;  // how far sizes may differ from mean: 0 not at all, 1 fully

@@ -10,9 +10,6 @@ namespace remesher {
 
 namespace {
 
-// Places tried for a vertex: kSteps evenly between its neighbours, and about kBends bends there.
-constexpr int kSteps = 24;
-constexpr std::size_t kBends = 24;
 // Costs of a chord beyond the tolerance, far above the costs of uneven edges and of moves.
 constexpr double kTooFar = 100, kFarther = 10;
 
@@ -94,8 +91,9 @@ class Placing {
     std::vector<double> places = {arcs_[i]};
     if (i + 1 == arcs_.size()) return places;
     const double low = arcs_[i - 1], high = arcs_[i + 1];
-    for (int k = 1; k < kSteps; ++k) places.push_back(low + (high - low) * k / kSteps);
-    curve_.forEachBend(curve_.at(low), curve_.at(high), kBends,
+    for (int k = 1; k < kPlacesBetween; ++k)
+      places.push_back(low + (high - low) * k / kPlacesBetween);
+    curve_.forEachBend(curve_.at(low), curve_.at(high), kPlacesBetween,
                        [&](double arc, const Vec3&) { places.push_back(arc); });
     return places;
   }
@@ -107,7 +105,7 @@ class Placing {
   }
 
   double farness(const Site& from, const Site& to) const {
-    const double far = curve_.distance(from, to, kBends) / tolerance_;
+    const double far = curve_.distance(from, to, kPlacesBetween) / tolerance_;
     return far > 1 ? kTooFar + kFarther * far : 0;
   }
 

@@ -9,6 +9,9 @@
 
 namespace remesher {
 
+// Places that are tried for a vertex between its neighbours, evenly spaced.
+inline constexpr int kPlacesBetween = 24;
+
 // The point of a chain at `arc`.
 Vec3 positionAt(const OriginalSurface& surface, Index chain, double arc);
 

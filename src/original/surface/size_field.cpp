@@ -18,9 +18,8 @@ namespace remesher {
 
 namespace {
 
-// Bounds on k^-1/2 relative to the median, before the power that adaptivity sets (applyCurvature).
+// The lower bound on k^-1/2 relative to the median: see kCoarsest.
 constexpr double kFinest = 0.25;
-constexpr double kCoarsest = 2.25;
 constexpr int kNormalizations = 3;
 constexpr double kNormalEnough = 1e-3;  // a scale this near to 1 is good enough
 // Edges longer than this, in units of the mean size at their ends, do not survive a run.

@@ -16,19 +16,16 @@ namespace remesher {
 
 namespace {
 
-constexpr int kPatience = 6;            // rounds within which what is left must halve
-constexpr int kMovingRounds = 6;        // two places could want one vertex by turns for ever
-constexpr double kMostVertices = 1.25;  // times those asked for, or those that the scheme made
-// Pieces per triangle. A goal that is out of reach with the few proofs is not worth more; wider
-// angles are.
-constexpr std::size_t kFewProofs = 400, kManyProofs = 1000;
+// Within so many rounds what is left must halve, and afterwards no vertex moves: two places could
+// want one vertex by turns for ever.
+constexpr int kPatience = 6;
 
 // Beyond this number of vertices mending has no future: the number asked for is out of reach from
 // there, and the original itself is nearer to it.
 double mostVertices(const Run& run, std::size_t vertices) {
   const double made = double(run.mesh.mesh().vertexCount());
   const double original = double(run.mesh.surface().mesh().vertexCount());
-  return std::max(kMostVertices * double(vertices), std::min(kMostVertices * made, original));
+  return std::max(kMostGrowth * double(vertices), std::min(kMostGrowth * made, original));
 }
 
 // A few rounds mend the excess that a scheme has left. It is not worth mending if there is much of
@@ -47,7 +44,7 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
       if (left > halfOfEarlier) return false;
       halfOfEarlier = left / 2;
     }
-    refineExcess(run, excess, round < kMovingRounds ? Moves::Allowed : Moves::Never);
+    refineExcess(run, excess, round < kPatience ? Moves::Allowed : Moves::Never);
     delaunayFlips(run.mesh, run.asked.rule);
   }
   return false;
@@ -71,11 +68,11 @@ bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   run.asked.scale = 1;
   run.asked.rule.bound = &goal.bound;
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  grantProofs(run, kFewProofs);
+  grantProofs(run);
   coarsen(run, goal.vertices, MeetingPlace::MiddleOrEnds, progress.phase("coarsen", 0.3, 0.6));
   const bool isReached = mesh.vertexCount() <= goal.vertices && matchCount(run, goal.vertices);
   delaunayFlips(run.mesh, run.asked.rule);
-  grantProofs(run, isReached ? kManyProofs : kFewProofs);
+  grantProofs(run);
   if (isReached)
     polishInCount(run, progress.phase("polish", 0.6, 1));
   else

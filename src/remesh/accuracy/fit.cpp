@@ -8,14 +8,12 @@
 #include "geometry/triangle.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/gate/angles.h"
+#include "remesh/steps/relax.h"
 
 namespace remesher {
 
 namespace {
 
-// Relaxation to the least squares of offsets, which neighbours share: if each vertex goes a little
-// beyond its own mean, few passes come nearest.
-constexpr double kBeyond = 1.3;
 // A vertex that a pass has moved by less than this is left alone by the next.
 constexpr double kStillMoves = 0.003;  // of the target length
 
@@ -82,7 +80,7 @@ double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
   run.scratch.star.gather(run.mesh, v);
   const Vec3 normal = run.scratch.star.areaVector(run.mesh.position(v));
   if (!(normal.norm() > 0)) return 0;
-  const double distance = (isOnce ? 1 : kBeyond) * offsets.at(v, normal);
+  const double distance = (isOnce ? 1 : kBeyondMean) * offsets.at(v, normal);
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();
   if (isOnce || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "remesh/accuracy/star_search.h"
+#include "remesh/accuracy/tips.h"
 #include "remesh/gate/angles.h"
 
 namespace remesher {
@@ -15,11 +16,6 @@ namespace {
 
 // Only distances above this may cost angles, down to kSound; below it good angles stay good.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-// Distances above this are those of lost tips. They may cost angles down to kFair, which polishing
-// widens afterwards.
-constexpr double kLostTip = 0.4;  // of the target edge length
-
-constexpr double kWorthAMove = 0.05;  // of the mean target edge length
 // A move must lower a distance to less than the share kGain; a search may stop at the share
 // kReached.
 constexpr double kGain = 0.99, kReached = 0.65;
@@ -29,17 +25,13 @@ constexpr double kMuch = 0.9;
 constexpr double kNearMaximum = 0.8;
 
 constexpr int kRounds = 4;
-// The number of triangles to try: few of a large mesh decide, and a small mesh has few.
-constexpr std::size_t kVerticesPerTry = 100, kFewTries = 100, kVerticesPerTryInSmall = 2;
+// The least number of triangles to try, and the number of vertices to each try in a large mesh,
+// where few triangles decide.
+constexpr std::size_t kTries = 100;
 // A point between two shells is far from both, and about as near to one as to the other: a try
 // there may look at millions of the original's triangles. If a mesh passes through itself all over,
 // a try may look at as many of the mesh's own. Other tries seldom look at more than ten thousand.
 constexpr std::size_t kLooksPerTry = 12'000;
-
-std::size_t triesFor(std::size_t vertices) {
-  return std::max(std::min(kFewTries, vertices / kVerticesPerTryInSmall),
-                  vertices / kVerticesPerTry);
-}
 
 // The smallest angle that a move must leave, in radians, and the one asked of the last try, which
 // was in vain, if there was one.
@@ -56,7 +48,7 @@ class Descent {
         mesh_(run.mesh.mesh()),
         distances_(run),
         crossings_(run.mesh),
-        tries_(triesFor(mesh_.vertexCount())),
+        tries_(std::max(kTries, mesh_.vertexCount() / kTries)),
         mostLooks_(looked() + kLooksPerTry * tries_) {
     for (Index i = 0; i < mesh_.faceCapacity(); ++i)
       if (mesh_.isAlive(Face(i))) push(Face(i));
@@ -90,7 +82,7 @@ class Descent {
   // Returns whether anything moved.
   bool descend() {
     bool moved = false;
-    double worst = kWorthAMove * run_.sizes.mean();
+    double worst = kPlainlyNear * run_.sizes.mean();
     while (!queue_.empty() && mayTry() && queue_.front().first >= worst) {
       const auto [distance, f] = pop();
       if (distance != distances_.of(f)) continue;
@@ -113,6 +105,7 @@ class Descent {
       if (!isBeyond(kWorthAngles, f)) return false;
       last = angle;
     }
+    // Polishing widens the angles beside a tip afterwards.
     const Kept kept{kFair, last};
     return isBeyond(kLostTip, f) && (moveCorner(f, kept) || makeWay(f, kept));
   }

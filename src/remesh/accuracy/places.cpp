@@ -18,12 +18,8 @@ namespace remesher {
 namespace {
 
 constexpr double kSpacing = 0.5;  // of the target edge length
-// A walk may end in a local minimum; places farther than this are tried from other sides too.
-constexpr double kDoubtful = 0.3;  // of the target edge length
-constexpr int kRetries = 4;
 // A triangle with shorter sides and with near corners is near everywhere.
-constexpr double kBetween = 2;    // target edge lengths
-constexpr double kSameWay = 0.9;  // cosine
+constexpr double kBetween = 2;  // target edge lengths
 // More places than this, per vertex of the mesh and triangle of the original, cannot matter.
 constexpr double kMostPlaces = 64;
 
@@ -179,9 +175,8 @@ class Survey {
   void retry(Place& place, double size) {
     const HalfedgeMesh& mesh = mesh_.mesh();
     starts_.clear();
-    for (int i = 0; i < kRetries; ++i) {
-      if (!isDoubtful(place, size)) return;
-      bool improved = false;
+    for (bool improved = true; improved && isDoubtful(place, size);) {
+      improved = false;
       for (const Vertex v : mesh.vertices(place.nearest)) {
         if (hubs_.contains(v)) continue;
         mesh.forEachNeighbor(v, [&](Vertex w) {
@@ -191,7 +186,6 @@ class Survey {
           improved = improve(mesh_, place, {start, enough_ * size}) || improved;
         });
       }
-      if (!improved) return;
     }
   }
 

@@ -8,6 +8,12 @@
 
 namespace remesher {
 
+// A walk may end in a local minimum: for places farther than this, in target edge lengths, more is
+// looked through.
+inline constexpr double kDoubtful = 0.2;
+// Normals with a larger cosine point the same way.
+inline constexpr double kSameWay = 0.9;
+
 struct Place {
   SurfacePoint original;
   Vec3 position;    // of the point of the original

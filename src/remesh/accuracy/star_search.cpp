@@ -22,8 +22,6 @@ constexpr int kDirections = 8;
 // take as many steps, each a little nearer.
 constexpr int kMostRounds = 64;
 constexpr std::size_t kAlongNormal = 2;
-// A vertex comes no nearer to its neighbours along a curve than this share of the way between them.
-constexpr double kRoom = 0.1;
 const double kSmallTurn = std::cos(radians(45));
 
 // First up and down the star's mean normal, then around it.

@@ -10,7 +10,7 @@ namespace remesher {
 
 namespace {
 
-// Of the tolerance: a place this near to a tangent plane is no tip.
+// Of the distance of a lost tip: a place this near to a tangent plane is no tip.
 constexpr double kSurelyNear = 0.4;
 
 // A tip farther than this from the mesh, in target lengths, that no vertex can move to gets a
@@ -20,10 +20,10 @@ constexpr double kInsertAbove = 0.6;
 // allow.
 constexpr std::size_t kMostInserted = 4;
 
-std::vector<Place> farthestFirst(const Run& run, double tolerance) {
-  std::vector<Place> places = measurePlaces(run, tolerance, kSurelyNear * tolerance);
+std::vector<Place> farthestFirst(const Run& run) {
+  std::vector<Place> places = measurePlaces(run, kLostTip, kSurelyNear * kLostTip);
   std::erase_if(places, [&](const Place& place) {
-    return place.distance <= tolerance * run.asked.scale * run.sizes.at(place.original);
+    return place.distance <= kLostTip * run.asked.scale * run.sizes.at(place.original);
   });
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.distance > b.distance; });
@@ -75,8 +75,8 @@ void insert(Run& run, const Place& tip) {
 
 }  // namespace
 
-void reachTips(Run& run, double tolerance) {
-  std::vector<Place> tips = farthestFirst(run, tolerance);
+void reachTips(Run& run) {
+  std::vector<Place> tips = farthestFirst(run);
   for (const Place& tip : tips) reach(run, tip);
   const std::size_t most =
       run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;

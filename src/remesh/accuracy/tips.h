@@ -7,9 +7,11 @@
 
 namespace remesher {
 
-// Moves a vertex to every place of the original that is farther from the mesh than `tolerance` ×
-// its target length, farthest first, where the star allows it, and pins it there. A very distant
-// tip that no vertex can move to gets a new one. Smoothing should follow.
-void reachTips(Run& run, double tolerance);
+// A place of the original that is farther from the mesh, in target edge lengths, is a lost tip.
+inline constexpr double kLostTip = 0.5;
+
+// Moves a vertex to every lost tip, the farthest first, where the star allows it, and pins it
+// there. A very distant tip that no vertex can move to gets a new one. Smoothing should follow.
+void reachTips(Run& run);
 
 }  // namespace remesher

@@ -14,13 +14,6 @@ namespace remesher {
 
 namespace {
 
-// A place beside a vertex and nearer to its tangent plane than this decides nothing.
-constexpr double kBesideIt = 0.05;  // of the target edge length
-// An edge follows the original if its slope to the tangent planes at both ends is below kSlope (a
-// sine) and the cosine between their normals is above kAlongIt.
-constexpr double kSlope = 0.1, kAlongIt = 0.97;
-// A walk may end in a local minimum: for a larger distance the whole original is searched.
-constexpr double kMayBeLocal = 0.2;  // of the mean target edge length
 // An edge whose middle is nearer than this share of the farthest so far decides nothing.
 constexpr double kDecides = 0.4;
 
@@ -29,9 +22,9 @@ constexpr double kDecides = 0.4;
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       hubs_(Hubs::ofWalks(run.mesh.mesh())),
-      doubtful_(kMayBeLocal * run.sizes.mean()),
+      doubtful_(kDoubtful * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
-      places_(measurePlaces(run, kBesideIt, kBesideIt)),
+      places_(measurePlaces(run, kPlainlyNear, kPlainlyNear)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0),
@@ -106,9 +99,9 @@ bool TwoSidedDistance::followsOriginal(Halfedge h) const {
       mesh_.kind(b) != VertexKind::Interior)
     return false;
   const Vec3 edge = mesh_.position(b) - mesh_.position(a);
-  const double most = kSlope * edge.norm();
+  const double most = kPlainlyNear * edge.norm();
   return std::abs(edge.dot(mesh_.normal(a))) < most && std::abs(edge.dot(mesh_.normal(b))) < most &&
-         mesh_.normal(a).dot(mesh_.normal(b)) > kAlongIt;
+         mesh_.normal(a).dot(mesh_.normal(b)) > kSameWay;
 }
 
 void TwoSidedDistance::raise(Face f, double distance) {

@@ -16,7 +16,6 @@ namespace {
 constexpr double kFlat = 0.07;
 constexpr double kTooLong = 1.7;
 constexpr double kStep = 1.2;  // from pass to pass; this removes a third of the vertices
-constexpr double kFinest = 1e-3;
 constexpr int kLargestValence = 9;
 
 class Decimation {
@@ -29,7 +28,7 @@ class Decimation {
         into_(mesh_.vertexCapacity()) {}
 
   void run(double worthwhile) {
-    for (share_ = std::max(kFinest, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
+    for (share_ = std::max(kRoundOff, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
     share_ = 1;
     while (double(pass()) > worthwhile * double(mesh_.vertexCount())) {
     }

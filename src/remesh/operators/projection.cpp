@@ -8,9 +8,6 @@ namespace remesher {
 namespace {
 
 constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
-// A walk that ends this near, in units of the first side, has found what walks from other corners
-// would.
-constexpr double kPlainlyNear = 0.05;
 
 }  // namespace
 
@@ -34,6 +31,7 @@ SurfacePoint Projector::onOriginal(const std::array<SurfacePoint, 3>& corners,
   const Vec3 flat = weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
   SurfacePoint best;
   double bestDistance = kInfinity;
+  // A walk that ends plainly near has found what walks from other corners would.
   const double enough = kPlainlyNear * kPlainlyNear * (places[1] - places[0]).squaredNorm();
   for (int i = 0; i < 3 && bestDistance > enough; ++i) {
     if (weights[i] <= 0) continue;

@@ -11,6 +11,9 @@
 
 namespace remesher {
 
+// A place this near, in units of an edge's length, is as good as the place itself.
+inline constexpr double kPlainlyNear = 0.05;
+
 class Projector {
  public:
   // reach: the longest edge that will be projected, model units; patches overlap accordingly.

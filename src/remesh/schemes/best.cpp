@@ -27,14 +27,11 @@ namespace remesher {
 namespace {
 
 constexpr int kEvenings = 2;
-constexpr double kTipTolerance = 0.5;  // of the target edge length
-constexpr double kHardlyShift = 0.04;  // of the target edge length: not worth a distance
 
-// Two levels pay only for large meshes; for tiny meshes no level pays.
+// Two levels pay only for large meshes.
 constexpr std::size_t kManyVertices = 40000;
-constexpr std::size_t kFewVertices = 400;
 // Corners never move: a coarse mesh needs so many vertices per corner.
-constexpr std::size_t kVerticesPerCorner = 6;
+constexpr std::size_t kVerticesPerCorner = 8;
 // The largest mean bend over a coarse edge. Six edges as long as the radius go around a tube (a
 // bend of 1); with fewer edges the tube falls flat, and no later vertex raises it again.
 constexpr double kMostBend = 0.9;
@@ -63,9 +60,9 @@ Levels planLevels(const Run& run, const BestGoal& goal) {
   const bool isKept =
       std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
   if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices, goal.quality};
-  int levels = vertices < kFewVertices ? 0 : vertices < kManyVertices ? 1 : 2;
+  int levels = vertices < kManyVertices ? 1 : 2;
   const double area = run.mesh.surface().area();
-  const double bend = levels > 0 ? meanBend(run.mesh.surface()) : 0;
+  const double bend = meanBend(run.mesh.surface());
   const auto isTooCoarse = [&](std::size_t coarse) {
     return coarse < kVerticesPerCorner * corners ||
            bend * evenEdgeLength(area, double(coarse)) > kMostBend;
@@ -102,7 +99,7 @@ void evenOut(Run& run, std::size_t vertices) {
 }
 
 void smoothOntoTips(Run& run) {
-  take("tips", [&] { reachTips(run, kTipTolerance); });
+  take("tips", [&] { reachTips(run); });
   smooth(run);
 }
 
@@ -174,7 +171,7 @@ void finish(Run& run, const Progress& progress) {
   take("lower Hausdorff", [&] { lowerHausdorff(run); });
   progress.phase("polish", 1, 1);
   if (run.mesh.mesh().vertexCount() >= kLarge || !areFewBelow(run, kSound)) return;
-  take("last polish", [&] { polish(run, {kFine, kHardlyShift}); });
+  take("last polish", [&] { polish(run, {kFine, kPlainlyNear}); });
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace remesher {
 
 namespace {
 
-constexpr double kFeatureAngle = 40;
 // Flat regions at least so wide, in target edge lengths, are bordered by curves. Half the width
 // costs 3° of the mean angle of featuretype at 16 thousand vertices.
 constexpr double kFlatWidth = 1;

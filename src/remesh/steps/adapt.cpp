@@ -60,8 +60,7 @@ std::size_t splitLong(Run& run, std::size_t limit) {
 // Much too long edges need several halvings. Without Delaunay flips in between, slivers would be
 // split into ever thinner ones.
 void refine(Run& run, std::size_t limit) {
-  constexpr int kHalvings = 48;
-  for (int i = 0; i < kHalvings && run.mesh.mesh().vertexCount() < limit; ++i) {
+  while (run.mesh.mesh().vertexCount() < limit) {
     const std::size_t before = run.mesh.mesh().vertexCount();
     const std::size_t longOnes = splitLong(run, limit), vertices = run.mesh.mesh().vertexCount();
     if (vertices == before || longOnes * 10 < vertices) return;

@@ -21,9 +21,9 @@ namespace {
 constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
 constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
 constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
-constexpr int kMostRounds = 8, kSlides = 4, kPasses = 3;
+constexpr int kMostRounds = 8;       // of moves, and of slides in each
+constexpr int kPasses = 3;           // of smoothing after each
 constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
-constexpr int kSteps = 32;  // places tried between two neighbours for the sake of triangles
 
 struct Station {
   Index chain;
@@ -149,7 +149,7 @@ bool slideTowards(Run& run, const Station& to) {
 // Returns whether anything moved. Interior vertices make way between the slides.
 bool slide(Run& run, const Row& moves) {
   bool moved = false;
-  for (int i = 0; i < kSlides; ++i) {
+  for (int i = 0; i < kMostRounds; ++i) {
     bool again = false;
     for (const Station& to : moves)
       if (run.mesh.on(to.vertex).arc != to.arc) again = slideTowards(run, to) || again;
@@ -220,8 +220,8 @@ bool mend(Run& run, const Station& before, Station& at, const Station& after) {
   };
   double most = qualityAt(at.arc, 0) + kWorthAMove;
   Station best = at;
-  for (int i = 1; i < kSteps; ++i) {
-    const double arc = before.arc + (after.arc - before.arc) * i / kSteps;
+  for (int i = 1; i < kPlacesBetween; ++i) {
+    const double arc = before.arc + (after.arc - before.arc) * i / kPlacesBetween;
     const double quality = qualityAt(arc, most);
     if (quality <= most || !isNear(run, at.chain, before.arc, arc) ||
         !isNear(run, at.chain, arc, after.arc))

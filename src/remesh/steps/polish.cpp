@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
@@ -23,16 +24,10 @@ constexpr int kMeansByTurns = 2;  // see meansOf
 // better: the rest are around handles no larger than a triangle.
 constexpr double kHopeless = 0.8;
 constexpr std::size_t kManyBad = 200;
-// Tries per triangle in the last round, whose small moves go on while they gain.
-constexpr int kLastTries = 12;
-// Work is counted in angles looked at: a place tried for a vertex costs as many as it has
-// neighbours. Where few triangles are bad a twentieth of the limit is needed; where all are, and
-// valences high, more is in vain. Triangles far beyond the wanted number, among needles, do not
-// raise the limit.
-constexpr std::size_t kPlacesTried = 40, kMostWork = 800, kLeastWork = 1 << 19;
-constexpr double kFarBeyond = 2;
-// Drastic means may multiply the number of vertices by this before the count is put right again.
-constexpr double kMostGrowth = 1.25;
+// The work on a triangle is the number of its corners' neighbours. Where few triangles are bad a
+// twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
+// in vain.
+constexpr std::size_t kMostWork = 20, kLeastWork = 1 << 14;
 // A pattern search: eight directions, with steps that shrink as none of them helps.
 constexpr int kDirections = 8;
 constexpr double kFirstStep = 0.3;  // of the mean spoke
@@ -40,7 +35,6 @@ constexpr double kLastStep = 0.02;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // Around a sharp tip no place on the surface is better, but a place a little off it is.
 constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
-constexpr double kRolledOut = 1e-3;                  // radians
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
 // wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
@@ -150,7 +144,7 @@ bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
                &next = mesh.position(mesh.mesh().opposite(h));
     turn += angles(mesh.position(v), tip, next)[0];
   });
-  return std::abs(2 * std::numbers::pi - turn) < kRolledOut;
+  return std::abs(2 * std::numbers::pi - turn) < kSingleRoundOff;
 }
 
 // Offers places up and down the mean normal of the star.
@@ -229,8 +223,7 @@ struct Attempt {
 std::size_t workOf(const Run& run, Face f, const Hubs& hubs) {
   std::size_t work = 0;
   for (const Vertex v : run.mesh.mesh().vertices(f))
-    work += kPlacesTried *
-            (hubs.contains(v) ? Hubs::kFewestSpokes : std::size_t(run.mesh.mesh().valence(v)));
+    work += hubs.contains(v) ? Hubs::kFewestSpokes : std::size_t(run.mesh.mesh().valence(v));
   return work;
 }
 
@@ -302,14 +295,16 @@ Means meansOf(int round, int rounds) {
   return round % 2 == 1 ? Means::ChangeCount : Means::KeepCount;
 }
 
+// The small moves of the last round go on while they gain.
 int triesOf(const Run& run, Means means) {
-  return means == Means::LeaveSurface ? kLastTries : run.asked.effort.polishTries;
+  return means == Means::LeaveSurface ? std::numeric_limits<int>::max()
+                                      : run.asked.effort.polishTries;
 }
 
+// Triangles beyond the wanted number, among needles, do not raise the limit.
 std::size_t mostWork(const Run& run) {
-  const double wanted = 2 * run.sizes.vertices();
-  const double counted = std::min(double(run.mesh.mesh().faceCount()), kFarBeyond * wanted);
-  return std::max(kLeastWork, kMostWork * std::size_t(counted));
+  const double wanted = std::min(double(run.mesh.mesh().faceCount()), 2 * run.sizes.vertices());
+  return std::max(kLeastWork, kMostWork * std::size_t(wanted));
 }
 
 }  // namespace

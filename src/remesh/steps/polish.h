@@ -11,6 +11,9 @@ namespace remesher {
 // A step's shift, in target edge lengths: a quarter and more loses tips, much less leaves slivers.
 constexpr double kSmallShift = 0.16;
 
+// Drastic means may multiply the number of vertices by this before the count is put right again.
+inline constexpr double kMostGrowth = 1.25;
+
 struct PolishGoal {
   double angle;              // radians; triangles with a smaller one are worked on
   double shift = kInfinity;  // of a step, in target edge lengths

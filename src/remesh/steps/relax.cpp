@@ -13,10 +13,6 @@ namespace remesher {
 namespace {
 
 constexpr double kNeighbors = 6;  // of most vertices
-// How far a vertex goes: a share of the way to the mean of its neighbours, which follow it. Waves
-// many edges long then settle in far fewer passes (successive over-relaxation). Not used in small
-// meshes, whose vertices would never quite come to rest.
-constexpr double kBeyondMean = 1.3;
 
 bool isAtRest(const Run& run, Vertex v, double share) {
   const double unrest = run.mesh.unrest(v);
@@ -42,6 +38,7 @@ void relax(Run& run, int passes) { relax(run, passes, run.asked.effort.rest); }
 
 void relax(Run& run, int passes, double share) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  // The vertices of small meshes would never quite come to rest.
   const double part = run.projector.walks() ? kBeyondMean : 1;
   PolarMap star;
   bool isStill = false;

@@ -6,6 +6,10 @@
 
 namespace remesher {
 
+// How far a vertex goes: so many times the way to where its neighbours, which follow it, want it.
+// Waves many edges long then settle in far fewer passes (successive over-relaxation).
+inline constexpr double kBeyondMean = 1.3;
+
 // Up to `passes` Laplacian passes over the vertices that are not at rest: those whose star has
 // changed since their last visit, and those whose neighbours have moved since then by more than a
 // small share of the target edge length. If the projector walks, vertices go a little beyond the

@@ -94,13 +94,16 @@ inline bool commitUnlessFlat(Run& run) {
   return true;
 }
 
-// With an error bound proofs are the main work. From now on `perTriangle` pieces of surface may be
-// looked at for each triangle of the mesh; then no change is allowed. A usual triangle needs less
-// than a hundred, a needle as many as there are places to try.
-inline void grantProofs(const Run& run, std::size_t perTriangle) {
+// With an error bound proofs are the main work. So many pieces of surface may be looked at for each
+// triangle of the mesh. A usual triangle needs less than a hundred, a needle as many as there are
+// places to try.
+inline constexpr std::size_t kProofs = 1000;
+
+// Once the pieces are spent that are granted here, no change is allowed.
+inline void grantProofs(const Run& run) {
   constexpr std::size_t kLeast = 1 << 16;
   if (!run.asked.rule.bound) return;
-  run.asked.rule.bound->grant(std::max(kLeast, perTriangle * run.mesh.mesh().faceCount()));
+  run.asked.rule.bound->grant(std::max(kLeast, kProofs * run.mesh.mesh().faceCount()));
 }
 
 inline bool areProofsSpent(const Run& run) {

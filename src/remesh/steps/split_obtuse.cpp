@@ -15,7 +15,6 @@ bool facesObtuse(const WorkingMesh& mesh, Halfedge side) {
 }  // namespace
 
 void splitObtuse(Run& run) {
-  constexpr std::size_t kProofs = 1300;  // to each triangle
   const HalfedgeMesh& m = run.mesh.mesh();
   std::vector<std::pair<Vertex, Vertex>> edges;
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
@@ -24,7 +23,7 @@ void splitObtuse(Run& run) {
     if (facesObtuse(run.mesh, h) || facesObtuse(run.mesh, m.twin(h)))
       edges.emplace_back(m.origin(h), m.tip(h));
   }
-  grantProofs(run, kProofs);
+  grantProofs(run);
   const ErrorBound* bound = run.asked.rule.bound;
   for (const auto& [from, to] : edges)
     if (proposeSplit(run.mesh, run.projector, m.find(from, to), run.scratch.change) &&

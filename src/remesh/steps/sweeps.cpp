@@ -24,9 +24,6 @@ CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v) {
 
 namespace {
 
-// A vertex stays this share of the way between its neighbours along the curve away from either.
-constexpr double kRoom = 0.25, kBoundaryRoom = 0.33;
-
 // Proposes a move to `target` in the plane of v's polar map, if it lies inside the star.
 bool proposeTarget(Run& run, const PolarMap& star, Vertex v, const Vec2& target) {
   const auto location = star.locate(target);
@@ -78,8 +75,7 @@ double besideInner(const Run& run, Vertex v, const Stretch& between, double even
     sum += (run.mesh.position(w) - run.mesh.position(v)).dot(ahead);
   });
   const double arc = own + sum / run.mesh.mesh().valence(v);
-  return between.from +
-         length * std::clamp((arc - between.from) / length, kBoundaryRoom, 1 - kBoundaryRoom);
+  return between.from + length * std::clamp((arc - between.from) / length, kRoom, 1 - kRoom);
 }
 
 // Slides v to where the lengths of its two edges along the chain are in proportion to the sizes at
