@@ -31,20 +31,33 @@ struct Tip {
   Index quad() const { return triangle / 2; }
 };
 
-double squaredDistance(const Vec3& p, const QuadMesh& mesh, const Four<Index>& quad) {
-  const auto to = [&](Index a, Index b, Index c) {
-    const Vec3 nearest = closestPoint(p, mesh.position(a), mesh.position(b), mesh.position(c));
-    return (nearest - p).squaredNorm();
-  };
-  const Index k = diagonalOf(mesh, quad);
-  return std::min(to(quad[k], quad[k + 1], quad[k + 2]),
-                  to(quad[k], quad[k + 2], quad[(k + 3) % 4]));
+// The corners of the quads' triangles, two each: the diagonal joins the first and third of each
+// six.
+std::vector<Index> trianglesOf(const QuadMesh& mesh) {
+  std::vector<Index> corners;
+  for (const Four<Index>& quad : mesh.quads) {
+    const Index k = diagonalOf(mesh, quad), a = quad[k], c = quad[k + 2];
+    corners.insert(corners.end(), {a, quad[k + 1], c, a, c, quad[(k + 3) % 4]});
+  }
+  return corners;
 }
 
-// The squared distance from the middle of the diagonal to the original.
-double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const WorkingMesh& ground) {
-  const Index k = diagonalOf(mesh, quad);
-  const Vec3 p = (mesh.position(quad[k]) + mesh.position(quad[k + 2])) / 2;
+// The squared distance from p to the nearest triangle; to any, if that is `enough` or less.
+double distanceFrom(const QuadMesh& mesh, const std::vector<Index>& triangles, const Vec3& p,
+                    double enough) {
+  double nearest = kInfinity;
+  for (std::size_t i = 0; i < triangles.size() && nearest > enough; i += 3) {
+    const Vec3 q = closestPoint(p, mesh.position(triangles[i]), mesh.position(triangles[i + 1]),
+                                mesh.position(triangles[i + 2]));
+    nearest = std::min(nearest, (q - p).squaredNorm());
+  }
+  return nearest;
+}
+
+// The squared distance from the middle of a quad's diagonal, from a to c, to the original.
+double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, Index a, Index c,
+                    const WorkingMesh& ground) {
+  const Vec3 p = (mesh.position(a) + mesh.position(c)) / 2;
   for (const Index v : quad)
     if (mesh.vertices[v].kind == VertexKind::Interior) {
       const SurfacePoint at = closestPointFrom(ground.surface(), mesh.vertices[v].at, p);
@@ -82,12 +95,8 @@ std::vector<Tip> possibleTips(const OriginalSurface& surface) {
 // A tree of the quads as triangles, two each.
 class QuadTree {
  public:
-  explicit QuadTree(const QuadMesh& mesh) {
+  explicit QuadTree(const QuadMesh& mesh) : indices_(trianglesOf(mesh)) {
     for (const Placement& place : mesh.vertices) positions_.push_back(place.position);
-    for (const Four<Index>& quad : mesh.quads) {
-      const Index k = diagonalOf(mesh, quad), a = quad[k], c = quad[k + 2];
-      indices_.insert(indices_.end(), {a, quad[k + 1], c, a, c, quad[(k + 3) % 4]});
-    }
     tree_.emplace(positions_, indices_);
   }
 
@@ -179,7 +188,9 @@ class Reaching {
     if (isOnCurve && here.on.chain != tip.on.chain) return false;
     const std::vector<Index> near = quadsNear(sides_, mesh_, sides_.outgoing(v) / 4);
     const QuadPatch patch = patchOf(mesh_, sides_, near);
-    if (distanceFrom(patch.mesh, position(tip)) <= least_ * least_) return true;
+    const double near2 = least_ * least_;
+    if (distanceFrom(patch.mesh, trianglesOf(patch.mesh), position(tip), near2) <= near2)
+      return true;
     const Placement place = isOnCurve ? ground_.onCurve(tip.on)
                                       : ground_.onSurface(ground_.surface().at(Vertex(tip.vertex)));
     if (tryAt(patch, near, v, place)) return true;
@@ -189,7 +200,7 @@ class Reaching {
   }
 
   bool tryAt(QuadPatch patch, const std::vector<Index>& near, Index v, const Placement& place) {
-    const double farthest = farthestFrom(patch.mesh, near);
+    const double farthest = farthestFrom(patch.mesh, near, kInfinity);
     MovingQuads moving(patch.mesh, ground_);
     const double least = std::min(worst(moving), 2 * kLeastSine);
     for (std::size_t i = 0; i < patch.outer.size(); ++i) {
@@ -198,9 +209,9 @@ class Reaching {
       moving.move(Index(i), place);
       patch.isRim[i] = 1;
     }
-    if (farthestFrom(patch.mesh, near) >= farthest) return false;
+    if (farthestFrom(patch.mesh, near, farthest) >= farthest) return false;
     mendCorners(moving, patch.isRim);
-    if (worst(moving) < least || farthestFrom(patch.mesh, near) >= farthest) return false;
+    if (worst(moving) < least || farthestFrom(patch.mesh, near, farthest) >= farthest) return false;
     for (std::size_t i = 0; i < patch.outer.size(); ++i)
       mesh_.vertices[patch.outer[i]] = patch.mesh.vertices[i];
     isHeld_[v] = 1;
@@ -218,21 +229,18 @@ class Reaching {
     return least;
   }
 
-  static double distanceFrom(const QuadMesh& mesh, const Vec3& p) {
-    double nearest = kInfinity;
-    for (const Four<Index>& quad : mesh.quads)
-      nearest = std::min(nearest, squaredDistance(p, mesh, quad));
-    return nearest;
-  }
-
-  // The largest squared distance from the patch to its tips, or from its quads to the original.
-  double farthestFrom(const QuadMesh& patch, const std::vector<Index>& quads) const {
+  // The largest squared distance from the patch to its tips, or from its quads to the original; any
+  // that is `most` or more, if there is one.
+  double farthestFrom(const QuadMesh& patch, const std::vector<Index>& quads, double most) const {
+    const std::vector<Index> triangles = trianglesOf(patch);
     double farthest = 0;
     for (const Index q : quads)
       for (const Tip& tip : ofQuad_[q])
-        farthest = std::max(farthest, distanceFrom(patch, position(tip)));
-    for (const Four<Index>& quad : patch.quads)
-      farthest = std::max(farthest, fromOriginal(patch, quad, ground_));
+        if (farthest < most)
+          farthest = std::max(farthest, distanceFrom(patch, triangles, position(tip), farthest));
+    for (std::size_t q = 0; q < patch.quads.size() && farthest < most; ++q)
+      farthest = std::max(farthest, fromOriginal(patch, patch.quads[q], triangles[6 * q],
+                                                 triangles[6 * q + 2], ground_));
     return farthest;
   }
 
