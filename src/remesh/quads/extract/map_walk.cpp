@@ -5,9 +5,6 @@ namespace remesher {
 
 namespace {
 
-// A walk within one quad crosses few triangles; it is given up after so many steps.
-constexpr int kMostSteps = 4096;
-
 Transition after(const Transition& first, const Transition& second) {
   return {(first.turn + second.turn) % 4, second(first.shift)};
 }
@@ -37,12 +34,13 @@ std::optional<Halfedge> MapWalk::exit(const MapPlace& from, const MapPoint& end,
   return {};
 }
 
+// A walk within one quad crosses few triangles: one that crosses more than there are is given up.
 std::optional<MapWalk::Arrival> MapWalk::go(const MapPlace& start, const MapPoint& end) const {
   MapPlace here = start;
   MapPoint goal = end;
   Transition way;
   Halfedge entered;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (Index step = 0; step < mesh_.faceCapacity(); ++step) {
     if (map_.area(here.face) <= 0) return {};
     if (isIn({here.face, goal})) return Arrival{{here.face, goal}, way};
     const std::optional<Halfedge> h = exit(here, goal, entered);

@@ -83,25 +83,26 @@ Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
   return right;
 }
 
-// Pulls sums c·z to 1: with a weight w the minimum is at z + C·c (1/w + c·C·c)⁻¹ (1 − c·z), C the
-// inverse, c with a column for each sum [Woodbury].
-void Rounding::pull(Wholes& wholes, const std::vector<char>& isPulled) const {
+// Pulls sums c·z to what is wanted of them, 0 for none: with a weight w the minimum is at z + C·c
+// (1/w + c·C·c)⁻¹ (wanted − c·z), C the inverse, c with a column for each sum [Woodbury].
+void Rounding::pull(Wholes& wholes, const std::vector<int>& wanted) const {
   constexpr double kYield = 1e-3;  // one over the weight, beside weights of about 1
-  const Eigen::Index count = std::count(isPulled.begin(), isPulled.end(), 1);
+  const auto count = Eigen::Index(wanted.size()) - std::count(wanted.begin(), wanted.end(), 0);
   if (count == 0) return;
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(wholes_, count);
+  Eigen::VectorXd lack(count);
   Eigen::Index column = 0;
   for (std::size_t k = 0; k < required_.size(); ++k) {
-    if (!isPulled[k]) continue;
+    if (wanted[k] == 0) continue;
     for (const auto& [variable, coefficient] : required_[k])
       sums(variable - reals_, column) = coefficient;
-    ++column;
+    lack[column++] = wanted[k];
   }
+  lack -= sums.transpose() * wholes.values;
   const Eigen::MatrixXd moved = wholes.inverse * sums;
   Eigen::MatrixXd yields = sums.transpose() * moved;
   yields.diagonal().array() += kYield;
   const Eigen::LLT<Eigen::MatrixXd> factor(yields);
-  const Eigen::VectorXd lack = Eigen::VectorXd::Ones(count) - sums.transpose() * wholes.values;
   wholes.values += moved * factor.solve(lack);
   wholes.inverse.noalias() -= moved * factor.solve(moved.transpose());
 }
@@ -136,23 +137,23 @@ void Rounding::roundAll(Wholes& all) const {
   }
 }
 
-// Pulls the sums that are too small after rounding, and rounds anew, until none is that was not
-// pulled before. Each round lets others fall below 1: with three rounds only, curves of the gear,
-// the bunny and the angle block have no sides of quads.
+// Pulls the sums that are too small after rounding, and rounds anew, until none is. Each round lets
+// others fall below 1, or those pulled before: they are pulled farther.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
-  std::vector<char> isPulled(required_.size(), 0);
+  constexpr int kFarthestPull = 4;  // some sums cannot all be 1
+  std::vector<int> wanted(required_.size(), 0);
   for (;;) {
     Wholes all{factor * relaxed_, inverse_};
-    pull(all, isPulled);
+    pull(all, wanted);
     roundAll(all);
     bool isShort = false;
     for (std::size_t k = 0; k < required_.size(); ++k) {
       double sum = 0;
       for (const auto& [variable, coefficient] : required_[k])
         sum += coefficient * all.values[variable - reals_];
-      if (sum >= 1 || isPulled[k]) continue;
+      if (sum >= 1 || wanted[k] == kFarthestPull) continue;
       isShort = true;
-      isPulled[k] = 1;
+      ++wanted[k];
     }
     if (!isShort) return all;
   }

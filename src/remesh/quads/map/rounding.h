@@ -36,7 +36,7 @@ class Rounding {
     Eigen::VectorXd values;
     Eigen::MatrixXd inverse;  // of the matrix of these variables
   };
-  void pull(Wholes& wholes, const std::vector<char>& isPulled) const;
+  void pull(Wholes& wholes, const std::vector<int>& wanted) const;
   void roundAll(Wholes& wholes) const;
   Wholes roundedWholes(double factor) const;
   Eigen::VectorXd solveReals(Eigen::VectorXd right) const;

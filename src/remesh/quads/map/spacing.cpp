@@ -2,21 +2,24 @@
 #include "remesh/quads/map/spacing.h"
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace remesher {
 
 namespace {
 
+// The quarter turns from direction 0 of the cross to the curve edge.
+int quartersOf(const MapInput& input, Halfedge h) {
+  const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
+  return int((std::lround(angle / kQuarterTurn) % 4 + 4) % 4);
+}
+
 // The length of a curve edge in the map, along the direction of the cross that follows it.
 IntegerSum lengthOf(const MapInput& input, const SeamlessSystem& system, Halfedge h) {
-  const double angle = input.frames.angle(h) - input.cut.angle[HalfedgeMesh::face(h)];
-  const long quarters = std::lround(angle / (std::numbers::pi / 2));
-  const std::size_t axis = quarters % 2 == 0 ? 0 : 1;
+  const int quarters = quartersOf(input, h);
   const IntegerSum gone =
-      plus(system.corner(HalfedgeMesh::next(h))[axis], system.corner(h)[axis], -1);
-  return ((quarters % 4) + 4) % 4 < 2 ? gone : plus({}, gone, -1);
+      plus(system.corner(HalfedgeMesh::next(h))[quarters % 2], system.corner(h)[quarters % 2], -1);
+  return quarters < 2 ? gone : plus({}, gone, -1);
 }
 
 // The edge of the same chain that goes on where h ends.
@@ -29,23 +32,22 @@ Halfedge nextOnChain(const WorkingMesh& mesh, Halfedge h) {
 }
 
 bool isWholeSum(const IntegerSum& sum, const SeamlessSystem& system) {
-  return !sum.empty() && sum.front().first >= system.realCount();
+  return sum.empty() || sum.front().first >= system.realCount();
 }
 
-void addChainLengths(std::set<IntegerSum>& lengths, const MapInput& input,
-                     const SeamlessSystem& system) {
-  const HalfedgeMesh& m = input.mesh.mesh();
-  std::set<Index> seen;
-  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+// Adds the length of each part of a curve between two neighboring places with integer coordinates.
+void addCurves(std::set<IntegerSum>& lengths, const MapInput& input, const SeamlessSystem& system) {
+  for (Index i = 0; i < input.mesh.mesh().halfedgeCapacity(); ++i) {
     Halfedge h(i);
-    if (!input.mesh.isCurve(h) || input.mesh.kind(m.origin(h)) != VertexKind::Corner) continue;
-    if (!seen.insert(input.mesh.curve(h)).second) continue;
+    if (!input.mesh.isCurve(h)) continue;
+    if (!isWholeSum(system.corner(h)[quartersOf(input, h) % 2], system)) continue;
     IntegerSum length = lengthOf(input, system, h);
-    while (h && input.mesh.kind(m.tip(h)) != VertexKind::Corner) {
+    while (!isWholeSum(length, system)) {
       h = nextOnChain(input.mesh, h);
-      if (h) length = plus(length, lengthOf(input, system, h), 1);
+      if (!h) break;
+      length = plus(length, lengthOf(input, system, h), 1);
     }
-    if (h && isWholeSum(length, system)) lengths.insert(std::move(length));
+    if (isWholeSum(length, system)) lengths.insert(std::move(length));
   }
 }
 
@@ -70,8 +72,9 @@ void addEdges(std::set<IntegerSum>& lengths, const MapInput& input, const Seamle
 
 std::vector<IntegerSum> leastSpacings(const MapInput& input, const SeamlessSystem& system) {
   std::set<IntegerSum> lengths;
-  addChainLengths(lengths, input, system);
+  addCurves(lengths, input, system);
   addEdges(lengths, input, system);
+  lengths.erase(IntegerSum());
   return {lengths.begin(), lengths.end()};
 }
 

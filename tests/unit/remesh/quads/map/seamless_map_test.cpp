@@ -83,3 +83,37 @@ TEST_CASE("seamless_map: no triangle folds over on smooth shapes") {
     for (Index f = 0; f < m.mesh.mesh().faceCapacity(); ++f) CHECK(m.map.area(Face(f)) > 0);
   }
 }
+
+TEST_CASE("seamless_map: a boundary that turns without corners is a unit long between its turns") {
+  for (const int waves : {5, 7, 11, 14}) {
+    TriangleMesh disk = shapes::grid(24, 24);
+    for (Vec3& p : disk.positions) {
+      const Vec3 q = p / 12 - Vec3(1, 1, 0);
+      const double square = q.cwiseAbs().maxCoeff(),
+                   wave = std::cos(waves * std::atan2(q.y(), q.x()));
+      if (square > 0) p = q.normalized() * square * (1 + 0.1 * square * wave);
+    }
+    for (const double length : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+      const Mapped m(disk, length);
+      const HalfedgeMesh& mesh = m.mesh.mesh();
+      const auto isTurn = [&](Halfedge h) {  // at its origin
+        return isWhole(m.map.corners[h].u) && isWhole(m.map.corners[h].v);
+      };
+      int turns = 0;
+      for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+        Halfedge h(i);
+        if (!mesh.isBoundary(h) || !isTurn(h)) continue;
+        ++turns;
+        Whole far = 0;
+        do {
+          const MapPoint gone = m.map.corners[HalfedgeMesh::next(h)] - m.map.corners[h];
+          far += std::abs(gone.u + gone.v);  // one of them is 0
+          h = HalfedgeMesh::next(h);
+          while (!mesh.isBoundary(h)) h = HalfedgeMesh::next(mesh.twin(h));
+        } while (!isTurn(h));
+        CHECK(far >= kUnit);
+      }
+      CHECK(turns > 0);
+    }
+  }
+}
