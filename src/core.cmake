@@ -176,6 +176,7 @@ add_library(small OBJECT
   src/remesh/accuracy/uncross.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
+  src/remesh/quads/base_meshes.cpp
   src/remesh/quads/extract/extraction.cpp
   src/remesh/quads/extract/holes.cpp
   src/remesh/quads/extract/map_walk.cpp

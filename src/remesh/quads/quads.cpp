@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "remesh/quads/base_meshes.h"
 #include "remesh/quads/extract/extraction.h"
 #include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/mending.h"
@@ -233,6 +235,20 @@ double ownVertices(const WorkingMesh& mesh, const QuadGoal& goal) {
   return double(goal.vertices) / images + onPlanes / 2;
 }
 
+// Quads of a part by a map on the first mesh, from `level` on, that has a map, or none. A part that
+// has none on any mesh begins with the last one the next time.
+QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bool isGraded) {
+  for (;; ++level) {
+    const WorkingMesh* part = bases.part(level, share.number);
+    if (!part) break;
+    const FaceData<double> even(part->mesh().faceCapacity(), 1.0);
+    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes(*part) : even);
+    if (!quads.quads.empty()) return quads;
+  }
+  if (level > 0) --level;
+  return {};
+}
+
 // Quads by pairs, for the parts with these numbers. The number of vertices depends on how many
 // triangles stay single, so that a second mesh has the right number.
 QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
@@ -323,26 +339,23 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors) {
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   const std::size_t least = kLeastForMap >> goal.mirrors.planes.size();
   const double dense = double(goal.vertices >> goal.mirrors.planes.size());
-  WorkingMesh base =
-      triangles(std::max(std::size_t(dense * (goal.isDraft ? 0.5 : kOfQuads)), least));
-  openSectors(base);
-  const std::vector<WorkingMesh> parts = connectedParts(base);
-  const double expected = ownVertices(base, goal);
+  BaseMeshes bases(triangles, std::max(std::size_t(dense * (goal.isDraft ? 0.5 : kOfQuads)), least),
+                   std::size_t(dense));
+  const double expected = ownVertices(bases.first(), goal);
+  std::map<Index, std::size_t> levels;  // of each part: the mesh that its map is made on
   const auto made = [&](double share) {
     const double vertices = share * expected;
-    const std::vector<PartShare> shares = sharesOf(parts, vertices, goal.isGraded);
-    MadeQuads result{{}, parts.size(), 0};
+    const std::vector<PartShare> shares = sharesOf(bases.parts(), vertices, goal.isGraded);
+    MadeQuads result{{}, shares.size(), 0};
     std::vector<PartShare> failed;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const FaceData<double> even(parts[i].mesh().faceCapacity(), 1.0);
-      const QuadMesh quads =
-          mapToQuads(parts[i], shares[i].vertices, goal.isGraded ? gradedSizes(parts[i]) : even);
-      quads.quads.empty() ? failed.push_back(shares[i]) : append(result.mesh, quads);
+    for (const PartShare& one : shares) {
+      const QuadMesh quads = mapOn(bases, levels[one.number], one, goal.isGraded);
+      quads.quads.empty() ? failed.push_back(one) : append(result.mesh, quads);
     }
     result.paired = failed.size();
     if (!failed.empty())
       append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
-    matchCount(result, goal, base);
+    matchCount(result, goal, bases.first());
     return result;
   };
   // An exact number is reached by adding rows to a slightly smaller one, else by removing quads
@@ -370,7 +383,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     MadeQuads one = made(share);
     if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
   }
-  if (!goal.isDraft) reachTips(best->mesh, base, kSmoothings);
+  if (!goal.isDraft) reachTips(best->mesh, bases.first(), kSmoothings);
   return std::move(*best);
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/base_meshes.h"
+
+#include <algorithm>
+
+#include "remesh/quads/field/sectors.h"
+#include "remesh/quads/mesh/quad_parts.h"
+
+namespace remesher {
+
+namespace {
+
+WorkingMesh opened(WorkingMesh mesh) {
+  openSectors(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+BaseMeshes::BaseMeshes(const TriangleMaker& triangles, std::size_t first, std::size_t least)
+    : triangles_(triangles),
+      count_(first),
+      least_(least),
+      first_(opened(triangles(first))),
+      numbers_(partNumbers(first_.surface().mesh())),
+      levels_{connectedParts(first_)} {}
+
+const WorkingMesh* BaseMeshes::part(std::size_t level, Index number) {
+  while (level >= levels_.size()) {
+    if (count_ <= least_) return nullptr;
+    count_ = std::max(count_ / 2, least_);
+    levels_.push_back(connectedParts(opened(triangles_(count_))));
+  }
+  for (const WorkingMesh& part : levels_[level])
+    if (numbers_[part.at(Vertex(0)).face] == number) return &part;
+  return nullptr;
+}
+
+}  // namespace remesher
