@@ -38,7 +38,7 @@ constexpr double kCancelWithin = 1.5;
 constexpr int kTries = 12;
 constexpr double kNudge = 0.0015;
 // So many scales are corrected by the count of the last map; later ones lie aside of the best. At
-// most so many maps have their quads shaped and judged.
+// most so many maps have their quads shaped and judged, and no more than so many may fail.
 constexpr int kSteps = 4;
 // A map with a larger count error is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7
 // neighboring counts, not at 1; five other models are the same.
@@ -122,10 +122,11 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
                                      double vertices) {
   std::optional<Extracted> best;
   double nearest = length, least = kFarthest;
-  int shaped = 0;
+  int shaped = 0, failed = 0;
   std::vector<double> known;  // the marks of the maps that were extracted
-  for (int i = 0; i < kTries && shaped < kSteps && (!best || best->faults > 0); ++i) {
+  for (int i = 0; i < kTries && std::max(shaped, failed) < kSteps; ++i) {
     const bool isFirst = i < kSteps;
+    if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
     const std::optional<SeamlessMap> map = maker.map(scale, known);
@@ -139,7 +140,10 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     if (error >= (isFirst ? kCountTolerance : kFarthest)) continue;
     known.push_back(map->mark);
     std::optional<Extracted> made = extracted(part, *map);
-    if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) continue;
+    if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) {
+      ++failed;
+      continue;
+    }
     shape(made->quads, part);
     made->faults += countFaults(made->quads, part);
     ++shaped;
