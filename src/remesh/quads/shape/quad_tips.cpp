@@ -54,11 +54,12 @@ double distanceFrom(const QuadMesh& mesh, const std::vector<Index>& triangles, c
   return nearest;
 }
 
-// The squared distance from the middle of a quad's diagonal, from a to c, to the original.
-double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, Index a, Index c,
+// The squared distance from the middle of the diagonal of a quad, whose triangles are these, to the
+// original.
+double fromOriginal(const QuadMesh& mesh, Index quad, const std::vector<Index>& triangles,
                     const WorkingMesh& ground) {
-  const Vec3 p = (mesh.position(a) + mesh.position(c)) / 2;
-  for (const Index v : quad)
+  const Vec3 p = (mesh.position(triangles[6 * quad]) + mesh.position(triangles[6 * quad + 2])) / 2;
+  for (const Index v : mesh.quads[quad])
     if (mesh.vertices[v].kind == VertexKind::Interior) {
       const SurfacePoint at = closestPointFrom(ground.surface(), mesh.vertices[v].at, p);
       return (ground.surface().position(at) - p).squaredNorm();
@@ -238,9 +239,8 @@ class Reaching {
       for (const Tip& tip : ofQuad_[q])
         if (farthest < most)
           farthest = std::max(farthest, distanceFrom(patch, triangles, position(tip), farthest));
-    for (std::size_t q = 0; q < patch.quads.size() && farthest < most; ++q)
-      farthest = std::max(farthest, fromOriginal(patch, patch.quads[q], triangles[6 * q],
-                                                 triangles[6 * q + 2], ground_));
+    for (Index q = 0; q < patch.quads.size() && farthest < most; ++q)
+      farthest = std::max(farthest, fromOriginal(patch, q, triangles, ground_));
     return farthest;
   }
 
