@@ -140,7 +140,9 @@ void Rounding::roundAll(Wholes& all) const {
 // Pulls the sums that are too small after rounding, and rounds anew, until none is. Each round lets
 // others fall below 1, or those pulled before: they are pulled farther.
 Rounding::Wholes Rounding::roundedWholes(double factor) const {
-  constexpr int kFarthestPull = 4;  // some sums cannot all be 1
+  // Some sums cannot all be 1. With 1 in place of 4, 5 to 23 sums of featuretype at 2000 stay too
+  // short, with 2 up to one, with 4 none; at 7 counts with 1 its distance is 1.9 % in the median.
+  constexpr int kFarthestPull = 4;
   std::vector<int> wanted(required_.size(), 0);
   for (;;) {
     Wholes all{factor * relaxed_, inverse_};
