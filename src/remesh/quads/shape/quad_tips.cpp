@@ -54,12 +54,10 @@ double distanceFrom(const QuadMesh& mesh, const std::vector<Index>& triangles, c
   return nearest;
 }
 
-// The squared distance from the middle of the diagonal of a quad, whose triangles are these, to the
-// original.
-double fromOriginal(const QuadMesh& mesh, Index quad, const std::vector<Index>& triangles,
+// The squared distance to the original from p, which is on a quad.
+double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const Vec3& p,
                     const WorkingMesh& ground) {
-  const Vec3 p = (mesh.position(triangles[6 * quad]) + mesh.position(triangles[6 * quad + 2])) / 2;
-  for (const Index v : mesh.quads[quad])
+  for (const Index v : quad)
     if (mesh.vertices[v].kind == VertexKind::Interior) {
       const SurfacePoint at = closestPointFrom(ground.surface(), mesh.vertices[v].at, p);
       return (ground.surface().position(at) - p).squaredNorm();
@@ -239,8 +237,11 @@ class Reaching {
       for (const Tip& tip : ofQuad_[q])
         if (farthest < most)
           farthest = std::max(farthest, distanceFrom(patch, triangles, position(tip), farthest));
-    for (Index q = 0; q < patch.quads.size() && farthest < most; ++q)
-      farthest = std::max(farthest, fromOriginal(patch, q, triangles, ground_));
+    for (std::size_t q = 0; q < patch.quads.size() && farthest < most; ++q) {
+      // The middle of the diagonal.
+      const Vec3 p = (patch.position(triangles[6 * q]) + patch.position(triangles[6 * q + 2])) / 2;
+      farthest = std::max(farthest, fromOriginal(patch, patch.quads[q], p, ground_));
+    }
     return farthest;
   }
 
