@@ -2,7 +2,6 @@
 #include "repair/solid/contour_attributes.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -59,7 +58,8 @@ class Carrier {
         input_(input),
         built_(built),
         charts_(chartsOf(input, built)),
-        sources_(spreadSources(contour)) {
+        sources_(spreadSources(contour)),
+        first_(contour.points.size(), kNone) {
     mesh_.isSingle = input.isSingle, mesh_.scale = input.scale;
     for (const Attribute& attribute : input.attributes)
       mesh_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
@@ -77,15 +77,20 @@ class Carrier {
   }
 
  private:
-  // A point has one vertex for each chart that meets there.
+  // A point has one vertex for each chart that meets there; charts without attributes do not
+  // differ.
   Index vertexFor(Index point, Index source) {
-    const Index chart = source == kNone ? kNone : charts_[source];
-    const auto [it, isNew] = known_.try_emplace({point, chart}, Index(mesh_.positions.size()));
-    if (!isNew) return it->second;
+    const bool isAlike = input_.attributes.empty() || source == kNone;
+    const Index chart = isAlike ? kNone : charts_[source];
+    Index* vertex = &first_[point];
+    while (*vertex != kNone && vertices_[*vertex].chart != chart) vertex = &vertices_[*vertex].next;
+    if (*vertex != kNone) return *vertex;
+    const Index number = *vertex = Index(vertices_.size());
+    vertices_.push_back({chart});
     const Index own = contour_.pointSources[point];
     mesh_.positions.push_back(contour_.points[point]);
     append(contour_.points[point], own != kNone && charts_[own] == chart ? own : source);
-    return it->second;
+    return number;
   }
 
   void append(const Vec3& p, Index face) {
@@ -124,7 +129,11 @@ class Carrier {
   const BuiltMesh& built_;
   std::vector<Index> charts_;   // per face
   std::vector<Index> sources_;  // per triangle of the contour
-  std::map<std::pair<Index, Index>, Index> known_;
+  struct Known {
+    Index chart, next = kNone;  // next: another vertex at the same point
+  };
+  std::vector<Index> first_;  // per point
+  std::vector<Known> vertices_;
   TriangleMesh mesh_;
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "geometry/triangle_tree.h"
 #include "measure/hausdorff.h"
@@ -64,6 +66,16 @@ TEST_CASE("solid: overlapping bodies become one, whichever way they face") {
   CHECK(inspectMesh(asGiven.mesh).eulerCharacteristic == 2);
   CHECK(halfTurned.enclosure.turned == other.triangleCount());
   CHECK(halfTurned.mesh.positions == asGiven.mesh.positions);
+}
+
+TEST_CASE("solid: without attributes all bodies of the input share the surface's vertices") {
+  const TriangleMesh one = shapes::icosphere(8), other = soups::moved(one, {1, 0.1, 0.2});
+  const TriangleMesh mesh = solidOf(soups::joined({one, other}), {0.1}).mesh;
+  std::set<std::pair<Index, Index>> sides;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    sides.insert({mesh.indices[i], mesh.indices[i % 3 == 2 ? i - 2 : i + 1]});
+  CHECK(sides.size() == mesh.indices.size());
+  for (const auto& [from, to] : sides) CHECK(sides.count({to, from}) == 1);
 }
 
 TEST_CASE("solid: shells within a body are gone") {
