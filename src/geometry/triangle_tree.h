@@ -60,9 +60,10 @@ class TriangleTree {
   // The first triangle found within `distance` of p; if there is none, the nearest.
   Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
 
-  // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
+  // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`,
+  // from a place in the tree's order on.
   template <class Visit>
-  void visitOverlapping(const Box& box, Visit&& visit) const;
+  void visitOverlapping(const Box& box, Visit&& visit, std::size_t firstPlace = 0) const;
 
   // The box of all triangles.
   const Box& box() const { return box_; }
@@ -152,7 +153,7 @@ inline Box TriangleTree::boxOf(Index triangle) const {
 }
 
 template <class Visit>
-void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
+void TriangleTree::visitOverlapping(const Box& box, Visit&& visit, std::size_t firstPlace) const {
   if (levels_.empty() || !box.overlaps(box_)) return;
   Group wanted;
   wanted.set(0, rounded(inFloats(box.low), inFloats(box.high)));
@@ -168,7 +169,8 @@ void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
         group.low[2] <= wanted.high[2][0] && group.high[2] >= wanted.low[2][0];
     for (Index k = 0; k < 4; ++k) {
       if (!overlaps[k]) continue;
-      const Index member = 4 * next.group + k;
+      const Index member = 4 * next.group + k;  // holds 4^level places
+      if (member < firstPlace >> (2 * next.level)) continue;
       if (next.level > 0)
         stack[top++] = {next.level - 1, member, 0};
       else if (boxOf(order_[member]).overlaps(box))

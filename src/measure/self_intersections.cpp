@@ -24,11 +24,14 @@ class Search {
   }
 
   std::vector<Index> run() {
-    for (const Index s : tree_.order())
-      lookAround(s, [&](Index t) {
-        if (s < t && !(isHit_[s] && isHit_[t]) && trianglesMeet(triangle(s), triangle(t)))
+    for (std::size_t place = 0; place < tree_.order().size(); ++place) {
+      const Index s = tree_.order()[place];
+      const auto visit = [&](Index t) {
+        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(triangle(s), triangle(t)))
           isHit_[s] = isHit_[t] = 1;
-      });
+      };
+      lookAround(s, visit, place + 1);
+    }
     return hits();
   }
 
@@ -54,13 +57,14 @@ class Search {
   }
 
   template <class Visit>
-  void lookAround(Index s, Visit visit) const {
+  void lookAround(Index s, Visit visit, std::size_t firstPlace = 0) const {
     if (!counts_[s]) return;
     Box box;
     for (const Vec3& p : triangle(s).at) box.extend(p);
-    tree_.visitOverlapping(box, [&](Index t) {
+    const auto visitCounted = [&](Index t) {
       if (counts_[t]) visit(t);
-    });
+    };
+    tree_.visitOverlapping(box, visitCounted, firstPlace);
   }
 
   std::vector<Index> hits() const {

@@ -164,6 +164,21 @@ TEST_CASE("triangle_tree: every triangle whose box overlaps is visited once") {
   }
 }
 
+TEST_CASE("triangle_tree: from a place in the order on, what lies before it is not visited") {
+  const TriangleMesh mesh = soups::randomSoup(300, 0.2, 3);
+  const TriangleTree tree(mesh.positions, mesh.indices);
+  const Box box = tree.box();
+  for (std::size_t first = 0; first <= 300; ++first) {
+    std::vector<Index> visited;
+    tree.visitOverlapping(
+        box, [&](Index t) { visited.push_back(t); }, first);
+    std::vector<Index> expected(tree.order().begin() + std::ptrdiff_t(first), tree.order().end());
+    std::sort(visited.begin(), visited.end());
+    std::sort(expected.begin(), expected.end());
+    CHECK(visited == expected);
+  }
+}
+
 TEST_CASE("triangle_tree: the order names every triangle once, also when all are in one place") {
   TriangleMesh mesh = soups::square(9);
   for (Vec3& p : mesh.positions) p = Vec3(0.1, 0.2, 0.3);
