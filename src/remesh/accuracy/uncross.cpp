@@ -2,6 +2,7 @@
 #include "remesh/accuracy/uncross.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "remesh/gate/angles.h"
@@ -97,8 +98,14 @@ std::size_t uncross(Run& run) {
   constexpr std::size_t kWorthMending = 64;
   std::size_t budget = run.mesh.surface().mesh().faceCount() / kWorthMending;
   std::vector<Face> crossed = run.asked.rule.guard->crossing();
+  double last = kInfinity, beforeLast = kInfinity;  // how many there were
   for (int round = 0; round < rounds && !crossed.empty(); ++round) {
-    if (crossed.size() > budget) break;
+    // In vain if the rounds to come would not mend all at the rate of the last two. One round alone
+    // may leave more than there were, for halves meet what the whole did.
+    const double now = double(crossed.size());
+    const bool isInVain = (beforeLast - now) / 2 * (rounds - round) < now;
+    beforeLast = std::exchange(last, now);
+    if (crossed.size() > budget || isInVain) break;
     budget -= crossed.size();
     for (const Face f : crossed)
       if (run.mesh.mesh().isAlive(f) && run.asked.rule.guard->isCrossed(f) && !mendCrossed(run, f))

@@ -49,9 +49,15 @@ Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
 }  // namespace
 
 CrossingGuard::CrossingGuard(const WorkingMesh& mesh, const Grain& grain)
-    : mesh_(mesh), grain_(grain), grid_(meanEdge(mesh), mesh.mesh().faceCount()) {
-  for (Index i = 0; i < mesh.mesh().faceCapacity(); ++i)
-    if (mesh.mesh().isAlive(Face(i))) grid_.add(i, boxAround(present(Face(i))));
+    : mesh_(mesh), grain_(grain), grid_(0, 0) {
+  enterAll();
+}
+
+void CrossingGuard::enterAll() {
+  added_ = 0;
+  grid_ = TriangleGrid(meanEdge(mesh_), mesh_.mesh().faceCount());
+  for (Index i = 0; i < mesh_.mesh().faceCapacity(); ++i)
+    if (mesh_.mesh().isAlive(Face(i))) grid_.add(i, boxAround(present(Face(i))));
 }
 
 NamedTriangle CrossingGuard::present(Face f) const {
@@ -89,9 +95,9 @@ std::size_t CrossingGuard::countAround(const NamedTriangle& t,
 }
 
 std::size_t CrossingGuard::countAmong(std::span<const NamedTriangle> triangles,
-                                      std::span<const Face> leftOut) const {
+                                      std::span<const Face> leftOut, std::size_t enough) const {
   std::size_t pairs = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  for (std::size_t i = 0; i < triangles.size() && pairs < enough; ++i) {
     pairs += countAround(triangles[i], leftOut);
     for (std::size_t k = 0; k < i; ++k)
       if (hasArea(triangles[i].at) && hasArea(triangles[k].at))
@@ -103,8 +109,7 @@ std::size_t CrossingGuard::countAmong(std::span<const NamedTriangle> triangles,
 bool CrossingGuard::allows(const LocalChange& change) const {
   std::vector<NamedTriangle> after;
   for (const auto& corners : change.coming) after.push_back(coming(change, corners));
-  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
-  return countAmong(after, gone) == 0 || growth(change) <= 0;
+  return countAmong(after, goingAll(mesh_.mesh(), change), 1) == 0 || growth(change) <= 0;
 }
 
 std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
@@ -112,12 +117,18 @@ std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
   const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
   for (const Face f : gone) before.push_back(present(f));
   for (const auto& corners : change.coming) after.push_back(coming(change, corners));
-  return std::ptrdiff_t(countAmong(after, gone)) - std::ptrdiff_t(countAmong(before, gone));
+  const std::size_t pairs = countAmong(before, gone, before.max_size());
+  return std::ptrdiff_t(countAmong(after, gone, pairs + 1)) - std::ptrdiff_t(pairs);
 }
 
 void CrossingGuard::update(const LocalChange& change, Vertex result) {
   const HalfedgeMesh& mesh = mesh_.mesh();
-  const auto add = [&](Face f) { grid_.add(f.index, boxAround(present(f))); };
+  // Old entries of changed triangles cost a look each, so that they are cleared away in time.
+  if (added_ > 2 * mesh.faceCount()) enterAll();
+  const auto add = [&](Face f) {
+    grid_.add(f.index, boxAround(present(f)));
+    ++added_;
+  };
   for (const Face f : change.going)
     if (mesh.isAlive(f)) add(f);
   if (result) mesh.forEachOutgoing(result, [&](Halfedge h) { add(HalfedgeMesh::face(h)); });

@@ -20,7 +20,8 @@ class CrossingGuard {
   CrossingGuard(const WorkingMesh& mesh, const Grain& grain);
   virtual ~CrossingGuard() = default;
 
-  // How many more pairs of triangles would intersect outside their shared vertices and edges.
+  // How many more pairs of triangles would intersect outside their shared vertices and edges; if
+  // more, then at least one.
   std::ptrdiff_t growth(const LocalChange& change) const;
 
   // Whether a change makes no more such pairs.
@@ -37,12 +38,15 @@ class CrossingGuard {
   NamedTriangle present(Face f) const;
   NamedTriangle coming(const LocalChange& change, const std::array<Vertex, 3>& corners) const;
   std::size_t countAround(const NamedTriangle& t, std::span<const Face> leftOut) const;
-  std::size_t countAmong(std::span<const NamedTriangle> triangles,
-                         std::span<const Face> leftOut) const;
+  // Stops after a triangle with which there are enough.
+  std::size_t countAmong(std::span<const NamedTriangle> triangles, std::span<const Face> leftOut,
+                         std::size_t enough) const;
+  void enterAll();
 
   const WorkingMesh& mesh_;
   Grain grain_;
   TriangleGrid grid_;
+  std::size_t added_ = 0;  // entries since all were entered
 };
 
 }  // namespace remesher

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/schemes/uncrossed.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -27,11 +28,14 @@ std::unique_ptr<CrossingGuard> guardOf(Run& run) {
 // Starts from the original, thinned out without looking for crossings, which is faster; only as far
 // as the crossings can then be mended.
 std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
+  std::size_t thinned = 0;
   for (const std::size_t times : {std::size_t{4}, std::size_t{16}}) {
+    if (times * vertices < thinned) continue;  // the same again
     run.mesh = WorkingMesh(run.mesh.surface());
     if (times * vertices >= run.mesh.mesh().vertexCount()) break;
     run.asked.rule.guard = nullptr;
     coarsen(run, times * vertices, MeetingPlace::MiddleOrEnds);
+    thinned = run.mesh.mesh().vertexCount();
     std::unique_ptr<CrossingGuard> guard = guardOf(run);
     if (uncross(run) == 0) return guard;
   }
@@ -45,10 +49,36 @@ bool finishUncrossed(Run& run, std::size_t vertices) {
   return isReached && run.mesh.mesh().vertexCount() == vertices;
 }
 
+// Counts down the rounds towards a number of vertices.
+class Rounds {
+ public:
+  Rounds(const Run& run, std::size_t vertices, int rounds)
+      : run_(run), vertices_(vertices), left_(rounds), beyond_(beyond()) {}
+
+  // Whether another round follows: not if all that are left would not take away the vertices that
+  // are too many, at the rate of the last one.
+  bool goOn() {
+    const double before = std::exchange(beyond_, beyond());
+    const bool isFirst = std::exchange(isFirst_, false);
+    return left_-- > 0 && (isFirst || (left_ + 1) * (before - beyond_) >= beyond_);
+  }
+
+ private:
+  double beyond() const {
+    return std::max(0.0, double(run_.mesh.mesh().vertexCount()) - double(vertices_));
+  }
+
+  const Run& run_;
+  std::size_t vertices_;
+  int left_;
+  bool isFirst_ = true;
+  double beyond_;
+};
+
 // Makes edges even, with every step that suits a mesh of one level.
 bool makeAnew(Run& run, std::size_t vertices) {
   coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
-  for (int round = 0; round < run.asked.effort.adaptRounds; ++round) {
+  for (Rounds rounds(run, vertices, run.asked.effort.adaptRounds); rounds.goOn();) {
     delaunayFlips(run.mesh, run.asked.rule);
     valenceFlips(run);
     relax(run, run.asked.effort.passes);
@@ -74,7 +104,9 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   // With attributes curves are seams, too, which all triangles beside them need.
   const FidelityRule& rule = run.asked.rule;
   const bool isPlain = run.asked.stagger == 0 && rule.mode == Fidelity::Fold && !rule.bound;
-  for (int i = 0; isPlain && i < run.asked.effort.polishRounds && mendNeedles(run); ++i)
+  if (!isPlain) return result;
+  for (Rounds rounds(run, vertices, run.asked.effort.polishRounds);
+       rounds.goOn() && mendNeedles(run);)
     result.isReached = matchCount(run, vertices);
   return result;
 }

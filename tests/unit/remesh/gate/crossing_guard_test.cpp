@@ -63,6 +63,27 @@ TEST_CASE("crossing guard: what it allows crosses nothing, and what it refuses d
   CHECK(countCrossed(mesh) == 0);
 }
 
+TEST_CASE("crossing guard: after many changes it answers like a new one") {
+  const OriginalSurface surface = shapes::surfaceOf(shellsInEachOther(), shapes::Features::None);
+  WorkingMesh mesh(surface);
+  CrossingGuard guard(mesh, {});
+  LocalChange change;
+  std::size_t refused = 0;
+  for (Index round = 0; round < 40; ++round)
+    for (Index i = 0; i < mesh.mesh().vertexCapacity(); i += 7) {
+      Placement place = mesh.placement(Vertex(i));
+      place.position *= (round + i) % 3 == 0 ? 0.93 : 1.03;
+      proposePlacement(mesh, Vertex(i), place, change);
+      const bool isAllowed = guard.allows(change);
+      if (round % 8 == 7) CHECK(isAllowed == CrossingGuard(mesh, {}).allows(change));
+      if (isAllowed) guard.update(change, apply(mesh, change));
+      refused += !isAllowed;
+    }
+  CHECK(refused > 10);
+  CHECK(guard.crossing().empty());
+  CHECK(countCrossed(mesh) == 0);
+}
+
 TEST_CASE("crossing guard: a triangle that loses its area counts as one that meets others") {
   // The only vertex inside goes to the middle of an edge of the boundary, where nothing else is.
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(2, 2), shapes::Features::None);
