@@ -69,7 +69,8 @@ struct Model {
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // null if the parts hold everything
   bool replacesLevels = false;           // drop the source's levels of detail
-  std::vector<Material> paintings;       // their maps name images below by number
+  bool isExact = false;             // in text coordinates get the digits of doubles, floats as well
+  std::vector<Material> paintings;  // their maps name images below by number
   std::vector<PaintedImage> images;
 };
 

@@ -66,6 +66,7 @@ std::string inOneLine(std::string name) {
 
 class ObjWriter {
  public:
+  explicit ObjWriter(Digits digits) : out_(digits) {}
   void writeLibrary(const std::string& library);
   void writePart(const ObjPart& part);
   std::vector<std::uint8_t> bytes() const { return out_.bytes(); }
@@ -101,7 +102,7 @@ Numbers ObjWriter::writePositions(const TriangleMesh& mesh) {
   const Attribute* const color = findAttribute(mesh, "COLOR_0");
   const auto [written, numbers] = findDistinct(values, positionCount_ + 1);
   for (const Index i : written) {
-    out_.text("v").numbers(mesh.positions[i]);
+    out_.text("v").coordinates(mesh.positions[i]);
     for (int channel = 0; color != nullptr && channel < 3; ++channel)
       out_.text(" ").number(color->values[std::size_t{i} * color->itemSize + channel]);
     out_.text("\n");
@@ -226,7 +227,7 @@ std::vector<File> passLibrariesOn(const ObjSource& source, const std::string& ou
 
 WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
-  ObjWriter writer;
+  ObjWriter writer(model.isExact ? Digits::OfDoubles : Digits::Fewest);
   std::vector<File> libraries;
   if (source != nullptr) libraries = passLibrariesOn(*source, outputName, writer);
   for (const Part& part : bakeInstances(model))

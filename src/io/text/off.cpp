@@ -288,8 +288,8 @@ std::string keywordFor(const std::vector<const Attribute*>& attributes) {
 
 void writeVertex(TextWriter& out, const TriangleMesh& mesh, std::size_t vertex,
                  const std::vector<const Attribute*>& attributes) {
-  out.number(mesh.positions[vertex].x());
-  for (int axis = 1; axis < 3; ++axis) out.text(" ").number(mesh.positions[vertex][axis]);
+  out.coordinate(mesh.positions[vertex].x());
+  for (int axis = 1; axis < 3; ++axis) out.text(" ").coordinate(mesh.positions[vertex][axis]);
   for (const Attribute* attribute : attributes) {
     const int width = attribute->semantic == "COLOR_0" ? 4 : attribute->itemSize;
     for (int i = 0; i < width; ++i)
@@ -299,9 +299,9 @@ void writeVertex(TextWriter& out, const TriangleMesh& mesh, std::size_t vertex,
   out.text("\n");
 }
 
-std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh) {
+std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh, Digits digits) {
   const std::vector<const Attribute*> attributes = writableAttributes(mesh);
-  TextWriter out;
+  TextWriter out(digits);
   out.text(keywordFor(attributes)).text("\n");
   const Faces faces(mesh);
   out.integer(mesh.positions.size()).text(" ").integer(faces.count()).text(" 0\n");
@@ -334,7 +334,8 @@ Model readOff(const File& file, const std::vector<File>&) {
 }
 
 WrittenFiles writeOff(const Model& model, const std::string& outputName) {
-  return {{{outputName, offBytes(mergeParts(bakeInstances(model)))}},
+  return {{{outputName, offBytes(mergeParts(bakeInstances(model)),
+                                 model.isExact ? Digits::OfDoubles : Digits::Fewest)}},
           droppedAttributes(model, {"NORMAL", "COLOR_0", "TEXCOORD_0"}, "OFF")};
 }
 

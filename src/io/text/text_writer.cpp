@@ -42,6 +42,10 @@ TextWriter& TextWriter::doubleNumber(double value) {
   return *this;
 }
 
+TextWriter& TextWriter::coordinate(double value) {
+  return digits_ == Digits::Fewest ? number(value) : doubleNumber(value);
+}
+
 TextWriter& TextWriter::integer(std::size_t value) {
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
@@ -49,8 +53,8 @@ TextWriter& TextWriter::integer(std::size_t value) {
   return *this;
 }
 
-TextWriter& TextWriter::numbers(const Vec3& values) {
-  for (const double value : values) text(" ").number(value);
+TextWriter& TextWriter::coordinates(const Vec3& values) {
+  for (const double value : values) text(" ").coordinate(value);
   return *this;
 }
 

@@ -12,17 +12,25 @@
 
 namespace remesher::io {
 
+// Fewest: as above. OfDoubles: coordinates are the same to a reader of doubles, too, to whom the
+// fewest digits of a float name another number.
+enum class Digits { Fewest, OfDoubles };
+
 class TextWriter {
  public:
+  explicit TextWriter(Digits digits = Digits::Fewest) : digits_(digits) {}
+
   TextWriter& text(std::string_view text);
   TextWriter& number(double value);
   TextWriter& doubleNumber(double value);  // always with the digits of a double
+  TextWriter& coordinate(double value);
   TextWriter& integer(std::size_t value);
-  TextWriter& numbers(const Vec3& values);  // each behind a blank
+  TextWriter& coordinates(const Vec3& values);  // each behind a blank
 
   std::vector<std::uint8_t> bytes() const { return {text_.begin(), text_.end()}; }
 
  private:
+  Digits digits_;
   std::string text_;
 };
 

@@ -142,6 +142,23 @@ TEST_CASE(
   CHECK(textOf(written.files[0]).find("mtllib m.mtl\n") == 0);
 }
 
+TEST_CASE("obj, off: written exactly, floats are the same numbers to a reader of doubles") {
+  io::Model model = io::read(textFile("test.obj", square("f 1 2 3\nf 1 3 4\n")));
+  TriangleMesh& mesh = model.parts[0].mesh;
+  mesh.isSingle = true;
+  for (Vec3& p : mesh.positions) p = Vec3(double(0.1F), double(1.0F / 3), 2.0) + p;
+  for (Vec3& p : mesh.positions) p = inSingle(p, 1);
+  for (const char* const name : {"exact.obj", "exact.off"}) {
+    const auto back = [&] {
+      return io::read(io::write(model, name).files[0]).parts[0].mesh.positions;
+    };
+    model.isExact = false;
+    CHECK(back() != mesh.positions);
+    model.isExact = true;
+    CHECK(back() == mesh.positions);
+  }
+}
+
 TEST_CASE("obj: vertices that differ in attributes only share a v") {
   const std::string text =
       textOf(io::write(io::read(textFile("t.obj", kTwoMaterials)), "o.obj").files[0]);
