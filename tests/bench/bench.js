@@ -8,7 +8,7 @@
 //   npm run bench -- parts [--models FOLDER] [case…]     machine parts, beside other programs
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
-//   npm run bench -- repair [--models FOLDER] [--json FILE] [case…]     broken surfaces, repaired
+//   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only the models from npm packages are run. The status is 1 if a limit is broken.
@@ -35,6 +35,7 @@ const { values, positionals } = parseArgs({
     runs: { type: 'string', default: '5' },
     markdown: { type: 'string' },
     json: { type: 'string' },
+    wrap: { type: 'boolean', default: false },
     without: { type: 'string', multiple: true, default: [] },
   },
 });
@@ -53,7 +54,8 @@ function run() {
     case 'parts': return runParts(limits.parts, { folder: values.models, names: rest });
     case 'quads': return runQuads(limits.quads, { folder: values.models, names: rest });
     case 'repair':
-      return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json });
+      return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json,
+        wrap: values.wrap });
     case 'wait':
       return runWait(limits.wait,
         { folder: values.models, names: rest, runs: Number(values.runs) });

@@ -3,12 +3,12 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { delimiter, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
 
 import { MeshoptSimplifier } from 'meshoptimizer';
 
 import { offText } from '../support/shapes.js';
+import { cgalProgram, folders } from './cgal.js';
 import { readOff } from './models.js';
 
 /** @typedef {{ positions: Float64Array, indices: Uint32Array }} Mesh */
@@ -16,8 +16,6 @@ import { readOff } from './models.js';
 
 /** So often a length is tried anew until the number is met. */
 const tries = 5;
-
-const folders = (name) => (process.env[name] ?? '').split(delimiter).filter(Boolean);
 
 function sizeOf({ positions, indices }) {
   const at = (v) => positions.subarray(3 * v, 3 * v + 3);
@@ -104,30 +102,9 @@ function mmgs(mesh, vertices) {
   }), { vertices, length: 0.001 * diagonal, power: 0.5 });
 }
 
-const headers = [...folders('REMESHER_INCLUDE'), '/usr/include', '/usr/local/include'];
-let cgalProgram;
-
-/** Compiled when it is first asked for; null where CGAL is missing. */
-function cgalPeer() {
-  if (cgalProgram !== undefined) return cgalProgram;
-  cgalProgram = null;
-  if (!headers.some((folder) => existsSync(join(folder, 'CGAL/Surface_mesh.h')))) return null;
-  const folder = mkdtempSync(join(tmpdir(), 'remesher-cgal-'));
-  process.on('exit', () => rmSync(folder, { recursive: true }));
-  const program = join(folder, 'cgal_peer');
-  const source = fileURLToPath(new URL('cgal_main.cpp', import.meta.url));
-  try {
-    execFileSync('c++', ['-O3', '-DNDEBUG', '-std=c++17',
-      ...folders('REMESHER_INCLUDE').flatMap((where) => ['-I', where]), source, '-o', program,
-      '-lgmp', '-lmpfr'], { stdio: 'ignore' });
-    cgalProgram = program;
-  } catch { /* its libraries are missing: so is this peer */ }
-  return cgalProgram;
-}
-
 /** @param {Mesh} mesh @param {number} vertices */
 function cgal(mesh, vertices) {
-  const program = cgalPeer();
+  const program = cgalProgram('cgal_main.cpp');
   if (!program) return undefined;
   const length = Math.sqrt((2 / Math.sqrt(3)) * (sizeOf(mesh).area / vertices));
   return nearest((edge) => timed(mesh, (folder) => {

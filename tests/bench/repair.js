@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Repairs broken surfaces and remeshes the results. The native judge checks repair's promises.
+// Repairs broken surfaces and remeshes the results. The native judge checks the promises. Where
+// CGAL is on the machine, it checks them again; with --wrap its alpha wrap is beside.
 import { writeFileSync } from 'node:fs';
 import { repair } from 'remesher';
 
@@ -8,11 +9,12 @@ import { askewBoxes, cracked, doubledScan, looseTriangles, manyBodies, moebiusSt
 import { torus, sheet } from '../support/shapes.js';
 import { judge } from './judge.js';
 import { loadModel } from './models.js';
+import { alphaWrap, wrongByCgal } from './repair_peers.js';
 import { timeRemesh } from './run.js';
 import { fixed, markdownTable } from './table.js';
 
 const columns = ['model', 'mode', 'triangles', 's', 'open', 'crossing', 'RMS %', '→ vertices',
-  'open', 'crossing', 'worst °', 'flat', 'RMS %', 's'];
+  'open', 'crossing', 'worst °', 'flat', 'RMS %', 's', 'CGAL', 'wrap: triangles', 's', 'RMS %'];
 
 /** Two meshes as one, the second scaled and moved along x. */
 function joined(a, b, scale, by) {
@@ -59,35 +61,47 @@ function brokenPromises(name, result) {
     .map((fault) => `${name}: ${result[fault]} ${fault}`);
 }
 
-async function measured(name, { model = name, mode = 'auto', vertices = 5000 }, folder) {
-  const given = made[model]?.() ?? loadModel(model, folder);
+/** Alpha wrap's result on the mesh, judged. */
+function wrapped(given) {
+  const wrap = alphaWrap(given);
+  return wrap && { seconds: wrap.seconds, ...judge(given, wrap.mesh) };
+}
+
+async function measured(name, { model = name, mode = 'auto', vertices = 5000 }, how) {
+  const given = made[model]?.() ?? loadModel(model, how.folder);
   const begin = performance.now();
   const mended = await repair(given, { repair: mode, worker: false });
   const seconds = (performance.now() - begin) / 1000;
   const after = await timeRemesh(given, { repair: mode, vertices }, 1);
   return { name, mode: mended.report.repair.mode, seconds, mended: judge(given, mended.mesh),
-    remeshSeconds: after.seconds, remeshed: judge(given, after.mesh) };
+    remeshSeconds: after.seconds, remeshed: judge(given, after.mesh),
+    wrong: [wrongByCgal(mended.mesh), wrongByCgal(after.mesh)],
+    wrap: how.wrap ? wrapped(given) : undefined };
 }
 
-function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed }) {
+function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed, wrong, wrap }) {
   const [one, two] = [mended.result, remeshed.result];
   return [name, mode, one.triangles, fixed(seconds, 2), one.boundaryEdges, one.selfIntersections,
     fixed(mended.fidelity.rmsToOriginal, 4), two.vertices, two.boundaryEdges,
     two.selfIntersections, fixed(two.worstAngle, 1), two.degenerateTriangles,
-    fixed(remeshed.fidelity.rmsToOriginal, 4), fixed(remeshSeconds, 2)];
+    fixed(remeshed.fidelity.rmsToOriginal, 4), fixed(remeshSeconds, 2),
+    wrong[0] && (wrong.flat().join(', ') || 'sound'), wrap?.result.triangles,
+    fixed(wrap?.seconds, 2), fixed(wrap?.fidelity.rmsToOriginal, 4)];
 }
 
-/** @param {any} limits @param {{ folder?: string, names: string[], json?: string }} how */
-export async function runRepair(limits, { folder, names, json }) {
+/** @param {any} limits
+ * @param {{ folder?: string, names: string[], json?: string }} how */
+export async function runRepair(limits, { folder, names, json, wrap }) {
   const all = [];
   const broken = [];
   for (const [name, row] of Object.entries(limits)) {
     if (names.length > 0 && !names.some((word) => name.startsWith(word))) continue;
     if (row.model && !folder) continue;
-    const found = await measured(name, row, folder);
+    const found = await measured(name, row, { folder, wrap });
     all.push(found);
     broken.push(...brokenPromises(`${name}, repaired`, found.mended.result),
-      ...brokenPromises(`${name}, remeshed`, found.remeshed.result));
+      ...brokenPromises(`${name}, remeshed`, found.remeshed.result),
+      ...found.wrong.flatMap((words = []) => words.map((word) => `${name}, by CGAL: ${word}`)));
     if (found.seconds > row.seconds) broken.push(`${name}: ${found.seconds.toFixed(2)} s`);
     if (found.mended.fidelity.rmsToOriginal > row.rms) {
       broken.push(`${name}: RMS ${found.mended.fidelity.rmsToOriginal} %`);
