@@ -52,7 +52,6 @@ add_library(linear OBJECT
   src/original/patches/disk_patch.cpp
   src/original/patches/patch_atlas.cpp
   src/original/patches/point_location.cpp
-  src/remesh/gate/crossing_guard.cpp
   src/remesh/gate/crossings.cpp
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
@@ -60,7 +59,6 @@ add_library(linear OBJECT
   src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
-  src/repair/solid/inside.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
   src/textures/painting/canvas.cpp
@@ -174,6 +172,7 @@ add_library(small OBJECT
   src/remesh/accuracy/refine_excess.cpp
   src/remesh/accuracy/tips.cpp
   src/remesh/accuracy/uncross.cpp
+  src/remesh/gate/crossing_guard.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
   src/remesh/quads/base_meshes.cpp
@@ -246,6 +245,7 @@ add_library(small OBJECT
   src/repair/solid/contour.cpp
   src/repair/solid/contour_attributes.cpp
   src/repair/solid/crossings_of_edges.cpp
+  src/repair/solid/inside.cpp
   src/repair/solid/lattice.cpp
   src/repair/solid/oriented_patches.cpp
   src/repair/solid/outside_flood.cpp
