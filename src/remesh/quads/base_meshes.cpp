@@ -17,18 +17,18 @@ WorkingMesh opened(WorkingMesh mesh) {
 
 }  // namespace
 
-BaseMeshes::BaseMeshes(const TriangleMaker& triangles, std::size_t first, std::size_t least)
+BaseMeshes::BaseMeshes(const TriangleMaker& triangles, std::size_t first, std::size_t second)
     : triangles_(triangles),
       count_(first),
-      least_(least),
+      second_(second),
       first_(opened(triangles(first))),
       numbers_(partNumbers(first_.surface().mesh())),
       levels_{connectedParts(first_)} {}
 
 const WorkingMesh* BaseMeshes::part(std::size_t level, Index number) {
   while (level >= levels_.size()) {
-    if (count_ <= least_) return nullptr;
-    count_ = std::max(count_ / 2, least_);
+    if (count_ <= second_) return nullptr;
+    count_ = second_;
     levels_.push_back(connectedParts(opened(triangles_(count_))));
   }
   for (const WorkingMesh& part : levels_[level])
