@@ -43,10 +43,10 @@ Vec3 normalAt(const Corners& soup, Index h) {
 // 0 for a flat continuation, 2 for a fold. Of two equal bends the convex one counts as smaller, so
 // that two solids that touch along an edge are separated.
 double bend(const Corners& soup, Index h, Index other) {
-  // The penalty of a reflex angle is beyond rounding, and below any angle that matters.
   const Vec3 normal = normalAt(soup, h);
   const Vec3 away =
       soup.positions[soup.corners[prevCorner(other)]] - soup.positions[soup.corners[other]];
+  // The penalty of a reflex angle is beyond rounding, and below any angle that matters.
   return 1 - normal.dot(normalAt(soup, other)) + (normal.dot(away) > 0 ? kSingleRoundOff : 0);
 }
 

@@ -9,7 +9,9 @@
 
 namespace remesher {
 
-// Places that are tried for a vertex between its neighbours, evenly spaced.
+// Places that are tried for a vertex between its neighbours, evenly spaced. With 32 for the angles
+// beside a boundary 4 cases at 7 neighboring counts have 0.3 points more triangles above 50°,
+// nearly all of it in one of them, and distances within 1 %.
 inline constexpr int kPlacesBetween = 24;
 
 // The point of a chain at `arc`.
