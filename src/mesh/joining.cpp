@@ -172,7 +172,6 @@ bool isLoose(const TriangleMesh& mesh) {
 }
 
 std::optional<double> percentThatJoins(const TriangleMesh& mesh) {
-  constexpr double kMost = 0.5;
   const double diagonal = diagonalOf(mesh);
   EdgeCounts before;
   std::optional<double> best;
@@ -181,7 +180,7 @@ std::optional<double> percentThatJoins(const TriangleMesh& mesh) {
     joinNear(joined, percent / 100 * diagonal);
     const EdgeCounts edges = edgesOf(joined);
     if (best && (edges.triangles < before.triangles || edges.share() <= before.share())) break;
-    if (edges.share() >= kMost) best = percent;
+    if (2 * edges.shared >= edges.all && edges.all > 0) best = percent;
     before = edges;
   }
   return best;

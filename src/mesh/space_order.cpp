@@ -15,8 +15,6 @@ namespace {
 
 constexpr int kBits = 10;  // of a cell's coordinate
 constexpr Index kCells = Index{1} << kBits;
-// A longer run of points in one cell is ordered within the cell.
-constexpr std::size_t kFewInCell = 8;
 
 // Per way that the curve runs through a cube (where it enters and along which axis it leaves, 24
 // ways): the place of each eighth along the curve, and the way through that eighth.
@@ -58,8 +56,7 @@ using Points = std::span<const std::array<float, 3>>;
 
 // By place; stable among points of one place.
 void sortByPlace(std::span<Placed> points, std::vector<Placed>& spare) {
-  constexpr std::size_t kFew = 256;
-  if (points.size() < kFew)
+  if (points.size() < kCells)
     return std::sort(points.begin(), points.end(), [](const Placed& a, const Placed& b) {
       return a.place < b.place || (a.place == b.place && a.number < b.number);
     });
@@ -99,7 +96,7 @@ void order(Points points, std::span<Placed> own, std::vector<Placed>& spare) {
   sortByPlace(own, spare);
   for (std::size_t begin = 0, end = 0; begin < own.size(); begin = end) {
     while (end < own.size() && own[end].place == own[begin].place) ++end;
-    if (end - begin > kFewInCell) order(points, own.subspan(begin, end - begin), spare);
+    if (end - begin > 1) order(points, own.subspan(begin, end - begin), spare);
   }
 }
 

@@ -23,13 +23,12 @@ namespace {
 // A distance along the surface counts as some 450th of a distance away from it, so that triangles
 // on flat parts stay even.
 constexpr double kSideways = 5e-6;
-// The weights of edges, times their squared length: of a border, a seam, and a sharp edge within
-// the surface.
-constexpr double kBorder = 2, kSeam = 1, kCrease = 0.2;
+// The weights of edges, times their squared length: of a border, to which the two sides of a seam
+// add up, and of either side of a sharp edge within the surface.
+constexpr double kBorder = 2, kCrease = 0.2;
 const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
-// The cosine of the largest angle by which a collapse may turn a triangle: 60°, and 90° where
-// nothing else goes.
-constexpr double kTurned = 0.5, kFarTurned = 0;
+// The cosine of the largest angle by which a collapse may turn a triangle, if others go.
+constexpr double kTurned = 0.5;
 // In lengths of the edge: the remaining vertex moves no farther from its place.
 constexpr double kFarthest = 2;
 struct Offer {
@@ -117,7 +116,7 @@ class Simplification {
       if (mesh_.isBoundary(h))
         addBorder(h, normal);
       else if (isSeam(h))
-        addEdge(h, normal, kSeam);
+        addEdge(h, normal, kBorder / 2);
       else if (isSharp(h, normal))
         addEdge(h, normal, kCrease);
     }
@@ -351,7 +350,7 @@ class Simplification {
 void simplify(SimpleSurface& surface, std::size_t vertices, KeptAttributes* kept) {
   Simplification simplification(surface, kept);
   simplification.run(kTurned, vertices);
-  simplification.run(kFarTurned, vertices);
+  simplification.run(0, vertices);  // 90°
   if (kept == nullptr) simplification.widenAngles();
 }
 

@@ -190,7 +190,7 @@ const advice = [
     /write a \.glb or \.gltf/, inFile(sheetFile(), mesh({ output: 'a.gltf' }))],
   ['RESOURCE_NOT_GIVEN', inFile(notGiven, mesh()), /was not given/,
     inFile(notGiven, mesh({ resources: { 'paint.png': png(8, 8, () => [9, 9, 9]) } }))],
-  ['ANGLES_WORSE', inArrays({ vertices: 6 }), /More vertices help/, inArrays({ vertices: 300 })],
+  ['ANGLES_WORSE', inArrays({ vertices: 5 }), /More vertices help/, inArrays({ vertices: 300 })],
   ['INVALID_MESH', () => {
     const positions = ball.positions.slice();
     structuredClone(positions, { transfer: [positions.buffer] });
@@ -222,7 +222,7 @@ const others = ['INTERNAL', 'CANCELLED',
     'NOTHING_TO_REMESH', 'NOT_TRIANGLES', 'ONLY_REPAIRED', 'PARTS_MERGED', 'QUADS_PAIRED',
     'SCRAPS_REMOVED', 'SEEN_PARTS_LOST', 'SHAPE_LOST_TO_ROUNDING', 'SHEETS_DROPPED',
     'SHEETS_THICKENED', 'SPIKES_LEFT_COARSE', 'SURFACE_OPENED', 'TEXTURES_PAINTED',
-    'VERTICES_COINCIDE']];
+    'TOO_FEW_VERTICES', 'VERTICES_COINCIDE']];
 
 test('what a message of each code advises is followed here, or it advises nothing', () => {
   const core = filesUnder('src', /\.cpp$/).map(readText).join('\n');

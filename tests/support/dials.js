@@ -5,7 +5,7 @@ import { filesUnder, readText } from './tree.js';
 
 /** The rooms of src that are the algorithm, and the most dials that they may have together. */
 export const algorithm = ['mesh', 'geometry', 'original', 'remesh', 'simplify', 'textures'];
-export const mostDials = 328;
+export const mostDials = 283;
 
 /**
  * Named constants that are no dials, by file. They are bounds of rounding, marks for what a value
@@ -16,24 +16,31 @@ export const mostDials = 328;
 export const facts = {
   'geometry/fast_trigonometry.h': ['kTanEighth'],
   'geometry/piecewise.cpp': ['kManyCorners'],
+  'geometry/piecewise.h': ['kMostCorners'],
   'geometry/predicates.cpp': ['kHalfUlp', 'kOrient2dError', 'kOrient3dError', 'kSplitter'],
+  'geometry/triangle.cpp': ['kThin'],
+  'geometry/triangle.h': ['kFlattest'],
   'geometry/triangle_tree.cpp': ['kMost'],
   'geometry/triangle_tree.h': ['kDeepest'],
-  'mesh/joining.cpp': ['kMostCells'],
-  'mesh/space_order.cpp': ['kCells'],
+  'mesh/joining.cpp': ['kMostCells', 'kSingleNoise', 'kDoubleNoise'],
+  'mesh/space_order.cpp': ['kCells', 'kBits'],
   'original/curves/flat_regions.cpp': ['kSharp'],
   'original/curves/seams.cpp': ['kQuantum'],
-  'original/curves/spikes.cpp': ['kWorthAWord'],
+  'original/curves/spikes.cpp': ['kWorthAWord', 'kBuckets'],
   'original/patches/disk_parameterization.cpp': ['kUnnumbered'],
   'original/patches/disk_patch.cpp': ['kSpared', 'kTrimmable'],
   'original/patches/disk_patch.h': ['kNoLocal', 'kMaxFaces'],
+  'original/patches/point_location.cpp': ['kInside'],
   'original/patches/point_location.h': ['kHashFactor'],
-  'original/surface/size_field.cpp': ['kDigits'],
+  'original/surface/size_field.cpp': ['kDigits', 'kBits'],
   'remesh/accuracy/fit.cpp': ['kAtCorner', 'kAtMiddle'],
   'remesh/accuracy/star_search.cpp': ['kAlongNormal'],
-  'remesh/gate/fidelity.cpp': ['kLine'],
+  'remesh/gate/angles.cpp': ['kSurely'],
+  'remesh/gate/fidelity.cpp': ['kLine', 'kPlain', 'kPlainGrains'],
   'remesh/operators/local_change.h': ['kMoved'],
   'remesh/quads/extract/extraction.cpp': ['kHalf'],
+  'remesh/quads/field/cross_field.cpp': ['kOpposed'],
+  'remesh/quads/map/seamless_map.h': ['kUnit'],
   'remesh/quads/mesh/triangulated.cpp': ['kOfSide'],
   'remesh/schemes/chart_needs.cpp': ['kEverySize'],
   'remesh/schemes/follow.cpp': ['kFar', 'kNear'],
@@ -54,6 +61,8 @@ export const facts = {
   'textures/charts/chart_relaxing.cpp': ['kMostArea', 'kLeastArea'],
   'textures/painting/canvas.cpp': ['kColumns', 'kRows', 'kPair'],
   'textures/painting/paint_source_setup.cpp': ['kTexcoordSets'],
+  'textures/painting/side_finder.cpp': ['kEdge'],
+  'textures/painting/texture.cpp': ['kSteps'],
 };
 
 /** The named constants that a C++ text defines. @param {string} text @returns {string[]} */

@@ -30,9 +30,6 @@ constexpr double kRight = 0.5;
 // Neighbours whose border is at least this share of the longest border are equally good partners.
 constexpr double kAlike = 0.8;
 
-// Releasing a chain may make the chain beside it short, so all chains are checked again.
-constexpr int kMostReleases = 32;
-
 double narrowestWall(double size, double bend) {
   return kNarrow * size * (1 - kWorthOfWalls * std::min(bend, kRight));
 }
@@ -55,7 +52,8 @@ class Simplification {
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
       if (mesh_.isBoundary(Halfedge(i))) mark(Halfedge(i), Role::Fixed);
     mergeNarrowRegions(curves.flats);
-    for (int i = 0; i < kMostReleases && releaseShortChains(); ++i) {
+    // Releasing a chain may make the chain beside it short, so all chains are checked again.
+    while (releaseShortChains()) {
     }
     std::vector<Halfedge> kept;
     for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)

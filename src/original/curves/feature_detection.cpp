@@ -14,7 +14,6 @@ namespace {
 // about one loose end per ten vertices and are at most 12 × as sharp as the edges beside them. A
 // machine part (fandisk) has one loose end in 350 vertices and is 148 × as sharp.
 constexpr double kLooseEnds = 0.02;
-constexpr double kSharper = 3;
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
 // A fading crease is followed from its sharp part as long as it has this share of the angle, is
@@ -101,19 +100,17 @@ class Detection {
       }
   }
 
-  static bool isSharper(const Network& network, double factor) {
+  static bool isMuchSharper(const Network& network) {
     const double own = network.sharpness / double(network.edges.size());
     const double beside = network.besides ? network.beside / double(network.besides) : 0;
-    return own >= factor * beside;
+    return own >= kMuchSharper * beside;
   }
-
-  static bool isMuchSharper(const Network& network) { return isSharper(network, kMuchSharper); }
 
   bool isFeature(const Network& network) const {
     if (network.length < kLongEnough * size_) return false;
     if (isMuchSharper(network)) return true;
     // A ring of three edges is the rim of one odd triangle.
-    return isSharper(network, kSharper) && network.edges.size() > 3 &&
+    return network.edges.size() > 3 &&
            double(network.ends.size()) <= kLooseEnds * double(network.vertices);
   }
 

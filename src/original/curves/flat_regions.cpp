@@ -13,9 +13,9 @@ namespace remesher {
 namespace {
 
 const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
-// A neighbor more than half as wide as a region is its like; a region with more than half of its
-// border to its likes is a facet.
-constexpr double kLike = 2, kMostLikes = 0.5;
+// A neighbor more than half as wide as a region is its like; a region with most of its border to
+// its likes is a facet.
+constexpr double kLike = 2;
 // A body with a smaller flat share of its area is round, with places that hardly bend.
 constexpr double kLeastShare = 0.25;
 
@@ -173,7 +173,7 @@ class RegionGrowth {
     std::vector<Index> kept(widths.size(), kNone);
     std::vector<double> left;
     for (std::size_t r = 0; r < widths.size(); ++r) {
-      if (shares[r] > kMostLikes) continue;
+      if (2 * shares[r] > 1) continue;
       kept[r] = Index(left.size());
       left.push_back(widths[r]);
     }

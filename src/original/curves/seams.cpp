@@ -13,8 +13,6 @@ namespace remesher {
 
 namespace {
 
-// An attribute that jumps at more than this share of all edges has no charts to preserve.
-constexpr double kNoCharts = 0.5;
 // A surface that bends by less counts as smooth, whatever the normals say.
 const double kBlunt = std::cos(radians(5));
 // Values closer than this are one value: the step of a 16-bit normalised integer.
@@ -99,7 +97,8 @@ void addAttributeSeams(const BuiltMesh& built, const Attribute& attribute, const
   for (const Halfedge h : edges.inner)
     if (jumps(built, attribute, h)) found.push_back(h);
   const bool shading = followsShading(attribute.semantic);
-  if (double(found.size()) > kNoCharts * double(edges.inner.size())) {
+  // An attribute that jumps at most edges has no charts to preserve.
+  if (2 * found.size() > edges.inner.size()) {
     seams.chartless.push_back(attribute.semantic);
     // Normals that jump everywhere (flat shading) say no more than the surface itself.
     if (shading) return;

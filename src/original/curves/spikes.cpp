@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -16,15 +17,11 @@ namespace {
 // edges.
 constexpr double kSlender = 0.5;
 constexpr double kFewAround = 8;
-// Tips are at most kMostTips vertices, most of whose edges are kFar × as long as the median edge.
+// Tips are vertices most of whose edges are kFar × as long as the median edge.
 constexpr double kFar = 4;
-constexpr std::size_t kMostTips = 16;
 // On a boundary a spike must be this many times as long as all the rest is wide, because an outline
 // may come to a slender point.
 constexpr double kWild = 10;
-// If more than half of the vertices, before or after, would belong to spikes, the spikes are the
-// surface itself.
-constexpr double kMostOfAll = 2;
 // Spikes with less than this share of the area do no harm.
 constexpr double kWorthAWord = 0.05;
 
@@ -67,7 +64,9 @@ class Search {
     }
     measureRest(spikes);
     findCorners(spikes);
-    const double share = kMostOfAll * double(spikes.corners.size());
+    // If most of the vertices, before or after, would belong to spikes, the spikes are the surface
+    // itself.
+    const double share = 2 * double(spikes.corners.size());
     const bool isMost = share > double(mesh_.vertexCount()) || share > rules_.vertices;
     const bool isWorthIt = whole_ - spikes.restOfArea >= kWorthAWord * whole_;
     return isMost || !isWorthIt || !(spikes.restOfArea > 0) ? Spikes{} : spikes;
@@ -121,10 +120,8 @@ class Search {
 
   // The shortest way from the foot to the tips; 0 if the tips are no spike.
   double lengthOf(const std::vector<Vertex>& tips) const {
-    if (tips.size() > kMostTips) return 0;
-    const auto isTip = [&](Vertex v) {
-      return std::find(tips.begin(), tips.end(), v) != tips.end();
-    };
+    const std::set<Vertex> found(tips.begin(), tips.end());
+    const auto isTip = [&](Vertex v) { return found.contains(v); };
     double shortest = kInfinity, around = 0;
     for (const Vertex v : tips)
       mesh_.forEachOutgoing(v, [&](Halfedge h) {

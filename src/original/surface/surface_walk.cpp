@@ -7,9 +7,6 @@ namespace remesher {
 
 namespace {
 
-// A walk of more steps is no longer local; the point reached is then the answer.
-constexpr int kMaxSteps = 4096;
-
 class Walk {
  public:
   // barriers: null if there are none.
@@ -51,7 +48,7 @@ class Walk {
   };
 
   SurfacePoint from(Found best) const {
-    for (int step = 0; step < kMaxSteps && !(best.distance2 < squaredEnough_); ++step) {
+    while (!(best.distance2 < squaredEnough_)) {
       const Found next = closestAround(best);
       if (!(next.distance2 < best.distance2)) break;
       best = next;

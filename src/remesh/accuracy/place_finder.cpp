@@ -7,8 +7,7 @@ namespace remesher {
 
 namespace {
 
-constexpr std::size_t kEnoughSeen = 4;    // vertices
-constexpr std::size_t kMostFaces = 5000;  // of the original to look through
+constexpr std::size_t kEnoughSeen = 4;  // vertices
 
 }  // namespace
 
@@ -31,7 +30,7 @@ std::vector<Vertex> PlaceFinder::verticesNear(const SurfacePoint& place) const {
   const HalfedgeMesh& original = mesh_.surface().mesh();
   std::vector<Vertex> found;
   std::vector<Face> seen = {place.face};
-  for (std::size_t i = 0; i < seen.size() && i < kMostFaces && found.size() < kEnoughSeen; ++i) {
+  for (std::size_t i = 0; i < seen.size() && found.size() < kEnoughSeen; ++i) {
     const Face f = seen[i];
     for (Index k = begins_[f.index]; k < begins_[f.index + 1]; ++k) found.push_back(vertices_[k]);
     for (int side = 0; side < 3; ++side) {

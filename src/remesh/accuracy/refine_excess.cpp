@@ -12,8 +12,6 @@ namespace remesher {
 
 namespace {
 
-constexpr double kMoveWithin = 0.35;  // of the shortest edge around: so near a vertex moves
-
 // Marks the faces around new or moved vertices, for which the excess found before is void.
 class Touched {
  public:
@@ -45,15 +43,6 @@ Halfedge longestSide(const WorkingMesh& mesh, Face f) {
   }
   return longest;
 }
-
-double shortestEdge(const WorkingMesh& mesh, Vertex v) {
-  double shortest = kInfinity;
-  mesh.mesh().forEachNeighbor(v, [&](Vertex w) {
-    shortest = std::min(shortest, (mesh.position(w) - mesh.position(v)).norm());
-  });
-  return shortest;
-}
-
 // Brings the mesh to places of the original that it has lost, and back to it where it has strayed.
 class Refinement {
  public:
@@ -72,13 +61,12 @@ class Refinement {
   }
 
  private:
-  // A vertex that is almost there moves to the place.
+  // Of the vertices near a place the first that may moves to it.
   bool moveOne(const std::vector<Vertex>& near, const SurfacePoint& point) {
     const Placement place = run_.mesh.onSurface(point);
     for (const Vertex v : near) {
       if (run_.mesh.kind(v) != VertexKind::Interior || isTouched(v)) continue;
-      const double way = (place.position - run_.mesh.position(v)).norm();
-      if (way == 0 || way > kMoveWithin * shortestEdge(run_.mesh, v)) continue;
+      if (place.position == run_.mesh.position(v)) continue;
       proposePlacement(run_.mesh, v, place, run_.scratch.change);
       if (smallestComingAngle(run_.mesh, run_.scratch.change) < kPoor || !commit(run_)) continue;
       touched_.around(v);

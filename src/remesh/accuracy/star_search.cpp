@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "geometry/pattern_search.h"
 #include "geometry/triangle.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/gate/angles.h"
@@ -15,12 +15,6 @@ namespace remesher {
 
 namespace {
 
-// Steps in units of the mean spoke.
-constexpr double kFirstStep = 0.4, kLastStep = 0.04;
-constexpr int kDirections = 8;
-// Few rounds find what there is to find nearby. To a place a billion spokes away a search would
-// take as many steps, each a little nearer.
-constexpr int kMostRounds = 64;
 constexpr std::size_t kAlongNormal = 2;
 const double kSmallTurn = std::cos(radians(45));
 
@@ -31,10 +25,7 @@ std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
   const Vec3 spoke = mesh.position(m.tip(m.outgoing(v))) - mesh.position(v);
   const Vec3 x = (spoke - normal * normal.dot(spoke)).normalized(), y = normal.cross(x);
   std::vector<Vec3> directions = {0.5 * normal, -0.5 * normal};
-  for (int i = 0; i < kDirections; ++i) {
-    const double turn = 2 * std::numbers::pi * i / kDirections;
-    directions.push_back(std::cos(turn) * x + std::sin(turn) * y);
-  }
+  for (const Vec2& way : planeDirections()) directions.push_back(way.x() * x + way.y() * y);
   return directions;
 }
 
@@ -92,13 +83,10 @@ Placement StarSearch::at(const Vec3& position) const {
   return place;
 }
 
-// Rounds of steps; a round without gain halves the step. look: offers places a step away and
-// returns whether one was better.
+// look: offers places a step away and returns whether one was better.
 template <typename Look>
 void StarSearch::search(double enough, const Look& look) {
-  double step = kFirstStep;
-  for (int i = 0; i < kMostRounds && step >= kLastStep && distance_ > enough; ++i)
-    if (!look(step * spoke_)) step /= 2;
+  searchPattern([&](double step) { return distance_ > enough && look(step * spoke_); });
 }
 
 void StarSearch::move(double enough, std::span<const Vec3> directions) {

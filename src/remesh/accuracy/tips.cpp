@@ -16,9 +16,6 @@ constexpr double kSurelyNear = 0.4;
 // A tip farther than this from the mesh, in target lengths, that no vertex can move to gets a
 // vertex of its own, though that makes four triangles of two.
 constexpr double kInsertAbove = 0.6;
-// More new vertices than one to so many old ones are a sign of sizes that the surface does not
-// allow.
-constexpr std::size_t kMostInserted = 4;
 
 std::vector<Place> farthestFirst(const Run& run) {
   std::vector<Place> places = measurePlaces(run, kLostTip, kSurelyNear * kLostTip);
@@ -78,10 +75,7 @@ void insert(Run& run, const Place& tip) {
 void reachTips(Run& run) {
   std::vector<Place> tips = farthestFirst(run);
   for (const Place& tip : tips) reach(run, tip);
-  const std::size_t most =
-      run.mesh.mesh().vertexCount() + run.mesh.mesh().vertexCount() / kMostInserted;
   for (Place& tip : tips) {
-    if (run.mesh.mesh().vertexCount() > most) break;
     const double enough = kInsertAbove * run.asked.scale * run.sizes.at(tip.original);
     if (tip.distance <= enough) continue;
     measureAgain(run.mesh, tip);

@@ -11,9 +11,8 @@ namespace remesher {
 
 namespace {
 
-// A shift of the texture counts as a third of the same shift of the surface; a change from no
-// colour to full colour counts as a hundredth of the model's size.
-constexpr double kAside = 0.3, kAll = 0.01;
+// A change from no colour to full colour counts as a hundredth of the model's size.
+constexpr double kAll = 0.01;
 
 bool startsWith(const Attribute& attribute, std::string_view name) {
   return attribute.semantic.starts_with(name);
@@ -43,7 +42,7 @@ double lengthOf(const TriangleMesh& input, const Attribute& attribute) {
   if (startsWith(attribute, "NORMAL") || startsWith(attribute, "TANGENT") ||
       startsWith(attribute, "JOINTS"))
     return 0;
-  if (startsWith(attribute, "TEXCOORD")) return kAside * texelLength(input, attribute);
+  if (startsWith(attribute, "TEXCOORD")) return texelLength(input, attribute);
   return kAll * diagonalOf(input);
 }
 

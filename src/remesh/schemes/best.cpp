@@ -28,8 +28,6 @@ namespace {
 
 constexpr int kEvenings = 2;
 
-// Two levels pay only for large meshes.
-constexpr std::size_t kManyVertices = 40000;
 // Corners never move: a coarse mesh needs so many vertices per corner.
 constexpr std::size_t kVerticesPerCorner = 8;
 // The largest mean bend over a coarse edge. Six edges as long as the radius go around a tube (a
@@ -60,7 +58,7 @@ Levels planLevels(const Run& run, const BestGoal& goal) {
   const bool isKept =
       std::any_of(chains.begin(), chains.end(), [](const Chain& c) { return c.kept; });
   if (isKept || run.sizes.isSpiked()) return {0, vertices, vertices, goal.quality};
-  int levels = vertices < kManyVertices ? 1 : 2;
+  int levels = vertices < kLarge ? 1 : 2;
   const double area = run.mesh.surface().area();
   const double bend = meanBend(run.mesh.surface());
   const auto isTooCoarse = [&](std::size_t coarse) {

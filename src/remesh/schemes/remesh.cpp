@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,18 +99,18 @@ struct Places {
 };
 
 // Where the builder cut the input apart, several vertices may share a place; the target is a number
-// of places.
+// of places, which is aimed at as long as it comes nearer.
 Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
-  constexpr int kTries = 4;
   std::size_t coincident = moveApart(run);
-  for (int i = 0; i < kTries; ++i) {
+  for (std::size_t least = std::numeric_limits<std::size_t>::max();;) {
     const std::size_t now = bodies.countPlaces(run.mesh);
     if (now == vertices) return {true, coincident};
+    const std::size_t missed = std::max(now, vertices) - std::min(now, vertices);
     const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
-    if (!matchCount(run, aim) && !fillUp(run, aim)) return {false, coincident};
+    if (missed >= least || (!matchCount(run, aim) && !fillUp(run, aim))) return {false, coincident};
+    least = missed;
     coincident = moveApart(run);
   }
-  return {bodies.countPlaces(run.mesh) == vertices, coincident};
 }
 
 // With many vertices projection walks: over short edges the straight way leads to the same place as
@@ -253,20 +254,18 @@ RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<War
 // it is asked for.
 std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
                             std::size_t vertices) {
-  constexpr int kTries = 100;
   options.ratio.reset();
   options.edgeLength.reset();
-  for (int i = 0; i < kTries; ++i) {
+  for (;;) {
     options.vertices = Index(vertices);
     try {
       const Prepared prepared(planRun(input, Welding(input), options, {}), options, {});
       return vertices;
     } catch (const TooFewVertices& error) {
-      constexpr std::size_t kAtLeast = 16;  // a sixteenth more each time: a factor of 400 in all
+      constexpr std::size_t kAtLeast = 16;  // a sixteenth more each time
       vertices = std::max(error.needed, vertices + vertices / kAtLeast + 1);
     }
   }
-  return vertices;
 }
 
 // With more vertices than the original has, a bound too small to be seen gives them to the shape.

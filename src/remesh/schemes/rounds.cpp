@@ -23,9 +23,8 @@ constexpr int kLaplacianRounds = 10;
 // An edge more than twice as long as another edge of its triangles is too long to collapse.
 constexpr double kTooLong = 2;
 // Where sizes are graded, rounds of splits and collapses come first, for edges much longer or
-// shorter than their target, until so small a share of the vertices changes.
+// shorter than their target, until none is left that may change.
 constexpr int kGradingRounds = 12;
-constexpr double kSettled = 0.01;
 constexpr double kGradingShare = 0.4;  // of the time
 constexpr double kMostGraded = 4;      // of the vertices asked for, or present: else slivers go on
 
@@ -175,7 +174,7 @@ void grade(Run& run, const Progress& progress) {
     std::size_t changes = splitRound(run, longestFirst(run, kLong), most);
     changes += collapseRound(run, shortestFirst(run, kShort), 0);
     areaBasedRound(run);
-    if (double(changes) < kSettled * double(mesh.vertexCount())) break;
+    if (changes == 0) break;
   }
   run.asked.rule = rule;
 }

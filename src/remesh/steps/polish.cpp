@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/pattern_search.h"
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
 #include "mesh/hubs.h"
@@ -28,13 +29,10 @@ constexpr std::size_t kManyBad = 200;
 // twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
 // in vain.
 constexpr std::size_t kMostWork = 20, kLeastWork = 1 << 14;
-// A pattern search: eight directions, with steps that shrink as none of them helps.
-constexpr int kDirections = 8;
-constexpr double kFirstStep = 0.3;  // of the mean spoke
-constexpr double kLastStep = 0.02;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // Around a sharp tip no place on the surface is better, but a place a little off it is.
-constexpr double kFirstLift = 0.08, kHighest = 0.2;  // of the mean spoke
+// Steps of lifts are as much shorter than other moves.
+constexpr double kHighest = 0.2;  // of the mean spoke
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
 // wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
@@ -106,15 +104,10 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
   map.build(run.mesh.mesh(), run.mesh.positions(), v);
   run.scratch.star.gather(run.mesh, v);
   const double spoke = map.meanSpoke();
-  std::array<Vec2, kDirections> directions;
-  for (int i = 0; i < kDirections; ++i) {
-    const double turn = 2 * std::numbers::pi * i / kDirections;
-    directions[i] = {std::cos(turn), std::sin(turn)};
-  }
   Vec2 at = Vec2::Zero();
   double angle = 0;
   Wanted wanted{ground, AngleLimit(0)};
-  for (double step = kFirstStep; step >= kLastStep; step /= 2) {
+  searchPattern([&, directions = planeDirections()](double step) {
     for (const Vec2& direction : directions) {
       const Vec2 to = at + step * spoke * direction;
       if (!proposeMove(run, map, to, wanted)) continue;
@@ -126,7 +119,8 @@ void offerMove(Run& run, Vertex v, Ground ground, Best& best) {
       at = to;
       best.offer(run, worst);
     }
-  }
+    return false;  // as long steps once more cost a tenth of all time, and gain nothing
+  });
 }
 
 bool isOnCurve(const WorkingMesh& mesh, Vertex v) {
@@ -157,13 +151,15 @@ void offerLifts(Run& run, Vertex v, Best& best) {
   if (!(normal.norm() > 0)) return;
   Placement place = run.mesh.placement(v);
   const Vec3 ground = run.mesh.surface().position(place.at);
-  for (double step = kFirstLift; step >= kLastStep; step /= 2)
+  searchPattern([&](double step) {
     for (const double way : {step, -step}) {
-      place.position = at + way * spoke * normal.normalized();
+      place.position = at + way * kHighest * spoke * normal.normalized();
       if ((place.position - ground).norm() > kHighest * spoke) continue;
       proposePlacement(run.mesh, v, place, run.scratch.change);
       best.offer(run);
     }
+    return false;  // all lifts are from one place
+  });
 }
 
 void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
@@ -260,15 +256,6 @@ bool mend(Run& run, Face f, const Attempt& attempt) {
   return true;
 }
 
-// Whether f is skin of a spike, where sizes jump: a needle is intended there.
-bool isSkin(const Run& run, Face f) {
-  constexpr double kJump = 4;
-  if (!run.sizes.isSpiked()) return false;
-  const auto [a, b, c] = run.mesh.mesh().vertices(f);
-  const auto size = [&](Vertex v) { return run.sizes.at(run.mesh.at(v)); };
-  return std::max({size(a), size(b), size(c)}) > kJump * std::min({size(a), size(b), size(c)});
-}
-
 bool isBad(const Run& run, Face f, const AngleLimit& limit) {
   return run.mesh.mesh().isAlive(f) && limit.isAbove(run.mesh, f, run.asked.rule.grain);
 }
@@ -279,7 +266,7 @@ std::vector<Face> badTriangles(const Run& run, double angle) {
   std::vector<std::pair<double, Face>> bad;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const Face f(i);
-    if (!isBad(run, f, limit) || isSkin(run, f)) continue;
+    if (!isBad(run, f, limit)) continue;
     bad.emplace_back(smallestAngle(run.mesh, f, run.asked.rule.grain), f);
   }
   std::sort(bad.begin(), bad.end());

@@ -21,8 +21,6 @@ constexpr double kStartProbability = 0.5;
 // 300 its mean angle of 54°.
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
-// Of the target length: between flips only the vertices around them have to give way.
-constexpr double kGivesWay = 0.02;
 // The weight of a boundary vertex: it has fewer neighbours to even out an irregular valence, which
 // is better inside. Not on kept boundaries, whose edges are as long as they happen to be.
 constexpr int kAtBoundary = 2;
@@ -109,7 +107,7 @@ std::size_t flipsWhere(Run& run, ValenceExcess& excess, double smallestAngle, Ac
 // Where patches are needed, vertices are few, and a sweep over all of them is worth its time.
 void giveWay(Run& run) {
   if (run.projector.walks())
-    relax(run, 1, kGivesWay);
+    relax(run, 1);
   else
     laplacianSweep(run);
 }

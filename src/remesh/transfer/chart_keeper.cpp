@@ -7,15 +7,6 @@
 
 namespace remesher {
 
-namespace {
-
-// Around a seam's end its two sides hang together. They count as one chart if the way around the
-// end stays within this distance, in radii of the triangle.
-constexpr double kReach = 1.5;
-constexpr std::size_t kMostSearched = 1000;  // faces
-
-}  // namespace
-
 ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const ChartRules& rules)
     : mesh_(mesh),
       rules_(rules),
@@ -85,7 +76,7 @@ Face ChartKeeper::absorberOf(const std::array<SurfacePoint, 3>& points) {
     seen_[f] = stamp_;
   };
   for (const SurfacePoint& point : points) meet(point.face);
-  for (std::size_t i = 0; i < chart_.size() && i < kMostSearched; ++i) {
+  for (std::size_t i = 0; i < chart_.size(); ++i) {
     if (!rules_.absorbed[chart_[i]]) return chart_[i];
     for (int side = 0; side < 3; ++side) {
       const Halfedge h = HalfedgeMesh::halfedge(chart_[i], side);
@@ -127,7 +118,6 @@ std::array<SurfacePoint, 3> ChartKeeper::corners(Face f) {
   for (int k = 0; k < 3; ++k) places[k] = mesh_.surface().position(points[k]);
   Ball ball{(places[0] + places[1] + places[2]) / 3, 0};
   for (const Vec3& p : places) ball.radius = std::max(ball.radius, (p - ball.center).norm());
-  ball.radius *= kReach;
   const Face chart = chartFor(points, ball);
   if (!chart) return points;
   collect(chart, ball);
