@@ -36,7 +36,52 @@ Eigen::VectorXi sparseOrder(const Sparse& matrix, Eigen::Index reals) {
   return place;
 }
 
+Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& matrix) {
+  return matrix.llt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+}
+
 }  // namespace
+
+// The minimum of a quadratic and the inverse of its matrix. Variables that are fixed leave it.
+class Minimum {
+ public:
+  Minimum(Eigen::VectorXd values, Eigen::MatrixXd inverse)
+      : values_(std::move(values)), inverse_(std::move(inverse)), count_(values_.size()) {}
+
+  Eigen::Index count() const { return count_; }
+  double value(Eigen::Index i) const { return values_[i]; }
+  auto column(Eigen::Index i) const { return inverse_.col(i).head(count_); }
+
+  // Moves to the minimum where a sum c·z is larger by `lack`. along: the inverse times c; spread:
+  // c·along, and one over the weight of the wish if it is to be met in part [Woodbury].
+  void move(const Eigen::VectorXd& along, double lack, double spread) {
+    values_.head(count_) += along * (lack / spread);
+    for (Eigen::Index i = 0; i < count_; ++i)
+      inverse_.col(i).head(count_) -= along * (along[i] / spread);
+  }
+
+  // The last variable takes the place of the fixed one.
+  void fix(Eigen::Index i, double value) {
+    const Eigen::VectorXd along = column(i);
+    move(along, value - values_[i], along[i]);
+    const Eigen::Index last = --count_;
+    values_[i] = values_[last];
+    inverse_.col(i).head(last) = inverse_.col(last).head(last);
+    inverse_.row(i).head(last) = inverse_.row(last).head(last);
+    inverse_(i, i) = inverse_(last, last);
+  }
+
+ private:
+  Eigen::VectorXd values_;
+  Eigen::MatrixXd inverse_;
+  Eigen::Index count_;
+};
+
+// The integer variables, and what is wanted of the required sums, 0 for nothing.
+struct Rounding::Wholes {
+  Eigen::VectorXd relaxed, values;
+  std::vector<int> wanted;
+};
 
 Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::Index reals)
     : reals_(reals), wholes_(right.size() - reals), order_(sparseOrder(matrix, reals)) {
@@ -62,9 +107,8 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   forEachEntry(Sparse(factor_.matrixL()), [&](auto row, auto column, double value) {
     if (column >= reals && row >= reals) lower(row - reals, column - reals) = value;
   });
-  const Eigen::MatrixXd left =
-      lower * factor_.vectorD().tail(wholes_).asDiagonal() * lower.transpose();
-  inverse_ = left.llt().solve(Eigen::MatrixXd::Identity(wholes_, wholes_));
+  matrix_ = lower * factor_.vectorD().tail(wholes_).asDiagonal() * lower.transpose();
+  inverse_ = inverseOf(matrix_);
   isSolvable_ = inverse_.allFinite() && relaxed_.allFinite();
 }
 
@@ -83,90 +127,127 @@ Eigen::VectorXd Rounding::solveReals(Eigen::VectorXd right) const {
   return right;
 }
 
-// Pulls sums c·z to what is wanted of them, 0 for none: with a weight w the minimum is at z + C·c
-// (1/w + c·C·c)⁻¹ (wanted − c·z), C the inverse, c with a column for each sum [Woodbury].
-void Rounding::pull(Wholes& wholes, const std::vector<int>& wanted) const {
+double Rounding::sumOf(std::size_t required, const Eigen::VectorXd& values) const {
+  double sum = 0;
+  for (const auto& [variable, coefficient] : required_[required])
+    sum += coefficient * values[variable - reals_];
+  return sum;
+}
+
+// The variables of a sum and those that move most with it, beside how far they move by chance.
+std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) const {
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(wholes_);
+  for (const auto& [variable, coefficient] : required_[required])
+    along += coefficient * inverse_.col(variable - reals_);
+  along.array() /= inverse_.diagonal().array().sqrt();
+  std::vector<int> all(std::size_t(wholes_), 0);
+  std::iota(all.begin(), all.end(), 0);
+  const auto isNearer = [&](int a, int b) { return std::abs(along[a]) > std::abs(along[b]); };
+  std::stable_sort(all.begin(), all.end(), isNearer);
+  all.resize(std::min(all.size(), count));
+  for (const auto& [variable, coefficient] : required_[required])
+    all.push_back(int(variable - reals_));
+  return all;
+}
+
+// Of some variables, while the others stay.
+Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) const {
+  if (Eigen::Index(some.size()) == wholes_) return {wholes.relaxed, inverse_};
+  const Eigen::VectorXd off = wholes.values - wholes.relaxed;
+  Eigen::VectorXd slope(some.size());
+  for (std::size_t i = 0; i < some.size(); ++i)
+    slope[Eigen::Index(i)] = matrix_.col(some[i]).dot(off);
+  Eigen::MatrixXd inverse = inverseOf(matrix_(some, some));
+  Eigen::VectorXd values = wholes.values(some) - inverse * slope;
+  return {std::move(values), std::move(inverse)};
+}
+
+// Pulls sums to what is wanted of them, by these variables.
+void Rounding::pull(Minimum& minimum, const Wholes& wholes, const std::vector<int>& some) const {
   constexpr double kYield = 1e-3;  // one over the weight, beside weights of about 1
-  const auto count = Eigen::Index(wanted.size()) - std::count(wanted.begin(), wanted.end(), 0);
-  if (count == 0) return;
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(wholes_, count);
-  Eigen::VectorXd lack(count);
-  Eigen::Index column = 0;
+  std::vector<int> places(std::size_t(wholes_), -1);
+  for (std::size_t i = 0; i < some.size(); ++i) places[std::size_t(some[i])] = int(i);
   for (std::size_t k = 0; k < required_.size(); ++k) {
-    if (wanted[k] == 0) continue;
-    for (const auto& [variable, coefficient] : required_[k])
-      sums(variable - reals_, column) = coefficient;
-    lack[column++] = wanted[k];
-  }
-  lack -= sums.transpose() * wholes.values;
-  const Eigen::MatrixXd moved = wholes.inverse * sums;
-  Eigen::MatrixXd yields = sums.transpose() * moved;
-  yields.diagonal().array() += kYield;
-  const Eigen::LLT<Eigen::MatrixXd> factor(yields);
-  wholes.values += moved * factor.solve(lack);
-  wholes.inverse.noalias() -= moved * factor.solve(moved.transpose());
-}
-
-// Rounds the variables nearest to integers at once; the others move to the new minimum, and so on.
-void Rounding::roundAll(Wholes& all) const {
-  constexpr double kSure = 0.03;  // off an integer
-  std::vector<int> left = std::vector<int>(std::size_t(wholes_));
-  std::iota(left.begin(), left.end(), 0);
-  Eigen::VectorXd values = all.values;
-  Eigen::MatrixXd inverse = std::move(all.inverse);
-  while (!left.empty()) {
-    const Eigen::VectorXd whole = values.array().round();
-    const Eigen::VectorXd away = (values - whole).cwiseAbs();
-    const double most = std::max(away.minCoeff(), kSure);
-    std::vector<int> near, far, still;
-    for (int i = 0; i < int(left.size()); ++i) {
-      if (!(away[i] > most)) {
-        near.push_back(i);
-        all.values[left[std::size_t(i)]] = whole[i];
-        continue;
-      }
-      far.push_back(i);
-      still.push_back(left[std::size_t(i)]);
+    if (wholes.wanted[k] == 0) continue;
+    double lack = wholes.wanted[k], spread = kYield;
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(minimum.count());
+    for (const auto& [variable, coefficient] : required_[k]) {
+      const int place = places[variable - Index(reals_)];
+      lack -= coefficient * (place < 0 ? wholes.values[variable - reals_] : minimum.value(place));
+      if (place >= 0) along += coefficient * minimum.column(place);
     }
-    const Eigen::MatrixXd own = inverse(near, near), between = inverse(far, near);
-    const Eigen::LLT<Eigen::MatrixXd> factor(own);
-    const Eigen::VectorXd step = (whole - values)(near);
-    values = (values(far) + between * factor.solve(step)).eval();
-    inverse = (inverse(far, far) - between * factor.solve(between.transpose())).eval();
-    left = std::move(still);
+    for (const auto& [variable, coefficient] : required_[k])
+      if (const int place = places[variable - Index(reals_)]; place >= 0)
+        spread += coefficient * along[place];
+    minimum.move(along, lack, spread);
   }
 }
 
-// Pulls the sums that are too small after rounding, and rounds anew, until none is. Each round lets
-// others fall below 1, or those pulled before: they are pulled farther.
-Rounding::Wholes Rounding::roundedWholes(double factor) const {
+// Rounds these variables, the one nearest to an integer first; the others move to the new minimum,
+// and so on.
+void Rounding::round(Wholes& wholes, const std::vector<int>& some) const {
+  Minimum minimum = minimumOf(wholes, some);
+  pull(minimum, wholes, some);
+  std::vector<int> left = some;
+  while (!left.empty()) {
+    Eigen::Index nearest = 0;
+    double least = 1;
+    for (Eigen::Index i = 0; i < minimum.count(); ++i) {
+      const double away = std::abs(minimum.value(i) - std::round(minimum.value(i)));
+      if (!(away < least)) continue;
+      least = away;
+      nearest = i;
+    }
+    const double whole = std::round(minimum.value(nearest));
+    wholes.values[left[std::size_t(nearest)]] = whole;
+    minimum.fix(nearest, whole);
+    left[std::size_t(nearest)] = left.back();
+    left.pop_back();
+  }
+}
+
+// Wants more of the sums that are too small, and tells the variables near them.
+std::vector<int> Rounding::pullShort(Wholes& wholes) const {
   // Some sums cannot all be 1. With 1 in place of 4, 5 to 23 sums of featuretype at 2000 stay too
   // short, with 2 up to one, with 4 none; at 7 counts with 1 its distance is 1.9 % in the median.
   constexpr int kFarthestPull = 4;
-  std::vector<int> wanted(required_.size(), 0);
-  for (;;) {
-    Wholes all{factor * relaxed_, inverse_};
-    pull(all, wanted);
-    roundAll(all);
-    bool isShort = false;
-    for (std::size_t k = 0; k < required_.size(); ++k) {
-      double sum = 0;
-      for (const auto& [variable, coefficient] : required_[k])
-        sum += coefficient * all.values[variable - reals_];
-      if (sum >= 1 || wanted[k] == kFarthestPull) continue;
-      isShort = true;
-      ++wanted[k];
-    }
-    if (!isShort) return all;
+  // With 20 featuretype at 2000 has a mean deviation of 10.1°, with 80 11.0°, with 40 9.7°, with
+  // all variables each time 11.2° in six times the time, medians of 7 counts; fixed_top at
+  // 2000 14.4, 14.1, 14.2°; featuretype at 5000 6.1, 6.1, 6.0, 6.5°.
+  constexpr std::size_t kNear = 40;
+  std::vector<int> near;
+  for (std::size_t k = 0; k < required_.size(); ++k) {
+    int& wanted = wholes.wanted[k];
+    if (sumOf(k, wholes.values) >= 1 || wanted == kFarthestPull) continue;
+    ++wanted;
+    const std::vector<int> around = allNear(k, kNear * std::size_t(wanted));
+    near.insert(near.end(), around.begin(), around.end());
   }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
+// Pulls the sums that are too small after rounding, and rounds the variables near them anew, until
+// none is. Each round lets others fall below 1, or those pulled before: they are pulled farther,
+// and more variables follow.
+Eigen::VectorXd Rounding::roundedWholes(double factor) const {
+  const Eigen::VectorXd relaxed = factor * relaxed_;
+  Wholes wholes{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
+  for (std::size_t k = 0; k < required_.size(); ++k)  // those that would become 0
+    wholes.wanted[k] = std::round(sumOf(k, relaxed)) < 1;
+  std::vector<int> some(std::size_t(wholes_), 0);
+  std::iota(some.begin(), some.end(), 0);
+  for (; !some.empty(); some = pullShort(wholes)) round(wholes, some);
+  return wholes.values;
 }
 
 Eigen::VectorXd Rounding::rounded(double factor) const {
-  const Wholes all = roundedWholes(factor);
-  const Eigen::VectorXd reals = solveReals(factor * right_.head(reals_) - coupling_ * all.values);
+  const Eigen::VectorXd wholes = roundedWholes(factor);
+  const Eigen::VectorXd reals = solveReals(factor * right_.head(reals_) - coupling_ * wholes);
   Eigen::VectorXd result(right_.size());
   for (Eigen::Index i = 0; i < reals_; ++i) result[i] = reals[order_[i]];
-  result.tail(wholes_) = all.values;
+  result.tail(wholes_) = wholes;
   return result;
 }
 

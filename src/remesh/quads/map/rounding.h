@@ -12,6 +12,8 @@
 
 namespace remesher {
 
+class Minimum;  // of some variables
+
 class Rounding {
  public:
   // The quadratic ½ x·A·x − b·x. matrix: the lower half of A; right: b. Variables below `reals` may
@@ -32,13 +34,14 @@ class Rounding {
   using Factor =
       Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-  struct Wholes {
-    Eigen::VectorXd values;
-    Eigen::MatrixXd inverse;  // of the matrix of these variables
-  };
-  void pull(Wholes& wholes, const std::vector<int>& wanted) const;
-  void roundAll(Wholes& wholes) const;
-  Wholes roundedWholes(double factor) const;
+  struct Wholes;
+  double sumOf(std::size_t required, const Eigen::VectorXd& values) const;
+  std::vector<int> allNear(std::size_t required, std::size_t count) const;
+  Minimum minimumOf(const Wholes& wholes, const std::vector<int>& some) const;
+  void pull(Minimum& minimum, const Wholes& wholes, const std::vector<int>& some) const;
+  void round(Wholes& wholes, const std::vector<int>& some) const;
+  std::vector<int> pullShort(Wholes& wholes) const;
+  Eigen::VectorXd roundedWholes(double factor) const;
   Eigen::VectorXd solveReals(Eigen::VectorXd right) const;
 
   Eigen::Index reals_, wholes_;
@@ -46,7 +49,7 @@ class Rounding {
   Factor factor_;
   Eigen::SparseMatrix<double> coupling_;  // rows of reals in the factor's order, columns of wholes
   Eigen::VectorXd right_;                 // in the factor's order
-  Eigen::MatrixXd inverse_;               // of the matrix without the reals
+  Eigen::MatrixXd matrix_, inverse_;      // of the integer variables, without the reals
   Eigen::VectorXd relaxed_;               // the integer variables before rounding
   std::vector<IntegerSum> required_;
   bool isSolvable_ = false;

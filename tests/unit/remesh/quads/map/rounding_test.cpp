@@ -86,3 +86,23 @@ TEST_CASE("rounding: a sum that is to be 1 at least is, where it would be 0 with
   }
   CHECK(helped > 0);
 }
+
+TEST_CASE("rounding: in a long row every gap that would be 0 or 1 is 1, and none is more") {
+  // Each variable is wanted 0 to 0.6 after the one before.
+  constexpr Index kCount = 120;
+  soups::Random random(7);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(kCount, kCount);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(kCount);
+  std::vector<IntegerSum> gaps;
+  for (Index i = 0; i + 1 < kCount; ++i) {
+    const double wanted = 0.6 * random.number(), weight = 0.5 + random.number();
+    dense(i, i) += weight, dense(i + 1, i + 1) += weight, dense(i + 1, i) -= weight;
+    right[i] -= weight * wanted, right[i + 1] += weight * wanted;
+    gaps.push_back({{i, -1}, {i + 1, 1}});
+  }
+  dense.diagonal().array() += 1e-6;
+  Rounding rounding(dense.sparseView(), right, 0);
+  rounding.require(gaps);
+  const Eigen::VectorXd x = rounding.rounded(1);
+  for (Index i = 0; i + 1 < kCount; ++i) CHECK(x[i + 1] - x[i] == 1);
+}
