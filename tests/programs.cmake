@@ -2,6 +2,7 @@
 # The native programs: unit tests, the judge of the benchmark, what developers run by hand.
 add_executable(unit_tests
   tests/unit/base/legible_test.cpp
+  tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
   tests/unit/geometry/extent_test.cpp
@@ -87,6 +88,7 @@ add_executable(unit_tests
   tests/unit/remesh/accuracy/needles_test.cpp
   tests/unit/remesh/accuracy/poor_regions_test.cpp
   tests/unit/remesh/accuracy/refine_excess_test.cpp
+  tests/unit/remesh/accuracy/uncross_test.cpp
   tests/unit/remesh/gate/angles_test.cpp
   tests/unit/remesh/gate/crossing_guard_test.cpp
   tests/unit/remesh/gate/crossings_test.cpp

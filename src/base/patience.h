@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace remesher {
 
@@ -22,6 +24,24 @@ class Patience {
   static constexpr std::size_t kGoodShare = 100;
   static constexpr int kBadRounds = 32;
   int badRounds_ = 0;
+};
+
+// Counts down rounds that take something away, as long as those to come may take away all of it.
+class Prospect {
+ public:
+  explicit Prospect(int rounds) : rounds_(rounds) {}
+
+  // Asked before each round, with what is left now: whether another follows. Not if all would leave
+  // some at the rate of the last two; one alone may leave more than there was.
+  bool isGood(double left) {
+    const double rate = (beforeLast_ - left) / 2;
+    beforeLast_ = std::exchange(last_, left);
+    return rounds_ > 0 && rate * rounds_-- >= left;
+  }
+
+ private:
+  int rounds_;
+  double last_ = std::numeric_limits<double>::infinity(), beforeLast_ = last_;
 };
 
 }  // namespace remesher

@@ -2,9 +2,9 @@
 #include "remesh/accuracy/uncross.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
+#include "base/patience.h"
 #include "remesh/gate/angles.h"
 
 namespace remesher {
@@ -28,6 +28,7 @@ class FewestPairs {
 
   bool carryOut(Run& run) const {
     if (growth_ >= 0) return false;
+    run.scratch.change = change_;
     remesher::carryOut(run, change_);
     return true;
   }
@@ -77,40 +78,63 @@ bool mendCrossed(Run& run, Face f) {
 }
 
 // Halves a triangle for which nothing helps at once: a finer mesh is nearer to the original, which
-// does not meet itself.
-void halve(Run& run, Face f) {
-  Halfedge longest = HalfedgeMesh::halfedge(f);
-  for (int k = 1; k < 3; ++k)
-    if (const Halfedge h = HalfedgeMesh::halfedge(f, k); lengthOf(run, h) > lengthOf(run, longest))
-      longest = h;
-  if (!proposeSplit(run.mesh, run.projector, longest, run.scratch.change)) return;
-  FidelityRule rule = lenient(run);
-  rule.guard = nullptr;  // both halves may meet what the whole does
-  commit(run, rule);
+// does not meet itself. Normals have no say: where sheets are near to each other, those at corners
+// may be the other sheet's. Both halves may meet what the whole does.
+bool halve(Run& run, Face f) {
+  std::array<Halfedge, 3> sides = {HalfedgeMesh::halfedge(f, 0), HalfedgeMesh::halfedge(f, 1),
+                                   HalfedgeMesh::halfedge(f, 2)};
+  std::stable_sort(sides.begin(), sides.end(),
+                   [&](Halfedge a, Halfedge b) { return lengthOf(run, a) > lengthOf(run, b); });
+  for (const Halfedge side : sides) {
+    if (!proposeSplit(run.mesh, run.projector, side, run.scratch.change)) continue;
+    if (flattens(run.mesh, run.scratch.change, run.asked.rule.grain)) continue;
+    carryOut(run, run.scratch.change);
+    return true;
+  }
+  return false;
+}
+
+// The triangles that the last change has left or made.
+void addChanged(const Run& run, std::vector<Face>& faces) {
+  faces.insert(faces.end(), run.scratch.change.going.begin(), run.scratch.change.going.end());
+  if (const Vertex v = run.scratch.result)
+    run.mesh.mesh().forEachOutgoing(v, [&](Halfedge h) { faces.push_back(HalfedgeMesh::face(h)); });
+}
+
+// Those of the triangles that meet others, and the others.
+std::vector<Face> stillCrossed(const Run& run, std::vector<Face> suspects) {
+  const auto makeUnique = [](std::vector<Face>& faces) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  };
+  makeUnique(suspects);
+  std::vector<Face> crossed;
+  for (const Face f : suspects) {
+    if (!run.mesh.mesh().isAlive(f)) continue;
+    const std::vector<Face> met = run.asked.rule.guard->metBy(f);
+    if (!met.empty()) crossed.push_back(f);
+    crossed.insert(crossed.end(), met.begin(), met.end());
+  }
+  makeUnique(crossed);
+  return crossed;
 }
 
 }  // namespace
 
-std::size_t uncross(Run& run) {
-  const int rounds = 2 * run.asked.effort.polishRounds;
+std::size_t uncross(Run& run, std::vector<Face> crossed) {
   // Mending one triangle takes as long as so many triangles of the original take when all is made
   // anew.
   constexpr std::size_t kWorthMending = 64;
   std::size_t budget = run.mesh.surface().mesh().faceCount() / kWorthMending;
-  std::vector<Face> crossed = run.asked.rule.guard->crossing();
-  double last = kInfinity, beforeLast = kInfinity;  // how many there were
-  for (int round = 0; round < rounds && !crossed.empty(); ++round) {
-    // In vain if the rounds to come would not mend all at the rate of the last two. One round alone
-    // may leave more than there were, for halves meet what the whole did.
-    const double now = double(crossed.size());
-    const bool isInVain = (beforeLast - now) / 2 * (rounds - round) < now;
-    beforeLast = std::exchange(last, now);
-    if (crossed.size() > budget || isInVain) break;
+  Prospect prospect(2 * run.asked.effort.polishRounds);
+  while (!crossed.empty() && crossed.size() <= budget && prospect.isGood(double(crossed.size()))) {
     budget -= crossed.size();
+    std::vector<Face> suspects = crossed;
     for (const Face f : crossed)
-      if (run.mesh.mesh().isAlive(f) && run.asked.rule.guard->isCrossed(f) && !mendCrossed(run, f))
-        halve(run, f);
-    crossed = run.asked.rule.guard->crossing();
+      if (run.mesh.mesh().isAlive(f) && !run.asked.rule.guard->metBy(f).empty() &&
+          (mendCrossed(run, f) || halve(run, f)))
+        addChanged(run, suspects);
+    crossed = stillCrossed(run, std::move(suspects));
   }
   return crossed.size();
 }

@@ -80,17 +80,24 @@ NamedTriangle CrossingGuard::coming(const LocalChange& change,
   return t;
 }
 
-std::size_t CrossingGuard::countAround(const NamedTriangle& t,
-                                       std::span<const Face> leftOut) const {
-  if (!hasArea(t.at)) return 1;
+// The triangle must have an area.
+template <class Visit>
+void CrossingGuard::forEachMet(const NamedTriangle& t, std::span<const Face> leftOut,
+                               Visit visit) const {
   const Box box = boxAround(t);
-  std::size_t pairs = 0;
   grid_.visit(box, [&](Index name) {
     if (!mesh_.mesh().isAlive(Face(name)) || contains(leftOut, Face(name))) return;
     const NamedTriangle other = present(Face(name));
     if (!boxAround(other).overlaps(box) || !hasArea(other.at)) return;
-    pairs += trianglesMeet(t, other);
+    if (trianglesMeet(t, other)) visit(Face(name));
   });
+}
+
+std::size_t CrossingGuard::countAround(const NamedTriangle& t,
+                                       std::span<const Face> leftOut) const {
+  if (!hasArea(t.at)) return 1;
+  std::size_t pairs = 0;
+  forEachMet(t, leftOut, [&](Face) { ++pairs; });
   return pairs;
 }
 
@@ -134,14 +141,18 @@ void CrossingGuard::update(const LocalChange& change, Vertex result) {
   if (result) mesh.forEachOutgoing(result, [&](Halfedge h) { add(HalfedgeMesh::face(h)); });
 }
 
-bool CrossingGuard::isCrossed(Face f) const {
-  return countAround(present(f), std::span(&f, 1)) > 0;
+std::vector<Face> CrossingGuard::metBy(Face f) const {
+  const NamedTriangle t = present(f);
+  if (!hasArea(t.at)) return {f};
+  std::vector<Face> met;
+  forEachMet(t, std::span(&f, 1), [&](Face other) { met.push_back(other); });
+  return met;
 }
 
 std::vector<Face> CrossingGuard::crossing() const {
   std::vector<Face> result;
   for (Index i = 0; i < mesh_.mesh().faceCapacity(); ++i)
-    if (mesh_.mesh().isAlive(Face(i)) && isCrossed(Face(i))) result.push_back(Face(i));
+    if (mesh_.mesh().isAlive(Face(i)) && !metBy(Face(i)).empty()) result.push_back(Face(i));
   return result;
 }
 

@@ -32,11 +32,14 @@ class CrossingGuard {
 
   // The triangles that intersect others, ascending.
   std::vector<Face> crossing() const;
-  bool isCrossed(Face f) const;
+  // The triangles that this one intersects; itself if it has no area.
+  std::vector<Face> metBy(Face f) const;
 
  private:
   NamedTriangle present(Face f) const;
   NamedTriangle coming(const LocalChange& change, const std::array<Vertex, 3>& corners) const;
+  template <class Visit>
+  void forEachMet(const NamedTriangle& t, std::span<const Face> leftOut, Visit visit) const;
   std::size_t countAround(const NamedTriangle& t, std::span<const Face> leftOut) const;
   // Stops after a triangle with which there are enough.
   std::size_t countAmong(std::span<const NamedTriangle> triangles, std::span<const Face> leftOut,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/patience.h"
 #include "remesh/accuracy/needles.h"
 #include "remesh/accuracy/uncross.h"
 #include "remesh/gate/angles.h"
@@ -37,7 +38,7 @@ std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
     coarsen(run, times * vertices, MeetingPlace::MiddleOrEnds);
     thinned = run.mesh.mesh().vertexCount();
     std::unique_ptr<CrossingGuard> guard = guardOf(run);
-    if (uncross(run) == 0) return guard;
+    if (uncross(run, guard->crossing()) == 0) return guard;
   }
   run.mesh = WorkingMesh(run.mesh.surface());
   return guardOf(run);
@@ -49,36 +50,15 @@ bool finishUncrossed(Run& run, std::size_t vertices) {
   return isReached && run.mesh.mesh().vertexCount() == vertices;
 }
 
-// Counts down the rounds towards a number of vertices.
-class Rounds {
- public:
-  Rounds(const Run& run, std::size_t vertices, int rounds)
-      : run_(run), vertices_(vertices), left_(rounds), beyond_(beyond()) {}
-
-  // Whether another round follows: not if all that are left would not take away the vertices that
-  // are too many, at the rate of the last one.
-  bool goOn() {
-    const double before = std::exchange(beyond_, beyond());
-    const bool isFirst = std::exchange(isFirst_, false);
-    return left_-- > 0 && (isFirst || (left_ + 1) * (before - beyond_) >= beyond_);
-  }
-
- private:
-  double beyond() const {
-    return std::max(0.0, double(run_.mesh.mesh().vertexCount()) - double(vertices_));
-  }
-
-  const Run& run_;
-  std::size_t vertices_;
-  int left_;
-  bool isFirst_ = true;
-  double beyond_;
-};
+double tooMany(const Run& run, std::size_t vertices) {
+  return std::max(0.0, double(run.mesh.mesh().vertexCount()) - double(vertices));
+}
 
 // Makes edges even, with every step that suits a mesh of one level.
 bool makeAnew(Run& run, std::size_t vertices) {
   coarsen(run, vertices, MeetingPlace::MiddleOrEnds);
-  for (Rounds rounds(run, vertices, run.asked.effort.adaptRounds); rounds.goOn();) {
+  Prospect prospect(run.asked.effort.adaptRounds);
+  while (prospect.isGood(tooMany(run, vertices))) {
     delaunayFlips(run.mesh, run.asked.rule);
     valenceFlips(run);
     relax(run, run.asked.effort.passes);
@@ -89,8 +69,10 @@ bool makeAnew(Run& run, std::size_t vertices) {
 
 Uncrossed uncrossed(Run& run, std::size_t vertices) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
-  if (guard->crossing().empty()) return {std::move(guard), true, 0};
-  if (uncross(run) == 0) return {std::move(guard), finishUncrossed(run, vertices), 0};
+  std::vector<Face> crossed = guard->crossing();
+  if (crossed.empty()) return {std::move(guard), true, 0};
+  if (uncross(run, std::move(crossed)) == 0)
+    return {std::move(guard), finishUncrossed(run, vertices), 0};
   guard = startAnew(run, vertices);
   const bool isReached = makeAnew(run, vertices);
   const std::size_t crossing = guard->crossing().size();
@@ -105,8 +87,8 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   const FidelityRule& rule = run.asked.rule;
   const bool isPlain = run.asked.stagger == 0 && rule.mode == Fidelity::Fold && !rule.bound;
   if (!isPlain) return result;
-  for (Rounds rounds(run, vertices, run.asked.effort.polishRounds);
-       rounds.goOn() && mendNeedles(run);)
+  Prospect prospect(run.asked.effort.polishRounds);
+  while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run))
     result.isReached = matchCount(run, vertices);
   return result;
 }

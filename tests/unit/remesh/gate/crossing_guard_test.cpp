@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "measure/self_intersections.h"
 #include "remesh/operators/local_operators.h"
 #include "support/soups.h"
@@ -28,6 +30,26 @@ std::size_t countCrossed(const WorkingMesh& mesh) {
 }
 
 }  // namespace
+
+TEST_CASE("crossing guard: of two triangles that intersect each knows the other") {
+  const OriginalSurface surface = shapes::surfaceOf(shellsInEachOther(), shapes::Features::None);
+  WorkingMesh mesh(surface);
+  const CrossingGuard untouched(mesh, {});
+  CHECK(untouched.metBy(Face(0)).empty());
+  Placement place = mesh.placement(Vertex(0));
+  place.position *= 0.8;  // through the inner sphere
+  mesh.move(Vertex(0), place);
+  const CrossingGuard guard(mesh, {});
+  const std::vector<Face> crossing = guard.crossing();
+  CHECK(crossing.size() == countCrossed(mesh));
+  for (const Face f : crossing) {
+    CHECK_FALSE(guard.metBy(f).empty());
+    for (const Face other : guard.metBy(f)) {
+      const std::vector<Face> back = guard.metBy(other);
+      CHECK(std::count(back.begin(), back.end(), f) == 1);
+    }
+  }
+}
 
 TEST_CASE("crossing guard: what it allows crosses nothing, and what it refuses does") {
   const OriginalSurface surface = shapes::surfaceOf(shellsInEachOther(), shapes::Features::None);
