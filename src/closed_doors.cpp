@@ -36,6 +36,7 @@ std::optional<RemeshOutcome> remeshIfMirrored(const TriangleMesh&, const RemeshO
 }
 
 Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }
+Uncrossed makeUncrossed(Run&, std::size_t) { refuse("Repair"); }
 
 std::optional<std::vector<Vec3>> inWholeSteps(const TriangleMesh&, const WholeSteps&) { return {}; }
 

@@ -135,6 +135,7 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
   outcome.stopped = Stopped::Fidelity;
   if (!outcome.places.empty()) outcome.places = ownPlaces(original);
   outcome.coincident = 0;
+  std::erase_if(outcome.warnings, [](const Warning& w) { return w.code == "TOO_FEW_VERTICES"; });
   outcome.warnings.push_back(
       {"ONLY_REPAIRED",
        "Parts of the repaired surface are too near to each other for coordinates of "

@@ -125,6 +125,36 @@ Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
   return Projector(original.ground(), options.projection, original.longestEdges());
 }
 
+// The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
+// do not suffice; otherwise 0.
+std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
+  if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
+  const std::size_t enough = topologyOf(original.surface().mesh()).enough;
+  return original.vertices() < enough ? enough : 0;
+}
+
+struct Made {
+  bool isReached;  // the number of vertices
+  Uncrossed uncrossed = {};
+};
+
+Made makeMesh(Run& run, const Prepared& original, const Manner& manner, const Progress& progress) {
+  const RemeshOptions& options = manner.options;
+  if (const std::size_t enough = enoughInstead(original, options)) {
+    progress.phase("polish", 0, 0);
+    return {false, makeUncrossed(run, enough)};
+  }
+  const std::size_t vertices = original.vertices();
+  const bool isReached =
+      original.bound()
+          ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
+          : runScheme(run, vertices, manner, progress);
+  if (options.repair == Repair::Off) return {isReached};
+  Uncrossed uncrossed = keepUncrossed(run, vertices);
+  const bool isStillReached = isReached && uncrossed.isReached;
+  return {isStillReached, std::move(uncrossed)};
+}
+
 Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Progress& progress) {
   const RemeshOptions& options = manner.options;
   Projector projector = projectorFor(original, options);
@@ -138,19 +168,11 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
   const std::size_t vertices = original.vertices();
   const std::size_t places = options.inBodies.value_or(Index(vertices));
   run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
-  bool reached =
-      original.bound()
-          ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
-          : runScheme(run, vertices, manner, progress);
-  Uncrossed uncrossed;
-  if (options.repair != Repair::Off) {
-    uncrossed = keepUncrossed(run, vertices);
-    reached = uncrossed.isReached && reached;
-  }
+  const Made made = makeMesh(run, original, manner, progress);
   const bool mayMatch =
-      !options.splitObtuse && (reached || manner.bodies.countPlaces(mesh) < places);
-  const Places matched =
-      mayMatch ? matchPositions(run, places, manner.bodies) : Places{reached, moveApart(run)};
+      !options.splitObtuse && (made.isReached || manner.bodies.countPlaces(mesh) < places);
+  const Places matched = mayMatch ? matchPositions(run, places, manner.bodies)
+                                  : Places{made.isReached, moveApart(run)};
   const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
   return {std::move(mesh),
           matched.areReached ? Stopped::Target
@@ -183,6 +205,15 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
   options.maxError.reset();
   options.tooFew = TooFew::Raise;
   return options;
+}
+
+Warning missedWarning(const Prepared& original, std::size_t made) {
+  const Topology topology = topologyOf(original.surface().mesh());
+  return {"TOO_FEW_VERTICES",
+          std::to_string(original.vertices()) +
+              " vertices are too few to keep this surface (pieces: " +
+              std::to_string(topology.pieces) + ", handles: " + std::to_string(topology.handles) +
+              ") closed and free of crossings: the result has " + std::to_string(made) + "."};
 }
 
 Warning pairedWarning(const MadeQuads& quads) {
@@ -317,11 +348,14 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
       options.splitObtuse ? original.vertices() : bodies.countPlaces(remeshed.mesh);
+  std::vector<Warning> warnings = original.warnings();
+  if (options.repair != Repair::Off && vertices > original.vertices())
+    warnings.push_back(missedWarning(original, vertices));
   return {extractMesh(remeshed.mesh, input, original.transfer()),
           std::move(places),
           remeshed.stopped,
           vertices,
-          original.warnings(),
+          std::move(warnings),
           remeshed.coincident,
           tree.ofInput(),
           isFiner ? Prefer::Shape : Prefer::Even};

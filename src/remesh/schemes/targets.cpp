@@ -33,36 +33,6 @@ double mostVertices(const BuiltMesh& built) {
   return std::clamp(left / kBytesPerVertex, 0.0, double(kNone) / 6);
 }
 
-struct Fewest {
-  std::size_t needed = 0, enough = 0;
-};
-
-// The fewest vertices of a surface with handles depend on how it lies in space: a torus is rolled
-// up of a sheet of four by four, twelve more than a ball needs, and each handle needs twelve more.
-Fewest fewestVertices(const HalfedgeMesh& mesh) {
-  DisjointSets components(mesh.vertexCapacity());
-  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
-    const auto [a, b, c] = mesh.vertices(Face(i));
-    components.unite(a.index, b.index);
-    components.unite(b.index, c.index);
-  }
-  Fewest fewest;
-  VertexData<char> isOpen(mesh.vertexCapacity(), 0);
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
-    if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
-      isOpen[Vertex(components.find(i))] = 1;
-  // 0 if each component is a ball or a disc.
-  long missing = -eulerCharacteristic(mesh);
-  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
-    if (!mesh.isAlive(Vertex(i)) || components.find(i) != i) continue;
-    fewest.needed += isOpen[Vertex(i)] ? 3 : 4;
-    missing += isOpen[Vertex(i)] ? 1 : 2;
-  }
-  fewest.needed = std::max(fewest.needed, kFewestVertices);
-  fewest.enough = fewest.needed + 6 * std::size_t(std::max(missing, 0L));
-  return fewest;
-}
-
 void require(bool holds, const std::string& message, const std::string& hint) {
   if (!holds) throw Error(ErrorCode::InvalidOption, message, hint);
 }
@@ -90,6 +60,34 @@ std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
 }
 
 }  // namespace
+
+// The fewest vertices of a surface with handles depend on how it lies in space: a torus is rolled
+// up of a sheet of four by four, twelve more than a ball needs, and each handle needs twelve more.
+Topology topologyOf(const HalfedgeMesh& mesh) {
+  DisjointSets components(mesh.vertexCapacity());
+  for (Index i = 0; i < mesh.faceCapacity(); ++i) {
+    const auto [a, b, c] = mesh.vertices(Face(i));
+    components.unite(a.index, b.index);
+    components.unite(b.index, c.index);
+  }
+  Topology result;
+  VertexData<char> isOpen(mesh.vertexCapacity(), 0);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i)
+    if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
+      isOpen[Vertex(components.find(i))] = 1;
+  // 0 if each component is a ball or a disc.
+  long missing = -eulerCharacteristic(mesh);
+  for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
+    if (!mesh.isAlive(Vertex(i)) || components.find(i) != i) continue;
+    ++result.pieces;
+    result.needed += isOpen[Vertex(i)] ? 3 : 4;
+    missing += isOpen[Vertex(i)] ? 1 : 2;
+  }
+  result.handles = std::size_t(std::max(missing, 0L)) / 2;
+  result.needed = std::max(result.needed, kFewestVertices);
+  result.enough = result.needed + 6 * std::size_t(std::max(missing, 0L));
+  return result;
+}
 
 TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
     : Error(errorCode, tooFew(errorCode, needs.target, needs.needed),
@@ -143,7 +141,7 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
                     " vertices, for which there is no memory.",
                 "Ask for " + std::to_string(std::size_t(most)) +
                     " vertices or fewer, or give the model in parts.");
-  const Fewest fewest = fewestVertices(built.mesh);
+  const Topology fewest = topologyOf(built.mesh);
   if (target < double(fewest.needed) && options.tooFew == TooFew::Raise) return fewest.needed;
   if (target < double(fewest.needed))
     throw TooFewVertices(ErrorCode::TargetTooSmall,

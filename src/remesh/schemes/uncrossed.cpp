@@ -9,6 +9,7 @@
 #include "remesh/accuracy/needles.h"
 #include "remesh/accuracy/uncross.h"
 #include "remesh/gate/angles.h"
+#include "remesh/schemes/land.h"
 #include "remesh/steps/adapt.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
@@ -67,22 +68,22 @@ bool makeAnew(Run& run, std::size_t vertices) {
   return finishUncrossed(run, vertices);
 }
 
+Uncrossed madeAnew(Run& run, std::size_t vertices, std::unique_ptr<CrossingGuard> guard) {
+  const bool isReached = makeAnew(run, vertices);
+  const std::size_t crossing = guard->crossing().size();
+  return {std::move(guard), isReached, crossing};
+}
+
 Uncrossed uncrossed(Run& run, std::size_t vertices) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
   std::vector<Face> crossed = guard->crossing();
   if (crossed.empty()) return {std::move(guard), true, 0};
   if (uncross(run, std::move(crossed)) == 0)
     return {std::move(guard), finishUncrossed(run, vertices), 0};
-  guard = startAnew(run, vertices);
-  const bool isReached = makeAnew(run, vertices);
-  const std::size_t crossing = guard->crossing().size();
-  return {std::move(guard), isReached, crossing};
+  return madeAnew(run, vertices, startAnew(run, vertices));
 }
 
-}  // namespace
-
-Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
-  Uncrossed result = uncrossed(run, vertices);
+Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
   // With attributes curves are seams, too, which all triangles beside them need.
   const FidelityRule& rule = run.asked.rule;
   const bool isPlain = run.asked.stagger == 0 && rule.mode == Fidelity::Fold && !rule.bound;
@@ -91,6 +92,20 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
   while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run))
     result.isReached = matchCount(run, vertices);
   return result;
+}
+
+}  // namespace
+
+Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
+  return withoutNeedles(run, vertices, uncrossed(run, vertices));
+}
+
+Uncrossed makeUncrossed(Run& run, std::size_t vertices) {
+  land(run);
+  run.asked.rule = lenient(run);
+  std::unique_ptr<CrossingGuard> guard = guardOf(run);
+  if (uncross(run, guard->crossing()) > 0) guard = startAnew(run, vertices);
+  return withoutNeedles(run, vertices, madeAnew(run, vertices, std::move(guard)));
 }
 
 }  // namespace remesher

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last step if the original intersects itself nowhere and the result must not either.
+// What makes the result of an original that intersects itself nowhere, if it must not either.
 #pragma once
 
 #include <memory>
@@ -17,5 +17,9 @@ struct Uncrossed {
 // Mends the scheme's mesh where it intersects itself. If that fails, makes the mesh anew from the
 // original by steps that add no intersection, so that none is left that the original lacks.
 Uncrossed keepUncrossed(Run& run, std::size_t vertices);
+
+// The same in place of a scheme, from the original or its stand-in, with steps that allow tighter
+// folds: for surfaces of so many pieces and handles that a scheme would try in vain for minutes.
+Uncrossed makeUncrossed(Run& run, std::size_t vertices);
 
 }  // namespace remesher

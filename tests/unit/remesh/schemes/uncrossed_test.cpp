@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "remesh/schemes/remesh.h"
@@ -36,7 +38,34 @@ TriangleMesh lowStep() {
   return mesh;
 }
 
+// A cubic lattice of bars: 4 × 4 × 4 knots, 144 bars between them, so 144 − 64 + 1 = 81 handles.
+TriangleMesh lattice() {
+  return shapes::cells(7, [](int x, int y, int z) { return x % 2 + y % 2 + z % 2 < 2; });
+}
+
 }  // namespace
+
+TEST_CASE("uncrossed: too few vertices for the handles are said, with the number that was made") {
+  RemeshOptions options;
+  options.vertices = 500;
+  options.repair = Repair::Solid;
+  const TriangleMesh input = lattice();
+  REQUIRE(inspectMesh(input).eulerCharacteristic == 2 - 2 * 81);
+  const RemeshOutcome outcome = remeshSurface(input, Welding(input), options, {});
+  CHECK(outcome.stopped == Stopped::Fidelity);
+  const MeshReport report = inspectMesh(outcome.mesh);
+  CHECK(report.vertices > 500);
+  CHECK(report.boundaryEdges == 0);
+  CHECK(report.eulerCharacteristic == 2 - 2 * 81);
+  CHECK(report.minAngle.worst >= 15);
+  CHECK(selfIntersections(outcome.mesh).empty());
+  REQUIRE(outcome.warnings.size() == 1);
+  CHECK(outcome.warnings[0].message ==
+        "500 vertices are too few to keep this surface (pieces: 1, handles: 81) closed and free of "
+        "crossings: the result has " +
+            std::to_string(report.vertices) + ".");
+  CHECK(remeshed(input, Repair::Solid, 2000).positions.size() == 2000);
+}
 
 TEST_CASE("uncrossed: thin walls pass through each other nowhere where the input was repaired") {
   const TriangleMesh shell = thinShell();
