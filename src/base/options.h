@@ -87,12 +87,14 @@ struct RemeshOptions {
   std::vector<double> lods;  // shares of the number of vertices, each > 0
   bool lodFiles = false;     // a file for each level, not one for all
 
-  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h.
+  // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
+  // part_repair.cpp.
   TooFew tooFew = TooFew::Refuse;
   OutOfBound outOfBound = OutOfBound::FromOriginal;
   std::vector<Index> bodies;      // per input group its body; all bodies form one surface
   std::optional<Index> inBodies;  // exact number of positions, each counted once per body
   Mirrors mirrors;                // of quads: the input is a half, cut off along these planes
+  std::optional<double> spacing;  // wished for repair's lattice; else from the mesh itself
 };
 
 }  // namespace remesher

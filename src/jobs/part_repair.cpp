@@ -2,15 +2,18 @@
 #include "jobs/part_repair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/part_scale.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
+#include "repair/fineness.h"
 #include "repair/repair.h"
 
 namespace remesher {
@@ -79,6 +82,36 @@ FaultReport withLongestFirst(FaultReport faults) {
   return faults;
 }
 
+// The box around the part at all its places.
+Eigen::AlignedBox3d boxInWorld(const io::Part& part) {
+  Eigen::AlignedBox3d own, box;
+  for (const Index v : part.mesh.indices) own.extend(part.mesh.positions[v]);
+  for (const Transform& place : part.instances)
+    for (int corner = 0; corner < 8 && !own.isEmpty(); ++corner)
+      box.extend(place * own.corner(Eigen::AlignedBox3d::CornerType(corner)));
+  return box;
+}
+
+// Per part what is wished for its lattice, in its units: as for one mesh of all parts. None for a
+// part alone.
+std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts,
+                                              const RemeshOptions& options) {
+  std::vector<std::optional<double>> spacings(parts.size());
+  if (parts.size() < 2) return spacings;
+  const std::vector<PartPlace> places = placesOf(parts);
+  Eigen::AlignedBox3d box;
+  Extent extent;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    box.extend(boxInWorld(parts[i]));
+    extent.area += places[i].area;
+  }
+  extent.sides = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    spacings[i] = wishedSpacing(extent, options) /
+                  std::cbrt(std::abs(places[i].toWorld.linear().determinant()));
+  return spacings;
+}
+
 bool isSound(const TriangleMesh& mesh) {
   const MeshReport report = inspectMesh(mesh);
   return report.boundaryEdges + report.nonManifoldEdges + report.degenerateTriangles == 0 &&
@@ -104,10 +137,14 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   std::size_t most = 0;
   std::vector<PlacedWarning> warnings;
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
-  for (io::Part& part : result.parts) {
+  const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, options);
+  RemeshOptions own = options;
+  for (std::size_t i = 0; i < result.parts.size(); ++i) {
+    io::Part& part = result.parts[i];
+    own.spacing = spacings[i];
     progress.at(total > 0 ? done / total : 0);
     const std::size_t triangles = part.mesh.triangleCount();
-    RepairedMesh repaired = repairSurface(part.mesh, options);
+    RepairedMesh repaired = repairSurface(part.mesh, own);
     repaired.mesh.steps = part.mesh.steps;
     part.mesh = std::move(repaired.mesh);
     add(result.report, repaired.report);
@@ -135,7 +172,6 @@ RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outc
   outcome.stopped = Stopped::Fidelity;
   if (!outcome.places.empty()) outcome.places = ownPlaces(original);
   outcome.coincident = 0;
-  std::erase_if(outcome.warnings, [](const Warning& w) { return w.code == "TOO_FEW_VERTICES"; });
   outcome.warnings.push_back(
       {"ONLY_REPAIRED",
        "Parts of the repaired surface are too near to each other for coordinates of "

@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/legible.h"
-#include "geometry/extent.h"
 
 namespace remesher {
 
@@ -57,20 +56,14 @@ double gapOf(const RemeshOptions& options, double diagonal) {
   return options.gap.value_or(kUsualGap) / 100 * diagonal;
 }
 
-double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
-  double edge = 2 * kUsual * extent.diagonal();
-  if (options.vertices)
-    edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
-  if (options.edgeLength) edge = *options.edgeLength;
-  return edge / 2;
-}
-
 Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
   constexpr double kStep = 1.05;
   const double diagonal = extent.diagonal();
   const double finest = kFinest * diagonal, coarsest = kCoarsest * diagonal;
   const double spare = by == InsideBy::Reach ? gapOf(options, diagonal) / 2 : 0;
-  Grid grid = {std::clamp(wishedSpacing(extent, options), finest, coarsest), spare};
+  Grid grid = {
+      std::clamp(options.spacing.value_or(wishedSpacing(extent, options)), finest, coarsest),
+      spare};
   while (grid.spacing < coarsest && bytesOf(extent, grid) > kMostBytes)
     grid.spacing = std::min(coarsest, kStep * grid.spacing);
   return grid;
@@ -90,6 +83,14 @@ std::string inWords(double bytes) {
 }
 
 }  // namespace
+
+double wishedSpacing(const Extent& extent, const RemeshOptions& options) {
+  double edge = 2 * kUsual * extent.diagonal();
+  if (options.vertices)
+    edge = std::sqrt(2 / std::sqrt(3.0) * extent.area / double(*options.vertices));
+  if (options.edgeLength) edge = *options.edgeLength;
+  return edge / 2;
+}
 
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by) {
   const Extent extent = extentOf(input);

@@ -6,11 +6,15 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "base/triangle_mesh.h"
+#include "geometry/extent.h"
 #include "repair/solid/solid.h"
 
 namespace remesher {
 
-// Half the target edge length, but fine enough to show parts, and as coarse as memory asks for.
+// Half the target edge length; without one, a usual share of the diagonal.
+double wishedSpacing(const Extent& extent, const RemeshOptions& options);
+
+// The wished spacing, but fine enough to show parts, and as coarse as memory asks for.
 SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, InsideBy by);
 
 // What the repair takes that the options ask for. Approximate.

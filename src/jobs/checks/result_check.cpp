@@ -197,10 +197,24 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
   return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
 }
 
+std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
+  const MeshReport& after = *report.output;
+  if (options.repair == Repair::Off || !options.vertices || after.quads) return {};
+  if (after.vertices <= *options.vertices) return {};
+  const long handles = std::max(0L, long(after.components) - after.eulerCharacteristic / 2);
+  return {{"TOO_FEW_VERTICES", std::to_string(*options.vertices) +
+                                   " vertices are too few to keep the repaired surface (pieces: " +
+                                   std::to_string(after.components) +
+                                   ", handles: " + std::to_string(handles) +
+                                   ") closed and free of crossings: the result has " +
+                                   std::to_string(after.vertices) + "."}};
+}
+
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
                                     const RemeshOptions& options) {
   std::vector<Warning> all = worseThanGiven({report.input, *report.output}, result);
-  for (const auto& more : {lostToRounding(report, result), fartherThanAsked(report, options)})
+  for (const auto& more : {lostToRounding(report, result), fartherThanAsked(report, options),
+                           moreThanAsked(report, options)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -34,6 +34,9 @@ std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::
 // MAX_ERROR_EXCEEDED, if a bound was asked for and the measured distance exceeds it.
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);
 
+// TOO_FEW_VERTICES, if a repaired surface has more vertices than were asked for.
+std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options);
+
 // All of these warnings that apply.
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,
                                     const RemeshOptions& options);

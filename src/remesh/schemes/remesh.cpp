@@ -129,7 +129,7 @@ Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
 // do not suffice; otherwise 0.
 std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
   if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
-  const std::size_t enough = topologyOf(original.surface().mesh()).enough;
+  const std::size_t enough = fewestVertices(original.surface().mesh()).enough;
   return original.vertices() < enough ? enough : 0;
 }
 
@@ -205,15 +205,6 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
   options.maxError.reset();
   options.tooFew = TooFew::Raise;
   return options;
-}
-
-Warning missedWarning(const Prepared& original, std::size_t made) {
-  const Topology topology = topologyOf(original.surface().mesh());
-  return {"TOO_FEW_VERTICES",
-          std::to_string(original.vertices()) +
-              " vertices are too few to keep this surface (pieces: " +
-              std::to_string(topology.pieces) + ", handles: " + std::to_string(topology.handles) +
-              ") closed and free of crossings: the result has " + std::to_string(made) + "."};
 }
 
 Warning pairedWarning(const MadeQuads& quads) {
@@ -348,14 +339,11 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
   if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
   const std::size_t vertices =
       options.splitObtuse ? original.vertices() : bodies.countPlaces(remeshed.mesh);
-  std::vector<Warning> warnings = original.warnings();
-  if (options.repair != Repair::Off && vertices > original.vertices())
-    warnings.push_back(missedWarning(original, vertices));
   return {extractMesh(remeshed.mesh, input, original.transfer()),
           std::move(places),
           remeshed.stopped,
           vertices,
-          std::move(warnings),
+          original.warnings(),
           remeshed.coincident,
           tree.ofInput(),
           isFiner ? Prefer::Shape : Prefer::Even};

@@ -63,14 +63,14 @@ std::string tooFew(ErrorCode code, std::size_t target, std::size_t needed) {
 
 // The fewest vertices of a surface with handles depend on how it lies in space: a torus is rolled
 // up of a sheet of four by four, twelve more than a ball needs, and each handle needs twelve more.
-Topology topologyOf(const HalfedgeMesh& mesh) {
+Fewest fewestVertices(const HalfedgeMesh& mesh) {
   DisjointSets components(mesh.vertexCapacity());
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const auto [a, b, c] = mesh.vertices(Face(i));
     components.unite(a.index, b.index);
     components.unite(b.index, c.index);
   }
-  Topology result;
+  Fewest fewest;
   VertexData<char> isOpen(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i)) && mesh.isBoundary(Vertex(i)))
@@ -79,14 +79,12 @@ Topology topologyOf(const HalfedgeMesh& mesh) {
   long missing = -eulerCharacteristic(mesh);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i) {
     if (!mesh.isAlive(Vertex(i)) || components.find(i) != i) continue;
-    ++result.pieces;
-    result.needed += isOpen[Vertex(i)] ? 3 : 4;
+    fewest.needed += isOpen[Vertex(i)] ? 3 : 4;
     missing += isOpen[Vertex(i)] ? 1 : 2;
   }
-  result.handles = std::size_t(std::max(missing, 0L)) / 2;
-  result.needed = std::max(result.needed, kFewestVertices);
-  result.enough = result.needed + 6 * std::size_t(std::max(missing, 0L));
-  return result;
+  fewest.needed = std::max(fewest.needed, kFewestVertices);
+  fewest.enough = fewest.needed + 6 * std::size_t(std::max(missing, 0L));
+  return fewest;
 }
 
 TooFewVertices::TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs)
@@ -141,7 +139,7 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
                     " vertices, for which there is no memory.",
                 "Ask for " + std::to_string(std::size_t(most)) +
                     " vertices or fewer, or give the model in parts.");
-  const Topology fewest = topologyOf(built.mesh);
+  const Fewest fewest = fewestVertices(built.mesh);
   if (target < double(fewest.needed) && options.tooFew == TooFew::Raise) return fewest.needed;
   if (target < double(fewest.needed))
     throw TooFewVertices(ErrorCode::TargetTooSmall,

@@ -20,12 +20,11 @@ struct TooFewVertices : Error, VertexNeeds {
   TooFewVertices(ErrorCode errorCode, const VertexNeeds& needs);
 };
 
-// How many vertices the topology of a surface asks for.
-struct Topology {
-  std::size_t pieces = 0, handles = 0;
-  std::size_t needed = 0, enough = 0;  // as VertexNeeds
+// How many vertices the topology of a surface asks for; as VertexNeeds.
+struct Fewest {
+  std::size_t needed = 0, enough = 0;
 };
-Topology topologyOf(const HalfedgeMesh& mesh);
+Fewest fewestVertices(const HalfedgeMesh& mesh);
 
 // Throws INVALID_OPTION for values out of range and for lists that do not fit the input.
 void checkOptions(const RemeshOptions& options, std::size_t inputVertices);

@@ -45,3 +45,28 @@ TEST_CASE("part repair: what rounding makes meet itself becomes the sound origin
   CHECK(inSoundPrecisionOf(twice, broken).mesh.triangleCount() == twice.triangleCount());
   CHECK(broken.warnings.empty());
 }
+
+TEST_CASE("part repair: a part has the lattice of the scene, and a part alone its own") {
+  // A cube is repaired by a lattice if it crosses another.
+  const auto crossed = [](double size) {
+    const TriangleMesh cube = shapes::cube(2);
+    TriangleMesh mesh = soups::joined({cube, soups::moved(cube, {0.31, 0.42, 0.53})});
+    for (Vec3& p : mesh.positions) p *= size;
+    return io::Part{"", mesh, {Transform::Identity()}};
+  };
+  RemeshOptions options;
+  options.repair = Repair::Solid;
+  options.vertices = 20000;  // nothing is left out afterwards
+  const auto trianglesOf = [&](const std::vector<io::Part>& parts) {
+    return repairParts(parts, options, {}).parts.front().mesh.triangleCount();
+  };
+  const std::size_t alone = trianglesOf({crossed(1)});
+  CHECK(trianglesOf({crossed(100)}) == alone);
+  const std::size_t beside = trianglesOf({crossed(1), crossed(100)});
+  // Spacings of 1/128 of its diagonal instead of 1/161.
+  CHECK(double(beside) < 0.75 * double(alone));
+  CHECK(double(beside) > 0.5 * double(alone));
+  io::Part large = crossed(1);
+  large.instances.front().linear() *= 100;
+  CHECK(trianglesOf({large, crossed(100)}) == trianglesOf({crossed(100), large}));
+}

@@ -130,3 +130,23 @@ TEST_CASE("result check: a bound that was asked for and is not kept is said, wit
   CHECK(warnings[0].message.find("0.75 % of the diagonal") != std::string::npos);
   CHECK(warnings[0].message.find("not 0.5 % at most") != std::string::npos);
 }
+
+TEST_CASE("result check: more vertices than asked for of a repaired surface are said, and why") {
+  RemeshOptions options;
+  options.vertices = 500;
+  Report report;
+  report.output = MeshReport{};
+  report.output->vertices = 976;
+  report.output->components = 3;
+  report.output->eulerCharacteristic = -156;  // 2 for each piece, −2 for each handle
+  CHECK(moreThanAsked(report, options).empty());
+  options.repair = Repair::Solid;
+  const std::vector<Warning> warnings = moreThanAsked(report, options);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "TOO_FEW_VERTICES");
+  CHECK(warnings[0].message ==
+        "500 vertices are too few to keep the repaired surface (pieces: 3, handles: 81) closed and "
+        "free of crossings: the result has 976.");
+  options.vertices = 976;
+  CHECK(moreThanAsked(report, options).empty());
+}
