@@ -8,14 +8,25 @@ namespace remesher {
 
 namespace {
 
+// How far the planes are likely to be noise: 1 if each is another triangle's, as of scans; little
+// if triangles are larger than cells, so that several planes are of the same one.
+double doubtIn(const std::vector<Plane>& planes) {
+  std::vector<Index> sources;
+  for (const Plane& plane : planes) sources.push_back(plane.source);
+  std::sort(sources.begin(), sources.end());
+  const auto count = std::unique(sources.begin(), sources.end()) - sources.begin();
+  const double share = double(count) / double(planes.size());
+  return share * share * share;
+}
+
 // Least squares of the distances from the planes, with a small weight on the distance from the
 // previous place. After two rounds 1/600 of the way to a right-angled edge is left. Towards edges
 // that only the noise of scans makes (planes within 5° of each other), at most a seventh of the way
 // is gone.
-Vec3 nearestToPlanes(const std::vector<Plane>& planes, const Vec3& middle) {
+Vec3 nearestToPlanes(const std::vector<Plane>& planes, const Vec3& middle, double doubt) {
   constexpr double kHold = 0.05;  // of the number of planes
   constexpr int kRounds = 2;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity() * (kHold * double(planes.size()));
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity() * (kHold * doubt * double(planes.size()));
   for (const Plane& plane : planes) matrix += plane.normal * plane.normal.transpose();
   const Eigen::Matrix3d inverse = matrix.inverse();
   Vec3 at = middle;
@@ -27,8 +38,8 @@ Vec3 nearestToPlanes(const std::vector<Plane>& planes, const Vec3& middle) {
   return at;
 }
 
-bool haveEdge(const std::vector<Plane>& planes) {
-  const double bend = std::cos(radians(25));
+bool haveEdge(const std::vector<Plane>& planes, double doubt) {
+  const double bend = std::cos(doubt * radians(25));
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (planes[i].normal.dot(planes[k].normal) < bend) return true;
@@ -37,11 +48,13 @@ bool haveEdge(const std::vector<Plane>& planes) {
 
 }  // namespace
 
-Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell) {
+Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell,
+            Ridges ridges) {
   Apex apex{middle};
-  if (!planes.empty()) apex.at = nearestToPlanes(planes, middle);
+  const double doubt = ridges == Ridges::Sharp || planes.empty() ? 1 : doubtIn(planes);
+  if (!planes.empty()) apex.at = nearestToPlanes(planes, middle, doubt);
   if (!apex.at.allFinite()) apex.at = middle;
-  apex.isSharp = haveEdge(planes);
+  apex.isSharp = haveEdge(planes, doubt);
   apex.at = apex.at.cwiseMax(cell.low).cwiseMin(cell.high);
   double nearest = 0;
   for (const Plane& plane : planes) {

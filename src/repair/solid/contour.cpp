@@ -9,7 +9,6 @@
 #include "base/triangle_mesh.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
-#include "repair/solid/apex.h"
 #include "repair/solid/cell_loops.h"
 
 namespace remesher {
@@ -178,7 +177,7 @@ class Contourer {
     for (const CellLoop& loop : loops) {
       points.push_back(pointsOf(cell, loop));
       const Vec3 middle = middleOf(points.back()).cwiseMax(box.low).cwiseMin(box.high);
-      apexes.push_back(apexOf(planesAt(points.back()), middle, box));
+      apexes.push_back(apexOf(planesAt(points.back()), middle, box, source_.ridges));
       places.push_back(rounded(apexes.back().at));
       middles.push_back(rounded(middle));
     }

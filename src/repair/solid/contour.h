@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "repair/solid/apex.h"
 #include "repair/solid/crossings_of_edges.h"
 #include "repair/solid/inside.h"
 
@@ -35,6 +36,7 @@ struct SolidSource {
   std::span<const Index> corners;
   bool isSingle;  // positions are single precision numbers times `scale`
   double scale;
+  Ridges ridges = Ridges::Sharp;  // that get vertices
 };
 
 // Makes points of the field inside where loops of a cell cannot be kept apart.

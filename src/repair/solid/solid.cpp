@@ -179,10 +179,12 @@ Solid SolidGround::solid() {
   const TriangleMesh& input = known_->input;
   const BuiltMesh& built = known_->built;
   const std::vector<Index> corners = turnedCorners(built, known_->patches);
-  const SolidSource source = {built.positions.values(), corners, input.isSingle, input.scale};
+  const bool isFinal = known_->rule.cleaning == Cleaning::Thorough;
+  const SolidSource source = {built.positions.values(), corners, input.isSingle, input.scale,
+                              isFinal ? Ridges::Clear : Ridges::Sharp};
   Contour contour = contourOf(known_->lattice, known_->field, source, known_->crossings);
   const Enclosure enclosed = enclosure();
-  if (known_->rule.cleaning == Cleaning::Thorough)
+  if (isFinal)
     contour = cleanedUp(contour, {known_->lattice.spacing(), kindsOf(contour, input, built)});
   return {withAttributes(contour, input, built), enclosed,
           seenLoss(known_->lattice, source, known_->crossings, contour)};

@@ -134,6 +134,24 @@ TEST_CASE("solid: sharp edges are kept") {
   CHECK(std::sqrt(sum / count) < spacing / 28);
 }
 
+TEST_CASE("solid: blunt edges between large facets are kept where nothing is remeshed") {
+  constexpr double kCell = 0.03;
+  SolidRule rule{kCell};
+  rule.cleaning = Cleaning::Thorough;
+  const TriangleMesh input = shapes::icosphere(2);  // 18° to 24° between facets
+  const Solid solid = solidOf(input, rule);
+  checkPromise(solid.mesh);
+  const TriangleTree tree(solid.mesh.positions, solid.mesh.indices);
+  double squares = 0, count = 0;
+  for (std::size_t i = 0; i < input.indices.size(); ++i) {
+    const Vec3& a = input.positions[input.indices[i]];
+    const Vec3& b = input.positions[input.indices[i % 3 == 2 ? i - 2 : i + 1]];
+    for (double t = 0.05; t < 1; t += 0.1, ++count)
+      squares += tree.nearest(a + t * (b - a)).squaredDistance;
+  }
+  CHECK(std::sqrt(squares / count) < 0.01 * kCell);
+}
+
 TEST_CASE("solid: the promise holds in single precision, however far away") {
   for (const double offset : {1e3, 1e5, 1e6, 1e7}) {
     CAPTURE(offset);
