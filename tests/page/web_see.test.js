@@ -245,6 +245,11 @@ test('quads: nearly as many as asked for, exactly on request, in their own figur
   assert.match(await page.textContent('#target-hint'), /^Exactly; /);
   assert.equal((await reportRow(page, 'Vertices'))[1], '400');
   assert.match(await page.textContent('.command'), /--quads --exact/);
+  await page.fill('#target', '60');
+  await page.dispatchEvent('#target', 'change');
+  await settled(page);
+  // Quads have no preference that keeps more of the shape.
+  assert.match(await page.textContent('#shape-lost'), /original\. More vertices keep it\. /);
 });
 
 /** A ball around the origin, and one inside it that faces the same way; with a hole, if wished. */

@@ -116,8 +116,9 @@ export const keepsShape = ({ fidelity }) => fidelity.hausdorff <= seenByAnyone;
 /** Where shape was lost, if it was. @param {RemeshReport} report @param {() => void} onLargest */
 function loss(report, onLargest) {
   if (keepsShape(report)) return '';
+  const said = report.output.quads ? 'report.shapeLostByQuads' : 'report.shapeLost';
   return element('p', { className: 'notice', id: 'shape-lost' },
-    t('report.shapeLost', { distance: percent(report.fidelity.hausdorff) }),
+    t(said, { distance: percent(report.fidelity.hausdorff) }),
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 

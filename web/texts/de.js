@@ -106,6 +106,8 @@ export default {
   'report.rms': 'Mittlerer Abstand (RMS)',
   'report.shapeLost': 'Form ging verloren: an der weitesten Stelle liegt das Ergebnis {distance} '
     + 'der Diagonale vom Original entfernt. Mehr Punkte erhalten sie, oder der Vorzug „shape“. ',
+  'report.shapeLostByQuads': 'Form ging verloren: an der weitesten Stelle liegt das Ergebnis '
+    + '{distance} der Diagonale vom Original entfernt. Mehr Punkte erhalten sie. ',
   'report.shape': 'Die Dreiecke sind nicht gleichmäßig: ihre Ecken sind die Punkte des Originals, '
     + 'die seine Form am nötigsten braucht.',
   'report.time': 'Zeit',

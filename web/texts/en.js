@@ -102,6 +102,8 @@ export default {
   'report.rms': 'Mean distance (RMS)',
   'report.shapeLost': 'Shape was lost: at its farthest the result is {distance} of the diagonal '
     + 'from the original. More vertices keep it, or the preference “shape”. ',
+  'report.shapeLostByQuads': 'Shape was lost: at its farthest the result is {distance} of the '
+    + 'diagonal from the original. More vertices keep it. ',
   'report.shape': 'The triangles are not even: their corners are those vertices of the original '
     + 'that its shape needs most.',
   'report.time': 'Time',

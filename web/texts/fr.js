@@ -107,6 +107,8 @@ export default {
   'report.rms': 'Distance moyenne (RMS)',
   'report.shapeLost': 'La forme s’est perdue : au plus loin, le résultat est à {distance} de la '
     + 'diagonale de l’original. Plus de sommets la gardent, ou la préférence « shape ». ',
+  'report.shapeLostByQuads': 'La forme s’est perdue : au plus loin, le résultat est à {distance} '
+    + 'de la diagonale de l’original. Plus de sommets la gardent. ',
   'report.shape': 'Les triangles ne sont pas réguliers : leurs coins sont les sommets de '
     + 'l’original dont sa forme a le plus besoin.',
   'report.time': 'Durée',
