@@ -168,17 +168,19 @@ void Rounding::pull(Minimum& minimum, const Wholes& wholes, const std::vector<in
   std::vector<int> places(std::size_t(wholes_), -1);
   for (std::size_t i = 0; i < some.size(); ++i) places[std::size_t(some[i])] = int(i);
   for (std::size_t k = 0; k < required_.size(); ++k) {
-    if (wholes.wanted[k] == 0) continue;
+    const auto placeOf = [&](const auto& term) { return places[term.first - Index(reals_)]; };
+    const auto isOne = [&](const auto& term) { return placeOf(term) >= 0; };
+    const IntegerSum& sum = required_[k];
+    if (wholes.wanted[k] == 0 || std::none_of(sum.begin(), sum.end(), isOne)) continue;
     double lack = wholes.wanted[k], spread = kYield;
     Eigen::VectorXd along = Eigen::VectorXd::Zero(minimum.count());
-    for (const auto& [variable, coefficient] : required_[k]) {
-      const int place = places[variable - Index(reals_)];
-      lack -= coefficient * (place < 0 ? wholes.values[variable - reals_] : minimum.value(place));
-      if (place >= 0) along += coefficient * minimum.column(place);
+    for (const auto& term : sum) {
+      const int place = placeOf(term);
+      lack -= term.second * (place < 0 ? wholes.values[term.first - reals_] : minimum.value(place));
+      if (place >= 0) along += term.second * minimum.column(place);
     }
-    for (const auto& [variable, coefficient] : required_[k])
-      if (const int place = places[variable - Index(reals_)]; place >= 0)
-        spread += coefficient * along[place];
+    for (const auto& term : sum)
+      if (isOne(term)) spread += term.second * along[placeOf(term)];
     minimum.move(along, lack, spread);
   }
 }
