@@ -39,9 +39,10 @@ constexpr double kNudge = 0.0015;
 // So many scales are corrected by the count of the last map; later ones lie aside of the best. At
 // most so many maps have their quads shaped and judged, and no more than so many may fail.
 constexpr int kSteps = 4;
-// A map with a larger count error is no result. With 0.1 fixed_top at 3000 goes to pairs at 6 of 7
-// neighboring counts, not at 1; five other models are the same.
-constexpr double kFarthest = 0.2;
+// A map with a larger count error is no result: with half as many vertices again as wanted. With
+// 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs, with up to a third too many
+// vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
+constexpr double kFarthest = 2;
 constexpr int kSmoothings = 12;
 
 double areaOf(const WorkingMesh& mesh) {
@@ -136,7 +137,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
       nearest = scale;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
-    if (error >= (isFirst ? kCountTolerance : kFarthest)) continue;
+    if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
     known.push_back(map->mark);
     std::optional<Extracted> made = extracted(part, *map);
     if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) {
@@ -381,8 +382,10 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   };
   std::optional<MadeQuads> best;
   for (const double share : shares) {
-    if (best && !isOff(*best) && (share == above || lackOf(*best) == std::array<std::size_t, 3>{}))
-      break;
+    // What has no map with one share has none with others; the whole may, where its half has none.
+    const bool isMet = best && !isOff(*best);
+    if (isMet && (share == above || best->paired > 0 || best->collapsed == 0)) break;
+    if (best && best->paired == best->parts && !goal.mirrors.planes.empty()) break;
     if (best && share == above && best->paired > 0) break;
     MadeQuads one = made(share);
     if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);

@@ -175,3 +175,17 @@ TEST_CASE("quads: where triangles are small, so are quads") {
   }
   CHECK(fine > 1.2 * coarse);
 }
+
+TEST_CASE("quads: teeth that need up to half as many quads again get them from the map") {
+  const OriginalSurface surface = shapes::surfaceOf(toothedRing(14));
+  const WorkingMesh ground(surface);
+  const FaceData<double> even(ground.mesh().faceCapacity(), 1.0);
+  for (const double wanted : {140., 150., 160., 200.}) {
+    CAPTURE(wanted);
+    const QuadMesh quads = mapToQuads(ground, wanted, even);
+    REQUIRE(check(quads) == "");
+    CHECK(kindOf(quads) == kindOf(ground.mesh()));
+    CHECK(double(quads.vertices.size()) > wanted);
+    CHECK(double(quads.vertices.size()) < 1.5 * wanted);
+  }
+}
