@@ -42,17 +42,16 @@ void pierce(WorkingMesh& mesh, double by) {
 }  // namespace
 
 TEST_CASE("uncross: walls that were pushed through each other meet nowhere afterwards") {
-  for (const double wall : {0.2, 0.1, 0.06}) {
-    shapes::TestRun test(hollowBall(wall));
-    pierce(test.mesh, wall);
-    CrossingGuard guard(test.mesh, {});
-    test.run.asked.rule.guard = &guard;
-    const std::vector<Face> crossed = guard.crossing();
-    REQUIRE(crossed.size() > 30);
-    CHECK(uncross(test.run, crossed) == 0);
-    CHECK(check(test.mesh.mesh()) == "");
-    const TriangleMesh result = asArrays(test.mesh);
-    CHECK(selfIntersections(result).empty());
-    CHECK(inspectMesh(result).eulerCharacteristic == 4);
-  }
+  constexpr double wall = 0.1;
+  shapes::TestRun test(hollowBall(wall));
+  pierce(test.mesh, wall);
+  CrossingGuard guard(test.mesh, {});
+  test.run.asked.rule.guard = &guard;
+  const std::vector<Face> crossed = guard.crossing();
+  REQUIRE(crossed.size() > 30);
+  CHECK(uncross(test.run, crossed) == 0);
+  CHECK(check(test.mesh.mesh()) == "");
+  const TriangleMesh result = asArrays(test.mesh);
+  CHECK(selfIntersections(result).empty());
+  CHECK(inspectMesh(result).eulerCharacteristic == 4);
 }
