@@ -17,8 +17,9 @@ inline std::array<Vec2, 8> planeDirections() {
 }
 
 // look: takes a step in mean spokes of the star that is searched, looks that far each way, and
-// returns whether a place was better. With steps from 0.4 to 0.04, of 33 cases at 7 neighboring
-// counts each, smallest angles are 0.8° smaller on average, and 0.4 points fewer triangles even.
+// returns whether a place was better. Of 33 cases at 7 neighboring counts each, in a trial where
+// all searches had the same steps, from 0.4 to 0.04 smallest angles came out 0.8° smaller on
+// average and 0.4 points fewer triangles even.
 template <class Look>
 void searchPattern(const Look& look) {
   constexpr double kFirstStep = 0.3, kLastStep = 0.02;

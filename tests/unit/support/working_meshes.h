@@ -35,6 +35,15 @@ inline OriginalSurface surfaceOf(const TriangleMesh& input, Features features = 
   return OriginalSurface(std::move(built), std::move(curves));
 }
 
+// As a caller would get it.
+inline TriangleMesh arraysOf(WorkingMesh mesh) {
+  mesh.compact();
+  TriangleMesh arrays;
+  arrays.positions = mesh.positions().values();
+  arrays.indices = mesh.mesh().triangles();
+  return arrays;
+}
+
 // The curve edges at v, each as the halfedge at hand.
 inline std::vector<Halfedge> curveEdgesAt(const WorkingMesh& mesh, Vertex v) {
   std::vector<Halfedge> result;

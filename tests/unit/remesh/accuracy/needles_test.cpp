@@ -21,14 +21,6 @@ TriangleMesh steppedCube(double step) {
   return mesh;
 }
 
-TriangleMesh arraysOf(WorkingMesh mesh) {
-  mesh.compact();
-  TriangleMesh arrays;
-  arrays.positions = mesh.positions().values();
-  arrays.indices = mesh.mesh().triangles();
-  return arrays;
-}
-
 }  // namespace
 
 TEST_CASE("needles: a step between sharp edges that is far lower than edges are long has none") {
@@ -41,7 +33,7 @@ TEST_CASE("needles: a step between sharp edges that is far lower than edges are 
     }
     CHECK(shapes::worstAngle(test.mesh) >= radians(16));
     CHECK(check(test.mesh.mesh()) == "");
-    const TriangleMesh result = arraysOf(test.mesh);
+    const TriangleMesh result = shapes::arraysOf(test.mesh);
     CHECK(selfIntersections(result).empty());
     const MeshReport report = inspectMesh(result);
     CHECK(report.eulerCharacteristic == 2);

@@ -21,14 +21,6 @@ TriangleMesh hollowBall(double wall) {
   return soups::joined({outer, inner});
 }
 
-TriangleMesh asArrays(WorkingMesh mesh) {
-  mesh.compact();
-  TriangleMesh arrays;
-  arrays.positions = mesh.positions().values();
-  arrays.indices = mesh.mesh().triangles();
-  return arrays;
-}
-
 // Moves some inner vertices through the outer wall.
 void pierce(WorkingMesh& mesh, double by) {
   for (Index i = 0; i < mesh.mesh().vertexCapacity(); i += 300) {
@@ -51,7 +43,7 @@ TEST_CASE("uncross: walls that were pushed through each other meet nowhere after
   REQUIRE(crossed.size() > 30);
   CHECK(uncross(test.run, crossed) == 0);
   CHECK(check(test.mesh.mesh()) == "");
-  const TriangleMesh result = asArrays(test.mesh);
+  const TriangleMesh result = shapes::arraysOf(test.mesh);
   CHECK(selfIntersections(result).empty());
   CHECK(inspectMesh(result).eulerCharacteristic == 4);
 }
