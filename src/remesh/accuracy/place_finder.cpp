@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/accuracy/place_finder.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace remesher {
 
@@ -12,7 +12,9 @@ constexpr std::size_t kEnoughSeen = 4;  // vertices
 }  // namespace
 
 PlaceFinder::PlaceFinder(const WorkingMesh& mesh)
-    : mesh_(mesh), begins_(mesh.surface().mesh().faceCapacity() + 1, 0) {
+    : mesh_(mesh),
+      begins_(mesh.surface().mesh().faceCapacity() + 1, 0),
+      isSeen_(mesh.surface().mesh().faceCapacity(), 0) {
   const HalfedgeMesh& m = mesh.mesh();
   const auto forEachVertex = [&](const auto& visit) {
     for (Index i = 0; i < m.vertexCapacity(); ++i)
@@ -26,10 +28,11 @@ PlaceFinder::PlaceFinder(const WorkingMesh& mesh)
   forEachVertex([&](Vertex v, Index face) { vertices_[--begins_[face]] = v; });
 }
 
-std::vector<Vertex> PlaceFinder::verticesNear(const SurfacePoint& place) const {
+std::vector<Vertex> PlaceFinder::verticesNear(const SurfacePoint& place) {
   const HalfedgeMesh& original = mesh_.surface().mesh();
   std::vector<Vertex> found;
   std::vector<Face> seen = {place.face};
+  isSeen_[place.face] = 1;
   for (std::size_t i = 0; i < seen.size() && found.size() < kEnoughSeen; ++i) {
     const Face f = seen[i];
     for (Index k = begins_[f.index]; k < begins_[f.index + 1]; ++k) found.push_back(vertices_[k]);
@@ -37,9 +40,10 @@ std::vector<Vertex> PlaceFinder::verticesNear(const SurfacePoint& place) const {
       const Halfedge across = original.twin(HalfedgeMesh::halfedge(f, side));
       if (!across) continue;
       const Face next = HalfedgeMesh::face(across);
-      if (std::find(seen.rbegin(), seen.rend(), next) == seen.rend()) seen.push_back(next);
+      if (!std::exchange(isSeen_[next], 1)) seen.push_back(next);
     }
   }
+  for (const Face f : seen) isSeen_[f] = 0;
   return found;
 }
 

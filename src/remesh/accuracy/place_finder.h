@@ -16,12 +16,13 @@ class PlaceFinder {
   explicit PlaceFinder(const WorkingMesh& mesh);
 
   // A few vertices of the mesh around a place, found by going over the original from there.
-  std::vector<Vertex> verticesNear(const SurfacePoint& place) const;
+  std::vector<Vertex> verticesNear(const SurfacePoint& place);
 
  private:
   const WorkingMesh& mesh_;
   std::vector<Index> begins_;  // per face of the original, and one more
   std::vector<Vertex> vertices_;
+  FaceData<char> isSeen_;  // none between searches
 };
 
 }  // namespace remesher
