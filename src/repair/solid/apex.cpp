@@ -46,6 +46,18 @@ bool haveEdge(const std::vector<Plane>& planes, double doubt) {
   return false;
 }
 
+// The planes of facets meet above those that no edge of the lattice crosses.
+Vec3 nearestOnTriangles(const std::vector<Plane>& planes, const Vec3& p) {
+  Vec3 nearest = p;
+  double least = kInfinity;
+  for (const Plane& plane : planes) {
+    const auto& [a, b, c] = plane.triangle;
+    const Vec3 at = closestPoint(p, a, b, c);
+    if ((at - p).squaredNorm() < least) least = (at - p).squaredNorm(), nearest = at;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell,
@@ -55,7 +67,10 @@ Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox&
   if (!planes.empty()) apex.at = nearestToPlanes(planes, middle, doubt);
   if (!apex.at.allFinite()) apex.at = middle;
   apex.isSharp = haveEdge(planes, doubt);
-  apex.at = apex.at.cwiseMax(cell.low).cwiseMin(cell.high);
+  const auto bringIn = [&] { apex.at = apex.at.cwiseMax(cell.low).cwiseMin(cell.high); };
+  bringIn();
+  apex.at = nearestOnTriangles(planes, apex.at);
+  bringIn();
   double nearest = 0;
   for (const Plane& plane : planes) {
     const double distance = std::abs(plane.normal.dot(apex.at - plane.at));

@@ -4,13 +4,15 @@
 
 #include <vector>
 
-#include "base/types.h"
+#include "geometry/triangle.h"
 
 namespace remesher {
 
+// The plane of a triangle, which an edge of the lattice crosses `at` a point.
 struct Plane {
   Vec3 at, normal;
-  Index source;  // the plane's triangle
+  Triangle triangle;
+  Index source;  // the triangle's number
 };
 
 struct CellBox {
@@ -28,7 +30,7 @@ struct Apex {
 enum class Ridges { Sharp, Clear };
 
 // middle: the place that is taken where the planes do not decide. The apex is always within the
-// box.
+// box, and on or near one of the triangles.
 Apex apexOf(const std::vector<Plane>& planes, const Vec3& middle, const CellBox& cell,
             Ridges ridges);
 

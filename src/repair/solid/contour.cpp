@@ -58,9 +58,9 @@ class Contourer {
     return Index(result_.points.size() - 1);
   }
 
-  Vec3 normalOf(Index triangle) const {
-    const Index* c = &source_.corners[3 * std::size_t{triangle}];
-    return unitNormal(source_.positions[c[0]], source_.positions[c[1]], source_.positions[c[2]]);
+  Triangle triangleOf(Index source) const {
+    const Index* c = &source_.corners[3 * std::size_t{source}];
+    return {source_.positions[c[0]], source_.positions[c[1]], source_.positions[c[2]]};
   }
 
   // The crossing of the edge that is nearest to its outer end. Crossings that face that end come
@@ -89,8 +89,8 @@ class Contourer {
     });
   }
 
-  // Places the edge's point at the crossing; without one, where the inside share passes 0.5, or
-  // else in the middle.
+  // Places the edge's point at the crossing; without one, where the inside share passes 0.5. An end
+  // that is inside only to keep a thin wall has no share: the point comes to that end.
   void placeEdge(std::size_t edge, std::size_t p, std::size_t q) {
     const double margin = lattice_.margin(0.01);  // of the edge's length
     const auto axis = Eigen::Index(edge % 3);
@@ -98,7 +98,7 @@ class Contourer {
     const double low = at[axis], high = lattice_.position(q)[axis];
     const EdgeCrossing* crossing = crossingOf(edge, field_.isInside[p]);
     const double a = field_.shares[p] - 0.5, b = field_.shares[q] - 0.5;
-    double share = (a > 0) != (b > 0) ? a / (a - b) : 0.5;
+    double share = (a > 0) != (b > 0) ? a / (a - b) : field_.isInside[p] ? 0 : 1;
     if (crossing) share = (crossing->at - low) / (high - low);
     at[axis] = low + std::clamp(share, margin, 1 - margin) * (high - low);
     edgePoints_[edge] = addPoint(at, crossing ? crossing->triangle : kNone);
@@ -131,9 +131,13 @@ class Contourer {
 
   std::vector<Plane> planesAt(const std::vector<Index>& points) const {
     std::vector<Plane> planes;
-    for (const Index p : points)
-      if (const Index source = result_.pointSources[p]; source != kNone)
-        planes.push_back({result_.points[p], normalOf(source), source});
+    for (const Index p : points) {
+      const Index source = result_.pointSources[p];
+      if (source == kNone) continue;
+      const Triangle triangle = triangleOf(source);
+      planes.push_back(
+          {result_.points[p], unitNormal(triangle[0], triangle[1], triangle[2]), triangle, source});
+    }
     return planes;
   }
 

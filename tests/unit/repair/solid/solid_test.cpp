@@ -152,6 +152,19 @@ TEST_CASE("solid: blunt edges between large facets are kept where nothing is rem
   CHECK(std::sqrt(squares / count) < 0.01 * kCell);
 }
 
+TEST_CASE("solid: no vertex stands out from facets that meet in one") {
+  const TriangleMesh input = shapes::icosphere(2);
+  const TriangleTree tree(input.positions, input.indices);
+  for (const double cell : {0.029, 0.03, 0.031, 0.043, 0.06}) {
+    SolidRule rule{cell};
+    rule.cleaning = Cleaning::Thorough;
+    double farthest = 0;
+    for (const Vec3& p : solidOf(input, rule).mesh.positions)
+      farthest = std::max(farthest, std::sqrt(tree.nearest(p).squaredDistance));
+    CHECK(farthest < 0.5 * cell * std::tan(radians(12)));  // the rise of a facet in half a cell
+  }
+}
+
 TEST_CASE("solid: the promise holds in single precision, however far away") {
   for (const double offset : {1e3, 1e5, 1e6, 1e7}) {
     CAPTURE(offset);
