@@ -161,6 +161,8 @@ add_executable(unit_tests
   tests/unit/textures/painting/texture_test.cpp
 )
 target_include_directories(unit_tests PRIVATE tests/unit)
+# Without a handler around each: a fourteenth less to compile.
+target_compile_definitions(unit_tests PRIVATE DOCTEST_CONFIG_SUPER_FAST_ASSERTS)
 # It includes doctest in another way.
 set_source_files_properties(tests/unit/main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   SKIP_UNITY_BUILD_INCLUSION ON)
