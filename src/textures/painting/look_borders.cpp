@@ -26,7 +26,7 @@ constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
 
 // What is visible at a place, in levels about as bytes have them.
 using Shown = Eigen::Array<float, 8, 1>;
-using Row = std::array<Shown, kPlaces.size()>;
+using Looks = std::array<Shown, kPlaces.size()>;
 
 Shown shownBy(const Look& look) {
   Eigen::Array<double, 8, 1> result;
@@ -49,7 +49,7 @@ class Borders {
     std::vector<Index> corners;
     for (Index h = 0; h < count; ++h) {
       corners.push_back(surface_.welded(h));
-      near_.push_back(isHigh(h) ? shownAlong(h, 1) : Row());
+      near_.push_back(isHigh(h) ? shownAlong(h, 1) : Looks());
     }
     std::vector<char> result(count, 0);
     const EdgeGroups edges(surface_.positions().size(), corners);
@@ -107,10 +107,10 @@ class Borders {
            std::abs(low + high) / 2 < kAt;
   }
 
-  Row shownAlong(Index h, double texels) {
-    Row row;
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] = shownAt(h, kPlaces[i], texels);
-    return row;
+  Looks shownAlong(Index h, double texels) {
+    Looks looks;
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i] = shownAt(h, kPlaces[i], texels);
+    return looks;
   }
 
   // A finder that has entered the triangle. Entering is slow, so the two triangles at an edge have
@@ -143,7 +143,7 @@ class Borders {
   std::vector<SideFinder> finders_;                // two
   std::array<Index, 2> entered_ = {kNone, kNone};  // the triangle that each has entered
   std::size_t latest_ = 0;                         // the finder that was used last
-  std::vector<Row> near_;                          // per corner: a texel away from the edge from it
+  std::vector<Looks> near_;                        // per corner: a texel away from the edge from it
 };
 
 }  // namespace

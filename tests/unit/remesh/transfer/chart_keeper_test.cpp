@@ -14,9 +14,9 @@ using namespace remesher;
 
 namespace {
 
-constexpr int kSide = 24;
+constexpr int kStrips = 24;
 // Charts lie this far apart in the texture, so that a value tells of its chart.
-constexpr float kApart = 2 * kSide;
+constexpr float kApart = 2 * kStrips;
 
 // A gently bent sheet of cells one wide. Where chartAt changes from one column of cells to the next
 // a chart begins: its u counts from kApart × its number on, its v is y.
@@ -25,16 +25,16 @@ TriangleMesh sheetOf(ChartAt chartAt) {
   TriangleMesh mesh;
   Attribute uv{"TEXCOORD_0", 2, {}};
   Index begin = 0;
-  for (Index x = 0; x < kSide; ++x) {
+  for (Index x = 0; x < kStrips; ++x) {
     if (x > 0 && chartAt(x) != chartAt(x - 1)) begin = x;
     const Index first = Index(mesh.positions.size());
-    for (Index y = 0; y <= kSide; ++y)
+    for (Index y = 0; y <= kStrips; ++y)
       for (const Index dx : {0, 1}) {
         mesh.positions.emplace_back(x + dx, y, std::cos(0.1 * (x + dx)) + std::cos(0.1 * y));
         uv.values.push_back(kApart * float(chartAt(x)) + float(x + dx - begin));
         uv.values.push_back(float(y));
       }
-    for (Index y = 0; y < kSide; ++y) {
+    for (Index y = 0; y < kStrips; ++y) {
       const Index a = first + 2 * y;
       mesh.indices.insert(mesh.indices.end(), {a, a + 1, a + 3, a, a + 3, a + 2});
     }
@@ -58,18 +58,18 @@ TriangleMesh step() {
   Attribute uv{"TEXCOORD_0", 2, {}}, normals{"NORMAL", 3, {}};
   const auto add = [&](const std::vector<Column>& columns, const Eigen::Vector3f& normal) {
     for (std::size_t i = 0; i < columns.size(); ++i)
-      for (Index y = 0; y <= kSide; ++y) {
-        const Index a = Index(mesh.positions.size()), b = a + kSide + 1;
+      for (Index y = 0; y <= kStrips; ++y) {
+        const Index a = Index(mesh.positions.size()), b = a + kStrips + 1;
         mesh.positions.emplace_back(columns[i].x, y, columns[i].z);
         uv.values.insert(uv.values.end(), {columns[i].u, float(y)});
         normals.values.insert(normals.values.end(), normal.begin(), normal.end());
-        if (i + 1 < columns.size() && y < kSide)
+        if (i + 1 < columns.size() && y < kStrips)
           mesh.indices.insert(mesh.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
       }
   };
   std::vector<Column> upper, lower;
   for (int x = 0; x <= 8; ++x) upper.push_back({double(x), 0.2, float(x)});
-  for (int x = 8; x <= kSide; ++x) lower.push_back({double(x), 0, kApart + float(x)});
+  for (int x = 8; x <= kStrips; ++x) lower.push_back({double(x), 0, kApart + float(x)});
   add(upper, {0, 0, 1});
   add({{8, 0.2, 8}, {8, 0, 8.2F}}, {1, 0, 0});
   add(lower, {0, 0, 1});
