@@ -13,6 +13,7 @@
 #include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
+#include "repair/holes/turn_over.h"
 #include "repair/solid/solid.h"
 
 namespace remesher {
@@ -53,7 +54,8 @@ void countCrossings(RepairedMesh& result) {
   const std::vector<Index> crossings = selfIntersections(result.mesh);
   result.report.selfIntersections[1] = crossings.size();
   warn(result,
-       {"CROSSINGS_LEFT", "Triangles still pass through others, where the surface did before.",
+       {"CROSSINGS_LEFT",
+        "Triangles pass through others: they did before, or what closes a hole meets the rest.",
         crossings.size()},
        firstOf(result.mesh, crossings));
 }
@@ -63,15 +65,31 @@ double longestLoop(const TriangleMesh& input, const RemeshOptions& options) {
   return *options.holesUpTo / 100 * diagonalOf(input);
 }
 
+// The enclosure on the coarsest lattice.
+Enclosure roughEnclosure(const TriangleMesh& mesh) {
+  RemeshOptions coarse;
+  coarse.vertices = 1;
+  return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
+}
+
+// The triangles kept that face the other way than given.
+std::size_t countTurned(const TriangleMesh& input, const ClosedHoles& closed) {
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < closed.kept.size(); ++i)
+    turned += closed.mesh.indices[3 * i + 1] != input.indices[3 * std::size_t{closed.kept[i]} + 1];
+  return turned;
+}
+
 RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
   ClosedHoles closed = closeHoles(input, longestLoop(input, options));
   RepairedMesh result;
   result.report.mode = "holes";
   result.report.holes = closed.holes;
   result.report.islands = closed.islands;
-  result.report.turned = closed.turned;
+  turnOver(closed.mesh, roughEnclosure(closed.mesh).insideOut);
+  result.report.turned = countTurned(input, closed);
   const double before = areaOf(input, input.triangleCount());
-  const double kept = areaOf(closed.mesh, closed.mesh.triangleCount() - closed.plugTriangles);
+  const double kept = areaOf(closed.mesh, closed.kept.size());
   result.report.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
   result.mesh = std::move(closed.mesh);
   warn(result,
@@ -134,29 +152,17 @@ RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOpti
   return asRepaired(std::move(solid), input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
-// Whether there is a shell within a body that is no cavity, or a body inside out.
-bool facesWrongWay(const Enclosure& enclosure) {
-  return !enclosure.innerAt.empty() || !enclosure.insideOutAt.empty();
-}
-
-// The enclosure on the coarsest lattice.
-Enclosure roughEnclosure(const TriangleMesh& mesh) {
-  RemeshOptions coarse;
-  coarse.vertices = 1;
-  return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
-}
-
 // Whether the surface that hole closing keeps intersects itself. It can only if the input does.
 bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
   constexpr double kNoLoop = -1;
   return !crossings.empty() && !selfIntersections(closeHoles(input, kNoLoop).mesh).empty();
 }
 
-// The input with holes closed; none if the result intersects itself, or if a closed piece of the
-// input faces the wrong way.
+// The input with holes closed; none if the result intersects itself, or if there are shells within
+// bodies.
 std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptions& options,
                                           const Enclosure& enclosure) {
-  if (facesWrongWay(enclosure)) return std::nullopt;
+  if (!enclosure.innerAt.empty()) return std::nullopt;
   try {
     if (staysCrossed(input.mesh, input.crossings)) return std::nullopt;
     RepairedMesh closed = withHolesClosed(input.mesh, options);
@@ -167,10 +173,10 @@ std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptio
   return std::nullopt;
 }
 
-// Whether no closed piece of the result faces the wrong way.
+// Whether no shell is left within a body.
 bool isEnough(const RepairedMesh& closed) {
   const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
-  return isAsGiven || !facesWrongWay(roughEnclosure(closed.mesh));
+  return isAsGiven || roughEnclosure(closed.mesh).innerAt.empty();
 }
 
 // Whether the surface bounds bodies: then all half lines agree at most points beside the surface,
@@ -250,7 +256,9 @@ FaultReport faultsOf(const TriangleMesh& input) {
   faults.places.innerShells = enclosure.innerAt;
   faults.insideOut = enclosure.insideOutAt.size();
   faults.places.insideOut = enclosure.insideOutAt;
-  if (faults.openLoops.empty() && crossings.empty() && !facesWrongWay(enclosure)) return faults;
+  if (faults.openLoops.empty() && crossings.empty() && enclosure.innerAt.empty() &&
+      enclosure.insideOut.empty())
+    return faults;
   const std::optional<RepairedMesh> closed = closedSoundly({input, crossings}, {}, enclosure);
   RemeshOptions alone;
   alone.repair = faults.repair = closed && isEnough(*closed)    ? Repair::Holes

@@ -123,6 +123,8 @@ test('wrong words are named, with what to do', () => {
   isRefused(/--vertices must be a whole number.*not 'many'/,
     'torus.off', '-o', 'x.off', '--vertices', 'many');
   isRefused(/--vertices must be .*not 0/, 'torus.off', '-o', 'x.off', '--vertices', '0');
+  isRefused(/--gap must be a number above 0, up to 20, not 200/, 'torus.off', '-o', 'x.off',
+    '--gap', '200');
   isRefused(/--gradation must be a number above 1/, 'torus.off', '-o', 'x.off',
     '--gradation', '1');
   isRefused(/two input files, torus\.off and b\.off/, 'torus.off', 'b.off', '-o', 'x.off');

@@ -292,7 +292,8 @@ export default {
   'choice.repair.wrap': 'Hülle',
   'choice.repair.auto': 'auto',
   'means.repair.off': 'Die Fläche bleibt, wie sie ist: ein Loch bleibt ein Loch.',
-  'means.repair.holes': 'Schließt offene Schleifen und lässt den Rest, wie er ist.',
+  'means.repair.holes': 'Schließt offene Schleifen, wendet Körper, deren Inneres außen ist, und '
+    + 'lässt den Rest, wie er ist.',
   'means.repair.solid': 'Behält das Äußere dessen, was etwas umschließt: Körper werden vereint, '
     + 'innere Hüllen fallen weg.',
   'means.repair.wrap': 'Behält, was von außen durch Öffnungen, weiter als die Lücke, zu erreichen '
@@ -323,8 +324,8 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
-  'warning.CROSSINGS_LEFT': 'Dreiecke gehen noch durch andere hindurch, wo die Fläche es vorher '
-    + 'tat.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke gehen durch andere hindurch: Sie taten es vorher, oder was '
+    + 'ein Loch schließt, trifft das Übrige.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',

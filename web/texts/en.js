@@ -286,7 +286,7 @@ export default {
   'repair.lost': '{share} of the area is gone',
   'repair.far': '{share} of the visible area is farther than {distance} from the result',
   'reason.sound': 'With its holes closed it is sound.',
-  'reason.shells': 'Pieces lay within others or faced inwards.',
+  'reason.shells': 'Pieces lay within others.',
   'reason.enclosed': 'What is seen encloses something.',
   'reason.open': 'What is seen encloses nothing clearly.',
   'choice.sheets.thicken': 'make them thin solids',
@@ -299,7 +299,8 @@ export default {
   'choice.repair.wrap': 'wrap',
   'choice.repair.auto': 'auto',
   'means.repair.off': 'The surface is remeshed as it is: a hole stays a hole.',
-  'means.repair.holes': 'Closes open loops, and leaves the rest as it is.',
+  'means.repair.holes': 'Closes open loops, turns bodies that are inside out, and leaves the '
+    + 'rest as it is.',
   'means.repair.solid': 'Keeps the outside of what encloses something: bodies are united, inner '
     + 'shells go.',
   'means.repair.wrap': 'Keeps what is reached from outside through openings wider than the gap; '

@@ -293,7 +293,8 @@ export default {
   'choice.repair.wrap': 'enveloppe',
   'choice.repair.auto': 'auto',
   'means.repair.off': 'La surface reste ce qu’elle est : un trou reste un trou.',
-  'means.repair.holes': 'Ferme les boucles ouvertes et laisse le reste tel quel.',
+  'means.repair.holes': 'Ferme les boucles ouvertes, retourne les corps à l’envers et laisse le '
+    + 'reste tel quel.',
   'means.repair.solid': 'Garde l’extérieur de ce qui enferme quelque chose : les corps sont unis, '
     + 'les coques intérieures s’en vont.',
   'means.repair.wrap': 'Garde ce qu’on atteint de l’extérieur par des ouvertures plus larges que '
@@ -323,8 +324,8 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
-  'warning.CROSSINGS_LEFT': 'Des triangles en traversent encore d’autres, là où la surface le '
-    + 'faisait déjà.',
+  'warning.CROSSINGS_LEFT': 'Des triangles en traversent d’autres : ils le faisaient déjà, ou ce '
+    + 'qui ferme un trou rencontre le reste.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '

@@ -101,9 +101,10 @@ export const optionTable = [
     help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
-    help: 'mend the surface first. holes: close open loops, leave the rest as it is; solid: the '
-      + 'outside of what encloses something; wrap: what is reached from outside through openings '
-      + 'wider than the gap; auto: the first of these that fits' },
+    help: 'mend the surface first. holes: close open loops, turn bodies that are inside out, '
+      + 'leave the rest as it is; solid: the outside of what encloses something; wrap: what is '
+      + 'reached from outside through openings wider than the gap; auto: the first of these that '
+      + 'fits' },
   { name: 'holesUpTo', flag: '--holes-up-to P', type: 'number', above: 0,
     unit: '% of the diagonal', help: 'longer loops stay open; all are closed if not given' },
   { name: 'gap', flag: '--gap P', type: 'number', above: 0, max: 20,
@@ -193,7 +194,8 @@ export function rangeInWords(option) {
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
   const off = option.off ? ', or off' : '';
-  if (option.above !== undefined) return `${kind} above ${option.above}${off}`;
+  const most = option.max === undefined ? '' : `, up to ${option.max}`;
+  if (option.above !== undefined) return `${kind} above ${option.above}${most}${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;
 }
 

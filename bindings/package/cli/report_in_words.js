@@ -44,7 +44,7 @@ function distanceInWords({ hausdorff, rms }) {
 const reasons = {
   asked: 'as asked',
   sound: 'for with holes closed it is sound',
-  shells: 'for pieces lie within others or face inwards',
+  shells: 'for pieces lie within others',
   enclosed: 'for what is seen encloses something',
   open: 'for what is seen encloses nothing clearly',
 };
@@ -72,7 +72,8 @@ function repairInWords(repair) {
 
 const cures = {
   off: 'nothing is to be mended',
-  holes: 'what would mend it: holes, which closes loops and leaves the rest',
+  holes: 'what would mend it: holes, which closes loops, turns bodies that are inside '
+    + 'out, and leaves the rest',
   solid: 'what would mend it: solid, the outside of what encloses something',
   wrap: 'what would mend it: wrap, what can be reached from outside',
 };

@@ -122,10 +122,9 @@ ClosedHoles closeHoles(const TriangleMesh& input, double longest) {
   result.holes = loops.size();
   result.islands = kept.islands;
   result.trianglesRemoved = kept.trianglesRemoved;
-  result.turned = kept.turned;
-  const std::size_t before = kept.built.mesh.faceCount();
+  result.kept = kept.built.triangles.values();
+  std::sort(result.kept.begin(), result.kept.end());
   result.mesh = Closer(input, kept.built, std::move(loops)).run();
-  result.plugTriangles = result.mesh.triangleCount() - before;
   return result;
 }
 

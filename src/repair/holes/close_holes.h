@@ -10,12 +10,11 @@ namespace remesher {
 
 struct ClosedHoles {
   TriangleMesh mesh;                 // vertices: all given, then new; triangles: kept, then plugs
-  std::size_t plugTriangles = 0;     // the last triangles
+  std::vector<Index> kept;           // the input's triangle of each that is no plug's, ascending
   std::size_t holes = 0;             // loops closed
   std::vector<Vec3> openAt;          // a vertex of each loop too long to be closed
   std::size_t islands = 0;           // open scraps taken off
   std::size_t trianglesRemoved = 0;  // of islands, at pinches, without area or given twice
-  std::size_t turned = 0;            // triangles turned over
 };
 
 // Loops longer than `longest` stay open. Each other loop gets a disk, so the result is a closed

@@ -149,15 +149,6 @@ std::pair<FaceData<char>, std::size_t> islandsOf(const BuiltMesh& built) {
   return result;
 }
 
-std::size_t countTurned(const TriangleMesh& input, const BuiltMesh& built) {
-  std::size_t turned = 0;
-  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {
-    const Index* given = &input.indices[3 * std::size_t{built.triangles[Face(f)]}];
-    turned += built.wedges[HalfedgeMesh::halfedge(Face(f), 1)] != given[1];
-  }
-  return turned;
-}
-
 }  // namespace
 
 KeptSurface keptSurface(const TriangleMesh& input) {
@@ -169,8 +160,7 @@ KeptSurface keptSurface(const TriangleMesh& input) {
     built = stay.build();
   }
   const std::size_t removed = input.triangleCount() - built.mesh.faceCount();
-  const std::size_t turned = countTurned(input, built);
-  return {std::move(built), islands, removed, turned};
+  return {std::move(built), islands, removed};
 }
 
 }  // namespace remesher

@@ -15,7 +15,6 @@ struct KeptSurface {
   BuiltMesh built;
   std::size_t islands = 0;           // small open components removed
   std::size_t trianglesRemoved = 0;  // of islands and at pinches
-  std::size_t turned = 0;            // triangles that face the other way than given
 };
 
 // Throws Error as buildMesh does; NO_TRIANGLES if no triangle stays.

@@ -44,6 +44,10 @@ std::vector<Vec3> cornersOf(const BuiltMesh& built, const OrientedPatches& patch
   return corners;
 }
 
+bool isInsideOut(const OrientedPatches& patches, std::size_t patch) {
+  return patches.isClosed[patch] && patches.isSeen[patch] && patches.turn[patch];
+}
+
 // Lists the exceptions to the rule: a piece that is seen faces outwards; a piece that is not seen
 // is the wall of a cavity, and faces into it.
 void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosure& result) {
@@ -51,8 +55,11 @@ void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosu
   for (std::size_t p = 0; p < patches.count; ++p) {
     if (!patches.isClosed[p]) continue;
     if (!patches.isSeen[p] && !patches.isCavity[p]) result.innerAt.push_back(corners[p]);
-    if (patches.isSeen[p] && patches.turn[p]) result.insideOutAt.push_back(corners[p]);
+    if (isInsideOut(patches, p)) result.insideOutAt.push_back(corners[p]);
   }
+  for (Index f = 0; f < patches.patches.size(); ++f)
+    if (isInsideOut(patches, patches.patches[f]))
+      result.insideOut.push_back(built.triangles[Face(f)]);
 }
 
 // Both ends of the lattice edges that cross walls of kept cavities.

@@ -20,8 +20,9 @@ struct Enclosure {
   // A corner of each closed piece that nobody sees and that is no cavity; a corner of each closed
   // piece that is seen and faces inwards.
   std::vector<Vec3> innerAt, insideOutAt;
-  double unsure = 0;   // share of the points beside the surface whose side is in dispute
-  bool isAny = false;  // whether anything is enclosed
+  std::vector<Index> insideOut;  // the triangles of the latter
+  double unsure = 0;             // share of the points beside the surface whose side is in dispute
+  bool isAny = false;            // whether anything is enclosed
 };
 
 struct Solid {

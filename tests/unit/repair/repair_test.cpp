@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "base/error.h"
@@ -43,13 +44,39 @@ TEST_CASE("repair: auto closes holes where that is enough") {
 }
 
 TEST_CASE("repair: auto unites bodies, and turns those that are inside out") {
-  const TriangleMesh ball = shapes::icosphere(3);
+  const TriangleMesh ball = shapes::icosphere(3), other = soups::moved(ball, {0.7, 0.1, 0.2});
   for (const TriangleMesh& mesh :
-       {soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})}), shapes::turnedOver(ball)}) {
+       {soups::joined({ball, other}), soups::joined({ball, shapes::turnedOver(other)})}) {
     const RepairedMesh result = mended(mesh);
     CHECK(result.report.mode == "solid");
     CHECK(result.report.selfIntersections[1] == 0);
     CHECK(inspectMesh(result.mesh).eulerCharacteristic == 2);
+  }
+}
+
+TEST_CASE("repair: what is only inside out is turned over, and nothing else") {
+  const TriangleMesh ball = shapes::icosphere(4);
+  const TriangleMesh wrong = shapes::turnedOver(soups::moved(ball, {3, 0, 0}));
+  TriangleMesh wall = shapes::turnedOver(ball);  // of a cavity
+  for (Vec3& p : wall.positions) p *= 0.5;
+  TriangleMesh mesh = soups::joined({wall, ball, wrong});
+  mesh.attributes = {{"NORMAL", 3, {}}};
+  for (const Vec3& p : mesh.positions) {
+    const Vec3 outward = p.x() > 1.5 ? Vec3(p - Vec3(3, 0, 0)) : p;
+    for (int k = 0; k < 3; ++k)  // as the triangles face
+      mesh.attributes[0].values.push_back(float(p.x() > 1.5 ? -outward[k] : outward[k]));
+  }
+  const RepairedMesh result = mended(mesh);
+  CHECK(result.report.mode == "holes");
+  CHECK(result.report.turned == ball.triangleCount());
+  CHECK(result.mesh.positions == mesh.positions);
+  CHECK(faultsOf(result.mesh).insideOut == 0);
+  CHECK(std::equal(mesh.indices.begin(), mesh.indices.end() - long(ball.indices.size()),
+                   result.mesh.indices.begin()));
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const float* normal = &result.mesh.attributes[0].values[3 * v];
+    const Vec3 is(normal[0], normal[1], normal[2]), p = mesh.positions[v];
+    CHECK(is.dot(p.x() > 1.5 ? Vec3(p - Vec3(3, 0, 0)) : p) > 0);
   }
 }
 
@@ -113,7 +140,8 @@ TEST_CASE("repair: faults have places") {
 TEST_CASE("repair: auto says why it does what it does") {
   const TriangleMesh ball = shapes::icosphere(4);
   CHECK(mended(ball).report.reason == "sound");
-  CHECK(mended(shapes::turnedOver(ball)).report.reason == "enclosed");
+  const TriangleMesh two = soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})});
+  CHECK(mended(two).report.reason == "enclosed");
   CHECK(mended(shapes::grid(9, 7)).report.reason == "open");
 }
 
