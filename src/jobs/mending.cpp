@@ -7,6 +7,7 @@
 
 #include "jobs/checks/precision.h"
 #include "jobs/inspected_parts.h"
+#include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 
@@ -68,6 +69,7 @@ void Mending::note(Report& report) const {
 
 Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                   const Progress& progress) {
+  parts = joinedPlaces(std::move(parts), {});
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
   for (std::size_t i = 0; i < parts.size(); ++i)

@@ -93,11 +93,11 @@ Eigen::AlignedBox3d boxInWorld(const io::Part& part) {
 }
 
 // Per part what is wished for its lattice, in its units: as for one mesh of all parts. None for a
-// part alone.
+// part alone, unless an edge length in the world is asked for.
 std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts,
                                               const RemeshOptions& options) {
   std::vector<std::optional<double>> spacings(parts.size());
-  if (parts.size() < 2) return spacings;
+  if (parts.size() < 2 && !options.edgeLength) return spacings;
   const std::vector<PartPlace> places = placesOf(parts);
   Eigen::AlignedBox3d box;
   Extent extent;
@@ -137,8 +137,8 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   std::size_t most = 0;
   std::vector<PlacedWarning> warnings;
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
-  const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, options);
-  RemeshOptions own = options;
+  RemeshOptions own = scale.isNeeded() ? scale.applied(options) : options;
+  const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, own);
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];
     own.spacing = spacings[i];

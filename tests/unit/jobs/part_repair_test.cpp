@@ -3,6 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "jobs/mending.h"
+#include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -15,6 +20,19 @@ RemeshOutcome outcomeWith(const TriangleMesh& mesh) {
   RemeshOutcome outcome;
   outcome.mesh = mesh;
   return outcome;
+}
+
+// Two cubes, which are repaired by a lattice, for they cross.
+io::Part crossed(double size) {
+  const TriangleMesh cube = shapes::cube(2);
+  TriangleMesh mesh = soups::joined({cube, soups::moved(cube, {0.31, 0.42, 0.53})});
+  for (Vec3& p : mesh.positions) p *= size;
+  return {"", mesh, {Transform::Identity()}};
+}
+
+std::size_t trianglesOfFirst(const std::vector<io::Part>& parts, RemeshOptions options) {
+  options.repair = Repair::Solid;
+  return repairParts(parts, options, {}).parts.front().mesh.triangleCount();
 }
 
 }  // namespace
@@ -47,18 +65,10 @@ TEST_CASE("part repair: what rounding makes meet itself becomes the sound origin
 }
 
 TEST_CASE("part repair: a part has the lattice of the scene, and a part alone its own") {
-  // A cube is repaired by a lattice if it crosses another.
-  const auto crossed = [](double size) {
-    const TriangleMesh cube = shapes::cube(2);
-    TriangleMesh mesh = soups::joined({cube, soups::moved(cube, {0.31, 0.42, 0.53})});
-    for (Vec3& p : mesh.positions) p *= size;
-    return io::Part{"", mesh, {Transform::Identity()}};
-  };
   RemeshOptions options;
-  options.repair = Repair::Solid;
   options.vertices = 20000;  // nothing is left out afterwards
   const auto trianglesOf = [&](const std::vector<io::Part>& parts) {
-    return repairParts(parts, options, {}).parts.front().mesh.triangleCount();
+    return trianglesOfFirst(parts, options);
   };
   const std::size_t alone = trianglesOf({crossed(1)});
   CHECK(trianglesOf({crossed(100)}) == alone);
@@ -69,4 +79,30 @@ TEST_CASE("part repair: a part has the lattice of the scene, and a part alone it
   io::Part large = crossed(1);
   large.instances.front().linear() *= 100;
   CHECK(trianglesOf({large, crossed(100)}) == trianglesOf({crossed(100), large}));
+}
+
+TEST_CASE("part repair: an edge length is one of the world, in any unit") {
+  RemeshOptions options;
+  options.edgeLength = 0.05;
+  const std::size_t wanted = trianglesOfFirst({crossed(1)}, options);
+  options.edgeLength = 0.064;
+  CHECK(double(trianglesOfFirst({crossed(1)}, options)) < 0.75 * double(wanted));
+  options.edgeLength = 0.05;
+  io::Part placed = crossed(std::ldexp(1.0, 5));
+  placed.instances.front().linear() *= std::ldexp(1.0, -5);
+  CHECK(trianglesOfFirst({placed}, options) == wanted);
+  options.edgeLength = std::ldexp(0.05, -60);
+  CHECK(trianglesOfFirst({crossed(std::ldexp(1.0, -60))}, options) == wanted);
+}
+
+TEST_CASE("part repair: a thickness that rounding makes is joined before repair, not after it") {
+  TriangleMesh flat = shapes::icosphere(2);
+  flat.isSingle = true;
+  for (Vec3& p : flat.positions) p = inSingle({1e-8 * p.x(), p.y(), p.z()}, 1);
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  std::vector<io::Part> parts = {{"", flat, {}}};
+  repairOnly(parts, options, {});
+  CHECK(inspectMesh(parts.front().mesh).nonManifoldEdges == 0);
+  CHECK(selfIntersections(parts.front().mesh).empty());
 }
