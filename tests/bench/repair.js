@@ -11,10 +11,12 @@ import { judge } from './judge.js';
 import { loadModel } from './models.js';
 import { alphaWrap, wrongByCgal } from './repair_peers.js';
 import { timeRemesh } from './run.js';
+import { percentFound, seenSharpEdges } from './sharp_edges.js';
 import { fixed, markdownTable } from './table.js';
 
 const columns = ['model', 'mode', 'triangles', 's', 'open', 'crossing', 'RMS %', '→ vertices',
-  'open', 'crossing', 'worst °', 'flat', 'RMS %', 's', 'CGAL', 'wrap: triangles', 's', 'RMS %'];
+  'open', 'crossing', 'worst °', 'flat', 'RMS %', 's', 'CGAL', 'edges %',
+  'wrap: triangles', 's', 'RMS %'];
 
 /** Two meshes as one, the second scaled and moved along x. */
 function joined(a, b, scale, by) {
@@ -67,7 +69,13 @@ function wrapped(given) {
   return wrap && { seconds: wrap.seconds, ...judge(given, wrap.mesh) };
 }
 
-async function measured(name, { model = name, mode = 'auto', vertices = 5000 }, how) {
+/** The percentages of the given mesh's sharp edges that results have. */
+function edgesFound(given, results) {
+  const seen = seenSharpEdges(given);
+  return results.map((result) => percentFound(seen, result));
+}
+
+async function measured(name, { model = name, mode = 'auto', vertices = 5000, edges }, how) {
   const given = made[model]?.() ?? loadModel(model, how.folder);
   const begin = performance.now();
   const mended = await repair(given, { repair: mode, worker: false });
@@ -76,16 +84,19 @@ async function measured(name, { model = name, mode = 'auto', vertices = 5000 }, 
   return { name, mode: mended.report.repair.mode, seconds, mended: judge(given, mended.mesh),
     remeshSeconds: after.seconds, remeshed: judge(given, after.mesh),
     wrong: [wrongByCgal(mended.mesh), wrongByCgal(after.mesh)],
+    edges: edges ? edgesFound(given, [mended.mesh, after.mesh]) : undefined,
     wrap: how.wrap ? wrapped(given) : undefined };
 }
 
-function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed, wrong, wrap }) {
+function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed, wrong, edges,
+  wrap }) {
   const [one, two] = [mended.result, remeshed.result];
   return [name, mode, one.triangles, fixed(seconds, 2), one.boundaryEdges, one.selfIntersections,
     fixed(mended.fidelity.rmsToOriginal, 4), two.vertices, two.boundaryEdges,
     two.selfIntersections, fixed(two.worstAngle, 1), two.degenerateTriangles,
     fixed(remeshed.fidelity.rmsToOriginal, 4), fixed(remeshSeconds, 2),
-    wrong[0] && (wrong.flat().join(', ') || 'sound'), wrap?.result.triangles,
+    wrong[0] && (wrong.flat().join(', ') || 'sound'),
+    edges?.map((share) => fixed(share, 1)).join(' → '), wrap?.result.triangles,
     fixed(wrap?.seconds, 2), fixed(wrap?.fidelity.rmsToOriginal, 4)];
 }
 
@@ -106,6 +117,7 @@ export async function runRepair(limits, { folder, names, json, wrap }) {
     if (found.mended.fidelity.rmsToOriginal > row.rms) {
       broken.push(`${name}: RMS ${found.mended.fidelity.rmsToOriginal} %`);
     }
+    if (found.edges?.[0] < row.edges) broken.push(`${name}: edges ${found.edges[0].toFixed(1)} %`);
     if (found.remeshed.result.worstAngle < row.worstAngle) {
       broken.push(`${name}: an angle of ${found.remeshed.result.worstAngle.toFixed(1)}°`);
     }
