@@ -209,6 +209,7 @@ Vertex WorkingMesh::collapse(Halfedge h, const Placement& merged) {
 void WorkingMesh::release(Vertex v) {
   mesh_.forEachOutgoing(v, [&](Halfedge h) {
     if (!isCurve(h)) return;
+    followsAll_ = false;
     pin(mesh_.tip(h));
     curve_[h] = kNone;
     if (mesh_.twin(h)) curve_[mesh_.twin(h)] = kNone;

@@ -66,6 +66,8 @@ class WorkingMesh {
   // The chain that the edge of h follows, or kNone.
   Index curve(Halfedge h) const { return curve_[h]; }
   bool isCurve(Halfedge h) const { return curve_[h] != kNone; }
+  // Whether no part of a curve has been released.
+  bool followsAll() const { return followsAll_; }
   // Whether the edge of h belongs to a curve that stays as it is.
   bool isKept(Halfedge h) const {
     return isCurve(h) && surface_->curves().chains()[curve_[h]].kept;
@@ -130,6 +132,7 @@ class WorkingMesh {
   VertexData<char> pinned_;
   VertexData<double> unrest_;
   HalfedgeData<Index> curve_;
+  bool followsAll_ = true;
 };
 
 }  // namespace remesher

@@ -84,10 +84,8 @@ Uncrossed uncrossed(Run& run, std::size_t vertices) {
 }
 
 Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
-  // With attributes curves are seams, too, which all triangles beside them need.
   const FidelityRule& rule = run.asked.rule;
-  const bool isPlain = run.asked.stagger == 0 && rule.mode == Fidelity::Fold && !rule.bound;
-  if (!isPlain) return result;
+  if (rule.mode != Fidelity::Fold || rule.bound) return result;
   Prospect prospect(run.asked.effort.polishRounds);
   while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run))
     result.isReached = matchCount(run, vertices);

@@ -17,7 +17,7 @@ ChartKeeper::ChartKeeper(const WorkingMesh& mesh, const ChartRules& rules)
   any_ = std::find(absorbed.begin(), absorbed.end(), 1) != absorbed.end();
   for (const Halfedge h : rules.jumps) {
     jumps_[h] = jumps_[mesh.surface().mesh().twin(h)] = 1;
-    any_ = any_ || !curves.isCurve(h);
+    any_ = any_ || !mesh.followsAll() || !curves.isCurve(h);
   }
 }
 

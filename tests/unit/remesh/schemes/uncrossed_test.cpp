@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+
+#include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "remesh/schemes/remesh.h"
@@ -34,6 +37,27 @@ TriangleMesh lowStep() {
   for (Vec3& p : mesh.positions)
     if (p.z() == 4) p.z() = 3.1;
   return mesh;
+}
+
+// The mesh with a chart of a texture for each of the six directions that triangles face, the charts
+// a unit or more apart.
+TriangleMesh withCharts(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  result.attributes = {{"TEXCOORD_0", 2, {}}};
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    const Vec3 normal = unitNormal(at(0), at(1), at(2));
+    Eigen::Index axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.indices.push_back(Index(result.positions.size()));
+      result.positions.push_back(at(k));
+      const double chart = double(2 * axis) + (normal[axis] > 0 ? 1 : 0);
+      result.attributes[0].values.push_back(float(2 * chart + at(k)[(axis + 1) % 3] / 10));
+      result.attributes[0].values.push_back(float(at(k)[(axis + 2) % 3] / 10));
+    }
+  }
+  return result;
 }
 
 // A cubic lattice of bars: 3 × 3 × 3 knots, 54 bars between them, so 54 − 27 + 1 = 28 handles.
@@ -82,5 +106,17 @@ TEST_CASE("uncrossed: between sharp edges that are near each other no angle stay
     CHECK(report.vertices == vertices);
     CHECK(report.eulerCharacteristic == 2);
     CHECK(selfIntersections(result).empty());
+  }
+}
+
+TEST_CASE("uncrossed: nor where textures meet at these edges, and each triangle keeps to one") {
+  const TriangleMesh input = withCharts(lowStep());
+  for (Index vertices = 297; vertices <= 303; ++vertices) {
+    const TriangleMesh result = remeshed(input, Repair::Solid, vertices);
+    CHECK(inspectMesh(result).minAngle.worst >= 15);
+    const std::vector<float>& places = result.attributes.front().values;
+    const auto chart = [&](std::size_t i) { return int(places[2 * result.indices[i]] / 2); };
+    for (std::size_t i = 0; i < result.indices.size(); i += 3)
+      CHECK(std::array{chart(i + 1), chart(i + 2)} == std::array{chart(i), chart(i)});
   }
 }
