@@ -107,11 +107,13 @@ bool isBeyondAnEdge(const NamedTriangle& s, const NamedTriangle& t) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (i + 1) % 3;
     const Vec3 outwards = (s.at[k] - s.at[i]).cross(normal);
+    const double flattest = kFlattest * kFlattest * outwards.squaredNorm();
     const auto isBeyond = [&](std::size_t corner) {
       const Index v = t.vertices[corner];
       if (v == s.vertices[i] || v == s.vertices[k]) return true;
       const Vec3 way = t.at[corner] - s.at[i];
-      return outwards.dot(way) > kFlattest * outwards.norm() * way.norm();
+      const double along = outwards.dot(way);
+      return along > 0 && along * along > flattest * way.squaredNorm();
     };
     if (isBeyond(0) && isBeyond(1) && isBeyond(2)) return true;
   }
@@ -128,8 +130,9 @@ bool hasArea(const Triangle& t) {
   return false;
 }
 
-bool trianglesMeet(NamedTriangle s, NamedTriangle t) {
-  if (isBeyondAnEdge(s, t) || isBeyondAnEdge(t, s)) return false;
+bool trianglesMeet(const NamedTriangle& one, const NamedTriangle& other) {
+  if (isBeyondAnEdge(one, other) || isBeyondAnEdge(other, one)) return false;
+  NamedTriangle s = one, t = other;
   switch (alignShared(s, t)) {
     case 0:
       return disjointTrianglesMeet(s.at, t.at);

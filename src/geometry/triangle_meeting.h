@@ -16,6 +16,6 @@ bool hasArea(const Triangle& t);
 
 // Whether two triangles have a common point beyond the vertices and edges they share. Touching
 // counts, and so do the same three vertices. Both triangles must have an area.
-bool trianglesMeet(NamedTriangle s, NamedTriangle t);
+bool trianglesMeet(const NamedTriangle& one, const NamedTriangle& other);
 
 }  // namespace remesher

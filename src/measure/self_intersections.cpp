@@ -26,8 +26,9 @@ class Search {
   std::vector<Index> run() {
     for (std::size_t place = 0; place < tree_.order().size(); ++place) {
       const Index s = tree_.order()[place];
+      const NamedTriangle own = triangle(s);
       const auto visit = [&](Index t) {
-        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(triangle(s), triangle(t)))
+        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(own, triangle(t)))
           isHit_[s] = isHit_[t] = 1;
       };
       lookAround(s, visit, place + 1);
