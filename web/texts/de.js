@@ -292,8 +292,7 @@ export default {
   'choice.repair.wrap': 'Hülle',
   'choice.repair.auto': 'auto',
   'means.repair.off': 'Die Fläche bleibt, wie sie ist: ein Loch bleibt ein Loch.',
-  'means.repair.holes': 'Schließt offene Schleifen, wendet Körper, deren Inneres außen ist, und '
-    + 'lässt den Rest, wie er ist.',
+  'means.repair.holes': 'Schließt offene Schleifen, wendet verkehrte Körper; der Rest bleibt.',
   'means.repair.solid': 'Behält das Äußere dessen, was etwas umschließt: Körper werden vereint, '
     + 'innere Hüllen fallen weg.',
   'means.repair.wrap': 'Behält, was von außen durch Öffnungen, weiter als die Lücke, zu erreichen '
