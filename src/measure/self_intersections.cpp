@@ -28,8 +28,7 @@ class Search {
       const Index s = tree_.order()[place];
       const NamedTriangle own = triangle(s);
       const auto visit = [&](Index t) {
-        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(own, triangle(t)))
-          isHit_[s] = isHit_[t] = 1;
+        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(own, triangle(t))) isHit_[s] = isHit_[t] = 1;
       };
       lookAround(s, visit, place + 1);
     }

@@ -266,7 +266,8 @@ test('what thin solids made of sheets enclose is filled', async () => {
 test('the report says why a mode was chosen', async () => {
   const inwards = { ...whole, indices: whole.indices.slice().reverse() };
   for (const [mesh, options, mode, reason] of [
-    [open, {}, 'holes', 'sound'], [inwards, {}, 'solid', 'enclosed'], [sheet(), {}, 'wrap', 'open'],
+    [open, {}, 'holes', 'sound'], [inwards, {}, 'holes', 'sound'], [sheet(), {}, 'wrap', 'open'],
+    [broken.askewBoxes(), {}, 'solid', 'enclosed'],
     [open, { repair: 'solid' }, 'solid', 'asked']]) {
     const { report } = await repair(mesh, options);
     assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
