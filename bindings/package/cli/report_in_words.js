@@ -3,6 +3,9 @@
 
 /** @typedef {import('../base/messages.js').MeshReport} MeshReport */
 
+/** @param {number} count @param {string} thing */
+const counted = (count, thing) => `${count} ${thing}${count === 1 ? '' : 's'}`;
+
 /** @param {import('../base/messages.js').QuadReport} quads */
 function quadsInWords({
   count, irregular, angleDeviation, scaledJacobian, edgeVariation, symmetry,
@@ -13,7 +16,7 @@ function quadsInWords({
       + `${angleDeviation.worst.toFixed(1)}°`,
     `  scaled Jacobian: worst ${scaledJacobian.min.toFixed(2)}, mean `
       + `${scaledJacobian.mean.toFixed(2)}; edge lengths vary by ${edgeVariation.toFixed(2)}`,
-    ...(symmetry > 0 ? [`  mirrored exactly about ${symmetry} plane${symmetry === 1 ? '' : 's'}`]
+    ...(symmetry > 0 ? [`  mirrored exactly about ${counted(symmetry, 'plane')}`]
       : []),
   ];
 }
@@ -24,7 +27,7 @@ function meshInWords(title, mesh) {
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
     `${title}: ${mesh.vertices} vertices, ${mesh.triangles} triangles, `
-      + `${mesh.components} component${mesh.components === 1 ? '' : 's'}`,
+      + counted(mesh.components, 'component'),
     `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
       + `degenerate triangles ${mesh.degenerateTriangles}, `
       + `Euler characteristic ${mesh.eulerCharacteristic}`,
@@ -65,8 +68,9 @@ function repairInWords(repair) {
   const { mode, reason, holes, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
   return `repair (${mode}, ${reasons[reason]}):\n`
-    + `  ${holes} holes closed, ${islands} islands and ${shells} inner shells removed, `
-    + `${turned} triangles turned over\n${lossInWords(repair)}\n`
+    + `  ${counted(holes, 'hole')} closed, ${counted(islands, 'island')} and `
+    + `${counted(shells, 'inner shell')} removed, ${counted(turned, 'triangle')} turned over\n`
+    + `${lossInWords(repair)}\n`
     + `  triangles that pass through others: ${before} before, ${after} after`;
 }
 
@@ -90,7 +94,7 @@ function faultsInWords(faults) {
   const loops = openLoops.length === 0 ? '' : `, around, of the diagonal: ${lengths}`
     + `${openLoops.length > told ? ', …' : ''}`;
   return [
-    `faults: ${openLoops.length} open loops${loops}${firstOf(places.openLoops)}`,
+    `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
     `  triangles that pass through others ${selfIntersections}`
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
