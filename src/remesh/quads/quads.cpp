@@ -44,6 +44,12 @@ constexpr int kSteps = 4;
 // vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
 constexpr double kFarthest = 2;
 constexpr int kSmoothings = 12;
+// Too many vertices are so many times as bad as too few, and so many of them as bad as a fault:
+// adding rows costs nothing, removing a quad leaves irregular vertices. As the first, of five
+// models at 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8
+// takes angle_block from 1.3 to 2.6 % in the worst. As the second, 2 and 20 give the same; with
+// faults alone the bunny at 5017 has 267 irregular vertices, not 56.
+constexpr double kTooMany = 4;
 
 double areaOf(const WorkingMesh& mesh) {
   double sum = 0;
@@ -66,12 +72,13 @@ void shape(QuadMesh& quads, const WorkingMesh& ground) {
   rewire(quads, ground);
 }
 
-// Counts quads that fold or have hardly any area.
-std::size_t countFaults(QuadMesh& quads, const WorkingMesh& ground) {
+// How unsound the quads are: kTooMany for each without area, more for folds, less for narrow ones.
+double faultsOf(QuadMesh& quads, const WorkingMesh& ground) {
   const MovingQuads moving(quads, ground);
-  std::size_t count = 0;
-  for (Index q = 0; q < quads.quads.size(); ++q) count += moving.quality(q) < kLeastSine;
-  return count;
+  double sum = 0;
+  for (Index q = 0; q < quads.quads.size(); ++q)
+    sum += kTooMany * std::pow(std::max(0.0, 1 - moving.quality(q) / kLeastSine), 2);
+  return sum;
 }
 
 CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
@@ -83,27 +90,20 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
 // The quads of a map, if they are a surface of the mesh's kind.
 struct Extracted {
   QuadMesh quads;
-  std::size_t faults;  // curves that are not followed, and unsound quads
+  double faults;  // curves that are not followed, and unsound quads
 };
 std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
   QuadMesh quads = extractQuads(part, map);
   dropUnsound(quads);
   if (quads.quads.empty()) return {};
   fillHoles(quads, part);
-  const std::size_t faults = followCurves(quads, part);
+  const auto faults = double(followCurves(quads, part));
   removeDoublets(quads);
   fillDoublets(quads, part);
   collapseFlatCorners(quads, part);
   if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
   return Extracted{std::move(quads), faults};
 }
-
-// Too many vertices are so many times as bad as too few, and so many of them as bad as a fault:
-// adding rows costs nothing, while each removed quad leaves irregular vertices. As the first, of
-// five models at 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices instead of
-// 188, 8 takes angle_block from 1.3 to 2.6 % in the worst. As the second, 2 and 20 give the same;
-// with faults alone the bunny at 5017 has 267 irregular vertices, not 56.
-constexpr double kTooMany = 4;
 
 double countError(double count, double wanted) {
   const double off = count / wanted - 1;
@@ -113,7 +113,7 @@ double countError(double count, double wanted) {
 // What a result lacks: its faults, and that vertices are to be taken out or added.
 double costOf(const Extracted& made, double wanted) {
   const double count = double(made.quads.vertices.size()), most = (1 + kCountTolerance) * wanted;
-  return double(made.faults) + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
+  return made.faults + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
 }
 
 // Rounding makes another map at each scale, and counts come in steps: tries scales on both sides of
@@ -145,7 +145,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
       continue;
     }
     shape(made->quads, part);
-    made->faults += countFaults(made->quads, part);
+    made->faults += faultsOf(made->quads, part);
     ++shaped;
     if (!best || costOf(*made, vertices) < costOf(*best, vertices)) best = std::move(made);
   }
@@ -190,7 +190,7 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   made.collapsed = removeQuads(mesh, {enough, goal.isExact, goal.mirrors}, ground);
   if (mesh.vertices.size() == before && made.collapsed == 0) return;
   settle(mesh, ground);
-  const std::size_t faults = countFaults(mesh, ground);
+  const double faults = faultsOf(mesh, ground);
   if (faults == 0) return;
   MadeQuads rewired = made;
   rewire(rewired.mesh, ground);
@@ -198,7 +198,7 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
   settle(rewired.mesh, ground);
   const std::size_t reached = wholeCount(rewired.mesh, goal.mirrors);
   if (reached < least || reached > most) return;
-  if (countFaults(rewired.mesh, ground) < faults) made = std::move(rewired);
+  if (faultsOf(rewired.mesh, ground) < faults) made = std::move(rewired);
 }
 
 // The share of a part in the vertices, by area or, where triangles are graded, by their number.
@@ -316,8 +316,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
   const MapMaker maker(part, field, std::move(sizes));
   if (!maker.isPossible()) return {};
   std::optional<Extracted> found = searchScale(part, maker, length, vertices);
-  if (!found) return {};
-  return std::move(found->quads);
+  return found ? std::move(found->quads) : QuadMesh{};
 }
 
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {

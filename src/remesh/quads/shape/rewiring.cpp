@@ -19,21 +19,24 @@ namespace remesher {
 
 namespace {
 
-// How much the quads lack to be sound, summed up, and how irregular they are.
+// How much the quads lack to be sound, as squares, for several narrow quads are better than one
+// without area, which counts kLeastSine; and how irregular they are.
 struct Fault {
   double missing = 0;
   int irregular = 0;
   // A small gain is not worth another irregular vertex; without small gains the rounds end.
   bool isClearlyBelow(const Fault& other) const {
-    return missing < other.missing - kLeastSine / 10;
+    return missing < other.missing - kLeastSine / 20;
   }
   double cost() const { return missing + kLeastSine / 10 * irregular; }
 };
 
 Fault faultOf(const MovingQuads& quads, const QuadPatch& patch) {
   Fault fault;
-  for (Index q = 0; q < patch.mesh.quads.size(); ++q)
-    fault.missing += std::max(0.0, kLeastSine - quads.quality(q));
+  for (Index q = 0; q < patch.mesh.quads.size(); ++q) {
+    const double missing = std::max(0.0, kLeastSine - quads.quality(q));
+    fault.missing += missing * missing / kLeastSine;
+  }
   for (Index v = 0; v < patch.isRim.size(); ++v)
     if (!patch.isRim[v] && !quads.sides().isBoundary(v))
       fault.irregular += std::abs(quads.sides().valence(v) - 4);
@@ -130,32 +133,59 @@ class Rewiring {
         start_(patch) {}
 
   // The best wiring found for the patch, if it is clearly better. The bad quad is the first one;
-  // quads beside it may change too.
+  // quads beside it may change too, or the two quads at an edge of it that was turned before.
   std::optional<QuadPatch> run() {
     consider(start_, true);
-    tryAt(0, true);
-    if (!best_) {
-      std::set<Index> beside;
-      for (Index i = 0; i < 4; ++i)
-        if (sides_.across(i) != kNone) beside.insert(sides_.across(i) / 4);
-      for (const Index quad : beside) tryAt(quad, false);
+    consider(filled(start_, 0, ground_), false);
+    mergeIn(start_, sides_, 0);
+    turnAround(0);
+    if (isMended()) return std::move(best_);
+    std::set<Index> beside;
+    for (Index i = 0; i < 4; ++i)
+      if (sides_.across(i) != kNone) beside.insert(sides_.across(i) / 4);
+    for (const Index quad : beside) {
+      mergeIn(start_, sides_, quad);
+      turnAround(quad);
     }
+    if (!isMended()) changeTwice();
     return std::move(best_);
   }
 
  private:
-  void tryAt(Index quad, bool isFirst) {
-    if (isFirst) consider(filled(start_, quad, ground_), false);
+  // Whether no quad is left without area, or nearly.
+  bool isMended() const { return best_ && least_.missing < kLeastSine / 2; }
+
+  void mergeIn(const QuadPatch& patch, const QuadSides& sides, Index quad) {
     for (Index i = 0; i < 2; ++i)
-      consider(collapsed(start_, sides_, sideOf(quad, i), ground_), false);
+      consider(collapsed(patch, sides, sideOf(quad, i), ground_), false);
+  }
+
+  void turnAround(Index quad) {
     for (Index i = 0; i < 4; ++i)
       for (const bool isLeft : {false, true})
         consider(turned(start_, sides_, sideOf(quad, i), isLeft), false);
   }
 
+  void changeTwice() {
+    for (Index side = 0; side < 4; ++side)
+      for (const bool isLeft : {false, true}) {
+        const std::optional<QuadPatch> once = turned(start_, sides_, side, isLeft);
+        if (!once || !isSound(*once)) continue;
+        const QuadSides sides(once->mesh.vertices.size(), once->mesh.quads);
+        for (const Index quad : {Index(0), sides_.across(side) / 4}) {
+          consider(filled(*once, quad, ground_), false);
+          mergeIn(*once, sides, quad);
+        }
+      }
+  }
+
+  bool isSound(const QuadPatch& patch) const {
+    return check(patch.mesh).empty() && kindOf(patch.mesh) == kind_;
+  }
+
   void consider(std::optional<QuadPatch> patch, bool isStart) {
     if (!patch) return;
-    if (!isStart && (!check(patch->mesh).empty() || !(kindOf(patch->mesh) == kind_))) return;
+    if (!isStart && !isSound(*patch)) return;
     MovingQuads quads(patch->mesh, ground_);
     if (isStart) before_ = faultOf(quads, *patch);
     mendCorners(quads, patch->isRim);

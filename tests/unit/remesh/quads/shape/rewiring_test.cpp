@@ -64,6 +64,29 @@ TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
   CHECK(kindOf(mesh) == kind);
 }
 
+TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an area") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = quadsOn(ground);
+  const SurfaceKind kind = kindOf(mesh);
+  // Three quads beside each other on the boundary: two behind a flat one take their place.
+  const auto [a, b, f, e] = mesh.quads[1];
+  const auto [b2, c, g, f2] = mesh.quads[2];
+  const auto [c2, d, h, g2] = mesh.quads[3];
+  const Index chain = mesh.vertices[b].on.chain;
+  REQUIRE(chain != kNone);
+  mesh.quads[1] = {a, b, c, d};
+  mesh.curves[1] = {chain, chain, chain, kNone};
+  mesh.quads[2] = {a, d, h, g};
+  mesh.quads[3] = {a, g, f, e};
+  REQUIRE(check(mesh) == "");
+  REQUIRE(worstOf(mesh, ground) == doctest::Approx(0));
+  rewire(mesh, ground);
+  CHECK(worstOf(mesh, ground) > 0.1);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == kind);
+}
+
 TEST_CASE("rewiring: a vertex between two quads gets a third") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
