@@ -199,6 +199,7 @@ add_library(small OBJECT
   src/remesh/quads/pair/pairing.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/limbs.cpp
   src/remesh/quads/shape/quad_patch.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp

@@ -118,6 +118,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
+  tests/unit/remesh/quads/shape/limbs_test.cpp
   tests/unit/remesh/quads/shape/quad_tips_test.cpp
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp

@@ -17,6 +17,7 @@
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/shape/chords.h"
 #include "remesh/quads/shape/collapse.h"
+#include "remesh/quads/shape/limbs.h"
 #include "remesh/quads/shape/quad_tips.h"
 #include "remesh/quads/shape/rewiring.h"
 #include "remesh/quads/shape/smoothing.h"
@@ -96,12 +97,15 @@ std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& m
   QuadMesh quads = extractQuads(part, map);
   dropUnsound(quads);
   if (quads.quads.empty()) return {};
+  keepLargestPiece(quads);
+  joinOddHoles(quads, part);
   fillHoles(quads, part);
   const auto faults = double(followCurves(quads, part));
   removeDoublets(quads);
   fillDoublets(quads, part);
   collapseFlatCorners(quads, part);
   if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
+  growLimbs(quads, part);
   return Extracted{std::move(quads), faults};
 }
 

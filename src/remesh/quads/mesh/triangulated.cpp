@@ -79,6 +79,23 @@ Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad) {
   return badness(1) < badness(0) ? 1 : 0;
 }
 
+std::vector<Index> trianglesOf(const QuadMesh& mesh) {
+  std::vector<Index> corners;
+  for (const Four<Index>& quad : mesh.quads) {
+    const Index k = diagonalOf(mesh, quad), a = quad[k], c = quad[k + 2];
+    corners.insert(corners.end(), {a, quad[k + 1], c, a, c, quad[(k + 3) % 4]});
+  }
+  return corners;
+}
+
+double meanSide(const QuadMesh& mesh) {
+  double sum = 0;
+  for (const Four<Index>& quad : mesh.quads)
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += (mesh.position(quad[(i + 1) % 4]) - mesh.position(quad[i])).norm();
+  return sum / double(4 * mesh.quads.size());
+}
+
 WorkingMesh triangulated(const QuadMesh& mesh, const OriginalSurface& surface) {
   const QuadMesh turned = turnedToDiagonals(mesh);
   const QuadSides sides(turned.vertices.size(), turned.quads);

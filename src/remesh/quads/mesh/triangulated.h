@@ -17,4 +17,10 @@ Index diagonalOf(const QuadMesh& mesh, const Four<Index>& quad);
 // have different first corners, as FB_ngon_encoding requires.
 WorkingMesh triangulated(const QuadMesh& mesh, const OriginalSurface& surface);
 
+// The corners of the quads' triangles, two each: the diagonal joins the first and third of each
+// six.
+std::vector<Index> trianglesOf(const QuadMesh& mesh);
+
+double meanSide(const QuadMesh& mesh);
+
 }  // namespace remesher

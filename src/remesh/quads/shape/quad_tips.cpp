@@ -31,17 +31,6 @@ struct Tip {
   Index quad() const { return triangle / 2; }
 };
 
-// The corners of the quads' triangles, two each: the diagonal joins the first and third of each
-// six.
-std::vector<Index> trianglesOf(const QuadMesh& mesh) {
-  std::vector<Index> corners;
-  for (const Four<Index>& quad : mesh.quads) {
-    const Index k = diagonalOf(mesh, quad), a = quad[k], c = quad[k + 2];
-    corners.insert(corners.end(), {a, quad[k + 1], c, a, c, quad[(k + 3) % 4]});
-  }
-  return corners;
-}
-
 // The squared distance from p to the nearest triangle; to any, if that is `enough` or less.
 double distanceFrom(const QuadMesh& mesh, const std::vector<Index>& triangles, const Vec3& p,
                     double enough) {
@@ -63,14 +52,6 @@ double fromOriginal(const QuadMesh& mesh, const Four<Index>& quad, const Vec3& p
       return (ground.surface().position(at) - p).squaredNorm();
     }
   return 0;
-}
-
-double meanSide(const QuadMesh& mesh) {
-  double sum = 0;
-  for (const Four<Index>& quad : mesh.quads)
-    for (std::size_t i = 0; i < 4; ++i)
-      sum += (mesh.position(quad[(i + 1) % 4]) - mesh.position(quad[i])).norm();
-  return sum / double(4 * mesh.quads.size());
 }
 
 // All vertices of the original but corners, which quads have already.

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/limbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geometry/triangle_tree.h"
+#include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/triangulated.h"
+
+namespace remesher {
+
+namespace {
+
+// How far each vertex of the ground is from the quads, and the nearest quad.
+struct FromQuads {
+  VertexData<double> distance;
+  VertexData<Index> quad;
+};
+
+FromQuads distancesFrom(const QuadMesh& mesh, const WorkingMesh& ground) {
+  std::vector<Vec3> positions;
+  for (const Placement& place : mesh.vertices) positions.push_back(place.position);
+  const std::vector<Index> triangles = trianglesOf(mesh);
+  const TriangleTree tree(positions, triangles);
+  const auto count = Index(ground.mesh().vertexCapacity());
+  FromQuads result{VertexData<double>(count, 0), VertexData<Index>(count, kNone)};
+  Index before = 0;
+  for (Index i = 0; i < count; ++i) {
+    const auto found = tree.nearest(ground.position(Vertex(i)), before);
+    before = found.triangle;
+    result.distance[Vertex(i)] = std::sqrt(found.squaredDistance);
+    result.quad[Vertex(i)] = found.triangle / 2;
+  }
+  return result;
+}
+
+// The part of the ground around a tip, as far as the quads: how far its vertices are from the tip
+// along edges, and where it meets the quads.
+struct Limb {
+  VertexData<double> gone;  // kInfinity beyond
+  double length = 0;
+  Index quad = kNone;
+};
+
+Limb limbAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double near) {
+  Limb limb{VertexData<double>(ground.mesh().vertexCapacity(), kInfinity)};
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  limb.gone[tip] = 0;
+  queue.emplace(0, tip.index);
+  while (!queue.empty()) {
+    const auto [gone, index] = queue.top();
+    const Vertex v(index);
+    queue.pop();
+    if (gone > limb.gone[v]) continue;
+    if (from.distance[v] < near) {
+      limb.length = gone;
+      limb.quad = from.quad[v];
+      break;
+    }
+    ground.mesh().forEachNeighbor(v, [&](Vertex w) {
+      const double there = gone + (ground.position(w) - ground.position(v)).norm();
+      if (!(there < limb.gone[w])) return;
+      limb.gone[w] = there;
+      queue.emplace(there, w.index);
+    });
+  }
+  return limb;
+}
+
+struct RingPoint {
+  Halfedge edge;  // from nearer to the tip to farther from it
+  Vec3 position;
+};
+
+using Ring = std::vector<RingPoint>;
+
+double lengthOf(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += (ring[(i + 1) % ring.size()].position - ring[i].position).norm();
+  return sum;
+}
+
+// The longest closed line around the tip, counterclockwise, at a distance from the tip; none if a
+// line ends on a boundary.
+Ring ringAt(double distance, const WorkingMesh& ground, const Limb& limb) {
+  const HalfedgeMesh& m = ground.mesh();
+  const auto isWithin = [&](Vertex v) { return limb.gone[v] < distance; };
+  const auto leaves = [&](Halfedge h) { return isWithin(m.origin(h)) && !isWithin(m.tip(h)); };
+  HalfedgeData<char> seen(m.halfedgeCapacity(), 0);
+  Ring longest;
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    Ring ring;
+    for (Halfedge h(i); leaves(h) && !seen[h];) {
+      seen[h] = 1;
+      const Vertex a = m.origin(h), b = m.tip(h);
+      const double share = (distance - limb.gone[a]) / (limb.gone[b] - limb.gone[a]);
+      ring.push_back({h, (1 - share) * ground.position(a) + share * ground.position(b)});
+      const Halfedge next = HalfedgeMesh::next(h);
+      h = m.twin(isWithin(m.tip(next)) ? next : HalfedgeMesh::prev(h));
+      if (!h) return {};
+    }
+    if (lengthOf(ring) > lengthOf(longest)) longest = std::move(ring);
+  }
+  return longest;
+}
+
+// Four points of a ring as far apart from each other as can be, along it, from a point on.
+Four<RingPoint> quarters(const Ring& ring, std::size_t first) {
+  const double quarter = lengthOf(ring) / 4;
+  Four<RingPoint> points;
+  double gone = 0;
+  std::size_t at = first;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (;;) {
+      const RingPoint &a = ring[at % ring.size()], &b = ring[(at + 1) % ring.size()];
+      const double length = (b.position - a.position).norm(), left = double(i) * quarter - gone;
+      if (left <= length || at > first + ring.size()) {
+        const double share = length > 0 ? std::clamp(left / length, 0.0, 1.0) : 0;
+        points[i] = {a.edge, (1 - share) * a.position + share * b.position};
+        break;
+      }
+      gone += length;
+      ++at;
+    }
+  }
+  return points;
+}
+
+// Those nearest to the corners of a quad.
+Four<RingPoint> quartersBeside(const Ring& ring, const QuadMesh& mesh, Index quad) {
+  Four<RingPoint> best;
+  double least = kInfinity;
+  for (std::size_t first = 0; first < ring.size(); ++first) {
+    const Four<RingPoint> points = quarters(ring, first);
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += (points[i].position - mesh.position(mesh.quads[quad][i])).squaredNorm();
+    if (!(sum < least)) continue;
+    least = sum;
+    best = points;
+  }
+  return best;
+}
+
+// The quad moves to the four points; four quads join it with where it was.
+void addRing(QuadMesh& mesh, Index quad, const Four<RingPoint>& points, const WorkingMesh& ground) {
+  const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
+  Four<Index> inner{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    inner[i] = Index(mesh.vertices.size());
+    mesh.vertices.push_back(ground.onSurface(closestPointFrom(
+        ground.surface(), ground.cornerPoint(points[i].edge), points[i].position)));
+  }
+  mesh.quads[quad] = inner;
+  mesh.curves[quad] = {kNone, kNone, kNone, kNone};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = (i + 1) % 4;
+    mesh.quads.push_back({corners[i], corners[k], inner[k], inner[i]});
+    mesh.curves.push_back({curves[i], kNone, kNone, kNone});
+  }
+}
+
+}  // namespace
+
+void growLimbs(QuadMesh& mesh, const WorkingMesh& ground) {
+  const double side = meanSide(mesh);
+  VertexData<char> isTried(ground.mesh().vertexCapacity(), 0);
+  for (;;) {
+    const FromQuads from = distancesFrom(mesh, ground);
+    Vertex tip;
+    double farthest = side;
+    for (Index i = 0; i < isTried.size(); ++i)
+      if (const Vertex v(i); !isTried[v] && from.distance[v] > farthest) {
+        farthest = from.distance[v];
+        tip = v;
+      }
+    if (!tip) return;
+    isTried[tip] = 1;
+    const Limb limb = limbAt(tip, ground, from, side / 4);
+    if (limb.quad == kNone) continue;
+    const auto rings = std::max(1.0, std::round(limb.length / side));
+    for (double k = 1; k <= rings; ++k) {
+      const Ring ring = ringAt(limb.length * (1 - k / (rings + 0.5)), ground, limb);
+      if (ring.empty()) break;
+      addRing(mesh, limb.quad, quartersBeside(ring, mesh, limb.quad), ground);
+    }
+  }
+}
+
+}  // namespace remesher

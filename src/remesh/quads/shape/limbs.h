@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A map squeezes limbs that are thinner than a few quads (tails, ears, legs) to nothing, and the
+// quads end flat where such a limb begins. Here the limbs grow again.
+#pragma once
+
+#include "remesh/quads/mesh/quad_mesh.h"
+
+namespace remesher {
+
+// Where the ground, a mesh of one part, reaches farther from the quads than a mean side of theirs,
+// puts rings of four quads around it, out of the nearest quad and to the farthest vertex of the
+// ground. The quads must be a manifold, and stay one of the same kind.
+void growLimbs(QuadMesh& mesh, const WorkingMesh& ground);
+
+}  // namespace remesher
