@@ -17,6 +17,14 @@ namespace {
 // between them.
 constexpr double kMargin = 0.25;
 
+// Where curves end, a walk for a place beyond them ends too; and a vertex is there already.
+bool isAtCorner(const SurfacePoint& p, const OriginalSurface& surface) {
+  for (int i = 0; i < 3; ++i)
+    if (p.barycentric[i] == 1)
+      return surface.curves().isCorner(surface.mesh().origin(HalfedgeMesh::halfedge(p.face, i)));
+  return false;
+}
+
 }  // namespace
 
 Quad MovingQuads::corners(Index quad) const {
@@ -76,7 +84,9 @@ std::optional<Placement> MovingQuads::placeNear(Index v, const Vec3& p) const {
   const Placement& here = mesh_.vertices[v];
   if (here.kind == VertexKind::Corner) return {};
   if (here.kind == VertexKind::Curve) return alongCurve(v, p);
-  return ground_.onSurface(closestPointFrom(ground_.surface(), here.at, p));
+  const SurfacePoint at = closestPointFrom(ground_.surface(), here.at, p);
+  if (isAtCorner(at, ground_.surface())) return {};
+  return ground_.onSurface(at);
 }
 
 bool MovingQuads::moveUnlessWorse(Index v, const Placement& place, double enough) {

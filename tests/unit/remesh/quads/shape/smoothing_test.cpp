@@ -82,3 +82,18 @@ TEST_CASE("smoothing: a vertex that was pulled over its neighbours is put back")
   mendCorners(moving, std::vector<char>(smoothed.quads.vertices.size(), 0));
   CHECK(smoothed.worst() > 0.4);
 }
+
+TEST_CASE("smoothing: no inner vertex takes the place of a corner") {
+  Smoothed smoothed(shapes::grid(6, 6));
+  MovingQuads moving(smoothed.quads, smoothed.ground);
+  std::size_t inner = 0;
+  for (Index v = 0; v < smoothed.quads.vertices.size(); ++v) {
+    if (smoothed.quads.vertices[v].kind != VertexKind::Interior) continue;
+    ++inner;
+    CHECK_FALSE(moving.placeNear(v, {-1, -1, 0}));
+    CHECK_FALSE(moving.placeNear(v, {6, 6, 0}));
+    CHECK(moving.placeNear(v, {1, 1, 0}));
+    CHECK(moving.placeNear(v, {5, 2.5, 0}));
+  }
+  CHECK(inner > 0);
+}
