@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "remesh/quads/base_meshes.h"
 #include "remesh/quads/extract/extraction.h"
@@ -44,22 +45,12 @@ constexpr int kSteps = 4;
 // 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs, with up to a third too many
 // vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
 constexpr double kFarthest = 2;
-constexpr int kSmoothings = 12;
 // Too many vertices are so many times as bad as too few, and so many of them as bad as a fault:
 // adding rows costs nothing, removing a quad leaves irregular vertices. As the first, of five
 // models at 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8
 // takes angle_block from 1.3 to 2.6 % in the worst. As the second, 2 and 20 give the same; with
 // faults alone the bunny at 5017 has 267 irregular vertices, not 56.
 constexpr double kTooMany = 4;
-
-double areaOf(const WorkingMesh& mesh) {
-  double sum = 0;
-  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f) {
-    const auto [a, b, c] = mesh.corners(Face(f));
-    sum += area(a, b, c);
-  }
-  return sum;
-}
 
 void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
@@ -88,25 +79,30 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
   return field;
 }
 
-// The quads of a map, if they are a surface of the mesh's kind.
 struct Extracted {
   QuadMesh quads;
-  double faults;  // curves that are not followed, and unsound quads
+  double faults = 0;     // curves that are not followed, and unsound quads
+  std::size_t lost = 1;  // handles and holes, and 1 for other kinds of surface than the mesh's
 };
-std::optional<Extracted> extracted(const WorkingMesh& part, const SeamlessMap& map) {
-  QuadMesh quads = extractQuads(part, map);
+// The quads of a map.
+Extracted extracted(const WorkingMesh& part, const SeamlessMap& map) {
+  Extracted made{extractQuads(part, map)};
+  QuadMesh& quads = made.quads;
   dropUnsound(quads);
-  if (quads.quads.empty()) return {};
+  if (quads.quads.empty()) return made;
   keepLargestPiece(quads);
   joinOddHoles(quads, part);
   fillHoles(quads, part);
-  const auto faults = double(followCurves(quads, part));
+  made.faults = double(followCurves(quads, part));
   removeDoublets(quads);
   fillDoublets(quads, part);
   collapseFlatCorners(quads, part);
-  if (!check(quads).empty() || kindOf(quads) != kindOf(part.mesh())) return {};
-  growLimbs(quads, part);
-  return Extracted{std::move(quads), faults};
+  if (!check(quads).empty()) return made;
+  const SurfaceKind kind = kindOf(quads), wanted = kindOf(part.mesh());
+  made.lost = std::size_t(std::abs(kind.eulerCharacteristic - wanted.eulerCharacteristic));
+  made.lost += kind != wanted;
+  if (kind == wanted) growLimbs(quads, part);
+  return made;
 }
 
 double countError(double count, double wanted) {
@@ -125,6 +121,7 @@ double costOf(const Extracted& made, double wanted) {
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
                                      double vertices) {
   std::optional<Extracted> best;
+  std::optional<SeamlessMap> nearestMap;  // unless it was extracted
   double nearest = length, least = kFarthest;
   int shaped = 0, failed = 0;
   std::vector<double> known;  // the marks of the maps that were extracted
@@ -133,25 +130,28 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
-    const std::optional<SeamlessMap> map = maker.map(scale, known);
+    const std::optional<SeamlessMap> map =
+        i == kSteps ? std::exchange(nearestMap, {}) : maker.map(scale, known);
     if (!map) continue;
     const double count = maker.countVertices(*map), error = countError(count, vertices);
     if (error < least) {
       least = error;
       nearest = scale;
+      nearestMap = map;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
     if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
     known.push_back(map->mark);
-    std::optional<Extracted> made = extracted(part, *map);
-    if (!made || countError(double(made->quads.vertices.size()), vertices) >= kFarthest) {
-      ++failed;
+    if (nearestMap && nearestMap->mark == map->mark) nearestMap.reset();
+    Extracted made = extracted(part, *map);
+    if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
+      failed += made.lost > kSteps ? kSteps : 1;  // others lose as much, or nearly
       continue;
     }
-    shape(made->quads, part);
-    made->faults += faultsOf(made->quads, part);
+    shape(made.quads, part);
+    made.faults += faultsOf(made.quads, part);
     ++shaped;
-    if (!best || costOf(*made, vertices) < costOf(*best, vertices)) best = std::move(made);
+    if (!best || costOf(made, vertices) < costOf(*best, vertices)) best = std::move(made);
   }
   return best;
 }
@@ -257,8 +257,13 @@ QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bo
   return {};
 }
 
-// Quads by pairs, for the parts with these numbers. The number of vertices depends on how many
-// triangles stay single, so that a second mesh has the right number.
+QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
+  const FaceFrames frames(mesh);
+  return splitPairs(mesh, pairTriangles(mesh, frames, fieldOn(mesh, frames, length)));
+}
+
+// Quads by pairs, for the parts with these numbers, not yet shaped. The number of vertices depends
+// on how many triangles stay single, so that a second mesh has the right number.
 QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
                    const TriangleMaker& triangles) {
   double share = 0;
@@ -275,7 +280,7 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
       const auto isIt = [&](const PartShare& one) { return one.number == number; };
       const auto found = std::find_if(wanted.begin(), wanted.end(), isIt);
       if (found == wanted.end()) continue;
-      append(quads, pairToQuads(part, std::sqrt(areaOf(part) / found->vertices)));
+      append(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices)));
     }
     if (std::abs(double(quads.vertices.size()) / share - 1) <= kCountTolerance / 2) break;
     const double factor = share / double(quads.vertices.size());
@@ -288,31 +293,6 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
 
 }  // namespace
 
-FaceData<double> gradedSizes(const WorkingMesh& mesh) {
-  const HalfedgeMesh& m = mesh.mesh();
-  VertexData<double> lengths(m.vertexCapacity());
-  for (Index v = 0; v < lengths.size(); ++v) lengths[Vertex(v)] = mesh.meanSpoke(Vertex(v));
-  for (int i = 0; i < kSmoothings; ++i) {
-    const VertexData<double> before = lengths;
-    for (Index v = 0; v < lengths.size(); ++v) {
-      double sum = 0;
-      m.forEachNeighbor(Vertex(v), [&](Vertex w) { sum += before[w]; });
-      lengths[Vertex(v)] = (before[Vertex(v)] + sum / m.valence(Vertex(v))) / 2;
-    }
-  }
-  FaceData<double> sizes(m.faceCapacity());
-  double squares = 0;
-  for (Index f = 0; f < sizes.size(); ++f) {
-    const auto [a, b, c] = m.vertices(Face(f));
-    sizes[Face(f)] = (lengths[a] + lengths[b] + lengths[c]) / 3;
-    const auto [p, q, r] = mesh.corners(Face(f));
-    squares += area(p, q, r) / (sizes[Face(f)] * sizes[Face(f)]);
-  }
-  const double factor = std::sqrt(squares / areaOf(mesh));
-  for (Index f = 0; f < sizes.size(); ++f) sizes[Face(f)] *= factor;
-  return sizes;
-}
-
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes) {
   const FaceFrames frames(part);
   const double length = std::sqrt(areaOf(part) / vertices);
@@ -324,9 +304,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
 }
 
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
-  const FaceFrames frames(mesh);
-  const CrossField field = fieldOn(mesh, frames, length);
-  QuadMesh quads = splitPairs(mesh, pairTriangles(mesh, frames, field));
+  QuadMesh quads = pairsOf(mesh, length);
   shape(quads, mesh);
   return quads;
 }
@@ -361,8 +339,11 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
       quads.quads.empty() ? failed.push_back(shares[i]) : append(result.mesh, quads);
     }
     result.paired = failed.size();
-    if (!failed.empty())
-      append(result.mesh, pairParts(failed, std::size_t(std::ceil(vertices)), triangles));
+    if (!failed.empty()) {
+      QuadMesh pairs = pairParts(failed, std::size_t(std::ceil(vertices)), triangles);
+      shape(pairs, bases.first());
+      append(result.mesh, pairs);
+    }
     matchCount(result, goal, bases.first());
     return result;
   };

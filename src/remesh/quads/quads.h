@@ -38,9 +38,6 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors);
 // Makes quads from the meshes that `triangles` makes.
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 
-// Per face the length of edges around it, smoothed; the mean square of their inverses is 1.
-FaceData<double> gradedSizes(const WorkingMesh& mesh);
-
 // Quads by the map, for one connected part; no quads if the map fails. sizes: per face the side
 // length of quads wanted there beside the others.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes);

@@ -70,7 +70,7 @@ QuadPatch patchOf(const QuadMesh& mesh, const QuadSides& sides, const std::vecto
   return patch;
 }
 
-void putBack(QuadMesh& mesh, const QuadPatch& patch, const std::vector<Index>& quads) {
+void putBack(QuadMesh& mesh, const QuadPatch& patch) {
   std::vector<Index> number = patch.outer;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == kNone) {
@@ -80,9 +80,6 @@ void putBack(QuadMesh& mesh, const QuadPatch& patch, const std::vector<Index>& q
       mesh.vertices[number[v]] = patch.mesh.vertices[v];
     }
   }
-  std::vector<char> isGone(mesh.quads.size(), 0);
-  for (const Index q : quads) isGone[q] = 1;
-  dropQuads(mesh, isGone);
   for (const auto& [a, b, c, d] : patch.mesh.quads)
     mesh.quads.push_back({number[a], number[b], number[c], number[d]});
   mesh.curves.insert(mesh.curves.end(), patch.mesh.curves.begin(), patch.mesh.curves.end());

@@ -25,7 +25,8 @@ std::vector<Index> quadsNear(const QuadSides& sides, const QuadMesh& mesh, Index
 
 QuadPatch patchOf(const QuadMesh& mesh, const QuadSides& sides, const std::vector<Index>& quads);
 
-// Replaces `quads` by the patch. Vertices that no quad uses any more stay in the mesh.
-void putBack(QuadMesh& mesh, const QuadPatch& patch, const std::vector<Index>& quads);
+// Puts the patch where its quads were, which are gone. Vertices that no quad uses any more stay in
+// the mesh.
+void putBack(QuadMesh& mesh, const QuadPatch& patch);
 
 }  // namespace remesher

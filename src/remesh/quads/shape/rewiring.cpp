@@ -124,6 +124,14 @@ QuadPatch filled(QuadPatch patch, Index quad, const WorkingMesh& ground) {
   return patch;
 }
 
+std::vector<Index> unsoundOf(QuadMesh& mesh, const WorkingMesh& ground) {
+  const MovingQuads moving(mesh, ground);
+  std::vector<Index> found;
+  for (Index q = 0; q < mesh.quads.size(); ++q)
+    if (moving.quality(q) < kLeastSine) found.push_back(q);
+  return found;
+}
+
 class Rewiring {
  public:
   Rewiring(const QuadPatch& patch, const WorkingMesh& ground)
@@ -212,22 +220,21 @@ void rewire(QuadMesh& mesh, const WorkingMesh& ground) {
     isDone = true;
     const std::vector<Four<Index>> quads = mesh.quads;
     const QuadSides sides(mesh.vertices.size(), quads);
-    std::vector<Index> bad;
-    {
-      const MovingQuads moving(mesh, ground);
-      for (Index q = 0; q < quads.size(); ++q)
-        if (moving.quality(q) < kLeastSine && !tried.contains(quads[q])) bad.push_back(q);
-    }
-    for (const Index q : bad) {
-      tried.insert(quads[q]);
+    std::vector<char> isChanged(quads.size(), 0);
+    std::vector<QuadPatch> better;
+    for (const Index q : unsoundOf(mesh, ground)) {
+      if (tried.contains(quads[q])) continue;
       const std::vector<Index> near = quadsNear(sides, mesh, q);
-      const QuadPatch patch = patchOf(mesh, sides, near);
-      const std::optional<QuadPatch> better = Rewiring(patch, ground).run();
-      if (!better) continue;
-      putBack(mesh, *better, near);
+      if (std::any_of(near.begin(), near.end(), [&](Index n) { return isChanged[n]; })) continue;
+      tried.insert(quads[q]);
+      std::optional<QuadPatch> found = Rewiring(patchOf(mesh, sides, near), ground).run();
+      if (!found) continue;
+      for (const Index n : near) isChanged[n] = 1;
+      better.push_back(std::move(*found));
       isDone = false;
-      break;
     }
+    dropQuads(mesh, isChanged);
+    for (const QuadPatch& patch : better) putBack(mesh, patch);
   }
   dropUnusedVertices(mesh);
 }
