@@ -54,8 +54,8 @@ Limb limbAt(Vertex tip, const WorkingMesh& ground, const FromQuads& from, double
   limb.gone[tip] = 0;
   queue.emplace(0, tip.index);
   while (!queue.empty()) {
-    const auto [gone, index] = queue.top();
-    const Vertex v(index);
+    const double gone = queue.top().first;
+    const Vertex v(queue.top().second);
     queue.pop();
     if (gone > limb.gone[v]) continue;
     if (from.distance[v] < near) {
