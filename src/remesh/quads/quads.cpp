@@ -91,7 +91,6 @@ Extracted extracted(const WorkingMesh& part, const SeamlessMap& map) {
   dropUnsound(quads);
   if (quads.quads.empty()) return made;
   keepLargestPiece(quads);
-  joinOddHoles(quads, part);
   fillHoles(quads, part);
   made.faults = double(followCurves(quads, part));
   removeDoublets(quads);

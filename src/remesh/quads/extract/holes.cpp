@@ -253,68 +253,6 @@ bool isOnBoundary(const QuadMesh& mesh, const WorkingMesh& ground, Index a, Inde
   return isOn(a) && isOn(b);
 }
 
-// The vertices around a hole, clockwise beside its quads, and the quads at each.
-struct Hole {
-  std::vector<Index> loop;
-  std::vector<int> around;
-};
-
-std::vector<Hole> holesOf(const QuadMesh& mesh, const WorkingMesh& ground) {
-  const QuadSides sides(mesh.vertices.size(), mesh.quads);
-  std::vector<char> seen(sides.size(), 0);
-  std::vector<Hole> holes;
-  for (Index i = 0; i < sides.size(); ++i) {
-    if (sides.across(i) != kNone || seen[i]) continue;
-    Hole hole;
-    bool isHole = true;
-    for (Index side = i; !seen[side]; side = sides.outgoing(sides.tip(side))) {
-      seen[side] = 1;
-      hole.loop.push_back(sides.origin(side));
-      hole.around.push_back(sides.quadsAround(sides.origin(side)));
-      isHole &= !isOnBoundary(mesh, ground, sides.origin(side), sides.tip(side));
-    }
-    std::reverse(hole.loop.begin(), hole.loop.end());
-    std::reverse(hole.around.begin(), hole.around.end());
-    if (isHole) holes.push_back(std::move(hole));
-  }
-  return holes;
-}
-
-std::vector<Hole> oddHoles(const QuadMesh& mesh, const WorkingMesh& ground) {
-  std::vector<Hole> holes = holesOf(mesh, ground);
-  std::erase_if(holes, [](const Hole& hole) { return hole.loop.size() % 2 == 0; });
-  return holes;
-}
-
-// Marks the fewest quads that lead from the first hole to another one.
-std::vector<char> wayBetween(const QuadMesh& mesh, const std::vector<Hole>& holes) {
-  const QuadSides sides(mesh.vertices.size(), mesh.quads);
-  std::vector<char> isEnd(mesh.vertices.size(), 0), isWay(mesh.quads.size(), 0);
-  for (std::size_t i = 1; i < holes.size(); ++i)
-    for (const Index v : holes[i].loop) isEnd[v] = 1;
-  std::vector<Index> before(mesh.quads.size(), kNone), steps;
-  const auto reach = [&](Index quad, Index from) {
-    if (before[quad] != kNone) return;
-    before[quad] = from;
-    steps.push_back(quad);
-  };
-  for (const Index v : holes.front().loop)
-    sides.forEachOutgoing(v, [&](Index side) { reach(side / 4, side / 4); });
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Index quad = steps[i];
-    const auto& corners = mesh.quads[quad];
-    if (std::any_of(corners.begin(), corners.end(), [&](Index v) { return isEnd[v]; })) {
-      for (Index q = quad;; q = before[q]) {
-        isWay[q] = 1;
-        if (before[q] == q) return isWay;
-      }
-    }
-    for (Index k = 0; k < 4; ++k)
-      if (const Index other = sides.across(sideOf(quad, k)); other != kNone) reach(other / 4, quad);
-  }
-  return isWay;
-}
-
 }  // namespace
 
 void dropUnsound(QuadMesh& mesh) {
@@ -340,21 +278,26 @@ void keepLargestPiece(QuadMesh& mesh) {
   dropUnusedVertices(mesh);
 }
 
-void joinOddHoles(QuadMesh& mesh, const WorkingMesh& ground) {
-  for (std::size_t before = mesh.vertices.size();;) {
-    const std::vector<Hole> odd = oddHoles(mesh, ground);
-    if (odd.size() < 2 || odd.size() >= before) return;
-    before = odd.size();
-    dropQuads(mesh, wayBetween(mesh, odd));
-    dropUnsound(mesh);
-    keepLargestPiece(mesh);
-  }
-}
-
 void fillHoles(QuadMesh& mesh, const WorkingMesh& ground) {
-  for (Hole& hole : holesOf(mesh, ground))
-    if (hole.loop.size() % 2 == 0 && hole.loop.size() <= kLongestLoop)
-      Filling(mesh, ground, std::move(hole.loop)).run(hole.around);
+  const std::vector<Four<Index>> quads = mesh.quads;
+  const QuadSides sides(mesh.vertices.size(), quads);
+  std::vector<char> seen(sides.size(), 0);
+  for (Index i = 0; i < sides.size(); ++i) {
+    if (sides.across(i) != kNone || seen[i]) continue;
+    std::vector<Index> loop;
+    std::vector<int> around;
+    bool isHole = true;
+    for (Index side = i; !seen[side]; side = sides.outgoing(sides.tip(side))) {
+      seen[side] = 1;
+      loop.push_back(sides.origin(side));
+      around.push_back(sides.quadsAround(sides.origin(side)));
+      isHole &= !isOnBoundary(mesh, ground, sides.origin(side), sides.tip(side));
+    }
+    if (!isHole || loop.size() % 2 != 0 || loop.size() > kLongestLoop) continue;
+    std::reverse(loop.begin(), loop.end());
+    std::reverse(around.begin(), around.end());
+    Filling(mesh, ground, std::move(loop)).run(around);
+  }
 }
 
 }  // namespace remesher

@@ -14,10 +14,6 @@ void dropUnsound(QuadMesh& mesh);
 // Takes away all quads that are not connected with most.
 void keepLargestPiece(QuadMesh& mesh);
 
-// Joins holes with an odd number of sides in pairs, along the fewest quads, which go: no quads fill
-// such a hole alone.
-void joinOddHoles(QuadMesh& mesh, const WorkingMesh& ground);
-
 // Fills each hole, a loop of sides that are on no boundary of the ground, if their number is even
 // and at most 64; with as few irregular vertices as three, four or five sectors allow. The quads
 // must be a manifold.

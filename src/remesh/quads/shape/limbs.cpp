@@ -185,7 +185,9 @@ void growLimbs(QuadMesh& mesh, const WorkingMesh& ground) {
     isTried[tip] = 1;
     const Limb limb = limbAt(tip, ground, from, side / 4);
     if (limb.quad == kNone) continue;
-    const auto rings = std::max(1.0, std::round(limb.length / side));
+    const double rings = std::max(1.0, std::round(limb.length / side));
+    // A spike of a wild coordinate would need millions.
+    if (double(mesh.quads.size()) + 4 * rings > double(ground.mesh().faceCount())) continue;
     for (double k = 1; k <= rings; ++k) {
       const Ring ring = ringAt(limb.length * (1 - k / (rings + 0.5)), ground, limb);
       if (ring.empty()) break;

@@ -9,7 +9,8 @@ namespace remesher {
 
 // Where the ground, a mesh of one part, reaches farther from the quads than a mean side of theirs,
 // puts rings of four quads around it, out of the nearest quad and to the farthest vertex of the
-// ground. The quads must be a manifold, and stay one of the same kind.
+// ground, unless there would be more quads than triangles of the ground. The quads must be a
+// manifold, and stay one of the same kind.
 void growLimbs(QuadMesh& mesh, const WorkingMesh& ground);
 
 }  // namespace remesher

@@ -82,23 +82,6 @@ TEST_CASE("holes: a hole in a regular sheet is filled without an irregular verte
   for (Index v = 0; v < mesh.vertices.size(); ++v) CHECK(sides.valence(v) == 4);
 }
 
-TEST_CASE("holes: two holes with an odd number of sides become one that quads fill") {
-  const OriginalSurface surface = shapes::surfaceOf(shapes::torus(24, 12));
-  const WorkingMesh ground(surface);
-  std::vector<std::pair<Index, Index>> column;
-  for (Index y = 0; y < kRows; ++y) column.emplace_back(3, y);
-  QuadMesh mesh = torusWithout(ground, column);
-  static_assert(kRows % 2 == 1);
-  REQUIRE(kindOf(mesh) == SurfaceKind{0, 1, 2});
-  fillHoles(mesh, ground);
-  REQUIRE(kindOf(mesh).boundaryLoops == 2);  // none is filled alone
-  joinOddHoles(mesh, ground);
-  CHECK(kindOf(mesh) == SurfaceKind{1, 1, 1});
-  fillHoles(mesh, ground);
-  CHECK(check(mesh) == "");
-  CHECK(kindOf(mesh) == SurfaceKind{2, 1, 0});
-}
-
 TEST_CASE("holes: only the largest piece is kept") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::torus(24, 12));
   const QuadMesh whole = torusWithout(WorkingMesh(surface), {});
