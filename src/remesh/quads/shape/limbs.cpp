@@ -182,8 +182,9 @@ void growLimbs(QuadMesh& mesh, const WorkingMesh& ground) {
         tip = v;
       }
     if (!tip) return;
-    isTried[tip] = 1;
     const Limb limb = limbAt(tip, ground, from, side / 4);
+    for (Index i = 0; i < isTried.size(); ++i)
+      isTried[Vertex(i)] |= limb.gone[Vertex(i)] < kInfinity;
     if (limb.quad == kNone) continue;
     const double rings = std::max(1.0, std::round(limb.length / side));
     // A spike of a wild coordinate would need millions.
