@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "remesh/quads/base_meshes.h"
 #include "remesh/quads/extract/extraction.h"
@@ -120,7 +119,6 @@ double costOf(const Extracted& made, double wanted) {
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
                                      double vertices) {
   std::optional<Extracted> best;
-  std::optional<SeamlessMap> nearestMap;  // unless it was extracted
   double nearest = length, least = kFarthest;
   int shaped = 0, failed = 0;
   std::vector<double> known;  // the marks of the maps that were extracted
@@ -129,19 +127,16 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
-    const std::optional<SeamlessMap> map =
-        i == kSteps ? std::exchange(nearestMap, {}) : maker.map(scale, known);
+    const std::optional<SeamlessMap> map = maker.map(scale, known);
     if (!map) continue;
     const double count = maker.countVertices(*map), error = countError(count, vertices);
     if (error < least) {
       least = error;
       nearest = scale;
-      nearestMap = map;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
     if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
     known.push_back(map->mark);
-    if (nearestMap && nearestMap->mark == map->mark) nearestMap.reset();
     Extracted made = extracted(part, *map);
     if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
       failed += made.lost > kSteps ? kSteps : 1;  // others lose as much, or nearly
