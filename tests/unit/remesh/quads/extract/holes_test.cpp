@@ -87,7 +87,7 @@ TEST_CASE("holes: only the largest piece is kept") {
   const QuadMesh whole = torusWithout(WorkingMesh(surface), {});
   QuadMesh mesh = shapes::quadSheet(3, 3, shapes::Wraps::BothWays, onTorus);
   append(mesh, whole);
-  append(mesh, mesh);  // of two that are as large the first
+  append(mesh, QuadMesh(mesh));  // of two that are as large the first
   keepLargestPiece(mesh);
   CHECK(mesh.quads == whole.quads);
 }
