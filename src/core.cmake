@@ -185,6 +185,7 @@ add_library(small OBJECT
   src/remesh/quads/field/face_frames.cpp
   src/remesh/quads/field/sectors.cpp
   src/remesh/quads/field/singularities.cpp
+  src/remesh/quads/graded_sizes.cpp
   src/remesh/quads/map/cut.cpp
   src/remesh/quads/map/integer_rows.cpp
   src/remesh/quads/map/rounding.cpp

@@ -10,8 +10,6 @@
 
 namespace remesher {
 
-constexpr int kSmoothings = 12;  // of sizes, and of the places of quads
-
 class BaseMeshes {
  public:
   // The number of vertices of the first mesh, and of the second if that is less. `triangles` must
@@ -32,10 +30,5 @@ class BaseMeshes {
   FaceData<Index> numbers_;
   std::vector<std::vector<WorkingMesh>> levels_;
 };
-
-double areaOf(const WorkingMesh& mesh);
-
-// Per face the length of edges around it, smoothed; the mean square of their inverses is 1.
-FaceData<double> gradedSizes(const WorkingMesh& mesh);
 
 }  // namespace remesher

@@ -12,6 +12,7 @@
 #include "remesh/quads/extract/mending.h"
 #include "remesh/quads/field/sectors.h"
 #include "remesh/quads/field/singularities.h"
+#include "remesh/quads/graded_sizes.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/pair/pairing.h"
@@ -54,7 +55,7 @@ constexpr double kTooMany = 4;
 void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
   const std::vector<char> isFixed(quads.vertices.size(), 0);
-  smoothToSquares(moving, kSmoothings, isFixed);
+  smoothToSquares(moving, kSmoothingSweeps, isFixed);
   mendCorners(moving, isFixed);
 }
 
@@ -368,7 +369,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
     MadeQuads one = made(share);
     if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
   }
-  if (!goal.isDraft) reachTips(best->mesh, bases.first(), kSmoothings);
+  if (!goal.isDraft) reachTips(best->mesh, bases.first(), kSmoothingSweeps);
   return std::move(*best);
 }
 

@@ -112,4 +112,15 @@ void dropUnusedVertices(QuadMesh& mesh) {
     for (Index& v : quad) v = number[v];
 }
 
+void surround(QuadMesh& mesh, Index quad, const Four<Index>& within) {
+  const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
+  mesh.quads[quad] = within;
+  mesh.curves[quad] = {kNone, kNone, kNone, kNone};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = (i + 1) % 4;
+    mesh.quads.push_back({corners[i], corners[k], within[k], within[i]});
+    mesh.curves.push_back({curves[i], kNone, kNone, kNone});
+  }
+}
+
 }  // namespace remesher

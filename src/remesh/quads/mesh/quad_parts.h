@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splits meshes into connected parts, and joins quads again.
+// Splits meshes into connected parts, joins quads again, and puts quads around one.
 #pragma once
 
 #include <vector>
@@ -22,5 +22,8 @@ void dropUnusedVertices(QuadMesh& mesh);
 
 // Adds the vertices and quads of a mesh to another one.
 void append(QuadMesh& mesh, const QuadMesh& other);
+
+// The quad moves to vertices within it; four quads join it with where it was.
+void surround(QuadMesh& mesh, Index quad, const Four<Index>& within);
 
 }  // namespace remesher

@@ -10,6 +10,7 @@
 
 #include "geometry/triangle_tree.h"
 #include "original/surface/surface_walk.h"
+#include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/triangulated.h"
 
 namespace remesher {
@@ -149,22 +150,15 @@ Four<RingPoint> quartersBeside(const Ring& ring, const QuadMesh& mesh, Index qua
   return best;
 }
 
-// The quad moves to the four points; four quads join it with where it was.
+// Puts a ring of four quads around the quad, which moves to the four points.
 void addRing(QuadMesh& mesh, Index quad, const Four<RingPoint>& points, const WorkingMesh& ground) {
-  const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
   Four<Index> inner{};
   for (std::size_t i = 0; i < 4; ++i) {
     inner[i] = Index(mesh.vertices.size());
     mesh.vertices.push_back(ground.onSurface(closestPointFrom(
         ground.surface(), ground.cornerPoint(points[i].edge), points[i].position)));
   }
-  mesh.quads[quad] = inner;
-  mesh.curves[quad] = {kNone, kNone, kNone, kNone};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t k = (i + 1) % 4;
-    mesh.quads.push_back({corners[i], corners[k], inner[k], inner[i]});
-    mesh.curves.push_back({curves[i], kNone, kNone, kNone});
-  }
+  surround(mesh, quad, inner);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& side
 
 // Puts a smaller quad into the quad, and four around it.
 void fill(QuadMesh& mesh, Index quad, const WorkingMesh& ground) {
-  const Four<Index> corners = mesh.quads[quad], curves = mesh.curves[quad];
+  const Four<Index> corners = mesh.quads[quad];
   Vec3 middle = Vec3::Zero();
   for (const Index v : corners) middle += mesh.position(v) / 4;
   const Placement centre = placeWithin(mesh, quad, middle, ground);
@@ -108,13 +108,7 @@ void fill(QuadMesh& mesh, Index quad, const WorkingMesh& ground) {
     inner[i] = Index(mesh.vertices.size());
     mesh.vertices.push_back(ground.onSurface(closestPointFrom(ground.surface(), centre.at, p)));
   }
-  mesh.quads[quad] = inner;
-  mesh.curves[quad] = {kNone, kNone, kNone, kNone};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t k = (i + 1) % 4;
-    mesh.quads.push_back({corners[i], corners[k], inner[k], inner[i]});
-    mesh.curves.push_back({curves[i], kNone, kNone, kNone});
-  }
+  surround(mesh, quad, inner);
 }
 
 QuadPatch filled(QuadPatch patch, Index quad, const WorkingMesh& ground) {

@@ -41,13 +41,23 @@ double worstOf(QuadMesh& mesh, const WorkingMesh& ground) {
   return least;
 }
 
+// Rewires what is unsound, and checks that no quad is worse than `least` then, and the kind kept.
+void checkRewired(QuadMesh& mesh, const WorkingMesh& ground, double least) {
+  REQUIRE(check(mesh) == "");
+  REQUIRE(worstOf(mesh, ground) < kLeastSine);
+  const SurfaceKind kind = kindOf(mesh);
+  rewire(mesh, ground);
+  CHECK(worstOf(mesh, ground) >= least);
+  CHECK(check(mesh) == "");
+  CHECK(kindOf(mesh) == kind);
+}
+
 }  // namespace
 
 TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
   QuadMesh mesh = quadsOn(ground);
-  const SurfaceKind kind = kindOf(mesh);
   // Two quads beside each other, wired along the other diagonal of their hexagon.
   const Index one = 14, two = 15;
   const auto [a, b, c, d] = mesh.quads[one];
@@ -55,20 +65,14 @@ TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
   REQUIRE(mesh.quads[two][0] == b);
   mesh.quads[one] = {a, f, c, d};
   mesh.quads[two] = {a, b, e, f};
-  REQUIRE(check(mesh) == "");
   for (const Index v : {b, c}) mesh.vertices[v].kind = VertexKind::Corner;  // they may not give way
-  REQUIRE(worstOf(mesh, ground) < kLeastSine);
-  rewire(mesh, ground);
-  CHECK(worstOf(mesh, ground) >= kLeastSine);
-  CHECK(check(mesh) == "");
-  CHECK(kindOf(mesh) == kind);
+  checkRewired(mesh, ground, kLeastSine);
 }
 
 TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an area") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
   const WorkingMesh ground(surface);
   QuadMesh mesh = quadsOn(ground);
-  const SurfaceKind kind = kindOf(mesh);
   // Three quads beside each other on the boundary: two behind a flat one take their place.
   const auto [a, b, f, e] = mesh.quads[1];
   const auto [b2, c, g, f2] = mesh.quads[2];
@@ -79,12 +83,8 @@ TEST_CASE("rewiring: a quad whose four corners are on one straight curve gets an
   mesh.curves[1] = {chain, chain, chain, kNone};
   mesh.quads[2] = {a, d, h, g};
   mesh.quads[3] = {a, g, f, e};
-  REQUIRE(check(mesh) == "");
   REQUIRE(worstOf(mesh, ground) == doctest::Approx(0));
-  rewire(mesh, ground);
-  CHECK(worstOf(mesh, ground) > 0.1);
-  CHECK(check(mesh) == "");
-  CHECK(kindOf(mesh) == kind);
+  checkRewired(mesh, ground, 0.1);
 }
 
 TEST_CASE("rewiring: a vertex between two quads gets a third") {
