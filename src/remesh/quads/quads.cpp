@@ -161,13 +161,19 @@ std::size_t ownCount(std::size_t whole, const QuadMesh& mesh, const Mirrors& mir
 }
 
 // Removes single quads. Of a half this leads to a number of the whole in several rounds, for not
-// all vertices have the same number of images.
+// all vertices have the same number of images. An exact number may fold quads, but not in vain.
 std::size_t removeQuads(QuadMesh& mesh, const QuadGoal& goal, const WorkingMesh& ground) {
+  std::optional<QuadMesh> before;
+  if (goal.isExact) before = mesh;
   std::size_t removed = 0, now = 1;
   while (now > 0 && (removed == 0 || wholeCount(mesh, goal.mirrors) > goal.vertices)) {
     const std::size_t own = ownCount(goal.vertices, mesh, goal.mirrors);
     now = collapseTo(mesh, ground, {std::max<std::size_t>(own, 8), goal.isExact});
     removed += now;
+  }
+  if (before && wholeCount(mesh, goal.mirrors) != goal.vertices) {
+    mesh = std::move(*before);
+    return removeQuads(mesh, {goal.vertices, false, goal.mirrors}, ground);
   }
   return removed;
 }

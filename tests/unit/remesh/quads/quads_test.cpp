@@ -136,6 +136,21 @@ TEST_CASE("quads: an exact number is reached") {
   }
 }
 
+TEST_CASE("quads: for an exact number that cannot be reached no quad folds") {
+  TriangleMesh sliver = shapes::tetrahedron();
+  for (Vec3& p : sliver.positions) p = {20 * p.x(), p.y(), 0.3 * p.z()};
+  const OriginalSurface surface = shapes::surfaceOf(sliver);
+  const WorkingMesh ground(surface);
+  MadeQuads made = madeOn(ground, {4, true});
+  CHECK(check(made.mesh) == "");
+  CHECK(kindOf(made.mesh) == SurfaceKind{2, 1, 0});
+  const MovingQuads moving(made.mesh, ground);
+  for (Index q = 0; q < made.mesh.quads.size(); ++q) {
+    CAPTURE(q);
+    CHECK(leastSine(moving.corners(q)) > 0.01);
+  }
+}
+
 TEST_CASE("quads: a half comes to the number of the whole, with sides along the plane") {
   TriangleMesh half = shapes::torus(24, 12);
   const std::vector<Vec3> all = half.positions;
