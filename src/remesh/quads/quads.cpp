@@ -94,6 +94,7 @@ Extracted extracted(const WorkingMesh& part, const SeamlessMap& map) {
   fillHoles(quads, part);
   made.faults = double(followCurves(quads, part));
   removeDoublets(quads);
+  dropUnusedVertices(quads);
   fillDoublets(quads, part);
   collapseFlatCorners(quads, part);
   if (!check(quads).empty()) return made;

@@ -49,7 +49,6 @@ void removeDoublets(QuadMesh& mesh) {
       isChanged |= joinAt(mesh, sides, v, isGone);
     }
     dropQuads(mesh, isGone);
-    dropUnusedVertices(mesh);
   }
 }
 

@@ -7,7 +7,8 @@
 namespace remesher {
 
 // Removes each inner vertex between two quads that share two sides; the two become one quad.
-// Vertices on curves stay. The quads must be a manifold.
+// Vertices on curves stay. The quads must be a manifold. Vertices that no quad uses any more stay
+// in the mesh.
 //
 //     c --- d          c --- d
 //     | \ 2 |          |     |

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "geometry/quad.h"
 #include "remesh/quads/mesh/quad_sides.h"
@@ -18,10 +20,18 @@ bool areJoined(const QuadSides& sides, Index a, Index b) {
   return found;
 }
 
-// The same, but no edge that is elsewhere already.
-Index diagonalBeside(const QuadMesh& mesh, const QuadSides& sides, const Four<Index>& quad) {
+using Pairs = std::set<std::pair<Index, Index>>;
+
+// The same, but no edge that is elsewhere already. used: the diagonals so far.
+Index diagonalBeside(const QuadMesh& mesh, const QuadSides& sides, const Four<Index>& quad,
+                     Pairs& used) {
   const Index nearer = diagonalOf(mesh, quad);
-  return areJoined(sides, quad[nearer], quad[nearer + 2]) ? 1 - nearer : nearer;
+  const auto ends = [&](Index k) { return std::minmax(quad[k], quad[k + 2]); };
+  const bool isElsewhere =
+      areJoined(sides, quad[nearer], quad[nearer + 2]) || used.contains(ends(nearer));
+  const Index k = isElsewhere ? 1 - nearer : nearer;
+  used.insert(ends(k));
+  return k;
 }
 
 template <class T>
@@ -34,8 +44,9 @@ QuadMesh turnedToDiagonals(QuadMesh mesh) {
   const std::vector<Four<Index>> quads = mesh.quads;
   const QuadSides sides(mesh.vertices.size(), quads);
   Index last = kNone;
+  Pairs used;
   for (std::size_t i = 0; i < quads.size(); ++i) {
-    Index first = diagonalBeside(mesh, sides, quads[i]);
+    Index first = diagonalBeside(mesh, sides, quads[i], used);
     if (quads[i][first] == last) first += 2;
     last = quads[i][first];
     mesh.quads[i] = turned(quads[i], first);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "original/surface/surface_walk.h"
+#include "remesh/quads/extract/mending.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/shape/quad_patch.h"
@@ -19,23 +20,21 @@ namespace remesher {
 
 namespace {
 
-// How much the quads lack to be sound, as squares, for several narrow quads are better than one
-// without area, which counts kLeastSine; and how irregular they are.
+// How much the quads lack to be sound, as squares over what they have, for several narrow quads are
+// better than one without area; and how irregular they are.
 struct Fault {
   double missing = 0;
   int irregular = 0;
   // A small gain is not worth another irregular vertex; without small gains the rounds end.
-  bool isClearlyBelow(const Fault& other) const {
-    return missing < other.missing - kLeastSine / 20;
-  }
-  double cost() const { return missing + kLeastSine / 10 * irregular; }
+  bool isClearlyBelow(const Fault& other) const { return missing < other.missing - 0.05; }
+  double cost() const { return missing + 0.1 * irregular; }
 };
 
 Fault faultOf(const MovingQuads& quads, const QuadPatch& patch) {
   Fault fault;
   for (Index q = 0; q < patch.mesh.quads.size(); ++q) {
-    const double missing = std::max(0.0, kLeastSine - quads.quality(q));
-    fault.missing += missing * missing / kLeastSine;
+    const double share = quads.quality(q) / kLeastSine, missing = std::max(0.0, 1 - share);
+    fault.missing += missing * missing / std::max(share, 0.1);
   }
   for (Index v = 0; v < patch.isRim.size(); ++v)
     if (!patch.isRim[v] && !quads.sides().isBoundary(v))
@@ -92,7 +91,6 @@ std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& side
   std::vector<char> isGone(mesh.quads.size(), 0);
   isGone[side / 4] = 1;
   dropQuads(mesh, isGone);
-  result.dropUnusedVertices();
   return result;
 }
 
@@ -155,7 +153,7 @@ class Rewiring {
 
  private:
   // Whether no quad is left without area, or nearly.
-  bool isMended() const { return best_ && least_.missing < kLeastSine / 2; }
+  bool isMended() const { return best_ && least_.missing < 0.5; }
 
   void mergeIn(const QuadPatch& patch, const QuadSides& sides, Index quad) {
     for (Index i = 0; i < 2; ++i)
@@ -187,7 +185,11 @@ class Rewiring {
 
   void consider(std::optional<QuadPatch> patch, bool isStart) {
     if (!patch) return;
-    if (!isStart && !isSound(*patch)) return;
+    if (!isStart) {
+      removeDoublets(patch->mesh);
+      patch->dropUnusedVertices();
+      if (!isSound(*patch)) return;
+    }
     MovingQuads quads(patch->mesh, ground_);
     if (isStart) before_ = faultOf(quads, *patch);
     mendCorners(quads, patch->isRim);

@@ -66,3 +66,23 @@ TEST_CASE("triangulated: no triangle is cut off at a straight corner, or outside
     }
   }
 }
+
+TEST_CASE("triangulated: no diagonal is an edge or a diagonal elsewhere") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(2, 2));
+  // The first two have the same opposite corners 0 and 2; two more join them, at 0 and at 2.
+  QuadMesh mesh;
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, -3, 0), Vec3(1, 0, 0), Vec3(1, 3, 0), Vec3(0, 3, 1),
+                        Vec3(0, -3, 1), Vec3(0, 6, 0), Vec3(1, 6, 0)}) {
+    Placement place{};
+    place.position = p;
+    mesh.vertices.push_back(place);
+  }
+  mesh.quads = {{0, 1, 2, 3}, {0, 4, 2, 5}, {0, 3, 6, 4}, {2, 4, 7, 3}};
+  mesh.curves.assign(4, {kNone, kNone, kNone, kNone});
+  const WorkingMesh triangles = triangulated(mesh, surface);
+  int joined = 0;
+  for (Index h = 0; h < triangles.mesh().halfedgeCapacity(); ++h)
+    joined += triangles.mesh().origin(Halfedge(h)) == Vertex(0) &&
+              triangles.mesh().tip(Halfedge(h)) == Vertex(2);
+  CHECK(joined == 1);
+}

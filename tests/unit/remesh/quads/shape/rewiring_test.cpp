@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "original/surface/surface_walk.h"
 #include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/shape/quad_star.h"
 #include "support/working_meshes.h"
 
@@ -52,7 +54,38 @@ void checkRewired(QuadMesh& mesh, const WorkingMesh& ground, double least) {
   CHECK(kindOf(mesh) == kind);
 }
 
+// Moves two opposite corners of a quad of a grid so far from its diagonal, and holds all four.
+void narrow(QuadMesh& mesh, Index quad, double above, double below) {
+  const auto [a, b, c, d] = mesh.quads[quad];
+  const Vec3 middle = (mesh.position(a) + mesh.position(c)) / 2;
+  const Vec3 up = Vec3(-1, 1, 0).normalized();
+  mesh.vertices[b].position = middle - below * up;
+  mesh.vertices[d].position = middle + above * up;
+  for (const Index v : {a, b, c, d}) mesh.vertices[v].kind = VertexKind::Corner;
+}
+
 }  // namespace
+
+TEST_CASE("rewiring: a quad within one that is too narrow for it goes, with the four around it") {
+  const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
+  const WorkingMesh ground(surface);
+  QuadMesh mesh = quadsOn(ground);
+  narrow(mesh, 14, 0.1, 0.1);
+  REQUIRE(worstOf(mesh, ground) > kLeastSine);
+  const std::size_t count = mesh.quads.size();
+  const Four<Index> corners = mesh.quads[14];
+  Four<Index> within{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    within[i] = Index(mesh.vertices.size());
+    const Vec3 p =
+        (mesh.position(corners[0]) + mesh.position(corners[2])) / 4 + mesh.position(corners[i]) / 2;
+    mesh.vertices.push_back(
+        ground.onSurface(closestPointFrom(surface, ground.at(Vertex(corners[0])), p)));
+  }
+  surround(mesh, 14, within);
+  checkRewired(mesh, ground, kLeastSine);
+  CHECK(mesh.quads.size() == count);
+}
 
 TEST_CASE("rewiring: an edge that was turned the wrong way is turned back") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(kWide - 1, kWide - 1));
