@@ -370,8 +370,8 @@ export default {
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
     + 'wenige Punkte.',
   'warning.SURFACE_OPENED': 'Das Ergebnis hat offene Kanten, obwohl das Original geschlossen war.',
-  'warning.TOO_FEW_VERTICES': 'So wenige Punkte lassen eine Fläche aus so vielen Stücken oder mit '
-    + 'so vielen Henkeln nicht geschlossen und frei von Durchdringungen: es sind mehr geworden.',
+  'warning.TOO_FEW_VERTICES': 'So wenige Punkte reichen für eine Fläche aus so vielen Stücken oder '
+    + 'mit so vielen Henkeln, Löchern oder Kurven nicht: es sind mehr geworden.',
   'warning.TRIANGLES_NOT_JOINED': 'Kein Dreieck teilt eine Kante mit einem anderen: jedes ist eine '
     + 'Fläche für sich. „Verbinden“ fügt zusammen, was nah beieinander liegt.',
   'warning.VERTICES_COINCIDE': 'Punkte des Ergebnisses liegen aufeinander: Teile sind näher '

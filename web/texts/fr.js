@@ -371,8 +371,8 @@ export default {
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',
-  'warning.TOO_FEW_VERTICES': 'Si peu de sommets ne laissent pas fermée et sans intersections une '
-    + 'surface de tant de morceaux ou d’anses : il y en a davantage.',
+  'warning.TOO_FEW_VERTICES': 'Si peu de sommets ne suffisent pas à une surface de tant de '
+    + 'morceaux, d’anses, de trous ou de courbes : il y en a davantage.',
   'warning.TRIANGLES_NOT_JOINED': 'Aucun triangle ne partage une arête avec un autre : chacun est '
     + 'une surface à lui seul. « Souder » réunit ce qui est proche.',
   'warning.VERTICES_COINCIDE': 'Des points du résultat se confondent : des parties sont plus '

@@ -199,15 +199,18 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
 
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
   const MeshReport& after = *report.output;
-  if (options.repair == Repair::Off || !options.vertices || after.quads) return {};
-  if (after.vertices <= *options.vertices) return {};
-  const long handles = std::max(0L, long(after.components) - after.eulerCharacteristic / 2);
-  return {{"TOO_FEW_VERTICES", std::to_string(*options.vertices) +
-                                   " vertices are too few to keep the repaired surface (pieces: " +
-                                   std::to_string(after.components) +
-                                   ", handles: " + std::to_string(handles) +
-                                   ") closed and free of crossings: the result has " +
-                                   std::to_string(after.vertices) + "."}};
+  const bool isTold =
+      after.quads ? report.stopped != Stopped::Target : options.repair != Repair::Off;
+  if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};
+  std::string surface = "for quads of a surface of so many pieces, handles, holes and curves";
+  if (!after.quads) {
+    const long handles = std::max(0L, long(after.components) - after.eulerCharacteristic / 2);
+    surface = "to keep the repaired surface (pieces: " + std::to_string(after.components) +
+              ", handles: " + std::to_string(handles) + ") closed and free of crossings";
+  }
+  return {{"TOO_FEW_VERTICES", std::to_string(*options.vertices) + " vertices are too few " +
+                                   surface + ": the result has " + std::to_string(after.vertices) +
+                                   "."}};
 }
 
 std::vector<Warning> resultWarnings(const Report& report, const std::vector<io::Part>& result,

@@ -34,7 +34,8 @@ std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::
 // MAX_ERROR_EXCEEDED, if a bound was asked for and the measured distance exceeds it.
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options);
 
-// TOO_FEW_VERTICES, if a repaired surface has more vertices than were asked for.
+// TOO_FEW_VERTICES, if a repaired surface has more vertices than were asked for, or if quads
+// missed the number for more.
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options);
 
 // All of these warnings that apply.

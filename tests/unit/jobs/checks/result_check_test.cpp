@@ -150,3 +150,21 @@ TEST_CASE("result check: more vertices than asked for of a repaired surface are 
   options.vertices = 976;
   CHECK(moreThanAsked(report, options).empty());
 }
+
+TEST_CASE("result check: where quads missed the number for more of them, that is said") {
+  RemeshOptions options;
+  options.vertices = 500;
+  Report report;
+  report.output = MeshReport{};
+  report.output->quads.emplace();
+  report.output->vertices = 505;
+  CHECK(moreThanAsked(report, options).empty());
+  report.stopped = Stopped::Fidelity;
+  const std::vector<Warning> warnings = moreThanAsked(report, options);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "TOO_FEW_VERTICES");
+  CHECK(warnings[0].message.find("500 vertices are too few for quads") == 0);
+  CHECK(warnings[0].message.find("the result has 505.") != std::string::npos);
+  report.output->vertices = 400;
+  CHECK(moreThanAsked(report, options).empty());
+}
