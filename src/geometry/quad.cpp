@@ -31,15 +31,19 @@ double leastSine(const Quad& cornerNormals, const Vec3& normal) {
 }
 
 // In a square a quarter turn maps the vector from the centre to a corner onto the next corner's
-// vector: so the four vectors are turned back to one direction and averaged.
-Quad fittedSquare(const Quad& corners) {
+// vector: so the four vectors are turned back to one direction and averaged. Of the nearest
+// rectangle the diagonals keep their directions and have their mean length.
+Quad fittedRectangle(const Quad& corners, double squareness) {
   const Vec3 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
   const Vec3 normal = areaVector(corners).normalized();
-  const Vec3 even = (corners[0] - corners[2]) / 4, odd = (corners[1] - corners[3]) / 4;
-  Vec3 way = even - normal.cross(odd);
+  const Vec3 even = (corners[0] - corners[2]) / 2, odd = (corners[1] - corners[3]) / 2;
+  Vec3 way = (even - normal.cross(odd)) / 2;
   way -= way.dot(normal) * normal;
   const Vec3 next = normal.cross(way);
-  return {centre + way, centre + next, centre - way, centre - next};
+  const double length = (even.norm() + odd.norm()) / 2;
+  const Vec3 p = squareness * way + (1 - squareness) * length * even.normalized();
+  const Vec3 q = squareness * next + (1 - squareness) * length * odd.normalized();
+  return {centre + p, centre + q, centre - p, centre - q};
 }
 
 }  // namespace remesher

@@ -25,7 +25,8 @@ inline double leastSine(const Quad& corners) {
   return leastSine(cornerNormals(corners), areaVector(corners).normalized());
 }
 
-// The square nearest to the corners by least squares, corner by corner.
-Quad fittedSquare(const Quad& corners);
+// Between the square (squareness 1) and the rectangle (0) nearest to the corners by least squares,
+// corner by corner.
+Quad fittedRectangle(const Quad& corners, double squareness);
 
 }  // namespace remesher

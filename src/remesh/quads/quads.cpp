@@ -55,7 +55,7 @@ constexpr double kTooMany = 4;
 void settle(QuadMesh& quads, const WorkingMesh& ground) {
   MovingQuads moving(quads, ground);
   const std::vector<char> isFixed(quads.vertices.size(), 0);
-  smoothToSquares(moving, kSmoothingSweeps, isFixed);
+  smoothToRectangles(moving, kSmoothingSweeps, isFixed);
   mendCorners(moving, isFixed);
 }
 

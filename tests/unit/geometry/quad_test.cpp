@@ -53,7 +53,7 @@ TEST_CASE("quad: the fitted square is one, and none is nearer") {
     const Vec3 x = 0.2 * random.point(), y = 0.2 * random.point();
     const Quad quad = {Vec3(0, 0, 0.1) + x, Vec3(1, 0, 0) + y, Vec3(1, 1, 0.2) - x,
                        Vec3(0, 1, 0) - y};
-    const Quad square = fittedSquare(quad);
+    const Quad square = fittedRectangle(quad, 1);
     CHECK(leastSine(square) == doctest::Approx(1));
     const double nearest = squares(quad, square);
     const Vec3 centre = (square[0] + square[2]) / 2, normal = areaVector(square).normalized();
@@ -68,5 +68,32 @@ TEST_CASE("quad: the fitted square is one, and none is nearer") {
     }
   }
   const Quad exact = rhombus(radians(90));
-  CHECK(squares(exact, fittedSquare(exact)) < 1e-24);
+  CHECK(squares(exact, fittedRectangle(exact, 1)) < 1e-24);
+}
+
+TEST_CASE("quad: the fitted rectangle is one, and none is nearer") {
+  soups::Random random(8);
+  for (int i = 0; i < 50; ++i) {
+    const auto flat = [&] {
+      const Vec3 p = 0.2 * random.point();
+      return Vec3(p.x(), p.y(), 0);
+    };
+    const Quad quad = {Vec3(0, 0, 0) + flat(), Vec3(2, 0, 0) + flat(), Vec3(2, 1, 0) + flat(),
+                       Vec3(0, 1, 0) + flat()};
+    const Quad rectangle = fittedRectangle(quad, 0);
+    CHECK(leastSine(rectangle) == doctest::Approx(1));
+    const double nearest = squares(quad, rectangle);
+    const Vec3 centre = (rectangle[0] + rectangle[2]) / 2;
+    for (const double change : {-0.01, 0.01}) {
+      Quad turned = rectangle, longer = rectangle, wider = rectangle;
+      const Vec3 along = rectangle[1] - rectangle[0], across = rectangle[2] - rectangle[1];
+      for (std::size_t k = 0; k < 4; ++k) {
+        turned[k] += change * kUp.cross(rectangle[k] - centre);
+        longer[k] += change * (k == 1 || k == 2 ? along : Vec3(-along));
+        wider[k] += change * (k > 1 ? across : Vec3(-across));
+      }
+      for (const Quad& other : {turned, longer, wider}) CHECK(squares(quad, other) >= nearest);
+    }
+    CHECK(squares(rectangle, fittedRectangle(rectangle, 0)) < 1e-24);
+  }
 }

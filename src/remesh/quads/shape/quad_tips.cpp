@@ -125,14 +125,14 @@ class Reaching {
         isHeld_(mesh.vertices.size(), 0),
         ofQuad_(mesh.quads.size()) {}
 
-  // Fits squares anew around the vertices moved to tips, which stay.
+  // Fits rectangles anew around the vertices moved to tips, which stay.
   void settle(int smoothings) {
     std::vector<char> isFixed(mesh_.vertices.size(), 1);
     for (const Index q : around_)
       for (const Index near : quadsNear(sides_, mesh_, q))
         for (const Index v : quads_[near]) isFixed[v] = isHeld_[v];
     around_.clear();
-    smoothToSquares(moving_, smoothings, isFixed);
+    smoothToRectangles(moving_, smoothings, isFixed);
     mendCorners(moving_, isFixed);
   }
 

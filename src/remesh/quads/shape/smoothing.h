@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smooths quads towards squares, on the original: every vertex moves towards the mean of the places
-// that the squares fitted to its quads give it.
+// Smooths quads towards rectangles, nearly square ones, on the original: every vertex moves towards
+// the mean of the places that the rectangles fitted to its quads give it.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace remesher {
 constexpr double kEnough = 0.5;  // the sine of 30°: corners with a larger one are sound
 
 // Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
-void smoothToSquares(MovingQuads& quads, int passes, std::span<const char> isFixed);
+void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> isFixed);
 
 // Moves vertices beside corners that are reflex or worse than 30° to where all such corners around
 // them together lack least, as far as a search finds that place. Several vertices give way so,

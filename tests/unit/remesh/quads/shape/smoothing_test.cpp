@@ -29,14 +29,14 @@ struct Smoothed {
     for (Index q = 0; q < quads.quads.size(); ++q) least = std::min(least, moving.quality(q));
     return least;
   }
-  // Σ |corner − corner of the fitted square|².
+  // Σ |corner − corner of the fitted rectangle|².
   double unevenness() const {
     double sum = 0;
     for (const auto& [a, b, c, d] : quads.quads) {
       const Quad corners = {quads.position(a), quads.position(b), quads.position(c),
                             quads.position(d)};
-      const Quad square = fittedSquare(corners);
-      for (std::size_t i = 0; i < 4; ++i) sum += (corners[i] - square[i]).squaredNorm();
+      const Quad rectangle = fittedRectangle(corners, 0);
+      for (std::size_t i = 0; i < 4; ++i) sum += (corners[i] - rectangle[i]).squaredNorm();
     }
     return sum;
   }
@@ -49,14 +49,15 @@ struct Smoothed {
 
 }  // namespace
 
-TEST_CASE("smoothing: quads come nearer to squares, vertices stay on the surface, corners at all") {
+TEST_CASE(
+    "smoothing: quads come nearer to rectangles, vertices stay on the surface, corners at all") {
   for (const TriangleMesh& shape :
        {shapes::icosphere(5), shapes::torus(24, 10), shapes::cube(4), shapes::cylinder(24, 6)}) {
     Smoothed smoothed(shape);
     const QuadMesh before = smoothed.quads;
     const double uneven = smoothed.unevenness(), worst = smoothed.worst();
     MovingQuads moving(smoothed.quads, smoothed.ground);
-    smoothToSquares(moving, 8, std::vector<char>(before.vertices.size(), 0));
+    smoothToRectangles(moving, 8, std::vector<char>(before.vertices.size(), 0));
     CHECK((smoothed.unevenness() < uneven || uneven < 1e-12));  // a cube's are squares already
     CHECK(smoothed.worst() >= std::min(worst, 0.5));
     CHECK(check(smoothed.quads) == "");
