@@ -103,6 +103,7 @@ add_executable(unit_tests
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
   tests/unit/remesh/quads/base_meshes_test.cpp
+  tests/unit/remesh/quads/graded_sizes_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/extract/mending_test.cpp

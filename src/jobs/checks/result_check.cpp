@@ -200,7 +200,7 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
   const MeshReport& after = *report.output;
   const bool isTold =
-      after.quads ? report.stopped != Stopped::Target : options.repair != Repair::Off;
+      after.quads ? report.stopped == Stopped::Fidelity : options.repair != Repair::Off;
   if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};
   std::string surface = "for quads of a surface of so many pieces, handles, holes and curves";
   if (!after.quads) {

@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/graded_sizes.h"
 
+#include <Eigen/SparseCholesky>
 #include <cmath>
+#include <vector>
 
 #include "geometry/triangle.h"
 
 namespace remesher {
+
+namespace {
+
+// Scales sizes so that the mean square of their inverses is 1.
+void normalize(FaceData<double>& sizes, const WorkingMesh& mesh) {
+  double squares = 0;
+  for (Index f = 0; f < sizes.size(); ++f) {
+    const auto [p, q, r] = mesh.corners(Face(f));
+    squares += area(p, q, r) / (sizes[Face(f)] * sizes[Face(f)]);
+  }
+  const double factor = std::sqrt(squares / areaOf(mesh));
+  for (Index f = 0; f < sizes.size(); ++f) sizes[Face(f)] *= factor;
+}
+
+}  // namespace
 
 double areaOf(const WorkingMesh& mesh) {
   double sum = 0;
@@ -29,15 +46,43 @@ FaceData<double> gradedSizes(const WorkingMesh& mesh) {
     }
   }
   FaceData<double> sizes(m.faceCapacity());
-  double squares = 0;
   for (Index f = 0; f < sizes.size(); ++f) {
     const auto [a, b, c] = m.vertices(Face(f));
     sizes[Face(f)] = (lengths[a] + lengths[b] + lengths[c]) / 3;
-    const auto [p, q, r] = mesh.corners(Face(f));
-    squares += area(p, q, r) / (sizes[Face(f)] * sizes[Face(f)]);
   }
-  const double factor = std::sqrt(squares / areaOf(mesh));
-  for (Index f = 0; f < sizes.size(); ++f) sizes[Face(f)] *= factor;
+  normalize(sizes, mesh);
+  return sizes;
+}
+
+// With s the logarithm of the size, and θ the angle of the cross, s + iθ is holomorphic where the
+// map is conformal: along an edge s changes by the bend of the cross across the edge. Each vertex
+// has an s, least squares fit the edges; on curves crosses of both sides may bend as they like.
+FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
+                            const CrossField& field) {
+  const HalfedgeMesh& m = mesh.mesh();
+  const auto count = Index(m.vertexCapacity());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd bends = Eigen::VectorXd::Zero(count);
+  // Else s might be shifted as a whole.
+  for (Index v = 0; v < count; ++v) entries.emplace_back(v, v, 1e-8);
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i);
+    if (!m.twin(h) || mesh.isCurve(h)) continue;
+    const Index a = m.origin(h).index, b = m.tip(h).index;
+    const double weight = 1 / dualWeight(mesh, frames, h);
+    bends[a] += field.bend(frames, m, h) / 2;
+    entries.emplace_back(a, a, weight);
+    if (b < a) entries.emplace_back(a, b, -weight);
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd logs = Eigen::SimplicialLDLT(matrix).solve(bends);
+  FaceData<double> sizes(m.faceCapacity());
+  for (Index f = 0; f < sizes.size(); ++f) {
+    const auto [a, b, c] = m.vertices(Face(f));
+    sizes[Face(f)] = std::exp((logs[a.index] + logs[b.index] + logs[c.index]) / 3 / 2);
+  }
+  normalize(sizes, mesh);
   return sizes;
 }
 

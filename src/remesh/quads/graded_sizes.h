@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The sizes of quads where they follow those of a mesh of triangles.
+// The sizes of quads: as those of a mesh of triangles, or as crosses ask for.
 #pragma once
 
-#include "remesh/operators/working_mesh.h"
+#include "remesh/quads/field/cross_field.h"
 
 namespace remesher {
 
@@ -12,5 +12,10 @@ double areaOf(const WorkingMesh& mesh);
 
 // Per face the length of edges around it, smoothed; the mean square of their inverses is 1.
 FaceData<double> gradedSizes(const WorkingMesh& mesh);
+
+// Per face a size halfway, as logarithms, between even sizes and those with which sides along the
+// crosses meet at right angles everywhere; the mean square of their inverses is 1.
+FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
+                            const CrossField& field);
 
 }  // namespace remesher

@@ -251,8 +251,8 @@ QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bo
   for (;; ++level) {
     const WorkingMesh* part = bases.part(level, share.number);
     if (!part) break;
-    const FaceData<double> even(part->mesh().faceCapacity(), 1.0);
-    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes(*part) : even);
+    const FaceData<double> sizes = isGraded ? gradedSizes(*part) : FaceData<double>();
+    QuadMesh quads = mapToQuads(*part, share.vertices, sizes);
     if (!quads.quads.empty()) return quads;
   }
   if (level > 0) --level;
@@ -299,6 +299,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
   const FaceFrames frames(part);
   const double length = std::sqrt(areaOf(part) / vertices);
   const CrossField field = fieldOn(part, frames, length);
+  if (sizes.size() == 0) sizes = crossSizes(part, frames, field);
   const MapMaker maker(part, field, std::move(sizes));
   if (!maker.isPossible()) return {};
   std::optional<Extracted> found = searchScale(part, maker, length, vertices);

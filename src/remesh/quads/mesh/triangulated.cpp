@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "geometry/quad.h"
@@ -20,17 +20,17 @@ bool areJoined(const QuadSides& sides, Index a, Index b) {
   return found;
 }
 
-using Pairs = std::set<std::pair<Index, Index>>;
+using Pairs = std::map<std::pair<Index, Index>, std::size_t>;
 
-// The same, but no edge that is elsewhere already. used: the diagonals so far.
+// The same, but no edge that is elsewhere already. used: how often each diagonal is.
 Index diagonalBeside(const QuadMesh& mesh, const QuadSides& sides, const Four<Index>& quad,
                      Pairs& used) {
   const Index nearer = diagonalOf(mesh, quad);
   const auto ends = [&](Index k) { return std::minmax(quad[k], quad[k + 2]); };
   const bool isElsewhere =
-      areJoined(sides, quad[nearer], quad[nearer + 2]) || used.contains(ends(nearer));
+      areJoined(sides, quad[nearer], quad[nearer + 2]) || used.find(ends(nearer)) != used.end();
   const Index k = isElsewhere ? 1 - nearer : nearer;
-  used.insert(ends(k));
+  ++used[ends(k)];
   return k;
 }
 
