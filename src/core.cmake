@@ -179,7 +179,6 @@ add_library(small OBJECT
   src/remesh/quads/extract/extraction.cpp
   src/remesh/quads/extract/holes.cpp
   src/remesh/quads/extract/map_walk.cpp
-  src/remesh/quads/extract/mending.cpp
   src/remesh/quads/field/cross_field.cpp
   src/remesh/quads/field/curvature_directions.cpp
   src/remesh/quads/field/face_frames.cpp
@@ -201,6 +200,7 @@ add_library(small OBJECT
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/limbs.cpp
+  src/remesh/quads/shape/mending.cpp
   src/remesh/quads/shape/quad_patch.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp

@@ -103,11 +103,10 @@ add_executable(unit_tests
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
   tests/unit/remesh/quads/base_meshes_test.cpp
-  tests/unit/remesh/quads/graded_sizes_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
-  tests/unit/remesh/quads/extract/mending_test.cpp
   tests/unit/remesh/quads/field/cross_field_test.cpp
+  tests/unit/remesh/quads/graded_sizes_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp
   tests/unit/remesh/quads/map/integer_rows_test.cpp
   tests/unit/remesh/quads/map/rounding_test.cpp
@@ -120,6 +119,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp
   tests/unit/remesh/quads/shape/limbs_test.cpp
+  tests/unit/remesh/quads/shape/mending_test.cpp
   tests/unit/remesh/quads/shape/quad_tips_test.cpp
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp

@@ -202,7 +202,7 @@ std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& op
   const bool isTold =
       after.quads ? report.stopped == Stopped::Fidelity : options.repair != Repair::Off;
   if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};
-  std::string surface = "for quads of a surface of so many pieces, handles, holes and curves";
+  std::string surface = "for quads of this surface";
   if (!after.quads) {
     const long handles = std::max(0L, long(after.components) - after.eulerCharacteristic / 2);
     surface = "to keep the repaired surface (pieces: " + std::to_string(after.components) +

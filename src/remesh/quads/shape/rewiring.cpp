@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "original/surface/surface_walk.h"
-#include "remesh/quads/extract/mending.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/shape/mending.h"
 #include "remesh/quads/shape/quad_patch.h"
 #include "remesh/quads/shape/side_places.h"
 #include "remesh/quads/shape/smoothing.h"

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "remesh/quads/extract/mending.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
+#include "remesh/quads/shape/mending.h"
 #include "support/quad_sheets.h"
 #include "support/working_meshes.h"
 

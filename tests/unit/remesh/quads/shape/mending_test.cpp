@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/quads/extract/mending.h"
+#include "remesh/quads/shape/mending.h"
 
 #include <doctest/doctest.h>
 
