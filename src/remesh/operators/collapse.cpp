@@ -67,11 +67,14 @@ bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& chang
   return true;
 }
 
+bool mayBeReleased(const WorkingMesh& mesh, Vertex v) {
+  bool isHeld = mesh.mesh().isBoundary(v);
+  mesh.mesh().forEachOutgoing(v, [&](Halfedge out) { isHeld = isHeld || mesh.isKept(out); });
+  return !isHeld;
+}
+
 bool proposeUnion(const WorkingMesh& mesh, Halfedge h, LocalChange& change) {
-  const HalfedgeMesh& m = mesh.mesh();
-  bool isHeld = m.isBoundary(m.origin(h));
-  m.forEachOutgoing(m.origin(h), [&](Halfedge out) { isHeld = isHeld || mesh.isKept(out); });
-  if (isHeld || !canVanish(m, h)) return false;
+  if (!mayBeReleased(mesh, mesh.mesh().origin(h)) || !canVanish(mesh.mesh(), h)) return false;
   describe(mesh, h, change);
   return true;
 }

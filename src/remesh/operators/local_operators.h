@@ -34,8 +34,11 @@ bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,
 // Both ends meet at the tip, which stays as it is, without projection.
 bool proposeCollapseInto(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 
-// The same for any inner vertex, whatever curves lie there, but none that are kept as they are: it
-// has to be released before the change is carried out.
+// Whether v is an inner vertex and lies on no curve that is kept as it is.
+bool mayBeReleased(const WorkingMesh& mesh, Vertex v);
+
+// The same as before for any vertex that may be released, whatever curves lie there: it has to be
+// released before the change is carried out.
 bool proposeUnion(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 
 // A point of face(h) by its barycentric weights, the first one for origin(h).

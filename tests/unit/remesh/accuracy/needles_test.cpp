@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
 #include "support/runs.h"
@@ -39,6 +42,25 @@ TEST_CASE("needles: a step between sharp edges that is far lower than edges are 
     CHECK(report.eulerCharacteristic == 2);
     CHECK(report.boundaryEdges == 0);
   }
+}
+
+TEST_CASE("needles: where a small step along a sharp edge is enough, nothing else changes") {
+  // On the rim of the top a vertex lies so that a triangle beside it has an angle of 14°; for 16°
+  // it has to move by .046.
+  TriangleMesh mesh = steppedCube(1);
+  const auto on = [](double x) { return Vec3(x, 0, 5); };
+  std::replace(mesh.positions.begin(), mesh.positions.end(), on(2), on(1.4));
+  shapes::TestRun test(mesh);
+  REQUIRE(shapes::worstAngle(test.mesh) == doctest::Approx(std::atan(0.25)));
+  const VertexData<Vec3> before = test.mesh.positions();
+  CrossingGuard guard(test.mesh, {});
+  test.run.asked.rule.guard = &guard;
+  for (int i = 0; i < 8 && mendNeedles(test.run); ++i) {
+  }
+  CHECK(shapes::worstAngle(test.mesh) >= radians(16));
+  REQUIRE(test.mesh.mesh().vertexCount() == before.size());
+  for (Index v = 0; v < before.size(); ++v)
+    CHECK((test.mesh.position(Vertex(v)) - before[Vertex(v)]).norm() < 0.08);
 }
 
 TEST_CASE("needles: a mesh without them stays as it is") {
