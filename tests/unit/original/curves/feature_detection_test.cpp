@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "support/soups.h"
 #include "support/surfaces.h"
 
 using namespace remesher;
@@ -50,6 +51,20 @@ TEST_CASE("feature detection: noise is not taken for features") {
   TriangleMesh mesh = shapes::icosphere(20);
   for (Vec3& p : mesh.positions) p *= 1 + 0.02 * random.uniform();
   CHECK(detect(surfaces::surface("", mesh), 0.1).empty());
+}
+
+TEST_CASE("feature detection: where nearly all that is sharp is a part's, so is a rough crease") {
+  Random random(3);
+  TriangleMesh crease = fadingRoof(40, 80);
+  for (Vec3& p : crease.positions) p.z() += 0.15 * random.uniform();
+  crease = soups::moved(crease, Vec3(20, 0, 0));
+  const auto count = [](std::initializer_list<TriangleMesh> bodies) {
+    return detect(surfaces::surface("", soups::joined(bodies)), 1).size();
+  };
+  CHECK(count({crease}) == 0);
+  CHECK(count({shapes::cube(8)}) == 12 * 8);
+  CHECK(count({shapes::cube(8), crease}) > 12 * 8 + 10);
+  CHECK(count({shapes::icosphere(6), crease}) == 0);
 }
 
 TEST_CASE("feature detection: a crease is followed to where it fades") {
