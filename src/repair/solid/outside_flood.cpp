@@ -154,14 +154,30 @@ void growBack(const Lattice& lattice, const std::vector<char>& crossed, double r
   }
 }
 
+// The end of the lattice edge that is nearer to a place between two crossings of it.
+std::size_t nearerEnd(const Lattice& lattice, const EdgeCrossing& one, const EdgeCrossing& other) {
+  const std::size_t p = one.edge / 3, axis = one.edge % 3;
+  const auto place = lattice.place(p);
+  const double above = (one.at + other.at) / 2 - lattice.at(axis, place[axis]);
+  return above < lattice.width(axis, place) / 2 ? p : p + lattice.stride(axis);
+}
+
+// A sheet is thickened behind the side that is seen. Of two on one edge that face away from each
+// other only one end is inside: with both there would be nothing left between them.
 void findSheets(const Lattice& lattice, std::span<const EdgeCrossing> crossings, Sheets sheets,
                 InsideField& field) {
   const std::vector<char> before = field.isInside;
-  for (const EdgeCrossing& c : crossings) {
-    const std::size_t p = c.edge / 3, q = p + lattice.stride(c.edge % 3);
+  for (std::size_t i = 0, next = 0; i < crossings.size(); i = next) {
+    const EdgeCrossing& first = crossings[i];
+    const std::size_t p = first.edge / 3, q = p + lattice.stride(first.edge % 3);
+    while (next < crossings.size() && crossings[next].edge == first.edge) ++next;
     if (before[p] || before[q]) continue;
-    field.sheets.push_back(c.triangle);
-    if (sheets == Sheets::Thicken) field.isInside[c.up > 0 ? p : q] = 1;
+    const std::span<const EdgeCrossing> own = crossings.subspan(i, next - i);
+    for (const EdgeCrossing& c : own) field.sheets.push_back(c.triangle);
+    if (sheets == Sheets::Drop) continue;
+    const auto up = std::size_t(
+        std::count_if(own.begin(), own.end(), [](const EdgeCrossing& c) { return c.up > 0; }));
+    field.isInside[up == own.size() ? p : up == 0 ? q : nearerEnd(lattice, first, own.back())] = 1;
   }
 }
 
@@ -174,12 +190,9 @@ bool keepThinWalls(const Lattice& lattice, std::span<const EdgeCrossing> crossin
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
     const EdgeCrossing &in = crossings[i], &out = crossings[i + 1];
     if (in.edge != out.edge || in.up > 0 || out.up < 0) continue;
-    const std::size_t p = in.edge / 3, axis = in.edge % 3, q = p + lattice.stride(axis);
+    const std::size_t p = in.edge / 3, q = p + lattice.stride(in.edge % 3);
     if (before[p] || before[q]) continue;
-    const auto place = lattice.place(p);
-    const double above = (in.at + out.at) / 2 - lattice.at(axis, place[axis]);
-    const bool isLow = above < lattice.width(axis, place) / 2;
-    field.isInside[isLow ? p : q] = 1;
+    field.isInside[nearerEnd(lattice, in, out)] = 1;
     isAny = true;
   }
   return isAny;

@@ -47,6 +47,16 @@ TEST_CASE("seen loss: sheets that are dropped are lost, in proportion to their a
   }
 }
 
+TEST_CASE("seen loss: nothing of a sheet that is given from both sides") {
+  for (const double apart : {0.0, 0.02, 0.04}) {
+    const TriangleMesh up = shapes::grid(3, 2);
+    const TriangleMesh down = soups::moved(shapes::turnedOver(up), Vec3(0, 0, -apart));
+    const Solid solid = solidOf(soups::joined({up, down}), {0.1, InsideBy::Reach, 0.3});
+    CHECK(solid.enclosure.sheets == 2);
+    CHECK(solid.loss.share == 0);
+  }
+}
+
 TEST_CASE("seen loss: the bottom of a slot that is wrapped over is lost, its rim is not") {
   // A block with a slot along y, 0.1 wide and 0.8 deep.
   const TriangleMesh slotted =
