@@ -25,26 +25,13 @@ constexpr double kStandsOut = 5;
 constexpr double kTipAngle = radians(60);
 const double kStraight = std::cos(radians(45));
 
-// Of sharp edges, and of the other edges of their faces: the sum of the dihedral angles, and how
-// many edges there are.
-struct Sharpness {
-  double own = 0, beside = 0;
-  std::size_t owns = 0, besides = 0;
-
-  void add(const Sharpness& other) {
-    own += other.own, beside += other.beside;
-    owns += other.owns, besides += other.besides;
-  }
-  bool isMuchSharper() const {
-    return own / double(owns) >= kMuchSharper * (besides ? beside / double(besides) : 0);
-  }
-};
-
 // A connected set of sharp edges.
 struct Network {
   std::vector<Halfedge> edges;
   double length = 0;
-  Sharpness sharpness;
+  double sharpness = 0;  // sum of the dihedral angles
+  double beside = 0;     // the same sum over the other edges of their faces
+  std::size_t besides = 0;
   std::size_t vertices = 0;
   std::vector<Halfedge> ends;  // halfedges that lead to the loose ends
 };
@@ -61,16 +48,19 @@ class Detection {
         visited_(mesh.vertexCapacity(), 0) {}
 
   std::vector<Halfedge> run() {
-    const std::vector<Network> networks = collectAll();
-    Sharpness whole;
-    for (const Network& network : networks) whole.add(network.sharpness);
-    const bool isPart = whole.isMuchSharper();
+    Network whole;
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i)
+      if (isSharp(Halfedge(i)) && Halfedge(i) < mesh_.twin(Halfedge(i)))
+        addEdge(whole, Halfedge(i));
+    isPart_ = isMuchSharper(whole);
     std::vector<Halfedge> features, ends;
-    for (const Network& network : networks) {
-      if (network.length < kLongEnough * size_ || !(isPart || isFeature(network))) continue;
+    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      if (!isSharp(h) || visited_[mesh_.origin(h)]) continue;
+      const Network network = collect(mesh_.origin(h));
+      if (!isFeature(network)) continue;
       features.insert(features.end(), network.edges.begin(), network.edges.end());
-      if (network.sharpness.isMuchSharper())
-        ends.insert(ends.end(), network.ends.begin(), network.ends.end());
+      if (isMuchSharper(network)) ends.insert(ends.end(), network.ends.begin(), network.ends.end());
     }
     for (const Halfedge end : ends) follow(end, features);
     return features;
@@ -79,15 +69,6 @@ class Detection {
  private:
   double dihedral(Halfedge h) const { return dihedralAngle(mesh_, normals_, h); }
   bool isSharp(Halfedge h) const { return sharp_[h]; }
-
-  std::vector<Network> collectAll() {
-    std::vector<Network> networks;
-    for (Index i = 0; i < mesh_.halfedgeCapacity(); ++i) {
-      const Vertex v = mesh_.origin(Halfedge(i));
-      if (isSharp(Halfedge(i)) && !visited_[v]) networks.push_back(collect(v));
-    }
-    return networks;
-  }
 
   Network collect(Vertex start) {
     Network network;
@@ -117,19 +98,27 @@ class Detection {
   void addEdge(Network& network, Halfedge h) const {
     network.edges.push_back(h);
     network.length += (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).norm();
-    network.sharpness.add({dihedral(h), 0, 1, 0});
+    network.sharpness += dihedral(h);
     for (const Halfedge side : {h, mesh_.twin(h)})
       for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)}) {
         if (isSharp(other) || mesh_.isBoundary(other)) continue;
-        network.sharpness.add({0, dihedral(other), 0, 1});
+        network.beside += dihedral(other);
+        ++network.besides;
       }
   }
 
-  static bool isFeature(const Network& network) {
+  static bool isMuchSharper(const Network& network) {
+    const double own = network.sharpness / double(network.edges.size());
+    const double beside = network.besides ? network.beside / double(network.besides) : 0;
+    return own >= kMuchSharper * beside;
+  }
+
+  bool isFeature(const Network& network) const {
+    if (network.length < kLongEnough * size_) return false;
+    if (isPart_ || isMuchSharper(network)) return true;
     // A ring of three edges is the rim of one odd triangle.
-    return network.sharpness.isMuchSharper() ||
-           (network.edges.size() > 3 &&
-            double(network.ends.size()) <= kLooseEnds * double(network.vertices));
+    return network.edges.size() > 3 &&
+           double(network.ends.size()) <= kLooseEnds * double(network.vertices);
   }
 
   // Extends a feature from a loose end until the crease has faded or meets another.
@@ -172,6 +161,7 @@ class Detection {
   FaceData<Vec3> normals_;
   HalfedgeData<char> sharp_;
   VertexData<char> visited_;
+  bool isPart_ = false;  // see kMuchSharper
 };
 
 }  // namespace
