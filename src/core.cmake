@@ -43,7 +43,6 @@ add_library(linear OBJECT
   src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
   src/measure/facing.cpp
-  src/measure/mesh_report.cpp
   src/measure/self_intersections.cpp
   src/mesh/edge_groups.cpp
   src/mesh/mesh_builder.cpp
@@ -56,8 +55,6 @@ add_library(linear OBJECT
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
   src/remesh/gate/nearness.cpp
-  src/remesh/quads/shape/quad_star.cpp
-  src/remesh/quads/shape/smoothing.cpp
   src/repair/solid/clean_up.cpp
   src/simplify/attribute_quadrics.cpp
   src/simplify/simplify.cpp
@@ -138,6 +135,7 @@ add_library(small OBJECT
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
+  src/measure/mesh_report.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
   src/mesh/check.cpp
@@ -202,9 +200,11 @@ add_library(small OBJECT
   src/remesh/quads/shape/limbs.cpp
   src/remesh/quads/shape/mending.cpp
   src/remesh/quads/shape/quad_patch.cpp
+  src/remesh/quads/shape/quad_star.cpp
   src/remesh/quads/shape/quad_tips.cpp
   src/remesh/quads/shape/rewiring.cpp
   src/remesh/quads/shape/side_places.cpp
+  src/remesh/quads/shape/smoothing.cpp
   src/remesh/schemes/attribute_lengths.cpp
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp

@@ -10,12 +10,15 @@ constexpr int kSmoothingSweeps = 12;  // of sizes, and of the places of quads
 
 double areaOf(const WorkingMesh& mesh);
 
-// Per face the length of edges around it, smoothed; the mean square of their inverses is 1.
+// Per face the length of edges around it, smoothed.
 FaceData<double> gradedSizes(const WorkingMesh& mesh);
 
-// Per face a size halfway, as logarithms, between even sizes and those with which sides along the
-// crosses meet at right angles everywhere; the mean square of their inverses is 1.
+// Per face a size, near 1, with which sides along the crosses meet at right angles: where crosses
+// turn, lines along them draw together, so that quads grow smaller there, or they shear.
 FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
                             const CrossField& field);
+
+// Until the mean square of their inverses is 1: squares of these sizes have the mesh's area then.
+void scaleToMean(FaceData<double>& sizes, const WorkingMesh& mesh);
 
 }  // namespace remesher

@@ -36,10 +36,8 @@ constexpr double kOfQuads = 0.7;
 constexpr std::size_t kLeastForMap = 5000;
 // Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
-constexpr int kTries = 12;
 constexpr double kNudge = 0.0015;
-// So many scales are corrected by the count of the last map; later ones lie aside of the best. At
-// most so many maps have their quads shaped and judged, and no more than so many may fail.
+// So many scales are corrected by the count of the last map; twice as many lie aside of the best.
 constexpr int kSteps = 4;
 // A map with a larger count error is no result: with half as many vertices again as wanted. With
 // 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs, with up to a third too many
@@ -117,14 +115,16 @@ double costOf(const Extracted& made, double wanted) {
 }
 
 // Rounding makes another map at each scale, and counts come in steps: tries scales on both sides of
-// the nearest one, ever farther away, until a map is good.
-std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker, double length,
-                                     double vertices) {
+// the nearest one, ever farther away, until a map is good. At most so many maps have their quads
+// shaped and judged, and no more than so many may fail.
+std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker,
+                                     double vertices, int most) {
   std::optional<Extracted> best;
+  double length = std::sqrt(areaOf(part) / vertices);
   double nearest = length, least = kFarthest;
   int shaped = 0, failed = 0;
   std::vector<double> known;  // the marks of the maps that were extracted
-  for (int i = 0; i < kTries && std::max(shaped, failed) < kSteps; ++i) {
+  for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
     const bool isFirst = i < kSteps;
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
@@ -141,7 +141,7 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
     known.push_back(map->mark);
     Extracted made = extracted(part, *map);
     if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
-      failed += made.lost > kSteps ? kSteps : 1;  // others lose as much, or nearly
+      failed += made.lost > kSteps ? most : 1;  // others lose as much, or nearly
       continue;
     }
     shape(made.quads, part);
@@ -251,8 +251,8 @@ QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bo
   for (;; ++level) {
     const WorkingMesh* part = bases.part(level, share.number);
     if (!part) break;
-    const FaceData<double> sizes = isGraded ? gradedSizes(*part) : FaceData<double>();
-    QuadMesh quads = mapToQuads(*part, share.vertices, sizes);
+    const FaceData<double> even(part->mesh().faceCapacity(), 1.0);
+    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes(*part) : even);
     if (!quads.quads.empty()) return quads;
   }
   if (level > 0) --level;
@@ -299,10 +299,25 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
   const FaceFrames frames(part);
   const double length = std::sqrt(areaOf(part) / vertices);
   const CrossField field = fieldOn(part, frames, length);
-  if (sizes.size() == 0) sizes = crossSizes(part, frames, field);
-  const MapMaker maker(part, field, std::move(sizes));
-  if (!maker.isPossible()) return {};
-  std::optional<Extracted> found = searchScale(part, maker, length, vertices);
+  const auto search = [&](FaceData<double> wanted, int most) -> std::optional<Extracted> {
+    scaleToMean(wanted, part);
+    const MapMaker maker(part, field, std::move(wanted));
+    if (!maker.isPossible()) return {};
+    return searchScale(part, maker, vertices, most);
+  };
+  FaceData<double> turned = crossSizes(part, frames, field);
+  for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
+  std::optional<Extracted> found = search(std::move(turned), kSteps / 2);
+  // Where curves are hardly farther apart than sides are long, larger quads have no room. A number
+  // that is nearly met can be reached by whole rows.
+  const auto isGood = [&](const Extracted& made) {
+    const double count = double(made.quads.vertices.size());
+    return made.faults == 0 && countError(count, vertices) <= 2 * kCountTolerance;
+  };
+  if (!found || !isGood(*found)) {
+    std::optional<Extracted> even = search(std::move(sizes), kSteps);
+    if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
+  }
   return found ? std::move(found->quads) : QuadMesh{};
 }
 

@@ -39,7 +39,7 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors);
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 
 // Quads by the map, for one connected part; no quads if the map fails. sizes: per face the side
-// length of quads wanted there beside the others; if there are none, crossSizes.
+// length of quads wanted there beside the others.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes);
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.

@@ -19,7 +19,7 @@ constexpr double kStep = 0.8;
 // bunny and hand at 5000, medians of 7 neighboring counts, is 6.32, 3.90, 4.96 and 4.56°, now 5.65,
 // 3.70, 4.53 and 4.23; with 0 5.59, 3.58, 4.58 and 4.29, but sides vary by a quarter more.
 constexpr double kSquareness = 0.2;
-constexpr int kDirections = 8, kHalvings = 5;
+constexpr int kDirections = 8, kSearches = 5;
 constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth a step
 
 // The place of each vertex that moves on average over the rectangles of its quads.
@@ -85,7 +85,7 @@ std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
 void searchLess(MovingQuads& quads, Index v, double missing) {
   const double gain = kGain * missing;
   double reach = reachOf(quads, v) / 2;
-  for (int halving = 0; halving < kHalvings && missing > 0;) {
+  for (int halving = 0; halving < kSearches && missing > 0;) {
     bool isBetter = false;
     const Vec3 from = quads.mesh().position(v);
     for (const Vec3& way : waysFrom(quads, v)) {
@@ -125,7 +125,7 @@ void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> is
 }
 
 void mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
-  for (int search = 0; search < kHalvings; ++search) {
+  for (int search = 0; search < kSearches; ++search) {
     bool isDone = true;
     for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {
       if (isFixed[v] || quads.mesh().vertices[v].kind == VertexKind::Corner) continue;

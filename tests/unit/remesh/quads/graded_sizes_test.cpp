@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "support/working_meshes.h"
 
@@ -11,32 +13,43 @@ using namespace remesher;
 
 namespace {
 
-// The size of each face beside the square root of its distance from the axis, at most and least.
-std::pair<double, double> sizesByRoots(const TriangleMesh& shape) {
-  const OriginalSurface surface = shapes::surfaceOf(shape);
+struct Range {
+  double least = kInfinity, most = 0;
+};
+
+// The sizes of faces in the ring from radius 1 to `outer`, each beside its distance from the middle
+// or beside 1.
+Range sizesInRing(double outer, bool isByRadius) {
+  TriangleMesh ring;
+  const int columns = 96, rows = int(columns * std::log(outer) / std::numbers::pi / 2);
+  shapes::addSheet(ring, columns, rows, [&](int x, int y) {
+    return Vec3(std::pow(outer, double(y) / rows) * shapes::onCircle(x, columns));
+  });
+  const OriginalSurface surface = shapes::surfaceOf(ring);
   const WorkingMesh mesh(surface);
   const FaceFrames frames(mesh);
   const FaceData<double> sizes = crossSizes(mesh, frames, makeCrossField(mesh, frames, 0.1));
-  double least = kInfinity, most = 0;
+  Range range;
   for (Index f = 0; f < sizes.size(); ++f) {
     const auto [a, b, c] = mesh.corners(Face(f));
-    const double share = sizes[Face(f)] / std::sqrt(((a + b + c) / 3).norm());
-    least = std::min(least, share);
-    most = std::max(most, share);
+    const double share = sizes[Face(f)] / (isByRadius ? ((a + b + c) / 3).norm() : 1);
+    range = {std::min(range.least, share), std::max(range.most, share)};
   }
-  return {least, most};
+  return range;
 }
 
 }  // namespace
 
-// Along circles and rays, squares are as large as they are far from the middle: halfway to that is
-// the root. (Even sizes differ by 1.73 from it.)
-TEST_CASE("graded_sizes: between circles quads grow as the root of the radius") {
-  TriangleMesh ring;
-  shapes::addSheet(ring, 60, 16,
-                   [&](int x, int y) { return Vec3((1 + y / 8.0) * shapes::onCircle(x, 60)); });
-  const auto [least, most] = sizesByRoots(ring);
-  CHECK(most / least < 1.1);
+// Along circles and rays, squares are as large as they are far from the middle.
+TEST_CASE("graded_sizes: between circles quads grow as the radius") {
+  const Range range = sizesInRing(1.4, true);
+  CHECK(range.most / range.least < 1.03);
+}
+
+TEST_CASE("graded_sizes: however wide a ring, few sizes lie far apart") {
+  const Range range = sizesInRing(4, false);
+  CHECK(range.most / range.least < 1.6);
+  CHECK(range.most / range.least > 1.5);
 }
 
 TEST_CASE("graded_sizes: on a flat sheet all quads are of one size") {
