@@ -182,7 +182,6 @@ add_library(small OBJECT
   src/remesh/quads/field/face_frames.cpp
   src/remesh/quads/field/sectors.cpp
   src/remesh/quads/field/singularities.cpp
-  src/remesh/quads/graded_sizes.cpp
   src/remesh/quads/map/cut.cpp
   src/remesh/quads/map/integer_rows.cpp
   src/remesh/quads/map/rounding.cpp
@@ -195,6 +194,7 @@ add_library(small OBJECT
   src/remesh/quads/mesh/quad_sides.cpp
   src/remesh/quads/mesh/triangulated.cpp
   src/remesh/quads/pair/pairing.cpp
+  src/remesh/quads/quad_sizes.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
   src/remesh/quads/shape/limbs.cpp

@@ -106,7 +106,6 @@ add_executable(unit_tests
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/field/cross_field_test.cpp
-  tests/unit/remesh/quads/graded_sizes_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp
   tests/unit/remesh/quads/map/integer_rows_test.cpp
   tests/unit/remesh/quads/map/rounding_test.cpp
@@ -115,6 +114,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp
+  tests/unit/remesh/quads/quad_sizes_test.cpp
   tests/unit/remesh/quads/quads_test.cpp
   tests/unit/remesh/quads/shape/chords_test.cpp
   tests/unit/remesh/quads/shape/collapse_test.cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/quads/graded_sizes.h"
+#include "remesh/quads/quad_sizes.h"
 
 #include <doctest/doctest.h>
 
@@ -41,18 +41,18 @@ Range sizesInRing(double outer, bool isByRadius) {
 }  // namespace
 
 // Along circles and rays, squares are as large as they are far from the middle.
-TEST_CASE("graded_sizes: between circles quads grow as the radius") {
+TEST_CASE("quad_sizes: between circles quads grow as the radius") {
   const Range range = sizesInRing(1.4, true);
   CHECK(range.most / range.least < 1.03);
 }
 
-TEST_CASE("graded_sizes: however wide a ring, few sizes lie far apart") {
+TEST_CASE("quad_sizes: however wide a ring, no size is far from the mean") {
   const Range range = sizesInRing(4, false);
   CHECK(range.most / range.least < 1.6);
   CHECK(range.most / range.least > 1.5);
 }
 
-TEST_CASE("graded_sizes: on a flat sheet all quads are of one size") {
+TEST_CASE("quad_sizes: on a flat sheet all quads are of one size") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::grid(9, 6));
   const WorkingMesh mesh(surface);
   const FaceFrames frames(mesh);
