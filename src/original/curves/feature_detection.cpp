@@ -15,15 +15,12 @@ namespace {
 // machine part (fandisk) has one loose end in 350 vertices and is 148 × as sharp. Repair's needles
 // make some networks look worse (5–15 × as sharp, of an assembly whose edges are 31 × as sharp
 // altogether): where the whole is much sharper, each network is a part's.
-constexpr double kLooseEnds = 0.02;
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
-// A fading crease is followed from its sharp part as long as it has this share of the angle, is
-// this many times sharper than the edges beside it, and goes on straight.
+// A fading crease is followed from its sharp part as long as it has this share of the angle and
+// does not turn back.
 constexpr double kFaded = 0.25;
-constexpr double kStandsOut = 5;
 constexpr double kTipAngle = radians(60);
-const double kStraight = std::cos(radians(45));
 
 // A connected set of sharp edges.
 struct Network {
@@ -32,7 +29,6 @@ struct Network {
   double sharpness = 0;  // sum of the dihedral angles
   double beside = 0;     // the same sum over the other edges of their faces
   std::size_t besides = 0;
-  std::size_t vertices = 0;
   std::vector<Halfedge> ends;  // halfedges that lead to the loose ends
 };
 
@@ -88,7 +84,6 @@ class Detection {
         visited_[mesh_.tip(h)] = 1;
         stack.push_back(mesh_.tip(h));
       });
-      ++network.vertices;
       // A sharp edge that ends at a boundary has no loose end there.
       if (degree == 1 && !mesh_.isBoundary(v)) network.ends.push_back(mesh_.twin(sharp));
     }
@@ -117,8 +112,7 @@ class Detection {
     if (network.length < kLongEnough * size_) return false;
     if (isPart_ || isMuchSharper(network)) return true;
     // A ring of three edges is the rim of one odd triangle.
-    return network.edges.size() > 3 &&
-           double(network.ends.size()) <= kLooseEnds * double(network.vertices);
+    return network.edges.size() > 3 && network.ends.empty();
   }
 
   // Extends a feature from a loose end until the crease has faded or meets another.
@@ -136,7 +130,7 @@ class Detection {
     Halfedge best;
     mesh_.forEachOutgoing(mesh_.tip(last), [&](Halfedge h) {
       if (mesh_.isBoundary(h) || mesh_.tip(h) == mesh_.origin(last)) return;
-      if (direction(h).dot(way) < kStraight || !standsOut(h)) return;
+      if (direction(h).dot(way) < 0 || dihedral(h) < kFaded * angle_) return;
       if (!best || dihedral(h) > dihedral(best)) best = h;
     });
     return best;
@@ -144,14 +138,6 @@ class Detection {
 
   Vec3 direction(Halfedge h) const {
     return (positions_[mesh_.tip(h)] - positions_[mesh_.origin(h)]).normalized();
-  }
-
-  bool standsOut(Halfedge h) const {
-    double beside = 0;
-    for (const Halfedge side : {h, mesh_.twin(h)})
-      for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)})
-        beside += 0.25 * dihedral(other);
-    return dihedral(h) >= std::max(kFaded * angle_, kStandsOut * beside);
   }
 
   const HalfedgeMesh& mesh_;

@@ -28,7 +28,6 @@ class Chords {
       }
       good = next;
       step *= 2;
-      if (length(i, way, good) >= rules_.longest) break;
     }
     return length(i, way, good);
   }
@@ -64,7 +63,7 @@ VertexData<double> boundarySizes(const OriginalSurface& surface, const ChordRule
   VertexData<double> sizes;
   for (const Chain& chain : surface.curves().chains()) {
     if (!chain.boundary || chain.kept) continue;
-    if (sizes.size() == 0) sizes.assign(surface.mesh().vertexCapacity(), rules.longest);
+    if (sizes.size() == 0) sizes.assign(surface.mesh().vertexCapacity(), kInfinity);
     const Chords chords(surface, chain, rules);
     for (std::size_t i = 0; i < chain.vertices.size(); ++i) {
       double& size = sizes[chain.vertices[i]];

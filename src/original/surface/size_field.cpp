@@ -34,7 +34,7 @@ constexpr double kLongestBesideKept = 4.0 / 3;
 // diagonal: the first factor, or, in coarse meshes, the second times size² / diagonal², since
 // chords leave arcs by the square of the size.
 constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
-constexpr double kShortestChord = 0.75, kLongestChord = 4;
+constexpr double kShortestChord = 0.75;
 
 // The median by area of values that are not negative, whose bits rise with the values. Finds 16
 // bits after the other.
@@ -181,7 +181,7 @@ VertexData<double> keptLengths(const OriginalSurface& surface) {
 VertexData<double> chordLimits(const OriginalSurface& surface, double mean) {
   const double tolerance = std::max(kChordOfDiagonal * surface.diagonal(),
                                     kChordOfSquare * mean * mean / surface.diagonal());
-  return boundarySizes(surface, {tolerance, kShortestChord * mean, kLongestChord * mean});
+  return boundarySizes(surface, {tolerance, kShortestChord * mean});
 }
 
 void limit(const VertexData<double>& limits, VertexData<double>& sizes) {

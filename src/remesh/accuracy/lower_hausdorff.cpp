@@ -9,6 +9,7 @@
 #include "remesh/accuracy/star_search.h"
 #include "remesh/accuracy/tips.h"
 #include "remesh/gate/angles.h"
+#include "remesh/operators/smoothing.h"
 
 namespace remesher {
 
@@ -16,15 +17,13 @@ namespace {
 
 // Only distances above this may cost angles, down to kSound; below it good angles stay good.
 constexpr double kWorthAngles = 0.24;  // of the target edge length
-// A move must lower a distance to less than the share kGain; a search may stop at the share
-// kReached.
-constexpr double kGain = 0.99, kReached = 0.65;
+// A move must lower a distance to less than this share.
+constexpr double kGain = 0.99;
 // A move that costs angles, or makes way for another, must lower the distance to this share.
 constexpr double kMuch = 0.9;
 // If the largest distance is stuck, distances below this share of it are not worth a try.
 constexpr double kNearMaximum = 0.8;
 
-constexpr int kRounds = 4;
 // The least number of triangles to try, and the number of vertices to each try in a large mesh,
 // where few triangles decide. Three times and a third as many give 15 cases the same bytes.
 constexpr std::size_t kTries = 100;
@@ -56,7 +55,7 @@ class Descent {
 
   void run() {
     // Moves nearby may free stuck triangles.
-    for (int i = 0; i < kRounds && descend(); ++i)
+    while (descend())
       for (const Face f : std::exchange(stuck_, {})) push(f);
   }
 
@@ -99,7 +98,7 @@ class Descent {
 
   bool lower(Face f) {
     std::optional<double> last;
-    for (const double angle : {kEven, kGood, kSound}) {
+    for (const double angle : {kWideAngle, kGood, kSound}) {
       const Kept kept{angle, last};
       if (moveCorner(f, kept) || flipSide(f, angle) || makeWay(f, kept)) return true;
       if (!isBeyond(kWorthAngles, f)) return false;
@@ -143,7 +142,7 @@ class Descent {
     for (const Vertex v : mesh_.vertices(f)) {
       if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) > lowest) continue;
       StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
-      search.descend(kReached * before);
+      search.descend();
       if (search.distance() >= lowest) continue;
       lowest = search.distance();
       mover = v;
@@ -176,8 +175,7 @@ class Descent {
       if (isFixed(v) || wasTried(v, kept) || distances_.onRim(v) < before) continue;
       StarSearch search(run_, crossings_, distances_, {v, keptAt(v, kept.angle)});
       const double own = search.distance();
-      if (own < kReached * before) continue;
-      search.descend(kReached * before);
+      search.descend();
       if (search.distance() > kMuch * own) continue;
       move(v, search.best());
       moved = true;

@@ -18,8 +18,6 @@ namespace remesher {
 namespace {
 
 constexpr double kSpacing = 0.5;  // of the target edge length
-// A triangle with shorter sides and with near corners is near everywhere.
-constexpr double kBetween = 2;  // target edge lengths
 // More places than this, per vertex of the mesh and triangle of the original, cannot matter.
 constexpr double kMostPlaces = 64;
 
@@ -233,10 +231,9 @@ class Survey {
     const std::array<double, 3> squared = {squaredLengthOf(f, 0), squaredLengthOf(f, 1),
                                            squaredLengthOf(f, 2)};
     const double largest = greatest(squared[0], squared[1], squared[2]);
-    const double size = run_.asked.scale * run_.sizes.at(corners[0]), between = kBetween * size;
+    const double size = run_.asked.scale * run_.sizes.at(corners[0]);
     const auto isNear = [this](Vertex v) { return near_[posts_.near(v)] != 0; };
-    if (largest < between * between && std::all_of(corners.begin(), corners.end(), isNear))
-      return {};
+    if (std::all_of(corners.begin(), corners.end(), isNear)) return {};
     const auto side = int(std::find(squared.begin(), squared.end(), largest) - squared.begin());
     const double longest = std::sqrt(largest);
     const double steps = std::ceil(longest / (kSpacing * size));
@@ -324,11 +321,6 @@ class Survey {
 };
 
 }  // namespace
-
-void measureAgain(const WorkingMesh& mesh, Place& place) {
-  place.distance = kInfinity;
-  improve(mesh, place, {place.nearest});
-}
 
 std::vector<Place> measurePlaces(const Run& run, double enough, double surely) {
   return Survey(run, enough, surely).places();

@@ -28,7 +28,4 @@ struct Place {
 // `surely` target lengths to a tangent plane of the mesh are skipped.
 std::vector<Place> measurePlaces(const Run& run, double enough, double surely);
 
-// Updates the nearest triangle and the distance, by a walk from the last nearest triangle.
-void measureAgain(const WorkingMesh& mesh, Place& place);
-
 }  // namespace remesher

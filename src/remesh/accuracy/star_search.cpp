@@ -16,7 +16,6 @@ namespace remesher {
 namespace {
 
 constexpr std::size_t kAlongNormal = 2;
-const double kSmallTurn = std::cos(radians(45));
 
 // First up and down the star's mean normal, then around it.
 std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
@@ -29,12 +28,12 @@ std::vector<Vec3> directionsAt(const WorkingMesh& mesh, Vertex v) {
   return directions;
 }
 
-// Whether a triangle around v would turn by more than the limit.
+// Whether a triangle around v would turn by more than a right angle.
 bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
   bool found = false;
   mesh.mesh().forEachOutgoing(v, [&](Halfedge h) {
     const Vec3 &a = mesh.position(mesh.mesh().tip(h)), &b = mesh.position(mesh.mesh().opposite(h));
-    found = found || unitNormal(mesh.position(v), a, b).dot(unitNormal(to, a, b)) < kSmallTurn;
+    found = found || unitNormal(mesh.position(v), a, b).dot(unitNormal(to, a, b)) < 0;
   });
   return found;
 }
@@ -85,12 +84,12 @@ Placement StarSearch::at(const Vec3& position) const {
 
 // look: offers places a step away and returns whether one was better.
 template <typename Look>
-void StarSearch::search(double enough, const Look& look) {
-  searchPattern([&](double step) { return distance_ > enough && look(step * spoke_); });
+void StarSearch::search(const Look& look) {
+  searchPattern([&](double step) { return look(step * spoke_); });
 }
 
-void StarSearch::move(double enough, std::span<const Vec3> directions) {
-  search(enough, [&](double step) {
+void StarSearch::move(std::span<const Vec3> directions) {
+  search([&](double step) {
     bool better = false;
     const Vec3 from = best_.position;
     for (const Vec3& direction : directions) {
@@ -105,13 +104,13 @@ void StarSearch::move(double enough, std::span<const Vec3> directions) {
 }
 
 // Stays between the neighbours along the curve: beyond them the curve would turn back.
-void StarSearch::slide(double enough) {
+void StarSearch::slide() {
   const auto [before, after] = curveNeighbors(mesh_, v_);
   const Index chain = best_.on.chain;
   const auto ends =
       std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});
   const double room = kRoom * (ends.second - ends.first);
-  search(enough, [&](double step) {
+  search([&](double step) {
     bool better = false;
     const double from = best_.on.arc;
     for (const double arc : {from + step, from - step}) {
@@ -123,27 +122,27 @@ void StarSearch::slide(double enough) {
   });
 }
 
-void StarSearch::lookAround(double enough) {
-  if (best_.kind == VertexKind::Curve) return slide(enough);
+void StarSearch::lookAround() {
+  if (best_.kind == VertexKind::Curve) return slide();
   const std::vector<Vec3> directions = directionsAt(mesh_, v_);
   // Moves along the normal cost no angles; in a plane they lead nowhere.
   const bool isFlat = mesh_.surface().isFlatAt(best_.at);
-  if (!isFlat) move(enough, std::span(directions).first(kAlongNormal));
-  move(enough, std::span(directions).subspan(isFlat ? kAlongNormal : 0));
+  if (!isFlat) move(std::span(directions).first(kAlongNormal));
+  move(std::span(directions).subspan(isFlat ? kAlongNormal : 0));
 }
 
 // Triangles seldom come to pass through others, and a test for this takes longer than all else. So
 // a search tests once, at the place that it has found. Only if triangles cross there does it begin
 // again and test every place.
-void StarSearch::descend(double enough) {
+void StarSearch::descend() {
   const Placement before = best_;
   const double distance = distance_;
-  lookAround(enough);
+  lookAround();
   if (distance_ == distance || !crosses()) return;
   best_ = before;
   distance_ = distance;
   looksForCrossings_ = true;
-  lookAround(enough);
+  lookAround();
 }
 
 }  // namespace remesher

@@ -25,8 +25,8 @@ class StarSearch {
   double distance() const { return distance_; }  // at the best place so far
   const Placement& best() const { return best_; }
 
-  // Searches until the distance is no more than `enough` or no step helps.
-  void descend(double enough);
+  // Searches until no step helps.
+  void descend();
 
  private:
   bool keepsAngles(const Vec3& position) const;
@@ -35,10 +35,10 @@ class StarSearch {
   bool crosses();  // whether the best place makes triangles pass through each other
   Placement at(const Vec3& position) const;
   template <typename Look>
-  void search(double enough, const Look& look);
-  void move(double enough, std::span<const Vec3> steps);
-  void slide(double enough);
-  void lookAround(double enough);
+  void search(const Look& look);
+  void move(std::span<const Vec3> steps);
+  void slide();
+  void lookAround();
 
   const WorkingMesh& mesh_;
   const FidelityRule rule_;

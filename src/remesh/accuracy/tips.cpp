@@ -13,10 +13,6 @@ namespace {
 // Of the distance of a lost tip: a place this near to a tangent plane is no tip.
 constexpr double kSurelyNear = 0.4;
 
-// A tip farther than this from the mesh, in target lengths, that no vertex can move to gets a
-// vertex of its own, though that makes four triangles of two.
-constexpr double kInsertAbove = 0.6;
-
 std::vector<Place> farthestFirst(const Run& run) {
   std::vector<Place> places = measurePlaces(run, kLostTip, kSurelyNear * kLostTip);
   std::erase_if(places, [&](const Place& place) {
@@ -52,35 +48,10 @@ void reach(Run& run, const Place& tip) {
   }
 }
 
-// Splits a side of the nearest triangle by a vertex on the tip: the side whose split leaves the
-// widest angles.
-void insert(Run& run, const Place& tip) {
-  double best = kSliver;
-  LocalChange change;
-  const Placement place = run.mesh.onSurface(tip.original);
-  for (int i = 0; i < 3; ++i) {
-    const Halfedge h = HalfedgeMesh::halfedge(tip.nearest, i);
-    if (run.mesh.isCurve(h) || !proposeSplitAt(run.mesh, place, h, run.scratch.change)) continue;
-    const double angle = smallestComingAngle(run.mesh, run.scratch.change);
-    if (angle <= best || judge(run.mesh, run.scratch.change, lenient(run)) != Verdict::Accepted)
-      continue;
-    best = angle;
-    change = run.scratch.change;
-  }
-  if (best > kSliver) run.mesh.pin(apply(run.mesh, change));
-}
-
 }  // namespace
 
 void reachTips(Run& run) {
-  std::vector<Place> tips = farthestFirst(run);
-  for (const Place& tip : tips) reach(run, tip);
-  for (Place& tip : tips) {
-    const double enough = kInsertAbove * run.asked.scale * run.sizes.at(tip.original);
-    if (tip.distance <= enough) continue;
-    measureAgain(run.mesh, tip);
-    if (tip.distance > enough) insert(run, tip);
-  }
+  for (const Place& tip : farthestFirst(run)) reach(run, tip);
 }
 
 }  // namespace remesher

@@ -11,11 +11,10 @@ namespace remesher {
 // The one ladder of smallest angles. sliver: such a triangle is made only for want of a better one.
 // poor, fair: what a lost tip or a bound is worth until the triangle is mended. sound: what a move
 // that lowers distances must leave, since polishing lifts it to fine. fine: polishing leaves such a
-// triangle alone. good, even: what a move that lowers distances leaves if it can. Changing `sound`
-// changes the bytes of `rounds`.
+// triangle alone. good: what a move that lowers distances leaves where it cannot leave kWideAngle.
+// Changing `sound` changes the bytes of `rounds`.
 inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radians(30),
-                        kSound = radians(33.2), kFine = radians(35), kGood = radians(42),
-                        kEven = radians(50);
+                        kSound = radians(33.2), kFine = radians(35), kGood = radians(42);
 
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 

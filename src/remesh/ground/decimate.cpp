@@ -27,10 +27,10 @@ class Decimation {
         spacing_(spacing),
         into_(mesh_.vertexCapacity()) {}
 
-  void run(double worthwhile) {
+  void run() {
     for (share_ = std::max(kRoundOff, kStep * meanShare()); share_ < 1; share_ *= kStep) pass();
     share_ = 1;
-    while (double(pass()) > worthwhile * double(mesh_.vertexCount())) {
+    while (pass() > 0) {
     }
   }
 
@@ -160,9 +160,9 @@ class Decimation {
 }  // namespace
 
 VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
-                            const VertexData<double>& spacing, double worthwhile) {
+                            const VertexData<double>& spacing) {
   Decimation decimation(mesh, rule, spacing);
-  decimation.run(worthwhile);
+  decimation.run();
   VertexData<Vertex> heirs = decimation.heirs();
   mesh.compact();
   return heirs;

@@ -11,8 +11,8 @@ namespace remesher {
 // Collapses edges until they are about as long as `spacing`, per vertex, asks for; not where the
 // surface bends more than such edges could follow, nor on curves. Compacts the mesh in the end.
 // Returns, per former vertex, the new number of its heir: the vertex itself or the one it went
-// into. The pass that removes no more than the share `worthwhile` of the vertices is the last one.
+// into.
 VertexData<Vertex> decimate(WorkingMesh& mesh, const FidelityRule& rule,
-                            const VertexData<double>& spacing, double worthwhile = 0.02);
+                            const VertexData<double>& spacing);
 
 }  // namespace remesher

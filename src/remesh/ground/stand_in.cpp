@@ -16,9 +16,6 @@ struct StandIn::Parts {
 
 namespace {
 
-// A stand-in may keep a few vertices more than necessary.
-constexpr double kWorthwhile = 0.05;
-
 // Per remaining vertex the original vertex that it is; each has kept its place.
 VertexData<Vertex> ancestors(const WorkingMesh& thinned) {
   VertexData<Vertex> result(thinned.mesh().vertexCapacity());
@@ -34,7 +31,7 @@ StandIn::StandIn(const OriginalSurface& original, double edge)
     : StandIn(original, [&] {
         WorkingMesh mesh(original);
         const VertexData<double> spacing(mesh.mesh().vertexCapacity(), edge);
-        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing, kWorthwhile);
+        VertexData<Vertex> heirs = decimate(mesh, FidelityRule{}, spacing);
         VertexData<Vertex> onOriginal = ancestors(mesh);
         BuiltMesh built;
         built.mesh = mesh.mesh();

@@ -22,10 +22,6 @@ bool proposeFlip(const WorkingMesh& mesh, Halfedge h, LocalChange& change);
 // Splits the edge at its midpoint.
 bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change);
 
-// Splits the edge at `place`, without projection.
-bool proposeSplitAt(const WorkingMesh& mesh, const Placement& place, Halfedge h,
-                    LocalChange& change);
-
 // Both ends meet at the edge's midpoint if they are of one kind and the tip is not pinned, else at
 // the tip. A pinned vertex neither moves nor vanishes.
 bool proposeCollapse(const WorkingMesh& mesh, Projector& projector, Halfedge h,

@@ -48,12 +48,12 @@ class RowQr {
   double r00_ = 0, r01_ = 0, r11_ = 0, q0_ = 0, q1_ = 0;
 };
 
-// The cost of a triangle, by the cosine of its smallest angle.
+// The cost of a triangle, by the cosine of its smallest angle: what is missing to kWideAngle, or,
+// where nothing is, the angle.
 double costOf(double cosine) {
-  constexpr double kOnTheWhole = 0.001;
   static const double most = std::cos(kWideAngle);
   const double over = greatest(0, cosine - most);
-  return over * over + kOnTheWhole * cosine;
+  return over * over + kRoundOff * cosine;
 }
 
 // The cost of all triangles if the vertex were at p; infinite if one would turn over or the sum

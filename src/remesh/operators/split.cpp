@@ -11,13 +11,12 @@ Placement midpoint(const WorkingMesh& mesh, Projector& projector, Halfedge h) {
   return mesh.onCurve({chain, 0.5 * (from.arc + to.arc)});
 }
 
-bool proposeSplitAt(const WorkingMesh& mesh, const Placement& place, Halfedge h,
-                    LocalChange& change) {
+bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change) {
   if (mesh.isKept(h)) return false;
   const HalfedgeMesh& m = mesh.mesh();
   change.reset(Operation::Split);
   change.halfedge = h;
-  change.place = place;
+  change.place = midpoint(mesh, projector, h);
   for (const Halfedge side : {h, m.twin(h)}) {
     if (!side) continue;
     const Vertex a = m.origin(side), b = m.tip(side), c = m.opposite(side);
@@ -29,10 +28,6 @@ bool proposeSplitAt(const WorkingMesh& mesh, const Placement& place, Halfedge h,
     change.coming.push_back({kMoved, b, c});
   }
   return true;
-}
-
-bool proposeSplit(const WorkingMesh& mesh, Projector& projector, Halfedge h, LocalChange& change) {
-  return !mesh.isKept(h) && proposeSplitAt(mesh, midpoint(mesh, projector, h), h, change);
 }
 
 }  // namespace remesher

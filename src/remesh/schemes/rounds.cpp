@@ -63,12 +63,12 @@ std::vector<Ranked> rankedEdges(const HalfedgeMesh& mesh, double above, Key key)
 // How bad the triangles of an edge are; boundary edges come before all others.
 double badness(const WorkingMesh& mesh, Halfedge h) {
   const HalfedgeMesh& m = mesh.mesh();
+  const double most = radians(60) * radians(60);  // of a triangle
   const auto shortfall = [&](Face f) {
     const double missing = radians(60) - smallestAngle(mesh, f);
     return missing * missing;
   };
-  constexpr double kBoundaryFirst = 1e3;
-  if (m.isBoundary(h)) return kBoundaryFirst + shortfall(m.face(h));
+  if (m.isBoundary(h)) return 2 * most + shortfall(m.face(h));
   return shortfall(m.face(h)) + shortfall(m.face(m.twin(h)));
 }
 

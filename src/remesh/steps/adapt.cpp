@@ -22,7 +22,6 @@ constexpr double kMustGo = 0.4;
 // of a triangle of such edges, whatever its shape, would pile vertices up beside its longest and
 // make slivers without end.
 constexpr double kGiant = 3;
-constexpr double kTuning = 1.1;  // the scale changes by at most this factor a round
 // Far too many vertices are thinned out first, until edges have this share of the sizes.
 constexpr double kThinned = 0.5;
 
@@ -198,7 +197,7 @@ void adaptToSizes(Run& run, std::size_t vertices, const Progress& progress) {
     if (isFirstOrLast) delaunayFlips(run.mesh, run.asked.rule);
     for (int k = 0; k < run.asked.effort.adaptSweeps; ++k) laplacianSweep(run);
     const double ratio = double(run.mesh.mesh().vertexCount()) / double(vertices);
-    if (i > 0) run.asked.scale *= std::clamp(std::sqrt(ratio), 1 / kTuning, kTuning);
+    if (i > 0) run.asked.scale *= std::sqrt(ratio);
   }
 }
 

@@ -13,7 +13,6 @@
 #include "remesh/gate/angles.h"
 #include "remesh/operators/shift.h"
 #include "remesh/steps/adapt.h"
-#include "remesh/steps/lengths.h"
 #include "remesh/steps/relax.h"
 
 namespace remesher {
@@ -28,7 +27,7 @@ constexpr std::size_t kManyBad = 200;
 // The work on a triangle is the number of its corners' neighbours. Where few triangles are bad a
 // twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
 // in vain.
-constexpr std::size_t kMostWork = 20, kLeastWork = 1 << 14;
+constexpr std::size_t kMostWork = 20;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // Around a sharp tip no place on the surface is better, but a place a little off it is.
 // Steps of lifts are as much shorter than other moves.
@@ -36,9 +35,6 @@ constexpr double kHighest = 0.2;  // of the mean spoke
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
 // wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
-// Splitting shorter or collapsing longer edges would pile up or tear apart vertices.
-constexpr double kSplitAbove = 0.7;
-constexpr double kCollapseBelow = 1.2;
 
 // The best proposal seen so far, by the worst angle it leaves.
 struct Best {
@@ -166,7 +162,6 @@ void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
-    if (relativeLength(run, h) > kCollapseBelow) continue;
     if (hubs.contains(mesh.origin(h)) || hubs.contains(mesh.tip(h))) continue;
     for (const Halfedge direction : {h, mesh.twin(h)})
       if (direction && proposeCollapse(run.mesh, run.projector, direction, run.scratch.change))
@@ -177,7 +172,6 @@ void offerCollapses(Run& run, Face f, const Hubs& hubs, Best& best) {
 void offerSplits(Run& run, Face f, Best& best) {
   for (int i = 0; i < 3; ++i) {
     const Halfedge h = HalfedgeMesh::halfedge(f, i);
-    if (relativeLength(run, h) < kSplitAbove) continue;
     if (proposeSplit(run.mesh, run.projector, h, run.scratch.change)) best.offer(run);
   }
 }
@@ -291,7 +285,7 @@ int triesOf(const Run& run, Means means) {
 // Triangles beyond the wanted number, among needles, do not raise the limit.
 std::size_t mostWork(const Run& run) {
   const double wanted = std::min(double(run.mesh.mesh().faceCount()), 2 * run.sizes.vertices());
-  return std::max(kLeastWork, kMostWork * std::size_t(wanted));
+  return kMostWork * std::size_t(wanted);
 }
 
 }  // namespace

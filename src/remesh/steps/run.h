@@ -101,9 +101,8 @@ inline constexpr std::size_t kProofs = 1000;
 
 // Once the pieces are spent that are granted here, no change is allowed.
 inline void grantProofs(const Run& run) {
-  constexpr std::size_t kLeast = 1 << 16;
   if (!run.asked.rule.bound) return;
-  run.asked.rule.bound->grant(std::max(kLeast, kProofs * run.mesh.mesh().faceCount()));
+  run.asked.rule.bound->grant(kProofs * run.mesh.mesh().faceCount());
 }
 
 inline bool areProofsSpent(const Run& run) {

@@ -115,7 +115,7 @@ TEST_CASE("star search: the best place is nowhere farther than the first, and pi
     for (Index i = 0; i < test.mesh.mesh().vertexCapacity(); ++i) {
       const double before = distances.around(Vertex(i), test.mesh.placement(Vertex(i)));
       StarSearch search(test.run, crossings, distances, {Vertex(i), radians(20)});
-      search.descend(0);
+      search.descend();
       CHECK(search.distance() <= before);
       CHECK(distances.around(Vertex(i), search.best()) == search.distance());
       if (search.distance() == before) continue;
