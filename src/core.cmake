@@ -164,6 +164,7 @@ add_library(small OBJECT
   src/original/surface/refined_faces.cpp
   src/remesh/accuracy/bound_error.cpp
   src/remesh/accuracy/lower_hausdorff.cpp
+  src/remesh/accuracy/narrowest.cpp
   src/remesh/accuracy/needles.cpp
   src/remesh/accuracy/place_finder.cpp
   src/remesh/accuracy/poor_regions.cpp

@@ -54,6 +54,12 @@ test('the surface is closed, of its own kind, with as many vertices within 1 %',
   assert.ok(angleDeviation.p95 <= angleDeviation.worst);
 });
 
+test('a surface given by far more triangles gets quads that are as near', async () => {
+  const [coarse, fine] = await Promise.all([150, 300].map(async (rows) =>
+    (await remesh(torus({ columns: 2 * rows, rows }), asked)).report.fidelity.rms));
+  assert.ok(fine < 1.1 * coarse, `${fine} %, not ${coarse} %`);
+});
+
 /** The mean length of the sides of quads. */
 function meanSide({ positions, quads }) {
   const lengths = fours(quads).flatMap((quad) => quad.map((a, i) => {
@@ -63,7 +69,7 @@ function meanSide({ positions, quads }) {
   return lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
 }
 
-test('tips are reached: nothing is farther from the quads than half a side of theirs', async () => {
+test('tips are reached: nothing is farther away than .4 sides at most counts', async () => {
   const rabbit = {
     positions: Float32Array.from(bunny.positions.flat()),
     indices: Uint32Array.from(bunny.cells.flat()),
@@ -72,11 +78,16 @@ test('tips are reached: nothing is farther from the quads than half a side of th
     const along = bunny.positions.map((place) => place[k]);
     return Math.max(...along) - Math.min(...along);
   });
-  for (const vertices of [1500, 2000, 3000]) {
+  const sidesAway = async (vertices) => {
     const { mesh, report } = await remesh(rabbit, { quads: true, vertices });
-    const farthest = report.fidelity.hausdorff / 100 * Math.hypot(...extents);
-    const sides = farthest / meanSide(mesh);
-    assert.ok(sides <= 0.5, `${vertices}: ${sides.toFixed(2)} sides away`);
+    return report.fidelity.hausdorff / 100 * Math.hypot(...extents) / meanSide(mesh);
+  };
+  for (const vertices of [1500, 3000]) {
+    // Where lines of quads run beside a tip is chance: the median of three neighbouring counts.
+    const away = [];
+    for (const count of [vertices - 10, vertices, vertices + 10]) away.push(await sidesAway(count));
+    const [, median] = away.sort((a, b) => a - b);
+    assert.ok(median <= 0.4, `${vertices}: ${median.toFixed(2)} sides away`);
   }
 });
 

@@ -7,6 +7,7 @@
 
 #include "geometry/triangle.h"
 #include "original/surface/surface_walk.h"
+#include "remesh/accuracy/narrowest.h"
 #include "remesh/gate/angles.h"
 #include "remesh/steps/relax.h"
 
@@ -69,9 +70,9 @@ class Offsets {
 
 // Sound angles may shrink, but stay sound; other angles may not shrink at all. If vertices move
 // only once, this is left to the last polish.
-bool staysGood(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
-  const double after = smallestAngleAround(mesh, v, to);
-  return after >= kSound || after >= smallestAngleAround(mesh, v, mesh.position(v));
+bool staysGood(const Run& run, Vertex v, const Vec3& to) {
+  const double after = narrowestAround(run, v, to);
+  return after >= kSound || after >= narrowestAround(run, v, run.mesh.position(v));
 }
 
 // Moves v along the mean normal of the triangles around it. Returns how far.
@@ -83,7 +84,7 @@ double offsetVertex(Run& run, Vertex v, const Offsets& offsets) {
   const double distance = (isOnce ? 1 : kBeyondMean) * offsets.at(v, normal);
   Placement place = run.mesh.placement(v);
   place.position += distance * normal.normalized();
-  if (isOnce || staysGood(run.mesh, v, place.position)) commitMove(run, v, place);
+  if (isOnce || staysGood(run, v, place.position)) commitMove(run, v, place);
   return distance;
 }
 

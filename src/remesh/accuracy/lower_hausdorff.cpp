@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "remesh/accuracy/narrowest.h"
 #include "remesh/accuracy/star_search.h"
 #include "remesh/accuracy/tips.h"
 #include "remesh/gate/angles.h"
@@ -130,7 +131,7 @@ class Descent {
   // set the same limit for both.
   bool wasTried(Vertex v, const Kept& kept) const {
     if (!kept.last) return false;
-    const double own = smallestAngleAround(run_.mesh, v, run_.mesh.position(v));
+    const double own = narrowestAround(run_, v, run_.mesh.position(v));
     return std::min(keptAt(v, kept.angle), own) == std::min(keptAt(v, *kept.last), own);
   }
 
@@ -184,6 +185,7 @@ class Descent {
   }
 
   bool flipSide(Face f, double angle) {
+    if (run_.asked.areQuads) return false;
     for (int i = 0; i < 3; ++i) {
       const Halfedge h = HalfedgeMesh::halfedge(f, i);
       if (!proposeFlip(run_.mesh, h, run_.scratch.change)) continue;

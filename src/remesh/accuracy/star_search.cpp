@@ -8,7 +8,7 @@
 #include "geometry/pattern_search.h"
 #include "geometry/triangle.h"
 #include "original/surface/surface_walk.h"
-#include "remesh/gate/angles.h"
+#include "remesh/accuracy/narrowest.h"
 #include "remesh/steps/sweeps.h"
 
 namespace remesher {
@@ -42,7 +42,8 @@ bool turnsOver(const WorkingMesh& mesh, Vertex v, const Vec3& to) {
 
 StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDistance& distances,
                        const Movable& movable)
-    : mesh_(run.mesh),
+    : run_(run),
+      mesh_(run.mesh),
       rule_(lenient(run)),
       crossings_(crossings),
       distances_(distances),
@@ -50,7 +51,7 @@ StarSearch::StarSearch(const Run& run, const Crossings& crossings, TwoSidedDista
       spoke_(mesh_.meanSpoke(v_)),
       best_(mesh_.placement(v_)),
       distance_(distances.around(v_, best_)),
-      lowest_(std::min(movable.keepAngle, smallestAngleAround(mesh_, v_, best_.position))) {}
+      lowest_(std::min(movable.keepAngle, narrowestAround(run, v_, best_.position))) {}
 
 bool StarSearch::isAllowed(const Placement& place) {
   if (turnsOver(mesh_, v_, place.position)) return false;
@@ -65,7 +66,7 @@ bool StarSearch::crosses() {
 }
 
 bool StarSearch::keepsAngles(const Vec3& position) const {
-  return smallestAngleAround(mesh_, v_, position) >= lowest_;
+  return narrowestAround(run_, v_, position) >= lowest_;
 }
 
 bool StarSearch::offer(const Placement& place) {

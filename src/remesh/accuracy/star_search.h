@@ -40,6 +40,7 @@ class StarSearch {
   void slide();
   void lookAround();
 
+  const Run& run_;
   const WorkingMesh& mesh_;
   const FidelityRule rule_;
   const Crossings& crossings_;

@@ -12,6 +12,8 @@
 #include "mesh/hubs.h"
 #include "original/surface/original_tree.h"
 #include "remesh/accuracy/bound_error.h"
+#include "remesh/accuracy/fit.h"
+#include "remesh/accuracy/lower_hausdorff.h"
 #include "remesh/accuracy/poor_regions.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
@@ -216,6 +218,23 @@ Warning pairedWarning(const MadeQuads& quads) {
           quads.paired};
 }
 
+// Vertices that lie on a curved surface leave their quads on its inner side: they move to where the
+// quads fit, and then the few around the largest distances to where these are smallest.
+void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOptions& options,
+                 const Grain& grain) {
+  Projector projector = projectorFor(original, options);
+  SizeField sizes = original.sizes();
+  if (const StandIn* standIn = original.standIn()) {
+    projector.moveOnto(original.surface());
+    sizes.moveOnto(original.surface(), standIn->heirs());
+  }
+  Run run{mesh, projector, sizes, {fidelityRule(options)}};
+  run.asked.rule.grain = grain;
+  run.asked.areQuads = true;
+  fit(run, {});
+  lowerHausdorff(run);
+}
+
 RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOptions& wanted,
                             const Progress& progress) {
   const RemeshOptions options = optionsForQuads(wanted);
@@ -243,7 +262,8 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
       {aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft}, triangles);
   progress.phase("extract", 1, 1);
   const Prepared& original = *originals.front();
-  const WorkingMesh mesh = triangulated(quads.mesh, original.surface());
+  WorkingMesh mesh = triangulated(quads.mesh, original.surface());
+  if (wanted.quality != Quality::Draft) bringNearer(mesh, original, options, grainOf(input));
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();

@@ -28,6 +28,7 @@ struct Asked {
   double scale = 1;    // of the sizes at the present level
   double stagger = 0;  // how far curve vertices follow all their neighbours: see curveSweep
   Boundaries boundaries = Boundaries::Even;
+  bool areQuads = false;  // triangles 2q and 2q + 1, from the same first corner, are quad q
 };
 
 // What there is of the original besides the surface that the mesh lies on.
