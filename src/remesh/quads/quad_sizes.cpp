@@ -59,8 +59,7 @@ FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
   const auto count = Index(m.vertexCapacity());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd bends = Eigen::VectorXd::Zero(count);
-  // It matters only where no edge says anything: as a whole, s might be any.
-  for (Index v = 0; v < count; ++v) entries.emplace_back(v, v, 1e-8);
+  for (Index v = 0; v < count; ++v) entries.emplace_back(v, v, kTie);  // as a whole, s might be any
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!m.twin(h) || mesh.isCurve(h)) continue;
@@ -82,7 +81,7 @@ FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
   return sizes;
 }
 
-void scaleToMean(FaceData<double>& sizes, const WorkingMesh& mesh) {
+FaceData<double> scaledToMean(FaceData<double> sizes, const WorkingMesh& mesh) {
   double squares = 0;
   for (Index f = 0; f < sizes.size(); ++f) {
     const auto [a, b, c] = mesh.corners(Face(f));
@@ -90,6 +89,7 @@ void scaleToMean(FaceData<double>& sizes, const WorkingMesh& mesh) {
   }
   const double factor = std::sqrt(squares / areaOf(mesh));
   for (Index f = 0; f < sizes.size(); ++f) sizes[Face(f)] *= factor;
+  return sizes;
 }
 
 }  // namespace remesher

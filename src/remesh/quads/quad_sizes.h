@@ -21,7 +21,7 @@ FaceData<double> gradedSizes(const WorkingMesh& mesh);
 FaceData<double> crossSizes(const WorkingMesh& mesh, const FaceFrames& frames,
                             const CrossField& field);
 
-// Until the mean square of their inverses is 1: squares of these sizes have the mesh's area then.
-void scaleToMean(FaceData<double>& sizes, const WorkingMesh& mesh);
+// Such that the mean square of their inverses is 1: squares of these sizes have the mesh's area.
+FaceData<double> scaledToMean(FaceData<double> sizes, const WorkingMesh& mesh);
 
 }  // namespace remesher

@@ -123,22 +123,25 @@ std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& ma
   double length = std::sqrt(areaOf(part) / vertices);
   double nearest = length, least = kFarthest;
   int shaped = 0, failed = 0;
-  std::vector<double> known;  // the marks of the maps that were extracted
+  std::vector<double> known;          // the marks of the maps that were extracted
+  std::optional<SeamlessMap> passed;  // the nearest one, if it was not
   for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
     const bool isFirst = i < kSteps;
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
     const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
     const double scale = isFirst ? length : nearest * aside;
-    const std::optional<SeamlessMap> map = maker.map(scale, known);
+    const auto map = i == kSteps ? std::move(passed) : maker.map(scale, known);
     if (!map) continue;
     const double count = maker.countVertices(*map), error = countError(count, vertices);
     if (error < least) {
       least = error;
       nearest = scale;
+      passed = map;
     }
     length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
     if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
     known.push_back(map->mark);
+    passed.reset();
     Extracted made = extracted(part, *map);
     if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
       failed += made.lost > kSteps ? most : 1;  // others lose as much, or nearly
@@ -299,15 +302,11 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
   const FaceFrames frames(part);
   const double length = std::sqrt(areaOf(part) / vertices);
   const CrossField field = fieldOn(part, frames, length);
-  const auto search = [&](FaceData<double> wanted, int most) -> std::optional<Extracted> {
-    scaleToMean(wanted, part);
-    const MapMaker maker(part, field, std::move(wanted));
-    if (!maker.isPossible()) return {};
-    return searchScale(part, maker, vertices, most);
-  };
   FaceData<double> turned = crossSizes(part, frames, field);
   for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
-  std::optional<Extracted> found = search(std::move(turned), kSteps / 2);
+  MapMaker maker(part, field, scaledToMean(std::move(turned), part));
+  if (!maker.isPossible()) return {};
+  std::optional<Extracted> found = searchScale(part, maker, vertices, kSteps / 2);
   // Where curves are hardly farther apart than sides are long, larger quads have no room. A number
   // that is nearly met can be reached by whole rows.
   const auto isGood = [&](const Extracted& made) {
@@ -315,7 +314,8 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> s
     return made.faults == 0 && countError(count, vertices) <= 2 * kCountTolerance;
   };
   if (!found || !isGood(*found)) {
-    std::optional<Extracted> even = search(std::move(sizes), kSteps);
+    maker.setSizes(scaledToMean(std::move(sizes), part));
+    std::optional<Extracted> even = searchScale(part, maker, vertices, kSteps);
     if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
   }
   return found ? std::move(found->quads) : QuadMesh{};

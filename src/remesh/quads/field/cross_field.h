@@ -12,6 +12,9 @@
 
 namespace remesher {
 
+// The weight that ties unknowns down where nothing else does, beside weights of about 1.
+inline constexpr double kTie = 1e-7;
+
 struct CrossField {
   FaceData<double> angle;  // of the cross's direction 0, in the triangle's frame
   // Direction k in face(h) continues as direction k + turn[h] in face(twin(h)). 0 on a boundary.

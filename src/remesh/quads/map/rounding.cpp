@@ -42,36 +42,48 @@ Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& matrix) {
 
 }  // namespace
 
-// The minimum of a quadratic and the inverse of its matrix. Variables that are fixed leave it.
+// The minimum of a quadratic of some variables, and the lower half of the inverse of its matrix.
+// Variables that are fixed leave it. Never inlined: one copy is enough.
 class Minimum {
  public:
-  Minimum(Eigen::VectorXd values, Eigen::MatrixXd inverse)
-      : values_(std::move(values)), inverse_(std::move(inverse)), count_(values_.size()) {}
+  Minimum(std::vector<int> variables, Eigen::VectorXd values, Eigen::MatrixXd inverse)
+      : variables_(std::move(variables)),
+        values_(std::move(values)),
+        inverse_(std::move(inverse)),
+        count_(values_.size()) {}
 
   Eigen::Index count() const { return count_; }
+  int variable(Eigen::Index i) const { return variables_[std::size_t(i)]; }
   double value(Eigen::Index i) const { return values_[i]; }
-  auto column(Eigen::Index i) const { return inverse_.col(i).head(count_); }
+  [[gnu::noinline]] Eigen::VectorXd column(Eigen::Index i) const {
+    Eigen::VectorXd result(count_);
+    for (Eigen::Index k = 0; k < count_; ++k) result[k] = inverse_(std::max(i, k), std::min(i, k));
+    return result;
+  }
 
   // Moves to the minimum where a sum c·z is larger by `lack`. along: the inverse times c; spread:
   // c·along, and one over the weight of the wish if it is to be met in part [Woodbury].
-  void move(const Eigen::VectorXd& along, double lack, double spread) {
+  [[gnu::noinline]] void move(const Eigen::VectorXd& along, double lack, double spread) {
     values_.head(count_) += along * (lack / spread);
-    for (Eigen::Index i = 0; i < count_; ++i)
-      inverse_.col(i).head(count_) -= along * (along[i] / spread);
+    for (Eigen::Index i = 0; i < count_; ++i) {
+      const double share = along[i] / spread;
+      for (Eigen::Index k = i; k < count_; ++k) inverse_(k, i) -= along[k] * share;
+    }
   }
 
   // The last variable takes the place of the fixed one.
-  void fix(Eigen::Index i, double value) {
+  [[gnu::noinline]] void fix(Eigen::Index i, double value) {
     const Eigen::VectorXd along = column(i);
     move(along, value - values_[i], along[i]);
-    const Eigen::Index last = --count_;
-    values_[i] = values_[last];
-    inverse_.col(i).head(last) = inverse_.col(last).head(last);
-    inverse_.row(i).head(last) = inverse_.row(last).head(last);
-    inverse_(i, i) = inverse_(last, last);
+    const Eigen::VectorXd last = column(--count_);
+    variables_[std::size_t(i)] = variables_[std::size_t(count_)];
+    values_[i] = values_[count_];
+    for (Eigen::Index k = 0; k < count_; ++k) inverse_(std::max(i, k), std::min(i, k)) = last[k];
+    if (i < count_) inverse_(i, i) = inverse_(count_, count_);
   }
 
  private:
+  std::vector<int> variables_;
   Eigen::VectorXd values_;
   Eigen::MatrixXd inverse_;
   Eigen::Index count_;
@@ -85,6 +97,8 @@ struct Rounding::Wholes {
 
 Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::Index reals)
     : reals_(reals), wholes_(right.size() - reals), order_(sparseOrder(matrix, reals)) {
+  all_.resize(std::size_t(wholes_));
+  std::iota(all_.begin(), all_.end(), 0);
   const auto placeOf = [&](Eigen::Index i) { return i < reals ? Eigen::Index(order_[i]) : i; };
   std::vector<Eigen::Triplet<double>> entries, coupling;
   forEachEntry(matrix, [&](auto row, auto column, double value) {
@@ -97,11 +111,9 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   ordered.setFromTriplets(entries.begin(), entries.end());
   coupling_.resize(reals, wholes_);
   coupling_.setFromTriplets(coupling.begin(), coupling.end());
-  right_.resize(right.size());
-  for (Eigen::Index i = 0; i < right.size(); ++i) right_[placeOf(i)] = right[i];
   factor_.compute(ordered);
   if (factor_.info() != Eigen::Success) return;
-  relaxed_ = Eigen::VectorXd(factor_.solve(right_)).tail(wholes_);
+  aim(right);
   // The part of A that is left without the reals stands at the end of the factor.
   Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(wholes_, wholes_);
   forEachEntry(Sparse(factor_.matrixL()), [&](auto row, auto column, double value) {
@@ -110,6 +122,12 @@ Rounding::Rounding(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::In
   matrix_ = lower * factor_.vectorD().tail(wholes_).asDiagonal() * lower.transpose();
   inverse_ = inverseOf(matrix_);
   isSolvable_ = inverse_.allFinite() && relaxed_.allFinite();
+}
+
+void Rounding::aim(const Eigen::VectorXd& right) {
+  right_ = right;
+  for (Eigen::Index i = 0; i < reals_; ++i) right_[order_[i]] = right[i];
+  relaxed_ = Eigen::VectorXd(factor_.solve(right_)).tail(wholes_);
 }
 
 // Solves with the part of the factor that belongs to the reals.
@@ -140,8 +158,7 @@ std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) cons
   for (const auto& [variable, coefficient] : required_[required])
     along += coefficient * inverse_.col(variable - reals_);
   along.array() /= inverse_.diagonal().array().sqrt();
-  std::vector<int> all(std::size_t(wholes_), 0);
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> all = all_;
   const auto isNearer = [&](int a, int b) { return std::abs(along[a]) > std::abs(along[b]); };
   std::stable_sort(all.begin(), all.end(), isNearer);
   all.resize(std::min(all.size(), count));
@@ -150,23 +167,36 @@ std::vector<int> Rounding::allNear(std::size_t required, std::size_t count) cons
   return all;
 }
 
-// Of some variables, while the others stay.
+// Of some variables, in their order, while the others stay. Few others are fixed one by one.
 Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) const {
-  if (Eigen::Index(some.size()) == wholes_) return {wholes.relaxed, inverse_};
+  if (2 * Eigen::Index(some.size()) > wholes_) {
+    Minimum minimum(all_, wholes.relaxed, inverse_);
+    for (Eigen::Index i = wholes_; i > 0; --i)
+      if (!std::binary_search(some.begin(), some.end(), int(i - 1)))
+        minimum.fix(i - 1, wholes.values[i - 1]);
+    return minimum;
+  }
   const Eigen::VectorXd off = wholes.values - wholes.relaxed;
-  Eigen::VectorXd slope(some.size());
-  for (std::size_t i = 0; i < some.size(); ++i)
-    slope[Eigen::Index(i)] = matrix_.col(some[i]).dot(off);
-  Eigen::MatrixXd inverse = inverseOf(matrix_(some, some));
-  Eigen::VectorXd values = wholes.values(some) - inverse * slope;
-  return {std::move(values), std::move(inverse)};
+  const auto count = Eigen::Index(some.size());
+  Eigen::MatrixXd own(count, count);
+  Eigen::VectorXd slope(count), values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int at = some[std::size_t(i)];
+    values[i] = wholes.values[at];
+    slope[i] = matrix_.col(at).dot(off);
+    for (Eigen::Index k = 0; k < count; ++k) own(k, i) = matrix_(some[std::size_t(k)], at);
+  }
+  own = inverseOf(own);
+  values -= own * slope;
+  return {some, std::move(values), std::move(own)};
 }
 
-// Pulls sums to what is wanted of them, by these variables.
-void Rounding::pull(Minimum& minimum, const Wholes& wholes, const std::vector<int>& some) const {
+// Pulls sums to what is wanted of them, by the variables of the minimum.
+void Rounding::pull(Minimum& minimum, const Wholes& wholes) const {
   constexpr double kYield = 1e-3;  // one over the weight, beside weights of about 1
   std::vector<int> places(std::size_t(wholes_), -1);
-  for (std::size_t i = 0; i < some.size(); ++i) places[std::size_t(some[i])] = int(i);
+  for (Eigen::Index i = 0; i < minimum.count(); ++i)
+    places[std::size_t(minimum.variable(i))] = int(i);
   for (std::size_t k = 0; k < required_.size(); ++k) {
     const auto placeOf = [&](const auto& term) { return places[term.first - Index(reals_)]; };
     const auto isOne = [&](const auto& term) { return placeOf(term) >= 0; };
@@ -189,9 +219,8 @@ void Rounding::pull(Minimum& minimum, const Wholes& wholes, const std::vector<in
 // and so on.
 void Rounding::round(Wholes& wholes, const std::vector<int>& some) const {
   Minimum minimum = minimumOf(wholes, some);
-  pull(minimum, wholes, some);
-  std::vector<int> left = some;
-  while (!left.empty()) {
+  pull(minimum, wholes);
+  while (minimum.count() > 0) {
     Eigen::Index nearest = 0;
     double least = 1;
     for (Eigen::Index i = 0; i < minimum.count(); ++i) {
@@ -201,10 +230,8 @@ void Rounding::round(Wholes& wholes, const std::vector<int>& some) const {
       nearest = i;
     }
     const double whole = std::round(minimum.value(nearest));
-    wholes.values[left[std::size_t(nearest)]] = whole;
+    wholes.values[minimum.variable(nearest)] = whole;
     minimum.fix(nearest, whole);
-    left[std::size_t(nearest)] = left.back();
-    left.pop_back();
   }
 }
 
@@ -238,9 +265,7 @@ Eigen::VectorXd Rounding::roundedWholes(double factor) const {
   Wholes wholes{relaxed, relaxed, std::vector<int>(required_.size(), 0)};
   for (std::size_t k = 0; k < required_.size(); ++k)  // those that would become 0
     wholes.wanted[k] = std::round(sumOf(k, relaxed)) < 1;
-  std::vector<int> some(std::size_t(wholes_), 0);
-  std::iota(some.begin(), some.end(), 0);
-  for (; !some.empty(); some = pullShort(wholes)) round(wholes, some);
+  for (std::vector<int> some = all_; !some.empty(); some = pullShort(wholes)) round(wholes, some);
   return wholes.values;
 }
 

@@ -24,6 +24,9 @@ class Rounding {
   // Whether A could be factored.
   bool isSolvable() const { return isSolvable_; }
 
+  // Takes another b.
+  void aim(const Eigen::VectorXd& right);
+
   // Sums of integer variables that should be at least 1.
   void require(std::vector<IntegerSum> sums) { required_ = std::move(sums); }
 
@@ -38,13 +41,14 @@ class Rounding {
   double sumOf(std::size_t required, const Eigen::VectorXd& values) const;
   std::vector<int> allNear(std::size_t required, std::size_t count) const;
   Minimum minimumOf(const Wholes& wholes, const std::vector<int>& some) const;
-  void pull(Minimum& minimum, const Wholes& wholes, const std::vector<int>& some) const;
+  void pull(Minimum& minimum, const Wholes& wholes) const;
   void round(Wholes& wholes, const std::vector<int>& some) const;
   std::vector<int> pullShort(Wholes& wholes) const;
   Eigen::VectorXd roundedWholes(double factor) const;
   Eigen::VectorXd solveReals(Eigen::VectorXd right) const;
 
   Eigen::Index reals_, wholes_;
+  std::vector<int> all_;   // the integer variables, from 0 on
   Eigen::VectorXi order_;  // of the reals: where each stands in the factor
   Factor factor_;
   Eigen::SparseMatrix<double> coupling_;  // rows of reals in the factor's order, columns of wholes

@@ -55,6 +55,11 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
     rounding_.reset();
 }
 
+void MapMaker::setSizes(FaceData<double> sizes) {
+  sizes_ = std::move(sizes);
+  rounding_->aim(system_.quadratic(sizes_).right);
+}
+
 std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> known) const {
   Eigen::VectorXd values = rounding_->rounded(1 / length);
   double mark = 0;  // no few integers make up for each other in a sum of roots

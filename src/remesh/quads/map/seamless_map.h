@@ -56,6 +56,9 @@ class MapMaker {
   // it.
   MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<double> sizes);
 
+  // Takes other sizes: all else stays as it is.
+  void setSizes(FaceData<double> sizes);
+
   // Whether a map is possible; also false with too many integer variables for dense matrices.
   bool isPossible() const { return bool(rounding_); }
 

@@ -9,9 +9,6 @@ namespace remesher {
 
 namespace {
 
-// The weight that ties a map to its place where nothing else does, beside weights of about 1.
-constexpr double kTie = 1e-7;
-
 // A quarter turn k times of the pair (u, v): the axis that a coordinate comes from, and its sign.
 struct Source {
   int axis, sign;

@@ -70,6 +70,16 @@ TEST_CASE("rounding: one whole variable after the other is no worse than all at 
   CHECK(greedy <= atOnce);
 }
 
+TEST_CASE("rounding: aimed elsewhere it is as made for there") {
+  for (std::uint64_t seed = 1; seed < 12; ++seed) {
+    const Row row(seed);
+    const Eigen::VectorXd right = Row(seed + 12).right;
+    Rounding aimed(row.matrix, row.right, Row::kReals);
+    aimed.aim(right);
+    CHECK(aimed.rounded(1) == Rounding(row.matrix, right, Row::kReals).rounded(1));
+  }
+}
+
 TEST_CASE("rounding: a sum that is to be 1 at least is, where it would be 0 without") {
   int helped = 0;
   for (std::uint64_t seed = 1; seed < 12; ++seed) {
