@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
@@ -41,6 +42,7 @@ int judge(const Soup& soup) {
   }
   Mesh mesh;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  processing::remove_isolated_vertices(mesh);  // does_bound_a_volume crashes at one
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   processing::self_intersections(mesh, std::back_inserter(pairs));
   const bool isClosed = CGAL::is_closed(mesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CGAL beside our own judge of repaired surfaces, and its alpha wrap beside our repair.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -31,7 +31,9 @@ function withProgram(mesh, act) {
  * @returns {string[] | undefined} */
 export function wrongByCgal(mesh) {
   return withProgram(mesh, (program, _, path) => {
-    const found = JSON.parse(execFileSync(program, ['judge', path], { encoding: 'utf8' }));
+    const { stdout, status, signal } = spawnSync(program, ['judge', path], { encoding: 'utf8' });
+    if (status !== 0) return [`no verdict (${signal ?? status})`];
+    const found = JSON.parse(stdout);
     if (!found.isManifold) return ['not manifold'];
     return [...(found.isClosed ? [] : ['open']),
       ...(found.pairs > 0 ? [`${found.pairs} crossing pairs`] : []),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/predicates.h"
+
 namespace remesher {
 
 namespace {
@@ -44,6 +46,13 @@ std::vector<Face> goingAll(const HalfedgeMesh& mesh, const LocalChange& change) 
 Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
   if (change.operation == Operation::Collapse) return mesh.tip(change.halfedge).index;
   return change.operation == Operation::Relocate ? change.vertex.index : kNone;
+}
+
+// Whether a triangle's corner on its way from p to q passes the triangle that stays at the edge ab.
+bool passes(const Triangle& stays, const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
+  const auto& [c, d, e] = stays;
+  const int begin = orient3d(c, d, e, p), end = orient3d(c, d, e, q);
+  return begin * end < 0 && begin * orient3d(a, b, p, q) > 0;
 }
 
 }  // namespace
@@ -113,10 +122,34 @@ std::size_t CrossingGuard::countAmong(std::span<const NamedTriangle> triangles,
   return pairs;
 }
 
+// Whether a triangle turns past a neighbour that stays. The two meet neither before nor after, but
+// change sides: a thin body would be inside out.
+bool CrossingGuard::turnsPast(std::span<const NamedTriangle> after,
+                              std::span<const Face> gone) const {
+  for (const Face f : gone) {
+    const NamedTriangle before = present(f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Halfedge twin = mesh_.mesh().twin(HalfedgeMesh::halfedge(f, int(k)));
+      if (!twin || contains(gone, HalfedgeMesh::face(twin))) continue;
+      const Triangle stays = present(HalfedgeMesh::face(twin)).at;
+      const std::size_t next = (k + 1) % 3, corner = (k + 2) % 3;
+      for (const NamedTriangle& t : after)
+        for (std::size_t i = 0; i < 3; ++i)
+          if (t.vertices[i] == before.vertices[k] &&
+              t.vertices[(i + 1) % 3] == before.vertices[next] &&
+              passes(stays, before.at[k], before.at[next], before.at[corner], t.at[(i + 2) % 3]))
+            return true;
+    }
+  }
+  return false;
+}
+
 bool CrossingGuard::allows(const LocalChange& change) const {
   std::vector<NamedTriangle> after;
   for (const auto& corners : change.coming) after.push_back(coming(change, corners));
-  return countAmong(after, goingAll(mesh_.mesh(), change), 1) == 0 || growth(change) <= 0;
+  const std::vector<Face> gone = goingAll(mesh_.mesh(), change);
+  if (turnsPast(after, gone)) return false;
+  return countAmong(after, gone, 1) == 0 || growth(change) <= 0;
 }
 
 std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {

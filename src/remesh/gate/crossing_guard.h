@@ -24,7 +24,7 @@ class CrossingGuard {
   // more, then at least one.
   std::ptrdiff_t growth(const LocalChange& change) const;
 
-  // Whether a change makes no more such pairs.
+  // Whether a change makes no more such pairs, and no triangle turns past a neighbour.
   virtual bool allows(const LocalChange& change) const;
 
   // Must be called after each change, with the vertex that it made, moved or kept.
@@ -44,6 +44,7 @@ class CrossingGuard {
   // Stops after a triangle with which there are enough.
   std::size_t countAmong(std::span<const NamedTriangle> triangles, std::span<const Face> leftOut,
                          std::size_t enough) const;
+  bool turnsPast(std::span<const NamedTriangle> after, std::span<const Face> gone) const;
   void enterAll();
 
   const WorkingMesh& mesh_;
