@@ -14,6 +14,8 @@ import { timeRemesh } from './run.js';
 import { percentFound, seenSharpEdges } from './sharp_edges.js';
 import { fixed, markdownTable } from './table.js';
 
+// Distances are those from the input to the result, and back. Back, the far side of a thin solid
+// made of a sheet counts; from the input, parts within bodies do.
 const columns = ['model', 'mode', 'triangles', 's', 'open', 'crossing', 'RMS %', '→ vertices',
   'open', 'crossing', 'worst °', 'flat', 'RMS %', 's', 'CGAL', 'edges %',
   'wrap: triangles', 's', 'RMS %'];
@@ -88,16 +90,19 @@ async function measured(name, { model = name, mode = 'auto', vertices = 5000, ed
     wrap: how.wrap ? wrapped(given) : undefined };
 }
 
+const bothWays = (fidelity) => fidelity
+  && `${fixed(fidelity.rmsToResult, 4)} / ${fixed(fidelity.rmsToOriginal, 4)}`;
+
 function rowOf({ name, mode, seconds, mended, remeshSeconds, remeshed, wrong, edges,
   wrap }) {
   const [one, two] = [mended.result, remeshed.result];
   return [name, mode, one.triangles, fixed(seconds, 2), one.boundaryEdges, one.selfIntersections,
-    fixed(mended.fidelity.rmsToOriginal, 4), two.vertices, two.boundaryEdges,
+    bothWays(mended.fidelity), two.vertices, two.boundaryEdges,
     two.selfIntersections, fixed(two.worstAngle, 1), two.degenerateTriangles,
-    fixed(remeshed.fidelity.rmsToOriginal, 4), fixed(remeshSeconds, 2),
+    bothWays(remeshed.fidelity), fixed(remeshSeconds, 2),
     wrong[0] && (wrong.flat().join(', ') || 'sound'),
     edges?.map((share) => fixed(share, 1)).join(' → '), wrap?.result.triangles,
-    fixed(wrap?.seconds, 2), fixed(wrap?.fidelity.rmsToOriginal, 4)];
+    fixed(wrap?.seconds, 2), bothWays(wrap?.fidelity)];
 }
 
 /** @param {any} limits

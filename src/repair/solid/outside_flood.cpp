@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace remesher {
 
@@ -125,31 +122,27 @@ bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::
 }
 
 // Grows the outside back to the surface, by as much as the flood kept away from it, but not through
-// the surface. The reach is the clearance and 1.5 cells more, to take in the points next to the
-// surface; through a crack the outside grows no farther than the reach.
-void growBack(const Lattice& lattice, const std::vector<char>& crossed, double reach,
-              std::vector<char>& isOutside) {
-  using Entry = std::pair<float, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+// the surface. Where the flood ended, the surface is a clearance away; along the way back this
+// distance and the way add up to the clearance, in corners to at most the reach: the clearance and
+// 1.75 cells. Behind a crack both grow, so that the outside gets half as deep into it.
+void growBack(const Lattice& lattice, const std::vector<char>& crossed, const Distances& distances,
+              double reach, std::vector<char>& isOutside) {
+  std::vector<std::size_t> front;
   std::vector<float> ways(isOutside.size(), std::numeric_limits<float>::infinity());
   std::vector<std::size_t> origins(isOutside.size());
   lattice.forEachPoint([&](std::size_t p, const Place& place) {
     if (isOutside[p]) ways[p] = 0, origins[p] = p;
-    if (isAtFront(lattice, isOutside, p, place)) queue.emplace(0.0F, p);
+    if (isAtFront(lattice, isOutside, p, place)) front.push_back(p);
   });
-  while (!queue.empty()) {
-    const float way = queue.top().first;
-    const std::size_t p = queue.top().second;
-    queue.pop();
-    if (way > ways[p]) continue;
-    isOutside[p] = 1;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const std::size_t p = front[i], origin = origins[p];
     forEachNeighbor(lattice, crossed, p, [&](std::size_t q, bool isParted) {
       if (isParted) return;
       // Measured straight from where the flood ended: paths along lattice edges are longer.
-      const auto next = float((lattice.position(q) - lattice.position(origins[p])).norm());
-      if (next > float(reach) || !(next < ways[q])) return;
-      ways[q] = next, origins[q] = origins[p];
-      queue.emplace(next, q);
+      const auto way = float((lattice.position(q) - lattice.position(origin)).norm());
+      if (!(way < ways[q]) || double(way) + distances.at(q, lattice.place(q)) > reach) return;
+      ways[q] = way, origins[q] = origin, isOutside[q] = 1;
+      front.push_back(q);
     });
   }
 }
@@ -204,8 +197,9 @@ InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> c
   for (const EdgeCrossing& c : crossings)
     crossed[c.edge / 3] = char(crossed[c.edge / 3] | (1 << (c.edge % 3)));
   const double clearance = reach.gap / 2;
-  std::vector<char> isOutside = flooded(lattice, Distances(lattice, crossings), clearance);
-  growBack(lattice, crossed, clearance + 1.5 * lattice.spacing(), isOutside);
+  const Distances distances(lattice, crossings);
+  std::vector<char> isOutside = flooded(lattice, distances, clearance);
+  growBack(lattice, crossed, distances, clearance + 1.75 * lattice.spacing(), isOutside);
   InsideField field;
   for (const char outside : isOutside) field.isInside.push_back(!outside);
   fillCavities(lattice, {}, field.isInside);

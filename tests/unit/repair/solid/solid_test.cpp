@@ -220,6 +220,22 @@ TEST_CASE("solid: a sheet reached from both sides becomes a thin solid, its fron
   CHECK(d.toOriginal.maximum < 2 * spacing);
 }
 
+TEST_CASE("solid: the outside does not fray a surface through its cracks") {
+  // A sphere whose triangles have cracks between them.
+  TriangleMesh cracked;
+  const TriangleMesh sphere = soups::sphere(12);
+  for (std::size_t i = 0; i < sphere.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return sphere.positions[sphere.indices[i + k]]; };
+    const Vec3 middle = (at(0) + at(1) + at(2)) / 3;
+    const auto shrunk = [&](std::size_t k) -> Vec3 { return 0.9 * at(k) + 0.1 * middle; };
+    soups::addTriangle(cracked, shrunk(0), shrunk(1), shrunk(2));
+  }
+  for (const double spacing : {0.02, 0.025, 0.03}) {
+    const Solid solid = solidOf(cracked, {spacing, InsideBy::Reach, 0.1});
+    CHECK(measureDeviation(cracked, solid.mesh, Maximum::Sampled).toOriginal.rms < spacing / 2);
+  }
+}
+
 TEST_CASE("solid: sheets beside a body are dropped where that is asked for") {
   const TriangleMesh ball = shapes::icosphere(6);
   const TriangleMesh both = soups::joined({ball, soups::moved(shapes::grid(4, 4), {3, 0, 0})});
