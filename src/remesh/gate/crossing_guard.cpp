@@ -48,8 +48,9 @@ Index nameOfMoved(const HalfedgeMesh& mesh, const LocalChange& change) {
   return change.operation == Operation::Relocate ? change.vertex.index : kNone;
 }
 
-// Whether a triangle's corner on its way from p to q passes the triangle that stays at the edge ab.
-bool passes(const Triangle& stays, const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
+// Whether a triangle's last corner passes the triangle that stays at the other two on its way to q.
+bool passes(const Triangle& stays, const Triangle& moves, const Vec3& q) {
+  const auto& [a, b, p] = moves;
   const auto& [c, d, e] = stays;
   const int begin = orient3d(c, d, e, p), end = orient3d(c, d, e, q);
   return begin * end < 0 && begin * orient3d(a, b, p, q) > 0;
@@ -132,12 +133,13 @@ bool CrossingGuard::turnsPast(std::span<const NamedTriangle> after,
       const Halfedge twin = mesh_.mesh().twin(HalfedgeMesh::halfedge(f, int(k)));
       if (!twin || contains(gone, HalfedgeMesh::face(twin))) continue;
       const Triangle stays = present(HalfedgeMesh::face(twin)).at;
-      const std::size_t next = (k + 1) % 3, corner = (k + 2) % 3;
+      const std::size_t next = (k + 1) % 3;
+      const Triangle moves = {before.at[k], before.at[next], before.at[(k + 2) % 3]};
       for (const NamedTriangle& t : after)
         for (std::size_t i = 0; i < 3; ++i)
           if (t.vertices[i] == before.vertices[k] &&
               t.vertices[(i + 1) % 3] == before.vertices[next] &&
-              passes(stays, before.at[k], before.at[next], before.at[corner], t.at[(i + 2) % 3]))
+              passes(stays, moves, t.at[(i + 2) % 3]))
             return true;
     }
   }

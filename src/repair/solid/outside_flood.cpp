@@ -34,6 +34,8 @@ class Distances {
     }
   }
 
+  const Lattice& lattice() const { return lattice_; }
+
   double at(std::size_t p, const Place& place) const {
     if (nearest_[p] == kNone) return kInfinity;
     return (lattice_.position(place) - places_[nearest_[p]]).norm();
@@ -125,8 +127,9 @@ bool isAtFront(const Lattice& lattice, const std::vector<char>& isReached, std::
 // the surface. Where the flood ended, the surface is a clearance away; along the way back this
 // distance and the way add up to the clearance, in corners to at most the reach: the clearance and
 // 1.75 cells. Behind a crack both grow, so that the outside gets half as deep into it.
-void growBack(const Lattice& lattice, const std::vector<char>& crossed, const Distances& distances,
-              double reach, std::vector<char>& isOutside) {
+void growBack(const Distances& distances, const std::vector<char>& crossed, double reach,
+              std::vector<char>& isOutside) {
+  const Lattice& lattice = distances.lattice();
   std::vector<std::size_t> front;
   std::vector<float> ways(isOutside.size(), std::numeric_limits<float>::infinity());
   std::vector<std::size_t> origins(isOutside.size());
@@ -199,7 +202,7 @@ InsideField outsideFlood(const Lattice& lattice, std::span<const EdgeCrossing> c
   const double clearance = reach.gap / 2;
   const Distances distances(lattice, crossings);
   std::vector<char> isOutside = flooded(lattice, distances, clearance);
-  growBack(lattice, crossed, distances, clearance + 1.75 * lattice.spacing(), isOutside);
+  growBack(distances, crossed, clearance + 1.75 * lattice.spacing(), isOutside);
   InsideField field;
   for (const char outside : isOutside) field.isInside.push_back(!outside);
   fillCavities(lattice, {}, field.isInside);
