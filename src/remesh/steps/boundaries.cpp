@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
 constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
+constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
 constexpr int kMostRounds = 8;       // of moves, and of slides in each
 constexpr int kPasses = 3;           // of smoothing after each
 constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
@@ -103,6 +104,7 @@ const std::vector<double>& placesFor(const Run& run, Index chain, const std::vec
 }
 
 Plan planFor(const Run& run, Known& known) {
+  const double tolerance = kTolerance * run.mesh.surface().diagonal();
   Plan plan;
   for (const Row& row : rowsOf(run))
     for (const auto& [first, last] : stretchesOf(run, row)) {
@@ -114,7 +116,7 @@ Plan planFor(const Run& run, Known& known) {
         const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
         if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
         if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
-        if (to[i] != arcs[i]) plan.moves.push_back({chain, to[i], v});
+        if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
       }
     }
   return plan;
