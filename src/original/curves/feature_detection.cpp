@@ -10,11 +10,11 @@ namespace remesher {
 
 namespace {
 
-// Measured on scans and sculptures (cow, horse, hand, nicolo, bunny): networks of sharp edges have
-// about one loose end per ten vertices and are at most 12 × as sharp as the edges beside them. A
-// machine part (fandisk) has one loose end in 350 vertices and is 148 × as sharp. Repair's needles
-// make some networks look worse (5–15 × as sharp, of an assembly whose edges are 31 × as sharp
-// altogether): where the whole is much sharper, each network is a part's.
+// Measured on scans and sculptures (cow, horse, hand, nicolo, bunny): networks of sharp edges are
+// at most 12 × as sharp as the edges beside them. Those of a machine part (fandisk) are 148 × as
+// sharp. On scans a network is a feature only if it is closed: others have loose ends. Repair's
+// needles make some networks look worse (5–15 × as sharp, of an assembly whose edges are 31 × as
+// sharp altogether): where the whole is much sharper, each network is a part's.
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
 // A fading crease is followed from its sharp part as long as it has this share of the angle and

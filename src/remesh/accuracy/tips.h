@@ -11,7 +11,7 @@ namespace remesher {
 inline constexpr double kLostTip = 0.5;
 
 // Moves a vertex to every lost tip, the farthest first, where the star allows it, and pins it
-// there. A very distant tip that no vertex can move to gets a new one. Smoothing should follow.
+// there. Smoothing should follow.
 void reachTips(Run& run);
 
 }  // namespace remesher

@@ -48,8 +48,8 @@ class RowQr {
   double r00_ = 0, r01_ = 0, r11_ = 0, q0_ = 0, q1_ = 0;
 };
 
-// The cost of a triangle, by the cosine of its smallest angle: what is missing to kWideAngle, or,
-// where nothing is, the angle.
+// The cost of a triangle, by the cosine of its smallest angle: by how much this exceeds that of
+// kWideAngle, squared. Triangles that are wide enough differ by a trace.
 double costOf(double cosine) {
   static const double most = std::cos(kWideAngle);
   const double over = greatest(0, cosine - most);
