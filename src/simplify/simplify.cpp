@@ -29,8 +29,7 @@ constexpr double kBorder = 2, kCrease = 0.2;
 const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // The cosine of the largest angle by which a collapse may turn a triangle, if others go.
 constexpr double kTurned = 0.5;
-// In lengths of the edge: the remaining vertex moves no farther from its place.
-constexpr double kFarthest = 2;
+
 struct Offer {
   double cost;  // the sum times √area: a large area shows errors more
   Halfedge halfedge;
@@ -175,8 +174,7 @@ class Simplification {
         offered.cost += attributes_->cost(wedge, wedge, at(into));
     } else if (freedom_[from] == freedom_[into]) {
       const Vec3 best = sum.square.ldlt().solve(-sum.linear);
-      const double farthest = kFarthest * (at(into) - at(from)).norm();
-      if ((best - at(into)).norm() < farthest && sum.at(best) < offered.cost) {
+      if (sum.at(best) < offered.cost) {
         offered.cost = sum.at(best);
         offered.place = best + center_;
       }

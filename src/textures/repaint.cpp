@@ -22,14 +22,12 @@ namespace {
 
 constexpr Index kSmallest = 64, kLargest = 4096;  // limits of automatically chosen sizes
 constexpr double kUse = 0.6;                      // approximate share of a square that charts cover
-// A size suffices with this share of the original's texels: the next size has four times as many.
-constexpr double kNearly = 0.5;
-constexpr double kBareTexels = 4;  // per triangle of an original without maps
+constexpr double kBareTexels = 4;                 // per triangle of an original without maps
 // Limit on texels for blending vertex colours: they alone justify no more than a small square.
 constexpr double kMostForSteps = kUse * 512 * 512;
-// Texels around a chart: enough for a filter at the chart's rim, and more in larger squares, whose
-// coarser mip levels are used as well.
-constexpr Index kLeastPadding = 2, kPaddingShare = 256;
+// Texels around a chart: one for a filter at the chart's rim, and this share of the size more,
+// because coarser mip levels of larger squares are used as well.
+constexpr Index kPaddingShare = 256;
 
 bool isPainted(const std::string& semantic) {
   const std::string own = semantic.substr(semantic.find('/') + 1);  // of a morph target, too
@@ -169,11 +167,12 @@ class Repainting {
   }
 
   // A place of a map that the original shows several times, such as a mirrored half, gets texels
-  // each time. These are coarser, so that their number does not far exceed the original's.
+  // each time. These are coarser, so that their number does not far exceed the original's. The next
+  // size has four times as many: the nearest size has up to twice as many or as few as wished.
   static Index sizeFor(double shown, double stored) {
     const double texels = stored > 0 ? std::sqrt(shown * std::min(shown, stored)) : shown;
     Index size = kSmallest;
-    while (size < kLargest && double(size) * size * kUse < kNearly * texels) size *= 2;
+    while (size < kLargest && 2 * double(size) * size * kUse < texels) size *= 2;
     return size;
   }
 
@@ -210,7 +209,7 @@ class Repainting {
         indices.push_back(offsets[part] + surfaces_[part].welded(h));
         cuts.push_back(borders[part][h]);
       }
-    const Index padding = std::max(kLeastPadding, atlas.size / kPaddingShare);
+    const Index padding = 1 + atlas.size / kPaddingShare;
     const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
     if (!(unwrapped.scale > 0) && !input_.options.textureSize && atlas.size < kLargest) return {};
     if (!(unwrapped.scale > 0))

@@ -187,10 +187,9 @@ class ChainTracer {
   // wide hole's rim. With three such a rim would stay a triangle, because the mesh close around it
   // lets no more vertices in.
   std::size_t cornersOf(const Chain& loop) const {
-    constexpr double kShortest = 0.5;             // target edge lengths
     constexpr std::size_t kMost = 6, kEdges = 4;  // original edges per corner
     if (loop.boundary || !(rules_.size > 0)) return 3;
-    const double fit = loop.length() / (kShortest * rules_.size);
+    const double fit = loop.length() / rules_.size;
     const std::size_t most = std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
     return fit < double(most) ? std::max<std::size_t>(3, std::size_t(fit)) : most;
   }

@@ -17,12 +17,6 @@ constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.
 // star of each of the cell's vertices.
 constexpr int kMinReach = 3;
 
-// Farther out it takes no face that points this far back (cosine to the cell's mean normal).
-constexpr float kMarginCone = -0.7f;
-
-// A search for ways visits this many faces whether near or not: large faces have far centroids.
-constexpr Index kAlwaysNear = 30;
-
 // A larger patch is of no use; breadth-first growth keeps the nearest faces.
 constexpr std::size_t kMaxPatchFaces = 3000;
 
@@ -79,12 +73,8 @@ void PatchBuilder::growOutwards(IsWanted isWanted) {
 }
 
 void PatchBuilder::growMargin() {
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-  for (const Face f : grower_.faces()) normal += frames_[f].normal;
-  const float lowest = kMarginCone * normal.norm();
   growOutwards([&](Face source, Face g) {
-    const float distance = (frames_[g].centroid - frames_[source].centroid).norm();
-    return distance <= margin_ && frames_[g].normal.dot(normal) >= lowest;
+    return (frames_[g].centroid - frames_[source].centroid).norm() <= margin_;
   });
 }
 
@@ -117,7 +107,7 @@ bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) 
       const Face g = grower_.neighbor(HalfedgeMesh::halfedge(ways_[head].face, i));
       if (!g || isMet(g)) continue;
       const bool isGoal = g == faces[1] || g == faces[2];
-      if (!isGoal && head >= kAlwaysNear && !ball.holds(frames_[g].centroid)) continue;
+      if (!isGoal && !ball.holds(frames_[g].centroid)) continue;
       visited_[g] = visit_;
       ways_.push_back({g, head});
     }

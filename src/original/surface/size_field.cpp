@@ -229,12 +229,11 @@ VertexData<double> areasToShare(const OriginalSurface& surface, const Spikes* sp
   return areas;
 }
 
-// Tip size 2.2 L, with L the spike's length, makes the target of its edges about 1.1 L (the size at
-// the foot is small), so that they are neither split nor collapsed.
+// With twice the spike's length as the size at its tip, the target of its edges is about its
+// length, because the size at the foot is small: so they are neither split nor collapsed.
 void stretchSpikes(const Spikes& spikes, VertexData<double>& sizes) {
-  constexpr double kTipSize = 2.2;
   for (Index i = 0; i < sizes.size(); ++i)
-    if (spikes.lengths[Vertex(i)] > 0) sizes[Vertex(i)] = kTipSize * spikes.lengths[Vertex(i)];
+    if (spikes.lengths[Vertex(i)] > 0) sizes[Vertex(i)] = 2 * spikes.lengths[Vertex(i)];
 }
 
 }  // namespace

@@ -147,9 +147,7 @@ class Survey {
     const Vec3 offset = mesh_.surface().positions()[v] - mesh_.position(w);
     const double size = run_.asked.scale * run_.sizes.at(mesh_.at(w));
     return offset.squaredNorm() < size * size &&
-           std::abs(offset.dot(mesh_.normal(w))) < surely_ * size &&
-           mesh_.surface().cornerNormal(mesh_.surface().mesh().outgoing(v)).dot(mesh_.normal(w)) >
-               kSameWay;
+           std::abs(offset.dot(mesh_.normal(w))) < surely_ * size;
   }
 
   Face faceAt(Vertex v) const { return HalfedgeMesh::face(mesh_.mesh().outgoing(v)); }

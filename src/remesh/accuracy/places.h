@@ -12,8 +12,6 @@ namespace remesher {
 // looked through. With 0.3 for places of the mesh Hausdorff distances are 9 % larger (12 cases at 7
 // neighboring counts each, mean of medians); for those of the original 0.3 gives 1 % more.
 inline constexpr double kDoubtful = 0.2;
-// Normals with a larger cosine point the same way.
-inline constexpr double kSameWay = 0.9;
 
 struct Place {
   SurfacePoint original;

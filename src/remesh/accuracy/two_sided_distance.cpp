@@ -12,13 +12,6 @@
 
 namespace remesher {
 
-namespace {
-
-// An edge whose middle is nearer than this share of the farthest so far decides nothing.
-constexpr double kDecides = 0.4;
-
-}  // namespace
-
 TwoSidedDistance::TwoSidedDistance(const Run& run)
     : mesh_(run.mesh),
       hubs_(Hubs::ofWalks(run.mesh.mesh())),
@@ -100,8 +93,7 @@ bool TwoSidedDistance::followsOriginal(Halfedge h) const {
     return false;
   const Vec3 edge = mesh_.position(b) - mesh_.position(a);
   const double most = kPlainlyNear * edge.norm();
-  return std::abs(edge.dot(mesh_.normal(a))) < most && std::abs(edge.dot(mesh_.normal(b))) < most &&
-         mesh_.normal(a).dot(mesh_.normal(b)) > kSameWay;
+  return std::abs(edge.dot(mesh_.normal(a))) < most && std::abs(edge.dot(mesh_.normal(b))) < most;
 }
 
 void TwoSidedDistance::raise(Face f, double distance) {
@@ -113,14 +105,11 @@ void TwoSidedDistance::raise(Face f, double distance) {
 void TwoSidedDistance::measureFaces() {
   const HalfedgeMesh& m = mesh_.mesh();
   FaceData<char> bent(m.faceCapacity(), 0);
-  double farthest = 0;
   for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (!m.isEdge(h) || followsOriginal(h)) continue;
     const Vec3 &from = mesh_.position(m.origin(h)), &to = mesh_.position(m.tip(h));
-    double distance = fromOriginal(0.5 * (from + to), m.face(h));
-    if (distance > kDecides * farthest) distance = fromOriginal(from, to, m.face(h));
-    farthest = std::max(farthest, distance);
+    const double distance = fromOriginal(from, to, m.face(h));
     for (const Halfedge side : {h, m.twin(h)}) {
       if (!side) continue;
       raise(m.face(side), distance);

@@ -26,8 +26,6 @@ namespace remesher {
 
 namespace {
 
-constexpr int kEvenings = 2;
-
 // Corners never move: a coarse mesh needs so many vertices per corner.
 constexpr std::size_t kVerticesPerCorner = 8;
 // The largest mean bend over a coarse edge. Six edges as long as the radius go around a tube (a
@@ -87,13 +85,12 @@ void smooth(Run& run) {
 // smoothing over ever more regular valences blur: adds some vertices where edges are too long, and
 // removes as many where edges are too short.
 void evenOut(Run& run, std::size_t vertices) {
-  for (int i = 0; i < kEvenings; ++i)
-    for (const std::size_t count : {vertices + vertices / 10, vertices}) {
-      matchCount(run, count);
-      delaunayFlips(run.mesh, run.asked.rule);
-      valenceFlips(run);
-      smooth(run);
-    }
+  for (const std::size_t count : {vertices + vertices / 10, vertices}) {
+    matchCount(run, count);
+    delaunayFlips(run.mesh, run.asked.rule);
+    valenceFlips(run);
+    smooth(run);
+  }
 }
 
 void smoothOntoTips(Run& run) {

@@ -47,11 +47,12 @@ SizeRules finalRules(const OriginalSurface& surface, const RemeshOptions& option
   return rules;
 }
 
-// A little of the bound is left for rounding, here and where the result is written.
+// What rounding takes where the result is written is left of the bound.
 std::optional<ErrorBound> errorBound(const OriginalSurface& surface, const RemeshOptions& options) {
-  constexpr double kMargin = 1e-3;
+  constexpr double kWritten = std::numeric_limits<float>::epsilon();
   if (!options.maxError) return {};
-  return ErrorBound(surface, (1 - kMargin) * *options.maxError / 100 * surface.diagonal());
+  return ErrorBound(surface,
+                    std::max(0.0, *options.maxError / 100 - kWritten) * surface.diagonal());
 }
 
 // No stand-in with an error bound or a fidelity to normals, for these are judged on the original;

@@ -20,8 +20,6 @@ namespace {
 constexpr int kAreaSweeps = 3;
 constexpr int kAreaRounds = 10;
 constexpr int kLaplacianRounds = 10;
-// An edge more than twice as long as another edge of its triangles is too long to collapse.
-constexpr double kTooLong = 2;
 // Where sizes are graded, rounds of splits and collapses come first, for edges much longer or
 // shorter than their target, until none is left that may change.
 constexpr int kGradingRounds = 12;
@@ -120,16 +118,6 @@ std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t t
   return splits;
 }
 
-bool isTooLong(const Run& run, Halfedge h) {
-  const double own = length(run, h);
-  for (const Halfedge side : {h, run.mesh.mesh().twin(h)}) {
-    if (!side) continue;
-    for (const Halfedge other : {HalfedgeMesh::next(side), HalfedgeMesh::prev(side)})
-      if (own > kTooLong * length(run, other)) return true;
-  }
-  return false;
-}
-
 // Whether the collapse happened. Where one end may not leave its place, the other may.
 bool tryCollapse(Run& run, Halfedge h) {
   for (const Halfedge direction : {h, run.mesh.mesh().twin(h)})
@@ -147,7 +135,7 @@ std::size_t collapseRound(Run& run, const std::vector<Ranked>& edges, std::size_
     if (m.vertexCount() <= target) break;
     if (!m.isAlive(h)) continue;
     const Halfedge t = m.twin(h);
-    if (touched[m.face(h)] || (t && touched[m.face(t)]) || isTooLong(run, h)) continue;
+    if (touched[m.face(h)] || (t && touched[m.face(t)])) continue;
     if (!tryCollapse(run, h)) continue;
     ++collapses;
     m.forEachOutgoing(run.scratch.result, [&](Halfedge around) { touched[m.face(around)] = 1; });

@@ -22,8 +22,6 @@ constexpr double kMustGo = 0.4;
 // of a triangle of such edges, whatever its shape, would pile vertices up beside its longest and
 // make slivers without end.
 constexpr double kGiant = 3;
-// Far too many vertices are thinned out first, until edges have this share of the sizes.
-constexpr double kThinned = 0.5;
 
 bool isLongestBeside(const HalfedgeMesh& mesh, Halfedge h, VertexSizes& sizes) {
   const double length = sizes.relativeLength(h);
@@ -108,7 +106,7 @@ std::size_t collapseShort(Run& run, double shortest) {
 
 void thinOut(Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const double share = kThinned * run.asked.scale;
+  const double share = kShort * run.asked.scale;
   VertexData<double> spacing(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) spacing[Vertex(i)] = share * run.sizes.at(run.mesh.at(Vertex(i)));

@@ -19,7 +19,6 @@ namespace remesher {
 namespace {
 
 constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
-constexpr std::size_t kReach = 3;    // so many vertices on either side make way for one
 constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
 constexpr int kMostRounds = 8;       // of moves, and of slides in each
 constexpr int kPasses = 3;           // of smoothing after each
@@ -67,20 +66,10 @@ bool isNear(const Run& run, Index chain, double from, double to) {
   return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
 }
 
-// The stretches of a row that must move for its chords to be near: the first and the last vertex of
-// each, which stay.
-std::vector<std::array<std::size_t, 2>> stretchesOf(const Run& run, const Row& row) {
-  std::vector<std::array<std::size_t, 2>> stretches;
-  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-    if (isNear(run, row[i].chain, row[i].arc, row[i + 1].arc)) continue;
-    const std::size_t first = i - std::min(i, kReach);
-    const std::size_t last = std::min(i + 1 + kReach, row.size() - 1);
-    if (stretches.empty() || first > stretches.back()[1])
-      stretches.push_back({first, last});
-    else
-      stretches.back()[1] = last;
-  }
-  return stretches;
+bool isNear(const Run& run, const Row& row) {
+  for (std::size_t i = 0; i + 1 < row.size(); ++i)
+    if (!isNear(run, row[i].chain, row[i].arc, row[i + 1].arc)) return false;
+  return true;
 }
 
 using Edges = std::vector<std::array<Vertex, 2>>;
@@ -91,7 +80,7 @@ struct Plan {
   Row moves;      // the vertices with their new places
 };
 
-// The best places found for a stretch, by its chain and its former places. If nothing has moved
+// The best places found for a row, by its chain and its former places. If nothing has moved
 // since, the search would find the same again.
 using Known = std::map<std::pair<Index, std::vector<double>>, std::vector<double>>;
 
@@ -106,19 +95,19 @@ const std::vector<double>& placesFor(const Run& run, Index chain, const std::vec
 Plan planFor(const Run& run, Known& known) {
   const double tolerance = kTolerance * run.mesh.surface().diagonal();
   Plan plan;
-  for (const Row& row : rowsOf(run))
-    for (const auto& [first, last] : stretchesOf(run, row)) {
-      const Index chain = row[first].chain;
-      std::vector<double> arcs;
-      for (std::size_t i = first; i <= last; ++i) arcs.push_back(row[i].arc);
-      const std::vector<double>& to = placesFor(run, chain, arcs, known);
-      for (std::size_t i = 0; i + 1 < to.size(); ++i) {
-        const Vertex v = row[first + i].vertex, next = row[first + i + 1].vertex;
-        if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
-        if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
-        if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
-      }
+  for (const Row& row : rowsOf(run)) {
+    if (isNear(run, row)) continue;
+    const Index chain = row.front().chain;
+    std::vector<double> arcs;
+    for (const auto& place : row) arcs.push_back(place.arc);
+    const std::vector<double>& to = placesFor(run, chain, arcs, known);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      const Vertex v = row[i].vertex, next = row[i + 1].vertex;
+      if (!isNear(run, chain, arcs[i], arcs[i + 1])) plan.far.push_back({v, next});
+      if (!isNear(run, chain, to[i], to[i + 1])) plan.tooLong.push_back({v, next});
+      if (std::abs(to[i] - arcs[i]) > kStill * tolerance) plan.moves.push_back({chain, to[i], v});
     }
+  }
   return plan;
 }
 

@@ -18,9 +18,6 @@ std::size_t countEdges(const HalfedgeMesh& mesh) {
   return (3 * mesh.faceCount() + boundary) / 2;
 }
 
-// A place nearer to the middle of an edge than this, in its lengths, lies on the edge's own wall.
-constexpr double kNear = 0.25;
-
 // The place of an edge's middle. In a tube of only three edges around, an edge runs through the
 // inside: both walls are equally near, and a patch may hold either. Seen from outside, the nearest
 // wall is the edge's own. No gate judges what subdivision makes.
@@ -32,7 +29,6 @@ Placement middleOf(Run& run, Halfedge h) {
   const Vec3 &a = mesh.position(m.origin(h)), &b = mesh.position(m.tip(h));
   const Vec3 middle = 0.5 * (a + b);
   const double length = distance(a, b);
-  if (distance(place.position, middle) < kNear * length) return place;
   const Vec3 &c = mesh.position(m.opposite(h)), &d = mesh.position(m.opposite(m.twin(h)));
   const Vec3 outward = (b - a).cross(c - d);  // the sum of the area vectors on both sides
   if (outward.dot(place.normal) >= 0) return place;

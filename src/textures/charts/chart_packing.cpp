@@ -15,10 +15,9 @@ namespace remesher {
 
 namespace {
 
-constexpr int kTurns = 32;       // tried angles within a right angle
-constexpr Index kCells = 512;    // most cells along a side of the square
-constexpr double kShrink = 0.9;  // from one scale to the next until all fits
-constexpr int kTries = 4, kMostTries = 90;
+constexpr int kTurns = 32;            // tried angles within a right angle
+constexpr Index kCells = 512;         // most cells along a side of the square
+constexpr double kNearEnough = 1.01;  // between a scale at which all fits, and one at which not
 
 struct Bounds {
   Vec2 low = Vec2::Constant(kInfinity);
@@ -191,16 +190,16 @@ class Packer {
   }
 
   Packing run() {
-    double high = largestThinkable(), low = high;
-    std::optional<std::vector<Berth>> best;
-    for (int i = 0; i < kMostTries && !best; ++i) {
+    double low = largestThinkable(), high = low;
+    std::optional<std::vector<Berth>> best = tryScale(low);
+    // Where no chart is longer than a texel, smaller ones take no less room.
+    for (; !best && low * longest_ > 1; best = tryScale(low)) {
       high = low;
-      low *= kShrink;
-      best = tryScale(low);
+      low /= 2;
     }
     if (!best) return {{}, 0};
-    for (int i = 0; i < kTries; ++i) {
-      const double scale = 0.5 * (low + high);
+    while (high > kNearEnough * low) {
+      const double scale = std::sqrt(low * high);
       std::optional<std::vector<Berth>> berths = tryScale(scale);
       (berths ? low : high) = scale;
       if (berths) best = std::move(berths);

@@ -10,10 +10,11 @@ namespace remesher {
 namespace {
 
 constexpr int kRounds = 10;
-// Largest ratio of the longest to the shortest axis of a circle drawn on the surface.
-constexpr double kMostStretch = 1.5;
 // Bounds on an area's ratio to its true size: areas are even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;
+// Largest ratio of the longest to the shortest axis of a circle drawn on the surface: that of a
+// triangle laid down at that tilt.
+const double kMostStretch = 1 / std::cos(kMostTilt);
 
 double twiceArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 

@@ -19,7 +19,8 @@ double distanceToEdge(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * (b - a)).norm();
 }
 
-// A texel belongs to a triangle that covers its middle or is no farther from its middle than this.
+// A texel belongs to a triangle that covers its middle or is no farther from its middle than a
+// bilinear filter reaches.
 constexpr double kReach = 1;
 
 // A triangle prepared for measuring distances.
@@ -163,15 +164,14 @@ Vec3 weightsAt(const TexelTriangle& t, const Vec2& p) {
 }
 
 RimmedTriangle::RimmedTriangle(const TexelTriangle& t, const std::array<char, 3>& rims) {
-  // The inset in texels, because the edge is not exactly the original's; at most this share of the
-  // height.
-  constexpr double kInset = 0.25, kMostInset = 0.25;
+  // In texels, because the edge is not exactly the original's; of the height where this is less.
+  constexpr double kInset = 0.25;
   const double area = cross(t[1] - t[0], t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!rims[k] || !(area > 0)) continue;
     const Vec2 edge = t[(k + 1) % 3] - t[k];
     const double length = edge.norm();
-    rims_[count_++] = {t[k], edge, length, std::min(kMostInset * area / length, kInset)};
+    rims_[count_++] = {t[k], edge, length, kInset * std::min(area / length, 1.0)};
   }
 }
 

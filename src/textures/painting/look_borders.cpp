@@ -16,11 +16,8 @@ namespace {
 constexpr double kLeastJump = 0.1;
 // In texels: the precision with which a jump is located, and its largest distance from the edge.
 constexpr double kNarrow = 1.0 / 64, kAt = 0.5;
-// The share of a jump that must remain between places kNarrow apart.
-constexpr double kMostOfIt = 0.6;
 // The least height of a triangle above an edge, in texels: a lower triangle would be all rim.
 constexpr double kLowest = 1.5;
-constexpr double kDeepest = 0.2;  // deepest place looked at, of the triangle's height
 // Places along an edge.
 constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
 
@@ -92,8 +89,7 @@ class Borders {
 
   // Whether what is visible jumps at the edge: bisects between a place on either side for the jump.
   bool jumpsAt(const Across& where, std::array<Shown, 2> seen) {
-    const double before = apart(seen[0], seen[1]);
-    if (!(before > kLeastJump)) return false;
+    if (!(apart(seen[0], seen[1]) > kLeastJump)) return false;
     double low = -1, high = 1;
     while (high - low > kNarrow) {
       const double middle = (low + high) / 2;
@@ -103,8 +99,7 @@ class Borders {
       (isBelow ? high : low) = middle;
       seen[isBelow ? 1 : 0] = shown;
     }
-    return apart(seen[0], seen[1]) > std::max(kLeastJump, kMostOfIt * before) &&
-           std::abs(low + high) / 2 < kAt;
+    return apart(seen[0], seen[1]) > kLeastJump && std::abs(low + high) / 2 < kAt;
   }
 
   Looks shownAlong(Index h, double texels) {
@@ -125,7 +120,7 @@ class Borders {
   // What is visible at this many texels from a corner's edge.
   Shown shownAt(Index h, double along, double texels) {
     SideFinder& finder = finderFor(h / 3);
-    const double in = std::min(texels * texel_ * length(h) / twiceArea(h), texels * kDeepest);
+    const double in = texels * texel_ * length(h) / twiceArea(h);
     const Vec3 weights((1 - in) * (1 - along), (1 - in) * along, in);
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
     for (Eigen::Index k = 0; k < 3; ++k) {

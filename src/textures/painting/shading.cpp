@@ -16,9 +16,8 @@ const double kHard = std::cos(radians(30));
 // Normals that differ from their own shape by more are intended: those of a rounded cube are 55°
 // off.
 const double kForeign = std::cos(radians(60));
-// If more than this share of a piece's corners has such normals, the whole piece keeps its given
-// normals: a triangle between both kinds would be streaked, because normals turn too far over it.
-constexpr double kMostlyForeign = 0.2;
+// If most of a piece's corners have such normals, the whole piece keeps its given normals: a
+// triangle between both kinds would be streaked, because normals turn too far over it.
 
 class Shader {
  public:
@@ -103,7 +102,7 @@ class Shader {
     }
     for (Index h = 0; h < indices_.size(); ++h) {
       const Index piece = pieces.find(h);
-      if (foreign[piece] > kMostlyForeign * corners[piece]) result[h] = 1;
+      if (2 * foreign[piece] > corners[piece]) result[h] = 1;
     }
     return result;
   }
