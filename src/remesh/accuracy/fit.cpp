@@ -15,9 +15,6 @@ namespace remesher {
 
 namespace {
 
-// A vertex that a pass has moved by less than this is left alone by the next.
-constexpr double kStillMoves = 0.003;  // of the target length
-
 // The weights, at each corner and at the middle, of a rule for means over a triangle that is exact
 // to squares. The corners cost nothing, since their places are known.
 constexpr double kAtCorner = 1.0 / 12, kAtMiddle = 3.0 / 4;
@@ -112,7 +109,7 @@ void fit(Run& run, const Progress& progress) {
       const Vertex v(i);
       if (!mesh.isAlive(v) || !moves[v]) continue;
       const double offset = offsetVertex(run, v, offsets);
-      moves[v] = std::abs(offset) >= kStillMoves * run.sizes.at(run.mesh.at(v));
+      moves[v] = std::abs(offset) >= run.asked.effort.rest * run.sizes.at(run.mesh.at(v));
     }
   }
   run.mesh.settleAll();  // smoothing would undo it

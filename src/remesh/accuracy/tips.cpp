@@ -10,11 +10,8 @@ namespace remesher {
 
 namespace {
 
-// Of the distance of a lost tip: a place this near to a tangent plane is no tip.
-constexpr double kSurelyNear = 0.4;
-
 std::vector<Place> farthestFirst(const Run& run) {
-  std::vector<Place> places = measurePlaces(run, kLostTip, kSurelyNear * kLostTip);
+  std::vector<Place> places = measurePlaces(run, kLostTip, kDoubtful);
   std::erase_if(places, [&](const Place& place) {
     return place.distance <= kLostTip * run.asked.scale * run.sizes.at(place.original);
   });

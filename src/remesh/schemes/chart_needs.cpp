@@ -17,8 +17,6 @@ namespace remesher {
 
 namespace {
 
-// With edges a little shorter than a chart asks for, the chart stays in spite of rounding.
-constexpr double kALittleMore = 1.05;
 // Two charts are on the same place of a texture if they share this much of the smaller one's range
 // in every direction.
 constexpr float kSamePlace = 0.5F;
@@ -111,7 +109,7 @@ class Measurement {
 
   // size: the longest edges that keep the chart.
   ChartNeed need(double width, double size) const {
-    return {width, kALittleMore * verticesForEdgeLength(area_, size)};
+    return {width, verticesForEdgeLength(area_, size)};
   }
 
   Index region(Halfedge h) const { return region_[mesh_.face(h)]; }

@@ -12,7 +12,7 @@ namespace remesher {
 namespace {
 
 // Normals on the two sides of a curve that differ by more are intended to be two.
-const double kHard = std::cos(radians(30));
+const double kHard = std::cos(radians(kFeatureAngle));
 // Normals that differ from their own shape by more are intended: those of a rounded cube are 55°
 // off.
 const double kForeign = std::cos(radians(60));
