@@ -189,9 +189,7 @@ class ChainTracer {
   std::size_t cornersOf(const Chain& loop) const {
     constexpr std::size_t kMost = 6, kEdges = 4;  // original edges per corner
     if (loop.boundary || !(rules_.size > 0)) return 3;
-    const double fit = loop.length() / rules_.size;
-    const std::size_t most = std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
-    return fit < double(most) ? std::max<std::size_t>(3, std::size_t(fit)) : most;
+    return std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
   }
 
   void divideLoop(const Chain& path) {

@@ -118,7 +118,7 @@ std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   // On models that are not plain, seen_ is half a pixel.
   const bool isMuchNearer = away.rms > muchNearer() * nearest.rms ||
                             away.farthest > std::max(kMuchNearer * nearest.farthest, unseen_) ||
-                            (!isPlain_ && away.rms - nearest.rms > 2 * seen_);
+                            (!isPlain_ && away.rms - nearest.rms > seen_);
   return isMuchNearer ? std::move(followed_) : std::nullopt;
 }
 
