@@ -15,8 +15,8 @@ namespace {
 // On 8 models, at 7 bounds within 3 % each, 1.05 and 1.2 find the same median number, except on
 // one; drafts vary as much.
 constexpr double kNearEnough = 1.1;
-// The ratio from one number to the next, before both are known. The search begins three steps below
-// the input's own number, or above the number that was asked for.
+// The ratio from one number to the next, before both are known. The search for the fewest begins
+// three steps below the input's own number, that for more than was asked for one step above it.
 constexpr double kStep = 2;
 // A surface of a few long triangles needs more even ones than it has: with 1000 here, a block of
 // 352 vertices keeps its needles at all 7 bounds, with a mean smallest angle of 8.9°, not 46.1°.
@@ -35,8 +35,8 @@ class FewestSearch {
   RemeshOutcome run() { return hasNumber(asked_) ? raised() : fewest(); }
 
  private:
-  // Drafts may keep a bound that a fitted and polished mesh of the same number does not: so the
-  // number is raised in steps, up to kStep times, until the final mesh keeps it.
+  // A draft may keep a bound that the finished mesh of the same number does not keep. So the number
+  // is multiplied by kNearEnough until a finished mesh keeps the bound, up to kStep × the draft's.
   RemeshOutcome fewest() {
     const double drafted = search(ownVertices() / (kStep * kStep * kStep));
     options_.quality = asked_.quality;

@@ -34,8 +34,8 @@ import { legible } from './legible.js';
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
-    help: 'exact number of vertices of the result (distinct positions); if not given the input’s, '
-      + 'or as few as keep --max-error' },
+    help: 'exact number of vertices of the result (distinct positions), of quads within 1 %; if '
+      + 'not given the input’s, or in the scheme best as few as keep --max-error' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
@@ -76,7 +76,7 @@ export const optionTable = [
     default: 'resample', help: 'move vertices along open boundaries, or keep them exactly' },
   { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
     unit: '% of the diagonal', off: true, default: 'off',
-    help: 'refuse what would leave the original by more' },
+    help: 'the largest distance allowed between original and result, both ways' },
   { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
     help: 'join places that are nearer to each other; only those that are equal but for rounding '
       + 'if not given' },
@@ -87,7 +87,7 @@ export const optionTable = [
     help: 'of quads: exactly the number of vertices' },
   { name: 'symmetry', flag: '--symmetry S', type: 'choice', choices: ['auto', 'off'],
     default: 'auto',
-    help: 'of quads: auto: about planes that mirror the model, quads that they mirror exactly' },
+    help: 'of quads; auto: where planes mirror the model they mirror the quads exactly' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['auto', 'keep', 'bake'],
     default: 'auto',
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted '

@@ -33,7 +33,7 @@ enum class Container { Text, Binary };
 // The prefix of references to images that are encoded later.
 constexpr std::string_view kPainting = "painting:";
 
-// Whether the mesh equals the one in the file, which is read again, as its only record.
+// Whether the mesh equals the one in the file. The file is read again: no copy of its mesh is kept.
 bool isUntouched(const GltfDocument& document, const Part& part, int mesh) {
   std::vector<Warning> alreadyKnown;
   const TriangleMesh read = readGeometry(document, mesh, alreadyKnown);

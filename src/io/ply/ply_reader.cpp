@@ -135,7 +135,8 @@ std::vector<Warning> warningsOn(const PlyContent& content) {
   std::vector<std::string> lost;
   for (const PlyField& field : content.vertices.fields)
     if (field.semantic.empty()) lost.push_back(field.property.name);
-  warn("ATTRIBUTE_NOT_CARRIED", "Lists of vertices are not carried: " + legibleList(lost) + ".",
+  warn("ATTRIBUTE_NOT_CARRIED",
+       "Properties of vertices that are lists are not carried: " + legibleList(lost) + ".",
        lost.size());
   for (const PlyFaces& faces : content.faces) {
     warn("ATTRIBUTE_NOT_CARRIED",

@@ -15,7 +15,7 @@
 namespace remesher::io {
 namespace {
 
-// Whether the mesh equals the one in the file, which is read again, as its only record.
+// Whether the mesh equals the one in the file. The file is read again: no copy of its mesh is kept.
 bool isUntouched(const PlySource& source, const Model& model) {
   if (model.parts.size() != 1) return false;
   const TriangleMesh& mesh = model.parts[0].mesh;
@@ -25,7 +25,7 @@ bool isUntouched(const PlySource& source, const Model& model) {
   return !isMended(read.warnings) && isSame(mesh, read.parts[0].mesh);
 }
 
-// The parts of a row of the file.
+// How the file is written: encoding, remarks, and the values in each row.
 struct Layout {
   PlyEncoding encoding = PlyEncoding::LittleEndian;
   std::vector<std::string> remarks = {"comment written by remesher"};

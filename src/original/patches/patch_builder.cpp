@@ -8,9 +8,9 @@
 namespace remesher {
 namespace {
 
-// Number of faces of a cell. With a wide margin a patch would be mostly margin, so cells are
-// larger: 2.5 more faces for every face that a square of the margin's side could hold, up to a
-// limit above which a patch's map would be too distorted.
+// A cell has kMinCellSize faces, and kCellSizePerMargin more for each face that fits in a square as
+// wide as the margin: else a patch would be mostly margin. Above kMaxCellSize maps are distorted.
+// Without that limit a horse at 2500 takes half as long again.
 constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.5;
 
 // A patch reaches this many faces beyond its cell, however small the margin, so that it holds the
@@ -53,8 +53,8 @@ void PatchBuilder::growCore(Index cell) {
   }
 }
 
-// Grows breadth first from the held faces: first over kMinReach faces in any case, then over those
-// for which isWanted(face of origin, face) holds.
+// Grows breadth first from the held faces. Every face within kMinReach steps is taken; farther out
+// only faces for which isWanted(source, face) holds. source: the held face that growth came from.
 template <class IsWanted>
 void PatchBuilder::growOutwards(IsWanted isWanted) {
   reaches_.clear();
@@ -93,8 +93,8 @@ PlanarPatch PatchBuilder::aroundCell(Index cell) {
   return finish(grower_.faces().first(coreCount));
 }
 
-// Searches breadth first from one face, within the ball, until all three faces are met. The patch
-// then begins with their shortest ways back: blind growth could wall one of them in.
+// Searches breadth first from faces[0], through faces in the ball, for faces[1] and faces[2]. The
+// patch begins with the ways to them: if it grew in rings, it could close around one of them.
 bool PatchBuilder::growWays(const std::array<Face, 3>& faces, const Ball& ball) {
   if (visited_.size() == 0) visited_.resize(frames_.size(), 0);
   ++visit_;

@@ -24,7 +24,8 @@ class PatchBuilder {
   // Empty if no one-to-one map was found.
   PlanarPatch aroundCell(Index cell);
 
-  // The patch holds the three faces and the faces within the ball around them, or is empty.
+  // The patch holds the three faces, all faces within a few steps of the ways between them, and the
+  // connected faces with centroids in the ball, up to a limit; or it is empty.
   struct Ball {
     Eigen::Vector3f centre;
     float radius;

@@ -100,8 +100,8 @@ void TwoSidedDistance::raise(Face f, double distance) {
   distance_[f] = std::max(distance_[f], distance);
 }
 
-// Corners and sides are measured once for all triangles that share them, and only where the
-// original may bend away from them.
+// Corners and sides are measured once for all triangles that share them; sides and middles only
+// where the original may bend away from a side.
 void TwoSidedDistance::measureFaces() {
   const HalfedgeMesh& m = mesh_.mesh();
   FaceData<char> bent(m.faceCapacity(), 0);
@@ -172,8 +172,8 @@ double TwoSidedDistance::distanceNear(Place place) const {
   return place.distance;
 }
 
-// Whether a place is within the distance of a gathered triangle; mostly it is so of its own, which
-// is tried first.
+// Whether a place is at most `distance` from some gathered triangle. Its own triangle is tried
+// first, because that is usually near enough.
 bool TwoSidedDistance::isNear(const Place& place, const Changed& own, double distance) const {
   const auto isWithin = [&](const Changed& triangle) {
     const auto& [a, b, c] = triangle.at;

@@ -16,8 +16,8 @@ class TwoSidedDistance {
  public:
   explicit TwoSidedDistance(const Run& run);
 
-  // The largest distance from the triangle's samples to the original, and from the places that
-  // belong to the triangle to it.
+  // The larger of two distances: from the triangle's samples to the original, and from the places
+  // of the original that belong to the triangle to the triangle.
   double of(Face f) const { return distance_[f]; }
 
   // The largest distance around v if v were at `to`, of those that its move changes. Above `limit`

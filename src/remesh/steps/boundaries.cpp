@@ -19,9 +19,11 @@ namespace remesher {
 namespace {
 
 constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
-constexpr double kStill = 0.1;       // shorter moves, of the tolerance, do not matter
-constexpr int kMostRounds = 8;       // of moves, and of slides in each
-constexpr int kPasses = 3;           // of smoothing after each
+constexpr double kStill = 0.1;       // of the tolerance: shorter moves are left out
+constexpr int kMostRounds = 8;       // of plans, and of slides within each plan
+constexpr int kPasses = 3;           // of smoothing, after each round of slides and after splits
+// The weight of a star's smallest angle beside the mean of its smallest angles, and the least gain
+// of that quality for which a vertex moves.
 constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
 
 struct Station {
@@ -111,8 +113,8 @@ Plan planFor(const Run& run, Known& known) {
   return plan;
 }
 
-// Outlines are more visible than angles to the surface: a change that the loose rule refuses may
-// pass as no fold.
+// Commits a change of an outline. If the loose rule refuses it, it need only not fold the mesh:
+// outlines are more visible than normals that differ from the surface's.
 bool commitOutline(Run& run) {
   FidelityRule rule = run.asked.rule;
   if (rule.mode == Fidelity::Loose) rule.mode = Fidelity::Fold;
@@ -172,8 +174,8 @@ void pinNeeded(Run& run) {
 }
 
 // Rates the triangles around v if it were at `place`: the mean of their smallest angles plus, with
-// more weight, the smallest of all where it is bad. A quality that is no larger than `most` may be
-// any such value.
+// more weight, the smallest of all where it is bad. If the quality does not exceed `most`, any
+// value up to `most` may be returned.
 double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
   constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
   const HalfedgeMesh& m = mesh.mesh();

@@ -92,8 +92,7 @@ class Row {
     }
   }
 
-  // Sets the bits whose cell, moved by `distance`, is set in another row; at least from cell `from`
-  // on.
+  // Sets bit x wherever the other row has bit x + distance, at least for x ≥ from.
   void add(const Row& other, int distance, int from) {
     const std::size_t whole = distance / kBits;
     const int rest = distance % kBits;
@@ -152,7 +151,7 @@ class TakenRow {
   int longestFree() const { return longestFree_; }
 
   // Adds, from cell `from` on, the places where a mask cannot begin because its run would meet
-  // taken cells.
+  // taken cells. The run is the union of two runs of 2^i cells that overlap.
   void addBlocked(Row& to, const CellRun& run, int from) const {
     const int power = std::bit_width(unsigned(run.length)) - 1, rest = run.length - (1 << power);
     to.add(blocked_[power], run.begin, from);
@@ -161,7 +160,7 @@ class TakenRow {
 
  private:
   int cells_, longestFree_;
-  std::array<Row, std::bit_width(kCells)> blocked_;  // for runs of 1, 2, 4 … cells
+  std::array<Row, std::bit_width(kCells)> blocked_;  // [i]: where no run of 2^i begins
 };
 
 // The range of cells that something touches in a row.
@@ -279,7 +278,8 @@ class Packer {
     return masks;
   }
 
-  // The lowest free place; among equally low places the leftmost.
+  // The lowest free place of a mask that ends at or below row `top`; among equally low places the
+  // leftmost.
   std::optional<Berth> berthFor(const Mask& mask, const std::vector<TakenRow>& square,
                                 int top) const {
     for (int y = 0; y + mask.height <= top; ++y) {

@@ -25,8 +25,8 @@ struct Packing {
   double scale;                    // texels per unit of length
 };
 
-// All charts together cover at most `rules.size` squared texels. scale 0: the charts do not fit,
-// however small.
+// All charts lie, with their padding, in a square of rules.size × rules.size texels. scale 0: the
+// charts do not fit, however small.
 Packing packCharts(std::span<const PlaneChart> charts, const PackingRules& rules);
 
 }  // namespace remesher

@@ -12,11 +12,12 @@ namespace remesher {
 
 namespace {
 
-// In levels of a map, 0 to 1: smaller jumps may be mixed.
+// The least jump that is a border, in levels of a map from 0 to 1: filters may mix smaller ones.
 constexpr double kLeastJump = 0.1;
 // In texels: the precision with which a jump is located, and its largest distance from the edge.
 constexpr double kNarrow = 1.0 / 64, kAt = 0.5;
-// The least height of a triangle above an edge, in texels: a lower triangle would be all rim.
+// The least height of a triangle above its edge, in new texels: in a lower one every texel touches
+// the edge.
 constexpr double kLowest = 1.5;
 // Places along an edge.
 constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
@@ -138,7 +139,7 @@ class Borders {
   std::vector<SideFinder> finders_;                // two
   std::array<Index, 2> entered_ = {kNone, kNone};  // the triangle that each has entered
   std::size_t latest_ = 0;                         // the finder that was used last
-  std::vector<Looks> near_;                        // per corner: a texel away from the edge from it
+  std::vector<Looks> near_;  // per corner: a texel beside the edge that begins there
 };
 
 }  // namespace

@@ -16,8 +16,6 @@ const double kHard = std::cos(radians(kFeatureAngle));
 // Normals that differ from their own shape by more are intended: those of a rounded cube are 55°
 // off.
 const double kForeign = std::cos(radians(60));
-// If most of a piece's corners have such normals, the whole piece keeps its given normals: a
-// triangle between both kinds would be streaked, because normals turn too far over it.
 
 class Shader {
  public:
@@ -100,6 +98,8 @@ class Shader {
       ++corners[pieces.find(h)];
       if (result[h]) ++foreign[pieces.find(h)];
     }
+    // If most corners of a piece are foreign, all of them are: a triangle between both kinds would
+    // be streaked, because normals turn too far over it.
     for (Index h = 0; h < indices_.size(); ++h) {
       const Index piece = pieces.find(h);
       if (2 * foreign[piece] > corners[piece]) result[h] = 1;
