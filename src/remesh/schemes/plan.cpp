@@ -113,13 +113,14 @@ CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
 
 // Edges kept at joints must leave vertices for the rest. They cannot be subdivided either, so there
 // would be no coarse level: a model with textures needs that level for its triangles more than it
-// needs its leaves to meet, and each edge is followed like a seam.
+// needs its leaves to meet, and each edge is followed like a seam. Quads divide the edges on either
+// side by their own length, so that these do not meet anyway.
 CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
                              const RemeshOptions& options, const CurveNeeds& needs) {
   constexpr std::size_t kMostShare = 2;
   const auto& [vertices, scale] = needs;
   const bool isTextured = !input.attributes.empty();
-  if (scale.joints.empty() || !isTextured) {
+  if (scale.joints.empty() || !(isTextured || options.quads)) {
     CurveChoice choice = chooseWithFlats(built, input, options, needs);
     const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
     if (scale.joints.empty() || share <= vertices) return choice;
@@ -131,8 +132,9 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
       {"JOINTS_RELEASED",
        std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
                    "no longer meet: to keep them ") +
-           (isTextured ? "would cost a model with attributes its even triangles."
-                       : "takes more vertices than were asked for."),
+           (options.quads ? "would make quads irregular."
+            : isTextured  ? "would cost a model with attributes its even triangles."
+                          : "takes more vertices than were asked for."),
        scale.joints.size()});
   return choice;
 }

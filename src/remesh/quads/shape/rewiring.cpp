@@ -191,7 +191,9 @@ class Rewiring {
       if (!isSound(*patch)) return;
     }
     MovingQuads quads(patch->mesh, ground_);
-    if (isStart) before_ = faultOf(quads, *patch);
+    const Fault unmended = faultOf(quads, *patch);
+    if (isStart) before_ = unmended;
+    if (best_ && least_.cost() <= 0.1 * unmended.irregular) return;
     mendCorners(quads, patch->isRim);
     const Fault fault = faultOf(quads, *patch);
     if (!fault.isClearlyBelow(before_)) return;

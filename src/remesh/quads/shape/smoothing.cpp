@@ -83,22 +83,24 @@ std::vector<Vec3> waysFrom(const MovingQuads& quads, Index v) {
   return ways;
 }
 
-// Moves v to where its quads lack less, nearer places once no farther place is better.
-void searchLess(MovingQuads& quads, Index v, double missing) {
+// Moves v to where its quads lack less, nearer places once no farther place is better. False if v
+// stays where it is.
+bool searchLess(MovingQuads& quads, Index v, double missing) {
   const double gain = kGain * missing;
+  bool isMoved = false;
   double reach = reachOf(quads, v) / 2;
   for (int halving = 0; halving < kSearches && missing > 0;) {
     bool isBetter = false;
     const Vec3 from = quads.mesh().position(v);
     for (const Vec3& way : waysFrom(quads, v)) {
       const auto place = quads.placeNear(v, from + reach * way);
-      if (!place) return;
+      if (!place) return isMoved;
       const Placement before = quads.mesh().vertices[v];
       quads.move(v, *place);
       const double now = missingAround(quads, v);
       if (now < missing - gain) {
         missing = now;
-        isBetter = true;
+        isBetter = isMoved = true;
         break;
       }
       quads.move(v, before);
@@ -107,6 +109,7 @@ void searchLess(MovingQuads& quads, Index v, double missing) {
     reach /= 2;
     ++halving;
   }
+  return isMoved;
 }
 
 }  // namespace
@@ -126,17 +129,24 @@ void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> is
   }
 }
 
+// A search that found nothing finds nothing again until a vertex of its quads moves.
 void mendCorners(MovingQuads& quads, std::span<const char> isFixed) {
-  for (int search = 0; search < kSearches; ++search) {
-    bool isDone = true;
-    for (Index v = 0; v < quads.mesh().vertices.size(); ++v) {
-      if (isFixed[v] || quads.mesh().vertices[v].kind == VertexKind::Corner) continue;
+  const QuadMesh& mesh = quads.mesh();
+  std::vector<char> isOpen(mesh.vertices.size(), 1);
+  bool isDone = false;
+  for (int search = 0; search < kSearches && !isDone; ++search) {
+    isDone = true;
+    for (Index v = 0; v < isOpen.size(); ++v) {
+      if (!isOpen[v] || isFixed[v] || mesh.vertices[v].kind == VertexKind::Corner) continue;
       const double missing = missingAround(quads, v);
       if (!(missing > 0)) continue;
+      isOpen[v] = 0;
+      if (!searchLess(quads, v, missing)) continue;
       isDone = false;
-      searchLess(quads, v, missing);
+      quads.sides().forEachOutgoing(v, [&](Index side) {
+        for (const Index w : mesh.quads[side / 4]) isOpen[w] = 1;
+      });
     }
-    if (isDone) return;
   }
 }
 

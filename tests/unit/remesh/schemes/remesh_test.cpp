@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/quad.h"
 #include "geometry/triangle.h"
 #include "measure/mesh_report.h"
 #include "mesh/welding.h"
@@ -299,4 +300,30 @@ TEST_CASE("curves: the number that is named where vertices are too few is enough
   REQUIRE(needed > 60);
   options.vertices = Index(needed);
   CHECK_NOTHROW(remeshSurface(columns, options, {}));
+}
+
+TEST_CASE("curves: where three sheets meet in short edges quads are square, and their sides long") {
+  TriangleMesh sheets;
+  for (int sheet = 0; sheet < 3; ++sheet) {
+    const TriangleMesh flat = shapes::grid(20, 20);
+    const double angle = radians(120) * sheet;
+    for (const Index v : flat.indices) {
+      const Vec3& p = flat.positions[v];
+      sheets.indices.push_back(Index(sheets.positions.size()));
+      sheets.positions.emplace_back(p.x() * std::cos(angle), p.y(), p.x() * std::sin(angle));
+    }
+  }
+  RemeshOptions options;
+  options.quads = true;
+  options.vertices = 200;
+  const TriangleMesh mesh = remeshSurface(sheets, options, {}).mesh;
+  const double side = std::sqrt(3 * 20.0 * 20.0 / 200);
+  const std::vector<Index> quads = quadsOf(mesh);
+  for (std::size_t q = 0; q < quads.size(); q += 4) {
+    Quad corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.positions[quads[q + i]];
+    CHECK(leastSine(corners) > 0.99);
+    for (std::size_t i = 0; i < 4; ++i)
+      CHECK((corners[(i + 1) % 4] - corners[i]).norm() > side / 2);
+  }
 }
