@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/schemes/curve_choice.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,11 @@ namespace {
 // Flat regions at least so wide, in target edge lengths, are bordered by curves. Half the width
 // costs 3° of the mean angle of featuretype at 16 thousand vertices.
 constexpr double kFlatWidth = 1;
+// Quads follow a border of a flat region where it bends by this share of the feature angle: rims of
+// fillets, but not where flat goes over into round. With 3°, 7 to 8°, 10° and no borders, medians
+// of 7 neighboring counts at 5000, angles of fandisk, fixed_top and tray deviate by 4.6, 4.5, 4.5
+// and 4.5; 6.0, 5.4, 9.0 and 9.0; and 4.1, 4.1, 4.1 and 5.6°.
+constexpr double kRimBend = 0.2;
 
 // The edges that the caller gave as pairs of input vertices.
 std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& options) {
@@ -42,7 +48,18 @@ std::vector<Halfedge> givenEdges(const BuiltMesh& built, const RemeshOptions& op
 
 // Surfaces made by repair follow a lattice: they are flat to the last digit by chance only.
 bool areFlatsMeant(const RemeshOptions& options) {
-  return options.repair != Repair::Solid && options.repair != Repair::Wrap && !options.quads;
+  return options.repair != Repair::Solid && options.repair != Repair::Wrap;
+}
+
+std::vector<Halfedge> rimsOf(const FlatRegions& flats, const BuiltMesh& built,
+                             const RemeshOptions& options) {
+  const double least = kRimBend * radians(options.featureAngle.value_or(kFeatureAngle));
+  std::vector<Halfedge> rims = bordersOf(flats, built.mesh);
+  if (!options.quads) return rims;
+  std::erase_if(rims, [&](Halfedge h) {
+    return borderAlong(built.mesh, built.positions, h).meanBend() < (1 - std::cos(least)) / 2;
+  });
+  return rims;
 }
 
 void add(std::vector<Halfedge>& to, const std::vector<Halfedge>& from) {
@@ -67,10 +84,12 @@ CurveCandidates curveCandidates(const BuiltMesh& built, const TriangleMesh& inpu
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
                          const RemeshOptions& options, const CurveScale& scale) {
   auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
+  FlatRegions flats;
   if (isDetecting && scale.flats == Flats::Bordered && areFlatsMeant(options)) {
-    edges.flats = findFlatRegions(built.mesh, built.positions, kFlatWidth * scale.size);
-    add(edges.free, bordersOf(edges.flats, built.mesh));
+    flats = findFlatRegions(built.mesh, built.positions, kFlatWidth * scale.size);
+    add(edges.free, rimsOf(flats, built, options));
   }
+  if (!options.quads) edges.flats = flats;
   CurveRules rules;
   SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, scale.size);
   rules.edges = std::move(simplified.edges);
@@ -82,7 +101,7 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules),
           {std::move(seams.chartless), {std::move(seams.jumps), std::move(simplified.absorbed)}},
-          std::move(edges.flats),
+          std::move(flats),
           std::move(seams.warnings)};
 }
 

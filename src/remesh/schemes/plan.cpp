@@ -159,6 +159,7 @@ Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& op
   std::vector<Warning> warnings = built.warnings;
   warnings.insert(warnings.end(), choice.warnings.begin(), choice.warnings.end());
   if (!spikes.empty()) warnings.push_back(warningOf(spikes, built));
+  if (options.quads) choice.flats = {};  // their triangles are as large there as elsewhere
   return {std::move(built),   std::move(choice.curves), std::move(choice.transfer),
           std::move(density), std::move(choice.flats),  std::move(spikes),
           vertices,           std::move(warnings)};

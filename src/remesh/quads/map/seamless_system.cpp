@@ -27,9 +27,8 @@ IntegerSum sumOf(std::initializer_list<std::pair<Index, int>> terms) {
 }
 
 double cotangent(const Vec2& a, const Vec2& b) {
-  constexpr double kLargest = 20;  // of an angle of 3°: thinner triangles weigh no more
-  const double sine = cross(a, b);
-  return sine > 0 ? std::clamp(a.dot(b) / sine, -kLargest, kLargest) : 0;
+  const double sine = cross(a, b), cosine = a.dot(b);
+  return sine > kTie * std::abs(cosine) ? cosine / sine : 0;
 }
 
 }  // namespace

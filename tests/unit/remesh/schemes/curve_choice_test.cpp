@@ -41,6 +41,22 @@ TEST_CASE("flat sides: a bottom that runs into fillets has no dent at any number
     }
 }
 
+TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these bend enough") {
+  const double bottom = shapes::kBarLength * (shapes::kBarWidth - 2 * shapes::kFilletRadius);
+  RemeshOptions options;
+  options.quads = true;
+  const auto flatShare = [&](int steps, Index vertices) {
+    options.vertices = vertices;
+    const TriangleMesh bar = shapes::filletedBar(steps);
+    return shapes::areaAt(remeshSurface(bar, options, {}).mesh, 0) / bottom;
+  };
+  for (const Index vertices : {600, 1000, 2000}) {
+    CAPTURE(vertices);
+    CHECK(flatShare(5, vertices) == doctest::Approx(1));
+    CHECK(flatShare(30, vertices) < 0.999);
+  }
+}
+
 TEST_CASE("flat sides: those of a drilled plate stay in their planes, and the hole is round") {
   const TriangleMesh plate = shapes::drilledPlate(6, 0.5);
   for (const Index vertices : {600, 2500}) {
