@@ -231,7 +231,11 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
   Run run{mesh, projector, sizes, {fidelityRule(options)}};
   run.asked.rule.grain = grain;
   run.asked.areQuads = true;
+  run.asked.effort = effortOf(Quality::Best, Level::Finest, mesh.mesh().vertexCount());
   fit(run, {});
+  // Distances are lowered beside the sides of the quads: those of the map's triangles may be a
+  // quarter as long, and lines of quads would be bent for little.
+  sizes = SizeField(original.surface(), {double(mesh.mesh().vertexCount()), *options.adaptivity});
   lowerHausdorff(run);
 }
 

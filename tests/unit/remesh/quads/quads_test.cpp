@@ -144,6 +144,22 @@ TEST_CASE("quads: of a ball hold the volume of the ball") {
   CHECK(sixVolumes(quads) == doctest::Approx(sixVolumes(ball)).epsilon(0.003));
 }
 
+TEST_CASE("quads: lines across a ball hardly bend where quads are large") {
+  RemeshOptions options;
+  options.quads = true;
+  options.vertices = 600;
+  const TriangleMesh mesh = remeshSurface(shapes::icosphere(12), options, {}).mesh;
+  const std::vector<Index> quads = quadsOf(mesh);
+  double off = 0;
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    const std::size_t first = i - i % 4;
+    const auto at = [&](std::size_t k) { return mesh.positions[quads[first + (i + k) % 4]]; };
+    const Vec3 out = (at(1) - at(0)).normalized(), back = (at(3) - at(0)).normalized();
+    off += std::abs(std::acos(out.dot(back)) - std::numbers::pi / 2);
+  }
+  CHECK(off / double(quads.size()) < radians(2.6));
+}
+
 TEST_CASE("quads: an exact number is reached") {
   for (const TriangleMesh& shape : {shapes::cube(6), shapes::torus(24, 12)}) {
     const OriginalSurface surface = shapes::surfaceOf(shape);
