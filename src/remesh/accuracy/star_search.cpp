@@ -107,6 +107,8 @@ void StarSearch::move(std::span<const Vec3> directions) {
 // Stays between the neighbours along the curve: beyond them the curve would turn back.
 void StarSearch::slide() {
   const auto [before, after] = curveNeighbors(mesh_, v_);
+  for (const Vertex end : {before, after})  // quads do not follow every curve
+    if (!end || mesh_.kind(end) == VertexKind::Interior) return;
   const Index chain = best_.on.chain;
   const auto ends =
       std::minmax({mesh_.onChain(before, chain).arc, mesh_.onChain(after, chain).arc});

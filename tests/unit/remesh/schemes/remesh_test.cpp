@@ -327,3 +327,25 @@ TEST_CASE("curves: where three sheets meet in short edges quads are square, and 
       CHECK((corners[(i + 1) % 4] - corners[i]).norm() > side / 2);
   }
 }
+
+TEST_CASE("curves: quads of thin boxes that touch along an edge stay within them") {
+  constexpr double kThin = 0.1481337323319621;
+  TriangleMesh boxes;
+  boxes.positions = {{0, 1, 0}, {0, 1, kThin}, {0, 0, 0},     {0, 0, kThin}, {1, 0, 0},
+                     {2, 2, 0}, {1, 1, 0},     {1, 1, kThin}, {1, 2, 0},     {1, 2, kThin},
+                     {2, 1, 0}, {2, 1, kThin}, {2, 2, 0},     {2, 2, kThin}};
+  boxes.indices = {0, 2, 3,  0, 3,  1,  4,  6,  7,  4,  7,  5,  3, 2,  4,  3, 4,  5,
+                   0, 1, 7,  0, 7,  6,  4,  2,  0,  4,  0,  6,  3, 5,  7,  3, 7,  1,
+                   8, 6, 7,  8, 7,  9,  10, 12, 13, 10, 13, 11, 7, 6,  10, 7, 10, 11,
+                   8, 9, 13, 8, 13, 12, 10, 6,  8,  10, 8,  12, 7, 11, 13, 7, 13, 9};
+  RemeshOptions options;
+  options.quads = true;
+  options.vertices = 14;
+  const TriangleMesh mesh = remeshSurface(boxes, options, {}).mesh;
+  CHECK(mesh.isQuads);
+  for (const Vec3& p : mesh.positions) {
+    CHECK(p.minCoeff() > -0.2);
+    CHECK(p.maxCoeff() < 2.2);
+    CHECK(p.z() < 2 * kThin);
+  }
+}
