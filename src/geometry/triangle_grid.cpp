@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace remesher {
 
 TriangleGrid::TriangleGrid(double cell, std::size_t expected) : cell_(cell) {
   std::size_t lines = 1;
   while (lines < 2 * expected) lines *= 2;
-  lines_.resize(lines);
+  lines_.resize(lines, kNone);
 }
 
 int TriangleGrid::levelOf(const Box& box) const {
@@ -37,14 +38,40 @@ std::size_t TriangleGrid::lineOf(const Cell& cell, int level) const {
   return std::size_t(hash) & (lines_.size() - 1);
 }
 
+void TriangleGrid::enter(Index name, std::size_t line) {
+  for (Index i = lines_[line]; i != kNone; i = links_[i].next)
+    if (links_[i].name == name) return;
+  const Link link = {name, lines_[line]};
+  if (free_ == kNone) {
+    lines_[line] = Index(links_.size());
+    links_.push_back(link);
+  } else {
+    lines_[line] = free_;
+    free_ = std::exchange(links_[free_], link).next;
+  }
+}
+
+void TriangleGrid::remove(Index name, std::size_t line) {
+  for (Index* i = &lines_[line]; *i != kNone; i = &links_[*i].next)
+    if (const Index gone = *i; links_[gone].name == name) {
+      *i = links_[gone].next;
+      links_[gone].next = free_;
+      free_ = gone;
+      return;
+    }
+}
+
 void TriangleGrid::add(Index name, const Box& box) {
-  if (name >= asked_.size()) asked_.resize(name + 1, 0);
-  const int level = levelOf(box);
-  isUsed_[std::size_t(level)] = true;
-  forEachLine(box, level, [&](std::size_t number) {
-    std::vector<Index>& line = lines_[number];
-    if (std::find(line.begin(), line.end(), name) == line.end()) line.push_back(name);
-  });
+  if (name >= entries_.size()) entries_.resize(name + 1);
+  Box& own = entries_[name].box;
+  const Cells cells = cellsOf(box, levelOf(box));
+  const bool isNew = own.low[0] > own.high[0];
+  const Cells before = isNew ? Cells{} : cellsOf(own, levelOf(own));
+  own = box;
+  if (cells == before) return;
+  isUsed_[std::size_t(cells.level)] = true;
+  if (!isNew) forEachLine(before, [&](std::size_t line) { remove(name, line); });
+  forEachLine(cells, [&](std::size_t line) { enter(name, line); });
 }
 
 }  // namespace remesher

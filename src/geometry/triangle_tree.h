@@ -60,10 +60,16 @@ class TriangleTree {
   // The first triangle found within `distance` of p; if there is none, the nearest.
   Nearest nearestBeyond(double distance, const Vec3& p, Index start) const;
 
-  // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`,
-  // from a place in the tree's order on.
+  // Calls visit(triangle) for each triangle whose bounding box has a point in common with `box`.
   template <class Visit>
-  void visitOverlapping(const Box& box, Visit&& visit, std::size_t firstPlace = 0) const;
+  void visitOverlapping(const Box& box, Visit&& visit) const;
+
+  // Calls visit(s, t) once for each pair of triangles whose bounding boxes, rounded outwards to
+  // floats, have a point in common.
+  template <class Visit>
+  void visitPairs(Visit&& visit) const {
+    if (!levels_.empty()) visitPairs(levels_.size() - 1, {0, 0}, visit);
+  }
 
   // The box of all triangles.
   const Box& box() const { return box_; }
@@ -104,6 +110,13 @@ class TriangleTree {
     Group();
     void set(Eigen::Index member, const Bounds& box);
     void enclose(std::span<const Group> members);
+
+    // Per member whether it overlaps a member of another group.
+    Eigen::Array<bool, 4, 1> overlap(const Group& other, Eigen::Index member) const {
+      return low[0] <= other.high[0][member] && high[0] >= other.low[0][member] &&
+             low[1] <= other.high[1][member] && high[1] >= other.low[1][member] &&
+             low[2] <= other.high[2][member] && high[2] >= other.low[2][member];
+    }
   };
   // Member k of group g of level l is group 4g + k of level l - 1; on level 0 it is triangle
   // order_[4g + k].
@@ -121,6 +134,10 @@ class TriangleTree {
   Bounds boundsOf(Index triangle) const;
   std::vector<Bounds> allBounds() const;
   struct Query;
+  // The pairs of a member of one group and a member of the other; of members of one group, if they
+  // are the same.
+  template <class Visit>
+  void visitPairs(std::size_t level, std::array<Index, 2> groups, Visit& visit) const;
 
   Query ask(const Vec3& p) const;
   void lookAt(Index triangle, Query& query) const;
@@ -153,7 +170,7 @@ inline Box TriangleTree::boxOf(Index triangle) const {
 }
 
 template <class Visit>
-void TriangleTree::visitOverlapping(const Box& box, Visit&& visit, std::size_t firstPlace) const {
+void TriangleTree::visitOverlapping(const Box& box, Visit&& visit) const {
   if (levels_.empty() || !box.overlaps(box_)) return;
   Group wanted;
   wanted.set(0, rounded(inFloats(box.low), inFloats(box.high)));
@@ -163,18 +180,30 @@ void TriangleTree::visitOverlapping(const Box& box, Visit&& visit, std::size_t f
   while (top > 0) {
     const Pending next = stack[--top];
     const Group& group = levels_[next.level][next.group];
-    const Eigen::Array<bool, 4, 1> overlaps =
-        group.low[0] <= wanted.high[0][0] && group.high[0] >= wanted.low[0][0] &&
-        group.low[1] <= wanted.high[1][0] && group.high[1] >= wanted.low[1][0] &&
-        group.low[2] <= wanted.high[2][0] && group.high[2] >= wanted.low[2][0];
+    const Eigen::Array<bool, 4, 1> overlaps = group.overlap(wanted, 0);
     for (Index k = 0; k < 4; ++k) {
       if (!overlaps[k]) continue;
-      const Index member = 4 * next.group + k;  // holds 4^level places
-      if (member < firstPlace >> (2 * next.level)) continue;
+      const Index member = 4 * next.group + k;
       if (next.level > 0)
         stack[top++] = {next.level - 1, member, 0};
       else if (boxOf(order_[member]).overlaps(box))
         visit(order_[member]);
+    }
+  }
+}
+
+template <class Visit>
+void TriangleTree::visitPairs(std::size_t level, std::array<Index, 2> groups, Visit& visit) const {
+  const auto [g, h] = groups;
+  for (Index k = 0; k < 4; ++k) {
+    const Eigen::Array<bool, 4, 1> overlaps = levels_[level][h].overlap(levels_[level][g], k);
+    for (Index l = g == h ? k : 0; l < 4; ++l) {
+      if (!overlaps[l]) continue;
+      const Index s = 4 * g + k, t = 4 * h + l;
+      if (level > 0)
+        visitPairs(level - 1, {s, t}, visit);
+      else if (s != t)
+        visit(order_[s], order_[t]);
     }
   }
 }

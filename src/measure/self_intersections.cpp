@@ -24,14 +24,10 @@ class Search {
   }
 
   std::vector<Index> run() {
-    for (std::size_t place = 0; place < tree_.order().size(); ++place) {
-      const Index s = tree_.order()[place];
-      const NamedTriangle own = triangle(s);
-      const auto visit = [&](Index t) {
-        if (!(isHit_[s] && isHit_[t]) && trianglesMeet(own, triangle(t))) isHit_[s] = isHit_[t] = 1;
-      };
-      lookAround(s, visit, place + 1);
-    }
+    tree_.visitPairs([&](Index s, Index t) {
+      if (!counts_[s] || !counts_[t] || (isHit_[s] && isHit_[t])) return;
+      if (trianglesMeet(triangle(s), triangle(t))) isHit_[s] = isHit_[t] = 1;
+    });
     return hits();
   }
 
@@ -57,14 +53,14 @@ class Search {
   }
 
   template <class Visit>
-  void lookAround(Index s, Visit visit, std::size_t firstPlace = 0) const {
+  void lookAround(Index s, Visit visit) const {
     if (!counts_[s]) return;
     Box box;
     for (const Vec3& p : triangle(s).at) box.extend(p);
     const auto visitCounted = [&](Index t) {
       if (counts_[t]) visit(t);
     };
-    tree_.visitOverlapping(box, visitCounted, firstPlace);
+    tree_.visitOverlapping(box, visitCounted);
   }
 
   std::vector<Index> hits() const {

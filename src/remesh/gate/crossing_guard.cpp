@@ -94,12 +94,10 @@ NamedTriangle CrossingGuard::coming(const LocalChange& change,
 template <class Visit>
 void CrossingGuard::forEachMet(const NamedTriangle& t, std::span<const Face> leftOut,
                                Visit visit) const {
-  const Box box = boxAround(t);
-  grid_.visit(box, [&](Index name) {
+  grid_.visit(boxAround(t), [&](Index name) {
     if (!mesh_.mesh().isAlive(Face(name)) || contains(leftOut, Face(name))) return;
     const NamedTriangle other = present(Face(name));
-    if (!boxAround(other).overlaps(box) || !hasArea(other.at)) return;
-    if (trianglesMeet(t, other)) visit(Face(name));
+    if (trianglesMeet(t, other) && hasArea(other.at)) visit(Face(name));
   });
 }
 
@@ -165,7 +163,7 @@ std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
 
 void CrossingGuard::update(const LocalChange& change, Vertex result) {
   const HalfedgeMesh& mesh = mesh_.mesh();
-  // Old entries of changed triangles cost a look each, so that they are cleared away in time.
+  // Entries of triangles that are gone cost a look each, so that they are cleared away in time.
   if (added_ > 2 * mesh.faceCount()) enterAll();
   const auto add = [&](Face f) {
     grid_.add(f.index, boxAround(present(f)));

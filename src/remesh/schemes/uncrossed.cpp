@@ -31,7 +31,7 @@ std::unique_ptr<CrossingGuard> guardOf(Run& run) {
 // as the crossings can then be mended.
 std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
   std::size_t thinned = 0;
-  for (const std::size_t times : {std::size_t{4}, std::size_t{16}}) {
+  for (std::size_t times = 2; times <= 16; times *= 2) {
     if (times * vertices < thinned) continue;  // the same again
     run.mesh = WorkingMesh(run.mesh.surface());
     if (times * vertices >= run.mesh.mesh().vertexCount()) break;
@@ -101,9 +101,7 @@ Uncrossed keepUncrossed(Run& run, std::size_t vertices) {
 Uncrossed makeUncrossed(Run& run, std::size_t vertices) {
   land(run);
   run.asked.rule = lenient(run);
-  std::unique_ptr<CrossingGuard> guard = guardOf(run);
-  if (uncross(run, guard->crossing()) > 0) guard = startAnew(run, vertices);
-  return withoutNeedles(run, vertices, madeAnew(run, vertices, std::move(guard)));
+  return withoutNeedles(run, vertices, madeAnew(run, vertices, startAnew(run, vertices)));
 }
 
 }  // namespace remesher

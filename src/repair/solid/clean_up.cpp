@@ -350,7 +350,7 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   std::vector<char> isLocked(contour.points.size(), 0);
   for (int i = 0; i < kTries && !crossed.empty(); ++i) {
     const std::vector<Index> corners = cornersOf(crossed, mesh);
-    lockAround(TriangleTree(mesh.positions, corners), i * rule.spacing, contour, isLocked);
+    lockAround(TriangleTree(mesh.positions, corners), (i + 0.5) * rule.spacing, contour, isLocked);
     cleaner.emplace(contour, rule);
     mergers = cleaner->repeat(mergers, isLocked);
     result = cleaner->take();

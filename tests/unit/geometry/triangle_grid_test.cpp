@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,5 +40,23 @@ TEST_CASE("triangle grid: whatever overlaps is visited once, large or small") {
       CHECK(visits[i] <= 1);
       if (boxes[i].overlaps(asked)) CHECK(visits[i] == 1);
     }
+  }
+}
+
+TEST_CASE("triangle grid: a triangle entered again is found at its new place only") {
+  Random random(12);
+  std::vector<Box> boxes(100);
+  TriangleGrid grid(0.1, boxes.size());
+  for (Index i = 0; i < 1000; ++i) {
+    Box& box = boxes[i % boxes.size()];
+    box = randomBox(random);
+    grid.add(Index(i % boxes.size()), box);
+    const Box asked = randomBox(random);
+    std::vector<Index> expected, visited;
+    for (Index k = 0; k < std::min<std::size_t>(i + 1, boxes.size()); ++k)
+      if (boxes[k].overlaps(asked)) expected.push_back(k);
+    grid.visit(asked, [&](Index name) { visited.push_back(name); });
+    std::sort(visited.begin(), visited.end());
+    CHECK(visited == expected);
   }
 }
