@@ -12,8 +12,6 @@ namespace remesher {
 
 namespace {
 
-bool isNeedle(double smallest) { return smallest < 2 * kSliver; }
-
 double smallestGone(const Run& run, const LocalChange& change) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const Grain& grain = run.asked.rule.grain;

@@ -16,6 +16,9 @@ namespace remesher {
 inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radians(30),
                         kSound = radians(33.2), kFine = radians(35), kGood = radians(42);
 
+// Whether a smallest angle is one that the end of repair mends.
+inline bool isNeedle(double smallest) { return smallest < 2 * kSliver; }
+
 double smallestAngle(const WorkingMesh& mesh, Face f, const Grain& grain = {});
 
 // A limit up to 60° for the angles of triangles. Most triangles prove to be above it without

@@ -86,7 +86,7 @@ Uncrossed uncrossed(Run& run, std::size_t vertices) {
 Uncrossed withoutNeedles(Run& run, std::size_t vertices, Uncrossed result) {
   const FidelityRule& rule = run.asked.rule;
   if (rule.mode != Fidelity::Fold || rule.bound) return result;
-  Prospect prospect(run.asked.effort.polishRounds);
+  Prospect prospect(2 * run.asked.effort.polishRounds);
   while (prospect.isGood(tooMany(run, vertices)) && mendNeedles(run))
     result.isReached = matchCount(run, vertices);
   return result;

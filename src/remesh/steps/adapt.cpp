@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/patience.h"
+#include "remesh/gate/angles.h"
 #include "remesh/ground/decimate.h"
 #include "remesh/steps/coarsen.h"
 #include "remesh/steps/delaunay.h"
@@ -147,8 +148,15 @@ bool commitStraight(Run& run, const Ranked& edge) {
   return commitUnlessFlat(run);
 }
 
+// What halves may be: needles are taken for want of anything better.
+enum class Halves { Any, NoNeedles };
+
+bool makesNeedle(const Run& run) {
+  return isNeedle(smallestComingAngle(run.mesh, run.scratch.change, run.asked.rule.grain));
+}
+
 // Returns the number of splits.
-std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
+std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle, Halves halves) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
   for (std::vector<Ranked> edges = edgesByLength(run);
@@ -157,6 +165,7 @@ std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
     const Ranked& edge = edges.back();
     const Halfedge h = mesh.find(edge.from, edge.to);
     if (!h || !proposeSplit(run.mesh, run.projector, h, run.scratch.change)) continue;
+    if (halves == Halves::NoNeedles && makesNeedle(run)) continue;
     if (middle == Middle::Straight && !run.mesh.isCurve(h))
       splits += commitStraight(run, edge);
     else
@@ -167,9 +176,11 @@ std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle) {
 
 bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
+  // Where repair has mended a needle by a collapse, the longest edge is often the one that made it.
+  if (run.asked.rule.guard) splitLongest(run, vertices, middle, Halves::NoNeedles);
   Patience patience;
   while (mesh.vertexCount() < vertices) {
-    const std::size_t splits = splitLongest(run, vertices, middle);
+    const std::size_t splits = splitLongest(run, vertices, middle, Halves::Any);
     if (!patience.after(splits, vertices - mesh.vertexCount())) break;
   }
   return mesh.vertexCount() == vertices;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
-#include "support/working_meshes.h"
+#include "remesh/gate/angles.h"
+#include "remesh/gate/crossing_guard.h"
+#include "support/runs.h"
 
 using namespace remesher;
 
@@ -16,6 +18,13 @@ TriangleMesh plank() {
   TriangleMesh mesh = shapes::cube(1);
   for (Vec3& p : mesh.positions) p = p.cwiseProduct(Vec3(10, 1, 0.5));
   return mesh;
+}
+
+std::size_t countNeedles(const WorkingMesh& mesh) {
+  std::size_t needles = 0;
+  for (Face f(0); f.index < mesh.mesh().faceCapacity(); ++f.index)
+    needles += mesh.mesh().isAlive(f) && isNeedle(smallestAngle(mesh, f));
+  return needles;
 }
 
 }  // namespace
@@ -36,4 +45,16 @@ TEST_CASE(
       CHECK(mesh.mesh().vertexCount() < 1.3 * double(vertices));
       CHECK(shapes::checkWorkingMesh(mesh) == "");
     }
+}
+
+TEST_CASE("adapt: with a guard no edge is halved into needles as long as there are others") {
+  // The eight triangles of the long sides are needles; halves of their edges would be, too.
+  shapes::TestRun test(plank());
+  REQUIRE(countNeedles(test.mesh) == 8);
+  CrossingGuard guard(test.mesh, {});
+  test.run.asked.rule.guard = &guard;
+  CHECK(matchCount(test.run, 10));
+  CHECK(countNeedles(test.mesh) == 8);
+  CHECK(matchCount(test.run, 100));
+  CHECK(test.mesh.mesh().vertexCount() == 100);
 }
