@@ -91,6 +91,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   whole.phase("read", 0, kReadShare);
   io::Model model = readFor(outputName, input);
   model.isExact = options.repair != Repair::Off;
+  if (model.isExact) io::unite(model, outputName);
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options.weld);

@@ -18,6 +18,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   whole.phase("read", 0, kReadShare);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
+  io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
   Report report = inFile(
       input.file.name, [&] { return repairOnly(model.parts, options, whole.part(kReadShare, 1)); });

@@ -32,9 +32,9 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF", readGltf, writeGlb, kHoldsScenes | kHoldsImages},
-    {".gltf", "{", readGltf, writeGltf, kHoldsScenes | kHoldsImages},
-    {".obj", "", readObj, writeObj, kHoldsDoubles},
+    {".glb", "glTF", readGltf, writeGlb, kHoldsParts | kHoldsScenes | kHoldsImages},
+    {".gltf", "{", readGltf, writeGltf, kHoldsParts | kHoldsScenes | kHoldsImages},
+    {".obj", "", readObj, writeObj, kHoldsParts | kHoldsDoubles},
     {".off", "OFF", readOff, writeOff, kHoldsDoubles},
     {".ply", "ply", readPly, writePly, kHoldsDoubles},
     {".stl", "solid", readStl, writeStl, 0},
@@ -132,6 +132,24 @@ void prepare(Model& model, const std::string& outputName) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
     if (wasExact && format->has(kHoldsScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
   }
+}
+
+void unite(Model& model, const std::string& outputName) {
+  if (model.parts.size() < 2 || canHold(outputName, kHoldsParts)) return;
+  const bool isSingle = std::all_of(model.parts.begin(), model.parts.end(),
+                                    [](const Part& part) { return part.mesh.isSingle; });
+  model.warnings.push_back({"PARTS_MERGED",
+                            "A file of this format is one solid: its parts become one surface.",
+                            model.parts.size()});
+  TriangleMesh merged = mergeParts(model.parts);
+  merged.groups.clear();
+  // Normals of bodies that pass through each other jump where the one surface bends anyway.
+  std::erase_if(merged.attributes, [](const Attribute& attribute) {
+    return attribute.semantic == "NORMAL" || attribute.semantic == "TANGENT";
+  });
+  merged.isSingle = isSingle;
+  model.parts.clear();
+  model.parts.push_back({"", std::move(merged), {Transform::Identity()}});
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {

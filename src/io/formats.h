@@ -25,6 +25,7 @@ enum Holds : unsigned {
   kHoldsScenes = 1,  // instances, places of parts, levels of detail
   kHoldsImages = 2,  // of materials
   kHoldsDoubles = 4,
+  kHoldsParts = 8,
 };
 
 // Whether a file of this name can hold that.
@@ -35,6 +36,10 @@ bool canHold(const std::string& outputName, Holds what);
 // single precision would lose a part's shape and the format has instances, the part moves to the
 // origin.
 void prepare(Model& model, const std::string& outputName);
+
+// In a format that holds no parts, those of a prepared model become one mesh, without groups, with
+// the attributes that all have, except normals and tangents.
+void unite(Model& model, const std::string& outputName);
 
 // The format follows the extension of `outputName`, whose last path component names the first file.
 // A model written in the format it came from keeps its whole scene; in another format it becomes

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "io/model/bake.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
@@ -112,6 +113,25 @@ std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts
   return spacings;
 }
 
+// The parts are repaired one by one; what they have in common stays.
+std::size_t countMeeting(const std::vector<io::Part>& parts) {
+  io::Model bodies;
+  bodies.parts = parts;
+  io::makeBodies(bodies);
+  return intersectionsOfGroups(io::mergeParts(bodies.parts)).size();
+}
+
+void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
+  const std::size_t meeting = countMeeting(parts);
+  if (meeting == 0) return;
+  warnings.push_back({{"PARTS_MEET",
+                       "Triangles of parts meet those of others. Each part was repaired for "
+                       "itself, to keep its name and its place. In an .stl file all parts become "
+                       "one surface.",
+                       meeting},
+                      std::nullopt});
+}
+
 bool isSound(const TriangleMesh& mesh) {
   const MeshReport report = inspectMesh(mesh);
   return report.boundaryEdges + report.nonManifoldEdges + report.degenerateTriangles == 0 &&
@@ -139,6 +159,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
   RemeshOptions own = scale.isNeeded() ? scale.applied(options) : options;
   const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, own);
+  warnOfMeeting(warnings, result.parts);
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];
     own.spacing = spacings[i];

@@ -23,15 +23,16 @@ class Search {
     for (Index t = 0; t < counts_.size(); ++t) counts_[t] = hasArea(triangle(t).at);
   }
 
-  std::vector<Index> run() {
+  template <class MayMeet>
+  std::vector<Index> run(MayMeet mayMeet) {
     tree_.visitPairs([&](Index s, Index t) {
-      if (!counts_[s] || !counts_[t] || (isHit_[s] && isHit_[t])) return;
+      if (!mayMeet(s, t) || !counts_[s] || !counts_[t] || (isHit_[s] && isHit_[t])) return;
       if (trianglesMeet(triangle(s), triangle(t))) isHit_[s] = isHit_[t] = 1;
     });
     return hits();
   }
 
-  std::vector<Index> run(Index first) {
+  std::vector<Index> runFrom(Index first) {
     for (Index s = first; s < counts_.size(); ++s)
       lookAround(s, [&](Index t) {
         if (s != t && !isHit_[s] && trianglesMeet(triangle(s), triangle(t))) isHit_[s] = 1;
@@ -79,10 +80,16 @@ class Search {
 
 }  // namespace
 
-std::vector<Index> selfIntersections(const TriangleMesh& mesh) { return Search(mesh).run(); }
+std::vector<Index> selfIntersections(const TriangleMesh& mesh) {
+  return Search(mesh).run([](Index, Index) { return true; });
+}
+
+std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh) {
+  return Search(mesh).run([&](Index s, Index t) { return mesh.groups[s] != mesh.groups[t]; });
+}
 
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first) {
-  return Search(mesh).run(first);
+  return Search(mesh).runFrom(first);
 }
 
 }  // namespace remesher

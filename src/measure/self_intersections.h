@@ -14,7 +14,10 @@ namespace remesher {
 // without area meets nothing.
 std::vector<Index> selfIntersections(const TriangleMesh& mesh);
 
-// The same, but only triangles from number `first` on, which may meet any triangle.
+// The same, but only triangles that meet one of another group (see TriangleMesh).
+std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh);
+
+// The same as the first, but only triangles from number `first` on, which may meet any triangle.
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first);
 
 }  // namespace remesher

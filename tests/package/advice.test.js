@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { inspect, remesh, remeshFile, repair } from 'remesher';
+import { inspect, remesh, remeshFile, repair, repairFile } from 'remesher';
 
 import { errorCodes } from '../../bindings/package/base/errors.js';
 import { GltfMaker } from '../support/gltf.js';
@@ -134,6 +134,8 @@ const mesh = (options) => ({ name: 'a.glb', vertices: 40, ...options });
  * @type {[string, () => Promise<any>, RegExp, ...((words: RegExpExecArray) => Promise<any>)[]][]}
  */
 const advice = [
+  ['PARTS_MEET', () => repairFile(toriOf([1, 0.9]).bytes, { name: 'a.glb' }), /In an \.stl file/,
+    () => repairFile(toriOf([1, 0.9]).bytes, { name: 'a.glb', output: 'a.stl' })],
   ['TARGET_TOO_SMALL', inArrays({ vertices: 3 }), /for this surface\. Ask for (\d+)/,
     ([, number]) => remesh(ball, { vertices: Number(number) })],
   ['TARGET_BELOW_CURVES', inFile(bytesOf(offText(sheet(8))), { name: 'a.off', vertices: 4,

@@ -3,11 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "io/formats.h"
 #include "jobs/mending.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
+#include "remesher.h"
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -28,6 +32,20 @@ io::Part crossed(double size) {
   TriangleMesh mesh = soups::joined({cube, soups::moved(cube, {0.31, 0.42, 0.53})});
   for (Vec3& p : mesh.positions) p *= size;
   return {"", mesh, {Transform::Identity()}};
+}
+
+// A GLB file of two cubes, `by` apart along x, in general position.
+FileBundle twoCubes(double by) {
+  const TriangleMesh cube = shapes::cube(1);
+  io::Model model;
+  model.parts = {{"one", cube, {Transform::Identity()}},
+                 {"other", soups::moved(cube, {by, 0.2, 0.3}), {Transform::Identity()}}};
+  return {io::write(model, "a.glb").files.front(), {}};
+}
+
+bool saysThatPartsMeet(const Report& report) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [](const Warning& warning) { return warning.code == "PARTS_MEET"; });
 }
 
 std::size_t trianglesOfFirst(const std::vector<io::Part>& parts, RemeshOptions options) {
@@ -105,4 +123,26 @@ TEST_CASE("part repair: a thickness that rounding makes is joined before repair,
   repairOnly(parts, options, {});
   CHECK(inspectMesh(parts.front().mesh).nonManifoldEdges == 0);
   CHECK(selfIntersections(parts.front().mesh).empty());
+}
+
+TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid they are united") {
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  const auto repaired = [&](double by, const char* output) {
+    return repairFile(twoCubes(by), output, options).report;
+  };
+  CHECK(repaired(0.5, "a.glb").output->components == 2);
+  CHECK(saysThatPartsMeet(repaired(0.5, "a.glb")));
+  CHECK_FALSE(saysThatPartsMeet(repaired(5, "a.glb")));
+  CHECK(repaired(5, "a.stl").output->components == 2);
+  for (const char* output : {"a.stl", "a.off", "a.ply"}) {
+    CHECK(repaired(0.5, output).output->components == 1);
+    CHECK_FALSE(saysThatPartsMeet(repaired(0.5, output)));
+  }
+  options.vertices = 400;
+  const Report report = remeshFile(twoCubes(0.5), "a.stl", options).report;
+  CHECK(report.output->components == 1);
+  CHECK(report.output->vertices == 400);
+  options.repair = Repair::Off;
+  CHECK(remeshFile(twoCubes(0.5), "a.stl", options).report.output->components == 2);
 }

@@ -98,3 +98,18 @@ TEST_CASE("self_intersections: random triangles agree with solving for every cro
   CHECK(expected.size() > 20);
   CHECK(selfIntersections(mesh) == expected);
 }
+
+TEST_CASE("self_intersections: between groups, pairs within a group do not count") {
+  TriangleMesh mesh = soups::randomSoup(150, 0.3, 17);
+  const Index n = static_cast<Index>(mesh.triangleCount());
+  for (Index t = 0; t < n; ++t) mesh.groups.push_back(t % 5);
+  std::vector<Index> expected;
+  for (Index s = 0; s < n; ++s) {
+    bool isHit = false;
+    for (Index t = 0; t < n; ++t) isHit = isHit || (s % 5 != t % 5 && edgesPass(mesh, s, t));
+    if (isHit) expected.push_back(s);
+  }
+  CHECK(expected.size() > 20);
+  CHECK(expected.size() < selfIntersections(mesh).size());
+  CHECK(intersectionsOfGroups(mesh) == expected);
+}

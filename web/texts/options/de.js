@@ -94,5 +94,7 @@ export default {
     + 'dem, was von ihnen zu sehen ist.',
   'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
     + 'Texturen neu gemalt.',
+  'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: jedes wurde für sich '
+    + 'repariert, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
   'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
 };

@@ -96,5 +96,8 @@ export default {
     + 'minces derrière ce que l’on en voit.',
   'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
     + 'repeintes.',
+  'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : chaque partie a été '
+    + 'réparée pour elle-même, pour garder son nom et sa place. Dans un fichier STL toutes font '
+    + 'une seule surface.',
   'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
 };
