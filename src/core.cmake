@@ -243,6 +243,7 @@ add_library(small OBJECT
   src/repair/holes/plug_attributes.cpp
   src/repair/holes/refinement.cpp
   src/repair/holes/turn_over.cpp
+  src/repair/holes/used_vertices.cpp
   src/repair/repair.cpp
   src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp

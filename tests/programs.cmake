@@ -146,6 +146,7 @@ add_executable(unit_tests
   tests/unit/remesher_test.cpp
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
+  tests/unit/repair/holes/used_vertices_test.cpp
   tests/unit/repair/repair_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp

@@ -14,6 +14,7 @@
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
 #include "repair/holes/turn_over.h"
+#include "repair/holes/used_vertices.h"
 #include "repair/solid/solid.h"
 
 namespace remesher {
@@ -91,6 +92,7 @@ RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& opt
   const double before = areaOf(input, input.triangleCount());
   const double kept = areaOf(closed.mesh, closed.kept.size());
   result.report.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
+  keepUsedVertices(closed.mesh);
   result.mesh = std::move(closed.mesh);
   warn(result,
        {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
