@@ -99,7 +99,9 @@ class FewestSearch {
     const auto asked = double(*options_.vertices), reached = std::max(asked, double(made.vertices));
     const bool keeps =
         made.stopped == Stopped::Target || (asked_.quads && made.stopped != Stopped::MaxError);
-    (keeps ? does_ : fails_) = reached;
+    // A mesh that grew in vain, beyond a number that is enough, says no more than its own number.
+    const bool isBeyond = !keeps && does_ && reached >= *does_;
+    (keeps ? does_ : fails_) = isBeyond ? asked : reached;
     isLeast_ = keeps && reached > asked;
   }
 

@@ -151,7 +151,8 @@ Made makeMesh(Run& run, const Prepared& original, const Manner& manner, const Pr
       original.bound()
           ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
           : runScheme(run, vertices, manner, progress);
-  if (options.repair == Repair::Off) return {isReached};
+  const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
+  if (options.repair == Repair::Off || isGivenUp) return {isReached};
   Uncrossed uncrossed = keepUncrossed(run, vertices);
   const bool isStillReached = isReached && uncrossed.isReached;
   return {isStillReached, std::move(uncrossed)};
