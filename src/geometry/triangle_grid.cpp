@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace remesher {
 
@@ -38,40 +37,22 @@ std::size_t TriangleGrid::lineOf(const Cell& cell, int level) const {
   return std::size_t(hash) & (lines_.size() - 1);
 }
 
-void TriangleGrid::enter(Index name, std::size_t line) {
+bool TriangleGrid::holds(std::size_t line, Index name) const {
   for (Index i = lines_[line]; i != kNone; i = links_[i].next)
-    if (links_[i].name == name) return;
-  const Link link = {name, lines_[line]};
-  if (free_ == kNone) {
-    lines_[line] = Index(links_.size());
-    links_.push_back(link);
-  } else {
-    lines_[line] = free_;
-    free_ = std::exchange(links_[free_], link).next;
-  }
-}
-
-void TriangleGrid::remove(Index name, std::size_t line) {
-  for (Index* i = &lines_[line]; *i != kNone; i = &links_[*i].next)
-    if (const Index gone = *i; links_[gone].name == name) {
-      *i = links_[gone].next;
-      links_[gone].next = free_;
-      free_ = gone;
-      return;
-    }
+    if (links_[i].name == name) return true;
+  return false;
 }
 
 void TriangleGrid::add(Index name, const Box& box) {
   if (name >= entries_.size()) entries_.resize(name + 1);
-  Box& own = entries_[name].box;
-  const Cells cells = cellsOf(box, levelOf(box));
-  const bool isNew = own.low[0] > own.high[0];
-  const Cells before = isNew ? Cells{} : cellsOf(own, levelOf(own));
-  own = box;
-  if (cells == before) return;
-  isUsed_[std::size_t(cells.level)] = true;
-  if (!isNew) forEachLine(before, [&](std::size_t line) { remove(name, line); });
-  forEachLine(cells, [&](std::size_t line) { enter(name, line); });
+  entries_[name].box = box;
+  const int level = levelOf(box);
+  isUsed_[std::size_t(level)] = true;
+  forEachLine(box, level, [&](std::size_t line) {
+    if (holds(line, name)) return;
+    links_.push_back({name, lines_[line]});
+    lines_[line] = Index(links_.size() - 1);
+  });
 }
 
 }  // namespace remesher

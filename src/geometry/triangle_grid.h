@@ -19,7 +19,8 @@ class TriangleGrid {
   // triangles.
   TriangleGrid(double cell, std::size_t expected);
 
-  // Enters a triangle, in place of the one of that name, if there is one.
+  // Enters a triangle, in place of the one of that name, if there is one: whose cells then hold it,
+  // too, which costs extra looks.
   void add(Index name, const Box& box);
 
   // Calls visit(name) once for each triangle whose box overlaps `box`.
@@ -29,13 +30,8 @@ class TriangleGrid {
  private:
   using Cell = std::array<std::int64_t, 3>;
 
-  struct Cells {
-    int level = -1;  // none
-    Cell low{}, high{};
-    bool operator==(const Cells&) const = default;
-  };
   struct Entry {
-    Box box;                          // empty if there is none
+    Box box;
     mutable std::uint32_t asked = 0;  // the last query that met it
   };
   struct Link {
@@ -44,27 +40,22 @@ class TriangleGrid {
 
   int levelOf(const Box& box) const;
   Cell cellAt(const Vec3& p, int level) const;
-  Cells cellsOf(const Box& box, int level) const {
-    return {level, cellAt(box.low, level), cellAt(box.high, level)};
-  }
   std::size_t lineOf(const Cell& cell, int level) const;
   template <class Visit>
-  void forEachLine(const Cells& cells, Visit visit) const;
-  void enter(Index name, std::size_t line);
-  void remove(Index name, std::size_t line);
+  void forEachLine(const Box& box, int level, Visit visit) const;
+  bool holds(std::size_t line, Index name) const;
 
   double cell_;
   std::array<bool, 64> isUsed_{};  // per level
   std::vector<Index> lines_;       // the first link of each; their number is a power of two
   std::vector<Link> links_;
-  Index free_ = kNone;          // the first link that is not in use
   std::vector<Entry> entries_;  // per name
   mutable std::uint32_t question_ = 0;
 };
 
 template <class Visit>
-void TriangleGrid::forEachLine(const Cells& cells, Visit visit) const {
-  const auto& [level, low, high] = cells;
+void TriangleGrid::forEachLine(const Box& box, int level, Visit visit) const {
+  const Cell low = cellAt(box.low, level), high = cellAt(box.high, level);
   for (Cell c = low; c[0] <= high[0]; ++c[0])
     for (c[1] = low[1]; c[1] <= high[1]; ++c[1])
       for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) visit(lineOf(c, level));
@@ -81,15 +72,14 @@ void TriangleGrid::visit(const Box& box, Visit&& visit) const {
   };
   for (int level = 0; level < int(isUsed_.size()); ++level) {
     if (!isUsed_[std::size_t(level)]) continue;
-    const Cells cells = cellsOf(box, level);
-    double count = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      count *= double(cells.high[axis] - cells.low[axis] + 1);
-    if (count > double(lines_.size())) {
+    const Cell low = cellAt(box.low, level), high = cellAt(box.high, level);
+    double cells = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) cells *= double(high[axis] - low[axis] + 1);
+    if (cells > double(lines_.size())) {
       for (Index name = 0; name < entries_.size(); ++name) ask(name);
       return;
     }
-    forEachLine(cells, [&](std::size_t line) {
+    forEachLine(box, level, [&](std::size_t line) {
       for (Index i = lines_[line]; i != kNone; i = links_[i].next) ask(links_[i].name);
     });
   }

@@ -139,7 +139,7 @@ void unite(Model& model, const std::string& outputName) {
   const bool isSingle = std::all_of(model.parts.begin(), model.parts.end(),
                                     [](const Part& part) { return part.mesh.isSingle; });
   model.warnings.push_back({"PARTS_MERGED",
-                            "A file of this format is one solid: its parts become one surface.",
+                            "A file of this format is one solid: parts are merged into it.",
                             model.parts.size()});
   TriangleMesh merged = mergeParts(model.parts);
   merged.groups.clear();

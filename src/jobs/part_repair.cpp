@@ -124,12 +124,12 @@ std::size_t countMeeting(const std::vector<io::Part>& parts) {
 void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
   const std::size_t meeting = countMeeting(parts);
   if (meeting == 0) return;
-  warnings.push_back({{"PARTS_MEET",
-                       "Triangles of parts meet those of others. Each part was repaired for "
-                       "itself, to keep its name and its place. In an .stl file all parts become "
-                       "one surface.",
-                       meeting},
-                      std::nullopt});
+  warnings.push_back(
+      {{"PARTS_MEET",
+        "Triangles of parts meet those of others: each part was repaired for itself. "
+        "In an .stl file all become one surface.",
+        meeting},
+       std::nullopt});
 }
 
 bool isSound(const TriangleMesh& mesh) {

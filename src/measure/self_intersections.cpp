@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "base/place.h"
 #include "geometry/triangle_meeting.h"
@@ -23,10 +24,11 @@ class Search {
     for (Index t = 0; t < counts_.size(); ++t) counts_[t] = hasArea(triangle(t).at);
   }
 
-  template <class MayMeet>
-  std::vector<Index> run(MayMeet mayMeet) {
+  // groups: one per triangle; those of one group do not count. Or empty.
+  std::vector<Index> run(std::span<const Index> groups) {
     tree_.visitPairs([&](Index s, Index t) {
-      if (!mayMeet(s, t) || !counts_[s] || !counts_[t] || (isHit_[s] && isHit_[t])) return;
+      if (!counts_[s] || !counts_[t] || (isHit_[s] && isHit_[t])) return;
+      if (!groups.empty() && groups[s] == groups[t]) return;
       if (trianglesMeet(triangle(s), triangle(t))) isHit_[s] = isHit_[t] = 1;
     });
     return hits();
@@ -80,12 +82,10 @@ class Search {
 
 }  // namespace
 
-std::vector<Index> selfIntersections(const TriangleMesh& mesh) {
-  return Search(mesh).run([](Index, Index) { return true; });
-}
+std::vector<Index> selfIntersections(const TriangleMesh& mesh) { return Search(mesh).run({}); }
 
 std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh) {
-  return Search(mesh).run([&](Index s, Index t) { return mesh.groups[s] != mesh.groups[t]; });
+  return Search(mesh).run(mesh.groups);
 }
 
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first) {

@@ -163,7 +163,7 @@ std::ptrdiff_t CrossingGuard::growth(const LocalChange& change) const {
 
 void CrossingGuard::update(const LocalChange& change, Vertex result) {
   const HalfedgeMesh& mesh = mesh_.mesh();
-  // Entries of triangles that are gone cost a look each, so that they are cleared away in time.
+  // Entries of triangles that moved or are gone cost looks, so that they are cleared away in time.
   if (added_ > 2 * mesh.faceCount()) enterAll();
   const auto add = [&](Face f) {
     grid_.add(f.index, boxAround(present(f)));
