@@ -37,17 +37,17 @@ constexpr std::size_t kLeastForMap = 5000;
 // Opposite singular vertices nearer than this, in sides of quads, cancel each other.
 constexpr double kCancelWithin = 1.5;
 constexpr double kNudge = 0.0015;
-// So many scales are corrected by the count of the last map; twice as many lie aside of the best.
+// As many scales are corrected by the count of the map before; 2 kSteps beside the best follow.
 constexpr int kSteps = 4;
-// A map with a larger count error is no result: with half as many vertices again as wanted. With
-// 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs, with up to a third too many
-// vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
+// The largest count error of a result: half as many vertices again as wanted, for each of these
+// counts kTooMany times. With 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs,
+// with up to a third too many vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
 constexpr double kFarthest = 2;
-// Too many vertices are so many times as bad as too few, and so many of them as bad as a fault:
-// adding rows costs nothing, removing a quad leaves irregular vertices. As the first, of five
-// models at 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8
-// takes angle_block from 1.3 to 2.6 % in the worst. As the second, 2 and 20 give the same; with
-// faults alone the bunny at 5017 has 267 irregular vertices, not 56.
+// A vertex too many is as bad as kTooMany too few, and kTooMany of them as bad as a fault: adding
+// rows costs nothing, removing a quad leaves irregular vertices. Beside too few: of five models at
+// 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8 takes
+// angle_block from 1.3 to 2.6 % in the worst. Beside faults: 2 and 20 give the same; with faults
+// alone the bunny at 5017 has 267 irregular vertices, not 56.
 constexpr double kTooMany = 4;
 
 void settle(QuadMesh& quads, const WorkingMesh& ground) {
@@ -80,7 +80,7 @@ CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double len
 struct Extracted {
   QuadMesh quads;
   double faults = 0;     // curves that are not followed, and unsound quads
-  std::size_t lost = 1;  // handles and holes, and 1 for other kinds of surface than the mesh's
+  std::size_t lost = 1;  // by how much χ differs, and 1 if the kind of surface does
 };
 // The quads of a map.
 Extracted extracted(const WorkingMesh& part, const SeamlessMap& map) {
@@ -114,9 +114,9 @@ double costOf(const Extracted& made, double wanted) {
   return made.faults + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
 }
 
-// Rounding makes another map at each scale, and counts come in steps: tries scales on both sides of
-// the nearest one, ever farther away, until a map is good. At most so many maps have their quads
-// shaped and judged, and no more than so many may fail.
+// Searches for a scale whose map is good. Each scale gives another map, because integers are
+// rounded anew, and counts come in steps: so scales on both sides of the best one are tried, ever
+// farther away. most: as many maps are shaped and judged, or fail, before the search ends.
 std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker,
                                      double vertices, int most) {
   std::optional<Extracted> best;
@@ -164,8 +164,9 @@ std::size_t ownCount(std::size_t whole, const QuadMesh& mesh, const Mirrors& mir
   return own - std::min(own, (now - whole + images - 1) / images);
 }
 
-// Removes single quads. Of a half this leads to a number of the whole in several rounds, for not
-// all vertices have the same number of images. An exact number may fold quads, but not in vain.
+// Removes single quads. Of a half this takes several rounds, for not all vertices have the same
+// number of images. To reach an exact number quads may fold; if it is missed all the same, the mesh
+// is restored, and quads go without folds.
 std::size_t removeQuads(QuadMesh& mesh, const QuadGoal& goal, const WorkingMesh& ground) {
   std::optional<QuadMesh> before;
   if (goal.isExact) before = mesh;
@@ -248,8 +249,8 @@ double ownVertices(const WorkingMesh& mesh, const QuadGoal& goal) {
   return double(goal.vertices) / images + onPlanes / 2;
 }
 
-// Quads of a part by a map on the first mesh, from `level` on, that has a map, or none. A part that
-// has none on any mesh begins with the last one the next time.
+// The quads of a part, mapped on the first mesh from `level` on that has a map; no quads if no mesh
+// has one. `level` becomes the mesh used, or the last mesh tried.
 QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bool isGraded) {
   for (;; ++level) {
     const WorkingMesh* part = bases.part(level, share.number);
@@ -267,8 +268,8 @@ QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
   return splitPairs(mesh, pairTriangles(mesh, frames, fieldOn(mesh, frames, length)));
 }
 
-// Quads by pairs, for the parts with these numbers, not yet shaped. The number of vertices depends
-// on how many triangles stay single, so that a second mesh has the right number.
+// Makes quads by pairs, not yet shaped, for the parts with these numbers. How many triangles stay
+// single is not known before: so the number of triangles is corrected, up to three meshes in all.
 QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
                    const TriangleMaker& triangles) {
   double share = 0;
@@ -384,7 +385,7 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   };
   std::optional<MadeQuads> best;
   for (const double share : shares) {
-    // What has no map with one share has none with others; the whole may, where its half has none.
+    // A part without a map at one share has none at others. The whole may, where its half has none.
     const bool isMet = best && !isOff(*best);
     if (isMet && (share == above || best->paired > 0 || best->collapsed == 0)) break;
     if (best && best->paired == best->parts && !goal.mirrors.planes.empty()) break;

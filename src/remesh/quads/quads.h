@@ -28,8 +28,8 @@ struct QuadGoal {
   std::size_t vertices = 0;  // of the whole
   bool isExact = false;      // else within kCountTolerance
   Mirrors mirrors = {};      // the mesh is a half of the whole, cut off along these planes
-  bool isGraded = false;     // quads are as large, beside each other, as the triangles
-  bool isDraft = false;      // from a map of half as many triangles, and lost tips stay lost
+  bool isGraded = false;     // sizes of quads vary as those of the triangles
+  bool isDraft = false;      // on fewer triangles, and lost tips stay lost
 };
 
 // The number of vertices of the whole: those on a plane are their own image.

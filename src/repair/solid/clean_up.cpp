@@ -19,14 +19,15 @@ namespace remesher {
 
 namespace {
 
-// The greatest distance from an original plane, in cell widths. The RMS distance of a contour from
-// its surface is as large.
+// The greatest root of a weighted sum of squared distances from original planes, in cell widths.
+// The RMS distance of a contour from its surface is as large.
 constexpr double kTolerance = 0.02;
 // Edges this short (in cell widths) are rounding of the lattice, and may cost more.
 constexpr double kShortEdge = 0.2, kToleranceOfShort = 0.06;
 // No edge becomes longer, in cells: a search around a long edge visits all that is near.
 constexpr double kLongest = 6;
-// No smaller angles are made, and no triangle turns by more than 40°.
+// A collapse makes a smaller angle only if its star has one as small. It turns no triangle by more
+// than 40°, unless that had a smaller angle: normals of needles mean little.
 const double kSmallestTangent = std::tan(radians(15));
 const double kMostTurned = std::cos(radians(40));
 
@@ -36,7 +37,7 @@ struct PlaneSum {
   Vec3 vector = Vec3::Zero();
   double constant = 0;
 
-  // Relative to `origin`, for accuracy far from zero.
+  // at: a point of the plane, relative to Cleaner::origin(), for accuracy far from zero.
   void add(const Vec3& normal, const Vec3& at, double weight) {
     const double distance = -normal.dot(at);
     matrix += weight * normal * normal.transpose();
@@ -246,7 +247,7 @@ class Cleaner {
     return tangent >= kSmallestTangent || (tangent >= smallestAround(from) && hasArea(after));
   }
 
-  // Whether the changed star has area, no smaller angles, and faces as before.
+  // Whether the changed star has area, no smaller angles than before, and faces as before.
   bool staysSound(Halfedge h) const {
     const Vertex from = mesh_.origin(h), into = mesh_.tip(h);
     bool isSound = true;
