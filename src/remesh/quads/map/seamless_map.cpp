@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "mesh/topology.h"
@@ -28,6 +29,15 @@ MapPoint turned(const MapPoint& p, int turn) {
     default:
       return {p.v, -p.u};
   }
+}
+
+// Whether all triangles are small enough for exact areas: where surfaces are wild, maps fold far.
+bool isExact(const SeamlessMap& map) {
+  for (Index i = 0; i < map.corners.size(); ++i) {
+    const MapPoint edge = map.corners[HalfedgeMesh::next(Halfedge(i))] - map.corners[Halfedge(i)];
+    if (std::max(std::abs(edge.u), std::abs(edge.v)) >= 512 * kUnit) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -69,6 +79,7 @@ std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> 
   untangle(values, {mesh_, frames_, system_, sizes_, length});
   SeamlessMap map = inWholes(values);
   map.mark = mark;
+  if (!isExact(map)) return {};
   return map;
 }
 

@@ -62,8 +62,8 @@ class MapMaker {
   // Whether a map is possible; also false with too many integer variables for dense matrices.
   bool isPossible() const { return bool(rounding_); }
 
-  // A map with quads of this length, unless its mark is known. Folded triangles are unfolded as far
-  // as possible.
+  // A map with quads of this length, unless its mark is known or it is too large to be exact.
+  // Folded triangles are unfolded as far as possible.
   std::optional<SeamlessMap> map(double length, std::span<const double> known = {}) const;
 
   // The number of vertices of a map's quads, if these are a surface of the mesh's kind.

@@ -76,6 +76,12 @@ TEST_CASE("seamless_map: a rectangle of whole sides keeps its lengths") {
           doctest::Approx(1).epsilon(1e-4));
 }
 
+TEST_CASE("seamless_map: a map of triangles too large to be exact is none") {
+  const Mapped m(shapes::grid(12, 8), 1);
+  CHECK(m.maker.map(1.0 / 500));
+  CHECK_FALSE(m.maker.map(1.0 / 520));
+}
+
 TEST_CASE("seamless_map: no triangle folds over on smooth shapes") {
   for (const auto& [shape, length] :
        {std::pair{shapes::icosphere(12), 0.2}, std::pair{shapes::torus(48, 20), 0.25}}) {
