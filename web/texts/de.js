@@ -358,8 +358,8 @@ export default {
   'warning.NOT_TRIANGLES': 'Nur Flächen werden neu vernetzt; anderes fehlt im Ergebnis.',
   'warning.ONLY_REPAIRED': 'Teile der ausgebesserten Fläche liegen für ihre Zahlen zu nah '
     + 'beieinander und sind nicht neu vernetzt.',
-  'warning.PARTS_MERGED': 'Binäres STL ist ein einziger Körper: Teile und Materialien gehen darin '
-    + 'auf.',
+  'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
+    + 'Materialien gehen darin auf.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
     + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',

@@ -360,7 +360,7 @@ export default {
   'warning.NOT_TRIANGLES': 'Seules les faces sont remaillées ; le reste manque au résultat.',
   'warning.ONLY_REPAIRED': 'Des parties de la surface réparée sont trop proches pour leurs '
     + 'nombres et ne sont pas remaillées.',
-  'warning.PARTS_MERGED': 'Un STL binaire est un seul solide : parties et matériaux y sont fondus.',
+  'warning.PARTS_MERGED': 'Ce fichier est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
   'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '
     + 'des points, flottent dans des trous ou sont en double.',
