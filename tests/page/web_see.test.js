@@ -297,6 +297,7 @@ test('what is broken is mended by one click, and said; each mode has its sentenc
 });
 
 test('the presets for printing and simulation mend', async () => {
+  await open('ring.obj', objText(torus(24, 12)));
   for (const preset of ['print', 'simulation']) {
     await page.click(`#preset-${preset}`);
     assert.equal(await page.inputValue('#option-repair'), 'auto');
