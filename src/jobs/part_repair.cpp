@@ -118,6 +118,7 @@ std::size_t countMeeting(const std::vector<io::Part>& parts) {
   io::Model bodies;
   bodies.parts = parts;
   io::makeBodies(bodies);
+  if (bodies.parts.size() < 2) return 0;
   return intersectionsOfGroups(io::mergeParts(bodies.parts)).size();
 }
 

@@ -15,9 +15,12 @@ namespace remesher {
 
 namespace {
 
-constexpr int kTurns = 32;            // tried angles within a right angle
-constexpr Index kCells = 512;         // most cells along a side of the square
-constexpr double kNearEnough = 1.01;  // between a scale at which all fits, and one at which not
+constexpr int kTurns = 32;     // tried angles within a right angle
+constexpr Index kCells = 512;  // most cells along a side of the square
+// The ratio between a scale at which all fits and one at which not. It took the place of steps of
+// 0.9 and four bisections, which end within 0.7 %: a helmet at 3 sizes, 3 neighboring counts each,
+// looks as much like the original (medians of SSIM +0.000 to +0.001), in 1.00 to 1.04 of the time.
+constexpr double kNearEnough = 1.01;
 
 struct Bounds {
   Vec2 low = Vec2::Constant(kInfinity);
