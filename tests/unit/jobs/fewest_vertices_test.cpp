@@ -62,7 +62,7 @@ TEST_CASE("fewest vertices: quads keep a bound by more of them than were asked f
   options.quality = Quality::Draft;
   options.maxError = 1;
   const auto made = [&] { return remeshToFewest(sphere, Welding(sphere), options, {}); };
-  options.vertices = 40;
+  options.vertices = 60;
   REQUIRE(asksForFewest(options));
   const RemeshOutcome raised = made();
   CHECK(raised.stopped == Stopped::MaxError);

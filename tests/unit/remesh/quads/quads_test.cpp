@@ -112,7 +112,7 @@ TEST_CASE("quads: teeth shorter than quads are wide stay apart") {
   const TriangleMesh ring = toothedRing(14);
   RemeshOptions options;
   options.quads = true;
-  for (const Index vertices : {300U, 400U, 500U}) {
+  for (const Index vertices : {300U, 500U}) {
     options.vertices = vertices;
     const RemeshOutcome made = remeshSurface(ring, options, {});
     CHECK(made.warnings.empty());

@@ -50,7 +50,7 @@ TEST_CASE("flat sides: sides of quads run along a bottom's rims, where these ben
     const TriangleMesh bar = shapes::filletedBar(steps);
     return shapes::areaAt(remeshSurface(bar, options, {}).mesh, 0) / bottom;
   };
-  for (const Index vertices : {600, 1000, 2000}) {
+  for (const Index vertices : {600, 1000}) {
     CAPTURE(vertices);
     CHECK(flatShare(5, vertices) == doctest::Approx(1));
     CHECK(flatShare(30, vertices) < 0.999);
