@@ -9,6 +9,7 @@ import { BufferAttribute, BufferGeometry, Color, Mesh, SphereGeometry } from 'th
 
 import { angleColors } from '../../web/base/colors.js';
 import { irregularVertices } from '../../web/survey/irregular.js';
+import { strokesOf } from '../../web/survey/strokes.js';
 import { outlineOf, polygonsOf } from '../../web/triangles/polygons.js';
 import { soupOf } from '../../web/triangles/soup.js';
 import { colorByAngle } from '../../web/triangles/triangle_angles.js';
@@ -107,6 +108,24 @@ test('quads are drawn without diagonals, and dots are where not four of them mee
   assert.equal(valences.reduce((sum, valence) => sum + 4 - valence, 0), 0);
   delete mesh.userData.gltfExtensions;
   assert.equal(polygonsOf(mesh), null);
+});
+
+test('a quad has two strokes through its middle, along its directions and within it', () => {
+  // A square's side, and a rectangle of twice the height beside it; a triangle has none.
+  const mesh = polygonMesh([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 2, 0, 1, 2, 0],
+    [0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 6, 2, 5, 6]);
+  const strokes = strokesOf(soupOf([mesh]));
+  assert.equal(strokes.length, 2 * 2 * 6);
+  const middles = [[0.5, 0.5, 0], [1.5, 1, 0]];
+  for (let i = 0; i < 4; i += 1) {
+    const [from, to] = [strokes.subarray(6 * i, 6 * i + 3), strokes.subarray(6 * i + 3, 6 * i + 6)];
+    const [across, along] = [0, 1].map((axis) => Math.abs(to[axis] - from[axis]));
+    assert.ok(Math.min(across, along) < 1e-6, 'along one side, at right angles to the other');
+    const side = i > 1 && along > across ? 2 : 1;
+    assert.ok(Math.max(across, along) > side / 2 && Math.max(across, along) < side);
+    from.forEach((value, axis) =>
+      assert.ok(Math.abs((value + to[axis]) / 2 - middles[i >> 1][axis]) < 1e-6));
+  }
 });
 
 test('a square is coloured as good, and the longer the slant of a quad the worse', () => {

@@ -175,3 +175,27 @@ test('where shape was lost is said, and shown', async () => {
   await page.waitForSelector('[data-shading=distance][aria-pressed=true]');
   assert.deepEqual(complaints, []);
 });
+
+test('the field shows on a draft of quads while a slider moves, and goes with it', async () => {
+  await drop(page, { 'ring.obj': objText(torus(24, 12)) });
+  await opened(page, 'ring.obj');
+  await page.click('#preset-quads');
+  await settled(page);
+  await page.evaluate(() => {
+    globalThis.drawn = [];
+    const canvas = document.getElementById('canvas');
+    new MutationObserver(() => globalThis.drawn.push([Number(canvas.dataset.calls),
+      document.getElementById('right-name').textContent]))
+      .observe(canvas, { attributes: true, attributeFilter: ['data-calls'] });
+  });
+  await page.focus('#target-slider');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => document.getElementById('right-name').textContent === 'Draft');
+  await page.waitForFunction(() => document.body.dataset.state === 'idle'
+    && document.getElementById('right-name').textContent === 'Result');
+  const drawn = await page.evaluate(() => globalThis.drawn);
+  const most = Math.max(...drawn.filter(([, name]) => name === 'Draft').map(([calls]) => calls));
+  const last = Number(await page.getAttribute('#canvas', 'data-calls'));
+  assert.equal(most, last + 1, JSON.stringify(drawn));
+  assert.deepEqual(complaints, []);
+});

@@ -76,7 +76,7 @@ function showDistances({ surveying, panel }) {
 async function stageResult(page, result) {
   const { stage, surveying } = page;
   await stage.show('result', { bytes: result.bytes, resources: [] });
-  await surveying.shown('result');
+  await surveying.shown('result', !result.number);
   showReport(page);
   if (!result.number && stage.shading !== 'distance') return;
   void surveying.measure().then((distances) => distances && showDistances(page));

@@ -58,8 +58,9 @@ export class Surveying {
     return this.#page.stage.viewer?.eye.center.x ?? 0;
   }
 
-  /** A model is on the stage, or gone. @param {Side} side */
-  async shown(side) {
+  /** A model is on the stage, or gone. @param {Side} side
+   * @param {boolean} [isDraft] of which the field is shown that quads follow */
+  async shown(side, isDraft = false) {
     const { session, stage: { viewer } } = this.#page;
     if (side !== 'baseline') this.distances = null;
     const soup = viewer?.view(side)?.soup() ?? null;
@@ -71,6 +72,8 @@ export class Surveying {
       [finding, this.survey.ask('setSurface', { side, soup }, buffers)]);
     viewer?.overlays[side].setDots(found
       && await this.survey.ask('irregular', { side, first: found.first }));
+    const strokes = isDraft && soup?.polygons ? await this.survey.ask('strokes', side) : null;
+    viewer?.overlays[side].setLines('field', strokes ?? new Float32Array());
     viewer?.draw();
     this.#showLegend();
     if (side === 'original') await this.#showEdges(found);

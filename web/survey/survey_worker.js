@@ -4,6 +4,7 @@ import { irregularVertices } from './irregular.js';
 import { linesOf } from './lines.js';
 import { offVertices } from './off.js';
 import { pick } from './picking.js';
+import { strokesOf } from './strokes.js';
 import { measureDistances, Surface } from './surface.js';
 
 /** @typedef {import('../triangles/soup.js').Soup} Soup */
@@ -27,6 +28,8 @@ const questions = {
   /** @param {{ side: Side, first: Uint32Array }} request first: see EdgeSummary */
   irregular: ({ side, first }) => (surfaces[side]
     ? irregularVertices(surfaces[side].soup, first) : null),
+  /** @param {Side} side */
+  strokes: (side) => (surfaces[side] ? strokesOf(surfaces[side].soup) : null),
   /** @returns {Distances | null} */
   distances: () => (surfaces.result && surfaces.original
     ? measureDistances(surfaces.result, surfaces.original) : null),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines, dots and a mark over a surface: feature curves, borders, the triangle under the pointer,
-// irregular vertices of quads, the place of the largest distance.
+// the field and the irregular vertices of quads, the place of the largest distance.
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, Group, Points, PointsMaterial, Sprite,
   SpriteMaterial,
@@ -11,6 +11,9 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { lineColors, valenceColors } from '../base/colors.js';
 
 /** @typedef {keyof typeof lineColors} LineKind */
+
+/** In pixels; the strokes of a field are many. @param {LineKind} kind */
+const widthOf = (kind) => (kind === 'field' ? 1.5 : 3);
 
 /** The mark's picture: a ring. */
 function ring() {
@@ -83,7 +86,7 @@ export class Overlays {
   setLines(kind, segments) {
     this.#remove(kind);
     if (!segments.length) return;
-    const material = new LineMaterial({ color: lineColors[kind], linewidth: 3,
+    const material = new LineMaterial({ color: lineColors[kind], linewidth: widthOf(kind),
       polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
     const geometry = new LineSegmentsGeometry().setPositions(segments);
     const lines = new LineSegments2(geometry, material);
