@@ -133,12 +133,6 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
        std::nullopt});
 }
 
-bool isSound(const TriangleMesh& mesh) {
-  const MeshReport report = inspectMesh(mesh);
-  return report.boundaryEdges + report.nonManifoldEdges + report.degenerateTriangles == 0 &&
-         selfIntersections(mesh).empty();
-}
-
 // The places of the mesh's own corners on the mesh itself.
 std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
   std::vector<InputPlace> places;
@@ -186,6 +180,12 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
   result.warnings = inWords(std::move(warnings), result.parts);
   return result;
+}
+
+bool isSound(const TriangleMesh& mesh) {
+  const MeshReport report = inspectMesh(mesh);
+  return report.boundaryEdges + report.nonManifoldEdges + report.degenerateTriangles == 0 &&
+         selfIntersections(mesh).empty();
 }
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome) {

@@ -23,6 +23,10 @@ struct PartsRepair {
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 
+// Whether a surface is closed, a 2-manifold, passes through itself nowhere, and each triangle has
+// an area.
+bool isSound(const TriangleMesh& mesh);
+
 // The outcome of remeshing the repaired `original`, rounded as by inPrecisionOf. If rounding makes
 // it unsound (open, not a 2-manifold or self-intersecting) and the original is sound, the original
 // is returned, with a warning.

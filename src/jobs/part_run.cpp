@@ -10,6 +10,11 @@ namespace remesher {
 
 namespace {
 
+// Vertices that the shape needs most are taken without looking for crossings.
+bool isCrossedShape(const RemeshOutcome& outcome, const RemeshOptions& options) {
+  return outcome.prefer == Prefer::Shape && options.repair != Repair::Off && !isSound(outcome.mesh);
+}
+
 RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
   using Run =
       RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
@@ -27,8 +32,11 @@ RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Pro
 
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   try {
-    const RemeshOptions options =
+    RemeshOptions options =
         target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+    RemeshOutcome outcome = remeshPart(part, options, progress);
+    if (!isCrossedShape(outcome, options)) return outcome;
+    options.prefer = Prefer::Even;
     return remeshPart(std::move(part), options, progress);
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);

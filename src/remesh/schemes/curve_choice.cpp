@@ -90,15 +90,18 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
     add(edges.free, rimsOf(flats, built, options));
   }
   if (!options.quads) edges.flats = flats;
+  if (scale.followed > 1) add(edges.free, std::exchange(edges.fixed, {}));
   CurveRules rules;
-  SimplifiedCurves simplified = simplifyCurves(built.mesh, built.positions, edges, scale.size);
+  SimplifiedCurves simplified =
+      simplifyCurves(built.mesh, built.positions, edges, scale.followed * scale.size);
   rules.edges = std::move(simplified.edges);
   add(rules.edges, edges.fixed);
   rules.size = scale.size;
   rules.kept = scale.joints;
   rules.corners = scale.spikes.corners;
   rules.keepBoundary = options.boundary == Boundary::Keep;
-  if (isDetecting) rules.tips = detectTips(built.mesh, built.positions, rules.edges);
+  if (isDetecting && scale.followed == 1)
+    rules.tips = detectTips(built.mesh, built.positions, rules.edges);
   return {FeatureCurves(built.mesh, built.positions, rules),
           {std::move(seams.chartless), {std::move(seams.jumps), std::move(simplified.absorbed)}},
           std::move(flats),

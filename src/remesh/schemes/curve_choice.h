@@ -42,6 +42,9 @@ struct CurveScale {
   const Spikes& spikes;                 // their corners stay
   const std::vector<Halfedge>& joints;  // they stay, so that cut parts still meet
   Flats flats = Flats::Bordered;
+  // Curves are those that edges so many times as long can follow; above 1 borders of materials are
+  // released like others, and tips are no corners.
+  double followed = 1;
 };
 
 CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,

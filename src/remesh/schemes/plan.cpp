@@ -96,19 +96,28 @@ struct CurveNeeds {
 };
 
 // The corners of flat regions must leave vertices for the rest; a surface that is possible without
-// these corners is never refused.
+// these corners is never refused. What repair makes is not refused at all: where bodies are united,
+// many short curves meet, and only those that longer edges can follow become curves.
 CurveChoice chooseWithFlats(const BuiltMesh& built, const TriangleMesh& input,
                             const RemeshOptions& options, const CurveNeeds& needs) {
   // One corner to so many vertices; the number that a length gives is known later, and may be a
   // third.
   const std::size_t mostCorners = options.edgeLength ? 6 : 2;
-  CurveChoice choice = chooseCurves(built, input, options, needs.scale);
-  if (choice.flats.empty() ||
-      mostCorners * countCorners(choice.curves, built.mesh) <= needs.vertices)
-    return choice;
   CurveScale scale = needs.scale;
-  scale.flats = Flats::Unknown;
-  return chooseCurves(built, input, options, scale);
+  CurveChoice choice = chooseCurves(built, input, options, scale);
+  const auto areTooMany = [&] {
+    return mostCorners * countCorners(choice.curves, built.mesh) > needs.vertices;
+  };
+  if (!choice.flats.empty() && areTooMany()) {
+    scale.flats = Flats::Unknown;
+    choice = chooseCurves(built, input, options, scale);
+  }
+  const double longest = options.repair == Repair::Off ? 0 : std::sqrt(surfaceArea(built));
+  while (scale.followed * scale.size < longest && areTooMany()) {
+    scale.followed *= 2;
+    choice = chooseCurves(built, input, options, scale);
+  }
+  return choice;
 }
 
 // Edges kept at joints must leave vertices for the rest. They cannot be subdivided either, so there

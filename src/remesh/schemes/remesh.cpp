@@ -185,13 +185,13 @@ Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Pr
 }
 
 // Whether the vertices of the original that its shape needs may be taken instead of even triangles:
-// not if the caller sets sizes, bounds or edges. Not with repair either, for no collapse there
-// looks for crossings.
+// not if the caller sets sizes, bounds or edges. With repair only on demand, for no collapse there
+// looks for crossings: the caller must.
 bool mayFollow(const RemeshOptions& options) {
   return options.prefer != Prefer::Even && options.scheme == Scheme::Best &&
          options.density.empty() && options.featureEdges.empty() && options.bodies.empty() &&
          !options.maxError && !options.splitObtuse && options.boundary == Boundary::Resample &&
-         options.repair == Repair::Off;
+         (options.repair == Repair::Off || options.prefer == Prefer::Shape);
 }
 
 // The share of a run's time for the triangles of the map; each mesh of pairs takes a quarter of it.

@@ -43,6 +43,19 @@ FileBundle twoCubes(double by) {
   return {io::write(model, "a.glb").files.front(), {}};
 }
 
+// Cubes in general position around a middle, all in one, each of a material of its own.
+TriangleMesh knotOfCubes(int count) {
+  TriangleMesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::AngleAxisd turn(0.7 * i, Vec3(1, 0.3 * i, 2).normalized());
+    TriangleMesh cube = shapes::cube(1);
+    for (Vec3& p : cube.positions) p = turn * (p + Vec3(0.31, 0.2, 0.13));
+    mesh = soups::joined({mesh, cube});
+    mesh.groups.resize(mesh.triangleCount(), Index(i));
+  }
+  return mesh;
+}
+
 bool saysThatPartsMeet(const Report& report) {
   return std::any_of(report.warnings.begin(), report.warnings.end(),
                      [](const Warning& warning) { return warning.code == "PARTS_MEET"; });
@@ -143,4 +156,37 @@ TEST_CASE("part repair: parts that meet stay parts, which is said; in one solid 
   CHECK(report.output->vertices == 400);
   options.repair = Repair::Off;
   CHECK(remeshFile(twoCubes(0.5), "a.stl", options).report.output->components == 2);
+}
+
+TEST_CASE("part repair: bodies with more corners than vertices asked for get that number") {
+  RemeshOptions options;
+  options.repair = Repair::Solid;
+  for (const Index vertices : {60, 120, 240}) {
+    options.vertices = vertices;
+    const RemeshResult result = remesh(knotOfCubes(24), options);
+    CHECK(inspectMesh(result.mesh).vertices == vertices);
+    CHECK(isSound(result.mesh));
+    CHECK(result.report.stopped == Stopped::Target);
+  }
+}
+
+TEST_CASE("part repair: a shape that is preferred is one of the repaired surface, and sound") {
+  RemeshOptions options;
+  options.repair = Repair::Solid;
+  options.prefer = Prefer::Shape;
+  options.vertices = 40;
+  const RemeshResult united = remesh(crossed(1).mesh, options);
+  CHECK(united.report.prefer == std::vector{Prefer::Shape});
+  CHECK(inspectMesh(united.mesh).vertices == 40);
+  CHECK(isSound(united.mesh));
+  CHECK(united.report.fidelity->hausdorff < 0.1);
+
+  // Of a thin shell its own vertices would pass through those of the other side.
+  TriangleMesh inner = shapes::turnedOver(shapes::icosphere(16));
+  for (Vec3& p : inner.positions) p *= 0.985;
+  options.repair = Repair::Holes;
+  options.vertices = 60;
+  const RemeshResult shell = remesh(soups::joined({shapes::icosphere(16), inner}), options);
+  CHECK(shell.report.prefer == std::vector{Prefer::Even});
+  CHECK(isSound(shell.mesh));
 }
