@@ -25,6 +25,7 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 }
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
+bool isSound(const TriangleMesh&) { refuse("Repair"); }
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 
