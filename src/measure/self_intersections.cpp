@@ -15,10 +15,12 @@ namespace {
 
 class Search {
  public:
-  explicit Search(const TriangleMesh& mesh)
+  // first: the number from which on triangles are looked for.
+  explicit Search(const TriangleMesh& mesh, Index first = 0)
       : positions_(mesh.positions),
         corners_(cornerPlaces(mesh)),
-        tree_(positions_, corners_),
+        first_(first),
+        tree_(positions_, std::span(corners_).subspan(std::size_t{3} * first)),
         counts_(mesh.triangleCount()),
         isHit_(mesh.triangleCount(), 0) {
     for (Index t = 0; t < counts_.size(); ++t) counts_[t] = hasArea(triangle(t).at);
@@ -34,9 +36,10 @@ class Search {
     return hits();
   }
 
-  std::vector<Index> runFrom(Index first) {
-    for (Index s = first; s < counts_.size(); ++s)
-      lookAround(s, [&](Index t) {
+  // Few are looked for among many: a tree of the few, in which each triangle looks for them.
+  std::vector<Index> runFrom() {
+    for (Index t = 0; t < counts_.size(); ++t)
+      lookAround(t, [&](Index s) {
         if (s != t && !isHit_[s] && trianglesMeet(triangle(s), triangle(t))) isHit_[s] = 1;
       });
     return hits();
@@ -56,12 +59,12 @@ class Search {
   }
 
   template <class Visit>
-  void lookAround(Index s, Visit visit) const {
-    if (!counts_[s]) return;
+  void lookAround(Index t, Visit visit) const {
+    if (!counts_[t]) return;
     Box box;
-    for (const Vec3& p : triangle(s).at) box.extend(p);
-    const auto visitCounted = [&](Index t) {
-      if (counts_[t]) visit(t);
+    for (const Vec3& p : triangle(t).at) box.extend(p);
+    const auto visitCounted = [&](Index found) {
+      if (counts_[first_ + found]) visit(first_ + found);
     };
     tree_.visitOverlapping(box, visitCounted);
   }
@@ -75,6 +78,7 @@ class Search {
 
   const std::vector<Vec3>& positions_;
   const std::vector<Index> corners_;  // the first vertex at each corner's place
+  const Index first_;
   TriangleTree tree_;
   std::vector<std::uint8_t> counts_;  // per triangle whether it has an area
   std::vector<std::uint8_t> isHit_;
@@ -89,7 +93,7 @@ std::vector<Index> intersectionsOfGroups(const TriangleMesh& mesh) {
 }
 
 std::vector<Index> selfIntersectionsFrom(const TriangleMesh& mesh, Index first) {
-  return Search(mesh).runFrom(first);
+  return Search(mesh, first).runFrom();
 }
 
 }  // namespace remesher

@@ -22,8 +22,8 @@ struct Step {
   bool isAlone;  // whether its loop is the only one of its cell
   std::pair<Index, Index> ends() const { return std::minmax(from, to); }
   bool operator<(const Step& other) const {
-    return std::make_tuple(face, ends(), apex) <
-           std::make_tuple(other.face, other.ends(), other.apex);
+    if (face != other.face) return face < other.face;
+    return std::make_tuple(ends(), apex) < std::make_tuple(other.ends(), other.apex);
   }
 };
 

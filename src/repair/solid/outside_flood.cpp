@@ -56,18 +56,19 @@ class Distances {
 
   void ask(std::size_t p, const Place& place, Towards towards) {
     const Vec3 own = lattice_.position(place);
-    Index best = nearest_[p];
-    double least = squaredDistance(own, best);
+    std::array<Index, 4> known{nearest_[p], kNone, kNone, kNone};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool isLower = towards == Towards::Lower;
       if (isLower ? place[axis] == 0 : place[axis] + 1 == lattice_.count(axis)) continue;
       const std::size_t stride = lattice_.stride(axis);
-      const Index next = nearest_[isLower ? p - stride : p + stride];
-      if (next == best) continue;
-      const double distance = squaredDistance(own, next);
-      if (distance < least) best = next, least = distance;
+      known[axis + 1] = nearest_[isLower ? p - stride : p + stride];
     }
-    nearest_[p] = best;
+    double least = kInfinity;
+    for (const Index crossing : known) {
+      if (crossing == kNone || (crossing == nearest_[p] && least < kInfinity)) continue;
+      const double distance = (own - places_[crossing]).squaredNorm();
+      if (distance < least) nearest_[p] = crossing, least = distance;
+    }
   }
 
   const Lattice& lattice_;
