@@ -81,10 +81,9 @@ class Cleaner {
 
   // Works in passes: each star loses one point per pass at most, so that edges grow evenly.
   std::vector<Merger> run() {
-    constexpr int kMostPasses = 40;  // only stops runs that hardly progress
     isWorthATry_.assign(mesh_.vertexCapacity(), 1);
     std::vector<Merger> mergers;
-    for (bool isAny = true; isAny && passes_ < kMostPasses; ++passes_) {
+    for (bool isAny = true; isAny;) {
       const std::size_t before = mergers.size();
       isTouched_.assign(mesh_.vertexCapacity(), 0);
       for (Index i = 0; i < mesh_.vertexCapacity(); ++i)
@@ -310,8 +309,7 @@ class Cleaner {
   VertexData<char> isOther_;      // locked, or its star differs from the other run
   VertexData<char> isTouched_;    // in this pass
   VertexData<char> isWorthATry_;  // its star has changed since it was tried
-  int passes_ = 0;
-  std::vector<Choice> choices_;  // of the vertex that is tried
+  std::vector<Choice> choices_;   // of the vertex that is tried
 };
 
 TriangleMesh meshFrom(const Contour& contour) {

@@ -2,9 +2,9 @@
 #include "repair/solid/contour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "base/triangle_mesh.h"
 #include "geometry/triangle.h"
@@ -20,10 +20,9 @@ struct Step {
   std::size_t face;  // 3 × the point at its lowest corner + the axis
   Index from, to, apex;
   bool isAlone;  // whether its loop is the only one of its cell
-  std::pair<Index, Index> ends() const { return std::minmax(from, to); }
+  std::array<Index, 3> onFace() const { return {std::min(from, to), std::max(from, to), apex}; }
   bool operator<(const Step& other) const {
-    if (face != other.face) return face < other.face;
-    return std::make_tuple(ends(), apex) < std::make_tuple(other.ends(), other.apex);
+    return face != other.face ? face < other.face : onFace() < other.onFace();
   }
 };
 

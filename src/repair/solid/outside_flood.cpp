@@ -44,18 +44,11 @@ class Distances {
  private:
   enum class Towards { Lower, Upper };
 
-  double squaredDistance(const Vec3& p, Index crossing) const {
-    if (crossing == kNone) return kInfinity;
-    return (p - places_[crossing]).squaredNorm();
-  }
-
   void offer(std::size_t p, Index crossing) {
-    const Vec3 own = lattice_.position(p);
-    if (squaredDistance(own, crossing) < squaredDistance(own, nearest_[p])) nearest_[p] = crossing;
+    takeNearest(p, lattice_.position(p), {nearest_[p], crossing, kNone, kNone});
   }
 
   void ask(std::size_t p, const Place& place, Towards towards) {
-    const Vec3 own = lattice_.position(place);
     std::array<Index, 4> known{nearest_[p], kNone, kNone, kNone};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool isLower = towards == Towards::Lower;
@@ -63,6 +56,11 @@ class Distances {
       const std::size_t stride = lattice_.stride(axis);
       known[axis + 1] = nearest_[isLower ? p - stride : p + stride];
     }
+    takeNearest(p, lattice_.position(place), known);
+  }
+
+  // known: first the crossing that is the nearest so far.
+  void takeNearest(std::size_t p, const Vec3& own, const std::array<Index, 4>& known) {
     double least = kInfinity;
     for (const Index crossing : known) {
       if (crossing == kNone || (crossing == nearest_[p] && least < kInfinity)) continue;
