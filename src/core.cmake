@@ -175,9 +175,12 @@ add_library(small OBJECT
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
   src/remesh/quads/base_meshes.cpp
+  src/remesh/quads/extract/closing.cpp
   src/remesh/quads/extract/extraction.cpp
   src/remesh/quads/extract/holes.cpp
   src/remesh/quads/extract/map_walk.cpp
+  src/remesh/quads/extract/opening.cpp
+  src/remesh/quads/extract/short_cycles.cpp
   src/remesh/quads/field/cross_field.cpp
   src/remesh/quads/field/curvature_directions.cpp
   src/remesh/quads/field/face_frames.cpp
@@ -190,6 +193,7 @@ add_library(small OBJECT
   src/remesh/quads/map/seamless_system.cpp
   src/remesh/quads/map/spacing.cpp
   src/remesh/quads/map/untangle.cpp
+  src/remesh/quads/mapped.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
@@ -198,6 +202,7 @@ add_library(small OBJECT
   src/remesh/quads/quad_sizes.cpp
   src/remesh/quads/shape/chords.cpp
   src/remesh/quads/shape/collapse.cpp
+  src/remesh/quads/shape/finish.cpp
   src/remesh/quads/shape/limbs.cpp
   src/remesh/quads/shape/mending.cpp
   src/remesh/quads/shape/quad_patch.cpp

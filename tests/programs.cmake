@@ -106,6 +106,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/base_meshes_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
+  tests/unit/remesh/quads/extract/opening_test.cpp
   tests/unit/remesh/quads/field/cross_field_test.cpp
   tests/unit/remesh/quads/map/cut_test.cpp
   tests/unit/remesh/quads/map/integer_rows_test.cpp

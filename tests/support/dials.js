@@ -42,6 +42,7 @@ export const facts = {
   'remesh/quads/field/cross_field.cpp': ['kOpposed'],
   'remesh/quads/map/seamless_map.h': ['kUnit'],
   'remesh/quads/mesh/triangulated.cpp': ['kOfSide'],
+  'remesh/quads/quads.cpp': ['kFewestOfPairs'],
   'remesh/schemes/chart_needs.cpp': ['kEverySize'],
   'remesh/schemes/follow.cpp': ['kFar', 'kNear'],
   'remesh/schemes/plan.cpp': ['kWritten'],

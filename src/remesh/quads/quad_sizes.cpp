@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/triangle.h"
+#include "remesh/quads/shape/smoothing.h"
 
 namespace remesher {
 
@@ -28,6 +29,10 @@ double areaOf(const WorkingMesh& mesh) {
     sum += area(a, b, c);
   }
   return sum;
+}
+
+FaceData<double> evenSizes(const WorkingMesh& mesh) {
+  return FaceData<double>(mesh.mesh().faceCapacity(), 1.0);
 }
 
 FaceData<double> gradedSizes(const WorkingMesh& mesh) {

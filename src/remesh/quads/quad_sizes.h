@@ -6,12 +6,10 @@
 
 namespace remesher {
 
-// Of sizes, and of the places of quads. With 6, 12 and 24, medians of 7 neighboring counts at 5000,
-// angles of fandisk, horse, bunny and hand deviate by 5.7, 5.3, 4.8; 3.1, 3.0, 2.8; 3.6, 3.5, 3.2;
-// and 3.4, 3.1, 2.8°. Twice as many take up to a tenth of the time.
-constexpr int kSmoothingSweeps = 24;
-
 double areaOf(const WorkingMesh& mesh);
+
+// Per face 1.
+FaceData<double> evenSizes(const WorkingMesh& mesh);
 
 // Per face the length of edges around it, smoothed.
 FaceData<double> gradedSizes(const WorkingMesh& mesh);

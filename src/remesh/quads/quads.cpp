@@ -7,18 +7,14 @@
 #include <optional>
 
 #include "remesh/quads/base_meshes.h"
-#include "remesh/quads/extract/extraction.h"
-#include "remesh/quads/extract/holes.h"
 #include "remesh/quads/field/sectors.h"
 #include "remesh/quads/field/singularities.h"
-#include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/shape/chords.h"
 #include "remesh/quads/shape/collapse.h"
-#include "remesh/quads/shape/limbs.h"
-#include "remesh/quads/shape/mending.h"
+#include "remesh/quads/shape/finish.h"
 #include "remesh/quads/shape/quad_tips.h"
 #include "remesh/quads/shape/rewiring.h"
 #include "remesh/quads/shape/smoothing.h"
@@ -34,126 +30,6 @@ constexpr double kOfQuads = 0.7;
 // But no fewer than this: fields and maps need so many to be smooth. With 2500 the bunny at 2000
 // has a mean deviation of 7.9° and a distance of 1.38 %, not 6.1 and 0.91, medians of 7 counts.
 constexpr std::size_t kLeastForMap = 5000;
-// Opposite singular vertices nearer than this, in sides of quads, cancel each other.
-constexpr double kCancelWithin = 1.5;
-constexpr double kNudge = 0.0015;
-// As many scales are corrected by the count of the map before; 2 kSteps beside the best follow.
-constexpr int kSteps = 4;
-// The largest count error of a result: half as many vertices again as wanted, for each of these
-// counts kTooMany times. With 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs,
-// with up to a third too many vertices, and fixed_top at 500 at all 7; now 1, 0 and 3.
-constexpr double kFarthest = 2;
-// A vertex too many is as bad as kTooMany too few, and kTooMany of them as bad as a fault: adding
-// rows costs nothing, removing a quad leaves irregular vertices. Beside too few: of five models at
-// 7 neighboring counts each, 2 leaves featuretype 208 irregular vertices, not 188, 8 takes
-// angle_block from 1.3 to 2.6 % in the worst. Beside faults: 2 and 20 give the same; with faults
-// alone the bunny at 5017 has 267 irregular vertices, not 56.
-constexpr double kTooMany = 4;
-
-void settle(QuadMesh& quads, const WorkingMesh& ground) {
-  MovingQuads moving(quads, ground);
-  const std::vector<char> isFixed(quads.vertices.size(), 0);
-  smoothToRectangles(moving, kSmoothingSweeps, isFixed);
-  mendCorners(moving, isFixed);
-}
-
-void shape(QuadMesh& quads, const WorkingMesh& ground) {
-  settle(quads, ground);
-  rewire(quads, ground);
-}
-
-// How unsound the quads are: kTooMany for each without area, more for folds, less for narrow ones.
-double faultsOf(QuadMesh& quads, const WorkingMesh& ground) {
-  const MovingQuads moving(quads, ground);
-  double sum = 0;
-  for (Index q = 0; q < quads.quads.size(); ++q)
-    sum += kTooMany * std::pow(std::max(0.0, 1 - moving.quality(q) / kLeastSine), 2);
-  return sum;
-}
-
-CrossField fieldOn(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
-  CrossField field = makeCrossField(mesh, frames, length);
-  cancelPairs(field, mesh, frames, kCancelWithin * length);
-  return field;
-}
-
-struct Extracted {
-  QuadMesh quads;
-  double faults = 0;     // curves that are not followed, and unsound quads
-  std::size_t lost = 1;  // by how much χ differs, and 1 if the kind of surface does
-};
-// The quads of a map.
-Extracted extracted(const WorkingMesh& part, const SeamlessMap& map) {
-  Extracted made{extractQuads(part, map)};
-  QuadMesh& quads = made.quads;
-  dropUnsound(quads);
-  if (quads.quads.empty()) return made;
-  keepLargestPiece(quads);
-  fillHoles(quads, part);
-  made.faults = double(followCurves(quads, part));
-  removeDoublets(quads);
-  dropUnusedVertices(quads);
-  fillDoublets(quads, part);
-  collapseFlatCorners(quads, part);
-  if (!check(quads).empty()) return made;
-  const SurfaceKind kind = kindOf(quads), wanted = kindOf(part.mesh());
-  made.lost = std::size_t(std::abs(kind.eulerCharacteristic - wanted.eulerCharacteristic));
-  made.lost += kind != wanted;
-  if (kind == wanted) growLimbs(quads, part);
-  return made;
-}
-
-double countError(double count, double wanted) {
-  const double off = count / wanted - 1;
-  return off > kCountTolerance ? kTooMany * off : std::abs(off);
-}
-
-// What a result lacks: its faults, and that vertices are to be taken out or added.
-double costOf(const Extracted& made, double wanted) {
-  const double count = double(made.quads.vertices.size()), most = (1 + kCountTolerance) * wanted;
-  return made.faults + std::max(0.0, count - most) / kTooMany + countError(count, wanted);
-}
-
-// Searches for a scale whose map is good. Each scale gives another map, because integers are
-// rounded anew, and counts come in steps: so scales on both sides of the best one are tried, ever
-// farther away. most: as many maps are shaped and judged, or fail, before the search ends.
-std::optional<Extracted> searchScale(const WorkingMesh& part, const MapMaker& maker,
-                                     double vertices, int most) {
-  std::optional<Extracted> best;
-  double length = std::sqrt(areaOf(part) / vertices);
-  double nearest = length, least = kFarthest;
-  int shaped = 0, failed = 0;
-  std::vector<double> known;          // the marks of the maps that were extracted
-  std::optional<SeamlessMap> passed;  // the nearest one, if it was not
-  for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
-    const bool isFirst = i < kSteps;
-    if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
-    const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
-    const double scale = isFirst ? length : nearest * aside;
-    const auto map = i == kSteps ? std::move(passed) : maker.map(scale, known);
-    if (!map) continue;
-    const double count = maker.countVertices(*map), error = countError(count, vertices);
-    if (error < least) {
-      least = error;
-      nearest = scale;
-      passed = map;
-    }
-    length *= std::sqrt(std::clamp(count / vertices, 0.25, 4.0));
-    if (error >= (isFirst ? kCountTolerance : best ? costOf(*best, vertices) : kFarthest)) continue;
-    known.push_back(map->mark);
-    passed.reset();
-    Extracted made = extracted(part, *map);
-    if (made.lost > 0 || countError(double(made.quads.vertices.size()), vertices) >= kFarthest) {
-      failed += made.lost > kSteps ? most : 1;  // others lose as much, or nearly
-      continue;
-    }
-    shape(made.quads, part);
-    made.faults += faultsOf(made.quads, part);
-    ++shaped;
-    if (!best || costOf(made, vertices) < costOf(*best, vertices)) best = std::move(made);
-  }
-  return best;
-}
 
 // The mesh's own number of vertices that makes so many of the whole, if what is added or removed is
 // on no plane.
@@ -213,7 +89,8 @@ void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground
 
 // The share of a part in the vertices, by area or, where triangles are graded, by their number.
 struct PartShare {
-  Index number;  // of the original's connected part below
+  std::size_t part;  // of the first mesh's
+  Index number;      // of the original's connected part below
   double vertices;
 };
 
@@ -226,8 +103,9 @@ std::vector<PartShare> sharesOf(const std::vector<WorkingMesh>& parts, double ve
   double whole = 0;
   for (const WorkingMesh& part : parts) whole += weightOf(part);
   std::vector<PartShare> shares;
-  for (const WorkingMesh& part : parts)
-    shares.push_back({numbers[part.at(Vertex(0)).face], vertices * weightOf(part) / whole});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    shares.push_back(
+        {i, numbers[parts[i].at(Vertex(0)).face], vertices * weightOf(parts[i]) / whole});
   return shares;
 }
 
@@ -255,8 +133,7 @@ QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bo
   for (;; ++level) {
     const WorkingMesh* part = bases.part(level, share.number);
     if (!part) break;
-    const FaceData<double> even(part->mesh().faceCapacity(), 1.0);
-    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes(*part) : even);
+    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes : evenSizes);
     if (!quads.quads.empty()) return quads;
   }
   if (level > 0) --level;
@@ -265,7 +142,33 @@ QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bo
 
 QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
   const FaceFrames frames(mesh);
-  return splitPairs(mesh, pairTriangles(mesh, frames, fieldOn(mesh, frames, length)));
+  return splitPairs(mesh, pairTriangles(mesh, frames, makeSmoothField(mesh, frames, length)));
+}
+
+// A triangle divided.
+constexpr std::size_t kFewestOfPairs = 7;
+
+// Makes quads by pairs, not yet shaped, of the parts that get too few vertices for fewer triangles
+// to do; they leave the shares. What they take beyond theirs is taken from the others' shares.
+QuadMesh pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>& parts) {
+  QuadMesh quads;
+  std::vector<PartShare> others;
+  double whole = 0, left = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    whole += shares[i].vertices;
+    const bool isTiny =
+        shares[i].vertices < kFewestOfPairs && parts[i].mesh().vertexCount() <= kFewestOfPairs;
+    if (isTiny) {
+      append(quads, pairsOf(parts[i], std::sqrt(areaOf(parts[i]) / shares[i].vertices)));
+      continue;
+    }
+    left += shares[i].vertices;
+    others.push_back(shares[i]);
+  }
+  const double rest = std::max(whole - double(quads.vertices.size()), left / 2);
+  for (PartShare& share : others) share.vertices *= rest / left;
+  shares = std::move(others);
+  return quads;
 }
 
 // Makes quads by pairs, not yet shaped, for the parts with these numbers. How many triangles stay
@@ -299,29 +202,6 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
 
 }  // namespace
 
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes) {
-  const FaceFrames frames(part);
-  const double length = std::sqrt(areaOf(part) / vertices);
-  const CrossField field = fieldOn(part, frames, length);
-  FaceData<double> turned = crossSizes(part, frames, field);
-  for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
-  MapMaker maker(part, field, scaledToMean(std::move(turned), part));
-  if (!maker.isPossible()) return {};
-  std::optional<Extracted> found = searchScale(part, maker, vertices, kSteps / 2);
-  // Where curves are hardly farther apart than sides are long, larger quads have no room. A number
-  // that is nearly met can be reached by whole rows.
-  const auto isGood = [&](const Extracted& made) {
-    const double count = double(made.quads.vertices.size());
-    return made.faults == 0 && countError(count, vertices) <= 2 * kCountTolerance;
-  };
-  if (!found || !isGood(*found)) {
-    maker.setSizes(scaledToMean(std::move(sizes), part));
-    std::optional<Extracted> even = searchScale(part, maker, vertices, kSteps);
-    if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
-  }
-  return found ? std::move(found->quads) : QuadMesh{};
-}
-
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
   QuadMesh quads = pairsOf(mesh, length);
   shape(quads, mesh);
@@ -350,14 +230,15 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
   std::vector<std::size_t> levels(bases.parts().size(), 0);
   const auto made = [&](double share) {
     const double vertices = share * expected;
-    const std::vector<PartShare> shares = sharesOf(bases.parts(), vertices, goal.isGraded);
-    MadeQuads result{{}, shares.size(), 0};
-    std::vector<PartShare> failed;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      const QuadMesh quads = mapOn(bases, levels[i], shares[i], goal.isGraded);
-      quads.quads.empty() ? failed.push_back(shares[i]) : append(result.mesh, quads);
+    std::vector<PartShare> shares = sharesOf(bases.parts(), vertices, goal.isGraded), failed;
+    MadeQuads result{pairTiny(shares, bases.parts()), bases.parts().size()};
+    shape(result.mesh, bases.first());
+    result.paired = result.parts - shares.size();
+    for (const PartShare& one : shares) {
+      const QuadMesh quads = mapOn(bases, levels[one.part], one, goal.isGraded);
+      quads.quads.empty() ? failed.push_back(one) : append(result.mesh, quads);
     }
-    result.paired = failed.size();
+    result.paired += failed.size();
     if (!failed.empty()) {
       QuadMesh pairs = pairParts(failed, std::size_t(std::ceil(vertices)), triangles);
       shape(pairs, bases.first());

@@ -38,9 +38,11 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors);
 // Makes quads from the meshes that `triangles` makes.
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 
-// Quads by the map, for one connected part; no quads if the map fails. sizes: per face the side
-// length of quads wanted there beside the others.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, FaceData<double> sizes);
+// Per face of a mesh the side length of quads wanted there beside the others.
+using SizeMaker = FaceData<double>(const WorkingMesh& mesh);
+
+// Quads by the map, for one connected part; no quads if the map fails.
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn);
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);

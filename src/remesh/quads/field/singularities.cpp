@@ -16,6 +16,9 @@ namespace remesher {
 
 namespace {
 
+// Opposite singular vertices nearer than this, in sides of quads, cancel each other.
+constexpr double kCancelWithin = 1.5;
+
 // Shortest ways along edges from one vertex, as far as `reach`.
 class Ways {
  public:
@@ -142,6 +145,12 @@ void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& f
     isChanged = true;
   }
   if (isChanged) smoothAngles(field, mesh, frames);
+}
+
+CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length) {
+  CrossField field = makeCrossField(mesh, frames, length);
+  cancelPairs(field, mesh, frames, kCancelWithin * length);
+  return field;
 }
 
 }  // namespace remesher

@@ -18,4 +18,7 @@ VertexData<int> quarterIndices(const CrossField& field, const WorkingMesh& mesh,
 void cancelPairs(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames,
                  double reach);
 
+// A field for quads with sides of this length, its nearest pairs cancelled.
+CrossField makeSmoothField(const WorkingMesh& mesh, const FaceFrames& frames, double length);
+
 }  // namespace remesher

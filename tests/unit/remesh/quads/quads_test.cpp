@@ -8,6 +8,7 @@
 
 #include "geometry/quad.h"
 #include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/quad_sizes.h"
 #include "remesh/quads/shape/quad_star.h"
 #include "remesh/schemes/remesh.h"
 #include "support/working_meshes.h"
@@ -72,8 +73,7 @@ TEST_CASE("quads: by the map or by pairs, each part is a surface of its own kind
 TEST_CASE("quads: the map reaches the number within a hundredth, with few irregular vertices") {
   const OriginalSurface surface = shapes::surfaceOf(shapes::icosphere(9));
   const WorkingMesh ground(surface);
-  const FaceData<double> even(ground.mesh().faceCapacity(), 1.0);
-  const QuadMesh quads = mapToQuads(ground, 490, even);
+  const QuadMesh quads = mapToQuads(ground, 490, evenSizes);
   REQUIRE(check(quads) == "");
   CHECK(kindOf(quads) == SurfaceKind{2, 1, 0});
   // 2 (ab + bc + ca) + 2 with all three 9 is 488: few other numbers divide a sphere as evenly.
@@ -227,10 +227,9 @@ TEST_CASE("quads: where triangles are small, so are quads") {
 TEST_CASE("quads: teeth that need up to half as many quads again get them from the map") {
   const OriginalSurface surface = shapes::surfaceOf(toothedRing(14));
   const WorkingMesh ground(surface);
-  const FaceData<double> even(ground.mesh().faceCapacity(), 1.0);
   for (const double wanted : {140., 150., 160., 200.}) {
     CAPTURE(wanted);
-    const QuadMesh quads = mapToQuads(ground, wanted, even);
+    const QuadMesh quads = mapToQuads(ground, wanted, evenSizes);
     REQUIRE(check(quads) == "");
     CHECK(kindOf(quads) == kindOf(ground.mesh()));
     CHECK(double(quads.vertices.size()) > wanted);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/extract/opening.h"
+
+#include <algorithm>
+#include <set>
+
+#include "remesh/quads/extract/short_cycles.h"
+#include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/quads/mesh/quad_sides.h"
+
+namespace remesher {
+
+namespace {
+
+using Loop = std::vector<Halfedge>;
+
+// The four places on a loop that its quad's corners take: its corners, as many as there are room
+// for, and middles between these.
+class FourOnLoop {
+ public:
+  FourOnLoop(const WorkingMesh& mesh, const Loop& loop) : mesh_(mesh), loop_(loop), arcs_{0} {
+    for (const Halfedge h : loop)
+      arcs_.push_back(arcs_.back() + (mesh.position(mesh.mesh().tip(h)) - position(h)).norm());
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (mesh.kind(mesh.mesh().origin(loop[i])) == VertexKind::Corner) at_.push_back(arcs_[i]);
+    if (at_.empty()) at_.push_back(0);
+    while (at_.size() > 4) dropNearest();
+    while (at_.size() < 4) divideWidest();
+  }
+
+  // In the order of the loop.
+  Four<Placement> places() const {
+    return {placeAt(at_[0]), placeAt(at_[1]), placeAt(at_[2]), placeAt(at_[3])};
+  }
+
+ private:
+  Vec3 position(Halfedge h) const { return mesh_.position(mesh_.mesh().origin(h)); }
+
+  double gapAfter(std::size_t i) const {
+    return i + 1 < at_.size() ? at_[i + 1] - at_[i] : at_[0] + arcs_.back() - at_[i];
+  }
+
+  void divideWidest() {
+    std::size_t widest = 0;
+    for (std::size_t i = 1; i < at_.size(); ++i)
+      if (gapAfter(i) > gapAfter(widest)) widest = i;
+    const double middle = at_[widest] + gapAfter(widest) / 2;
+    at_.push_back(middle < arcs_.back() ? middle : middle - arcs_.back());
+    std::sort(at_.begin(), at_.end());
+  }
+
+  void dropNearest() {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < at_.size(); ++i)
+      if (gapAfter(i) < gapAfter(nearest)) nearest = i;
+    at_.erase(at_.begin() + std::ptrdiff_t(nearest));
+  }
+
+  Placement placeAt(double arc) const {
+    const auto after = std::upper_bound(arcs_.begin() + 1, arcs_.end() - 1, arc);
+    const Halfedge h = loop_[std::size_t(after - arcs_.begin()) - 1];
+    const Vertex a = mesh_.mesh().origin(h), b = mesh_.mesh().tip(h);
+    const double from = *(after - 1), share = (arc - from) / (*after - from);
+    if (share == 0) return mesh_.placement(a);
+    const Index chain = mesh_.curve(h);
+    const double first = mesh_.onChain(a, chain).arc, last = mesh_.onChain(b, chain).arc;
+    return mesh_.onCurve({chain, first + share * (last - first)});
+  }
+
+  const WorkingMesh& mesh_;
+  const Loop& loop_;
+  std::vector<double> arcs_;  // from the loop's start to each of its vertices, and all around
+  std::vector<double> at_;
+};
+
+class Opening {
+ public:
+  Opening(QuadMesh& quads, const WorkingMesh& mesh)
+      : quads_(quads), mesh_(mesh), isGone_(quads.quads.size(), 0) {
+    const QuadSides sides(quads.vertices.size(), quads.quads);
+    for (Index v = 0; v < quads.vertices.size(); ++v)
+      isOpen_.push_back(sides.isBoundary(v) || sides.valence(v) < 3);
+  }
+
+  void run(const std::vector<CutHandle>& handles) {
+    for (const CutHandle& handle : handles) join(handle);
+    for (const Loop& loop : boundaryLoops(mesh_.mesh()))
+      if (!isFollowed(loop)) open(FourOnLoop(mesh_, loop).places());
+    isGone_.resize(quads_.quads.size(), 0);
+    dropQuads(quads_, isGone_);
+  }
+
+ private:
+  // Whether a vertex of the quads lies on the loop.
+  bool isFollowed(const Loop& loop) const {
+    std::set<Index> chains;
+    std::set<Vertex> corners;
+    for (const Halfedge h : loop) {
+      chains.insert(mesh_.curve(h));
+      const Vertex v = mesh_.mesh().origin(h);
+      if (mesh_.kind(v) == VertexKind::Corner) corners.insert(mesh_.originalCorner(mesh_.at(v)));
+    }
+    return std::any_of(quads_.vertices.begin(), quads_.vertices.end(), [&](const Placement& place) {
+      return place.kind == VertexKind::Corner
+                 ? corners.contains(mesh_.originalCorner(place.at))
+                 : place.kind == VertexKind::Curve && chains.contains(place.on.chain);
+    });
+  }
+
+  bool isInside(Index q) const {
+    const Four<Index>& quad = quads_.quads[q];
+    return !isGone_[q] && std::all_of(quad.begin(), quad.end(), [&](Index v) {
+      return !isOpen_[v] && quads_.vertices[v].kind == VertexKind::Interior;
+    });
+  }
+
+  // The quad that is nearest to the places, and its corner at the first of them, when its corners
+  // are taken clockwise.
+  void open(const Four<Placement>& places) {
+    double least = kInfinity;
+    Index nearest = 0, first = 0;
+    for (Index q = 0; q < isGone_.size(); ++q) {
+      if (!isInside(q)) continue;
+      for (Index turn = 0; turn < 4; ++turn) {
+        double sum = 0;
+        for (Index i = 0; i < 4; ++i)
+          sum += (quads_.position(quads_.quads[q][(turn + 4 - i) % 4]) - places[i].position)
+                     .squaredNorm();
+        if (sum >= least) continue;
+        least = sum;
+        nearest = q;
+        first = turn;
+      }
+    }
+    if (least == kInfinity) return;
+    take(nearest);
+    for (Index i = 0; i < 4; ++i)
+      quads_.vertices[quads_.quads[nearest][(first + 4 - i) % 4]] = places[i];
+  }
+
+  void take(Index q) {
+    isGone_[q] = 1;
+    for (const Index v : quads_.quads[q]) isOpen_[v] = 1;
+  }
+
+  // The quad nearest to a point of those that face a direction and have no corner among `avoided`
+  // vertices; kNone if there is none.
+  Index nearestFacing(const Vec3& p, const Vec3& facing, const std::vector<char>& avoided) const {
+    double least = kInfinity;
+    Index nearest = kNone;
+    for (Index q = 0; q < isGone_.size(); ++q) {
+      if (!isInside(q)) continue;
+      const auto& [a, b, c, d] = quads_.quads[q];
+      const Vec3 across = quads_.position(c) - quads_.position(a);
+      const Vec3 other = quads_.position(d) - quads_.position(b);
+      double sum = 0;
+      for (const Index v : quads_.quads[q])
+        sum += avoided[v] ? kInfinity : (quads_.position(v) - p).squaredNorm();
+      if (sum >= least || across.cross(other).dot(facing) <= 0) continue;
+      least = sum;
+      nearest = q;
+    }
+    return nearest;
+  }
+
+  // Marks the vertices of a quad and of its neighbours.
+  std::vector<char> around(Index quad) const {
+    std::vector<char> isOfQuad(quads_.vertices.size(), 0), marks(quads_.vertices.size(), 0);
+    for (const Index v : quads_.quads[quad]) isOfQuad[v] = 1;
+    for (const Four<Index>& other : quads_.quads)
+      if (std::any_of(other.begin(), other.end(), [&](Index v) { return isOfQuad[v]; }))
+        for (const Index v : other) marks[v] = 1;
+    return marks;
+  }
+
+  // Joins the quads at both ends of a cut by four others, between those corners that are nearest.
+  void join(const CutHandle& handle) {
+    const std::vector<char> none(quads_.vertices.size(), 0);
+    const Index one = nearestFacing(handle.middle, handle.facing, none);
+    if (one == kNone) return;
+    const Index other = nearestFacing(handle.middle, -handle.facing, around(one));
+    if (other == kNone) return;
+    take(one);
+    take(other);
+    const Four<Index> near = quads_.quads[one], far = quads_.quads[other];
+    const auto apart = [&](std::size_t turn) {
+      double sum = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        sum += (quads_.position(near[i]) - quads_.position(far[(turn + 4 - i) % 4])).squaredNorm();
+      return sum;
+    };
+    std::size_t turn = 0;
+    for (std::size_t i = 1; i < 4; ++i)
+      if (apart(i) < apart(turn)) turn = i;
+    for (std::size_t i = 0; i < 4; ++i) {
+      quads_.quads.push_back(
+          {near[i], near[(i + 1) % 4], far[(turn + 3 - i) % 4], far[(turn + 4 - i) % 4]});
+      quads_.curves.push_back({kNone, kNone, kNone, kNone});
+    }
+  }
+
+  QuadMesh& quads_;
+  const WorkingMesh& mesh_;
+  std::vector<char> isGone_;  // of the quads
+  std::vector<char> isOpen_;  // of the vertices: on a boundary, or in a doublet
+};
+
+}  // namespace
+
+void openAgain(QuadMesh& quads, const WorkingMesh& mesh, const std::vector<CutHandle>& handles) {
+  Opening(quads, mesh).run(handles);
+}
+
+}  // namespace remesher

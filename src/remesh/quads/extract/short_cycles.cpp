@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/extract/short_cycles.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <queue>
+
+#include "mesh/topology.h"
+
+namespace remesher {
+
+namespace {
+
+// Per edge, by one bit each, which cycles of triangles cross it. A cycle of edges divides the
+// surface if each cycle of triangles crosses it an even number of times.
+using Crossings = HalfedgeData<std::uint64_t>;
+
+// Cycles of triangles that all others are sums of: each edge that is in neither of two trees, of
+// vertices and of triangles, closes one [Eppstein 2003].
+class CrossingCycles {
+ public:
+  explicit CrossingCycles(const HalfedgeMesh& mesh)
+      : mesh_(mesh),
+        isTree_(mesh.halfedgeCapacity(), 0),
+        entry_(mesh.faceCapacity()),
+        crossings_(mesh.halfedgeCapacity(), 0) {}
+
+  Crossings run() {
+    growVertexTree();
+    growFaceTree();
+    int count = 0;
+    for (Index i = 0; i < mesh_.halfedgeCapacity() && count < 64; ++i) {
+      const Halfedge h(i), twin = mesh_.twin(h);
+      if (!twin || twin < h || isTree_[h]) continue;
+      const std::uint64_t bit = std::uint64_t{1} << count++;
+      crossings_[h] ^= bit;
+      crossings_[twin] ^= bit;
+      markWay(HalfedgeMesh::face(h), bit);
+      markWay(HalfedgeMesh::face(twin), bit);
+    }
+    return std::move(crossings_);
+  }
+
+ private:
+  void take(Halfedge h) {
+    isTree_[h] = 1;
+    if (const Halfedge twin = mesh_.twin(h)) isTree_[twin] = 1;
+  }
+
+  void growVertexTree() {
+    VertexData<char> seen(mesh_.vertexCapacity(), 0);
+    std::vector<Vertex> queue = {Vertex(0)};
+    seen[Vertex(0)] = 1;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const auto reach = [&](Vertex v, Halfedge h) {
+        if (seen[v]++ > 0) return;
+        seen[v] = 1;
+        take(h);
+        queue.push_back(v);
+      };
+      mesh_.forEachOutgoing(queue[i], [&](Halfedge h) {
+        reach(mesh_.tip(h), h);
+        reach(mesh_.origin(HalfedgeMesh::prev(h)), HalfedgeMesh::prev(h));
+      });
+    }
+  }
+
+  void growFaceTree() {
+    FaceData<char> seen(mesh_.faceCapacity(), 0);
+    std::vector<Face> queue = {Face(0)};
+    seen[Face(0)] = 1;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (int corner = 0; corner < 3; ++corner) {
+        const Halfedge twin = mesh_.twin(HalfedgeMesh::halfedge(queue[i], corner));
+        if (!twin || isTree_[twin] || seen[HalfedgeMesh::face(twin)]) continue;
+        seen[HalfedgeMesh::face(twin)] = 1;
+        take(twin);
+        entry_[HalfedgeMesh::face(twin)] = twin;
+        queue.push_back(HalfedgeMesh::face(twin));
+      }
+  }
+
+  // Across the edges from a triangle back to the first one.
+  void markWay(Face f, std::uint64_t bit) {
+    while (const Halfedge h = entry_[f]) {
+      crossings_[h] ^= bit;
+      crossings_[mesh_.twin(h)] ^= bit;
+      f = HalfedgeMesh::face(mesh_.twin(h));
+    }
+  }
+
+  const HalfedgeMesh& mesh_;
+  HalfedgeData<char> isTree_;  // of either tree
+  FaceData<Halfedge> entry_;   // of a triangle: the edge by which the tree reached it
+  Crossings crossings_;
+};
+
+// Grows trees of shortest ways, one vertex after the other, and looks for edges that close them.
+class CycleSearch {
+ public:
+  CycleSearch(const WorkingMesh& mesh, double most)
+      : mesh_(mesh),
+        crossings_(CrossingCycles(mesh.mesh()).run()),
+        most_(most),
+        reached_(mesh.mesh().vertexCapacity()) {}
+
+  std::vector<Halfedge> run() {
+    for (Index i = 0; i < mesh_.mesh().vertexCapacity(); ++i)
+      if (mesh_.kind(Vertex(i)) == VertexKind::Interior) searchFrom(Vertex(i));
+    return best_;
+  }
+
+ private:
+  struct Reached {
+    double distance = kInfinity;
+    std::uint64_t crossings = 0;
+    Halfedge by;
+  };
+
+  double length(Halfedge h) const {
+    return (mesh_.position(mesh_.mesh().tip(h)) - mesh_.position(mesh_.mesh().origin(h))).norm();
+  }
+
+  void searchFrom(Vertex start) {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::vector<Vertex> touched = {start};
+    reached_[start].distance = 0;
+    queue.push({0, start.index});
+    while (!queue.empty()) {
+      const auto [distance, index] = queue.top();
+      const Vertex v(index);
+      queue.pop();
+      if (distance > reached_[v].distance) continue;
+      mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) {
+        const Vertex w = mesh_.mesh().tip(h);
+        if (mesh_.kind(w) != VertexKind::Interior) return;
+        const Reached now{distance + length(h), reached_[v].crossings ^ crossings_[h], h};
+        Reached& known = reached_[w];
+        const bool closes = known.distance < kInfinity && known.crossings != now.crossings;
+        if (closes && known.distance + now.distance < most_) keep(h);
+        if (now.distance >= known.distance || 2 * now.distance >= most_) return;
+        if (known.distance == kInfinity) touched.push_back(w);
+        known = now;
+        queue.push({now.distance, w.index});
+      });
+    }
+    for (const Vertex v : touched) reached_[v] = {};
+  }
+
+  std::vector<Halfedge> wayTo(Vertex v) const {
+    std::vector<Halfedge> way;
+    for (Halfedge h = reached_[v].by; h; h = reached_[mesh_.mesh().origin(h)].by) way.push_back(h);
+    return way;
+  }
+
+  // The way to h's start, h, and back from its end.
+  void keep(Halfedge h) {
+    const HalfedgeMesh& m = mesh_.mesh();
+    most_ = reached_[m.origin(h)].distance + length(h) + reached_[m.tip(h)].distance;
+    best_ = wayTo(m.origin(h));
+    std::reverse(best_.begin(), best_.end());
+    best_.push_back(h);
+    for (const Halfedge back : wayTo(m.tip(h))) best_.push_back(m.twin(back));
+  }
+
+  const WorkingMesh& mesh_;
+  const Crossings crossings_;
+  double most_;
+  VertexData<Reached> reached_;
+  std::vector<Halfedge> best_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Halfedge>> boundaryLoops(const HalfedgeMesh& mesh) {
+  std::vector<std::vector<Halfedge>> loops;
+  HalfedgeData<char> seen(mesh.halfedgeCapacity(), 0);
+  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
+    if (!mesh.isBoundary(Halfedge(i)) || seen[Halfedge(i)]) continue;
+    std::vector<Halfedge> loop;
+    for (Halfedge h(i); !seen[h];) {
+      seen[h] = 1;
+      loop.push_back(h);
+      h = HalfedgeMesh::next(h);
+      while (mesh.twin(h)) h = HalfedgeMesh::next(mesh.twin(h));
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+double lengthOf(const WorkingMesh& mesh, const std::vector<Halfedge>& edges) {
+  double sum = 0;
+  for (const Halfedge h : edges)
+    sum += (mesh.position(mesh.mesh().tip(h)) - mesh.position(mesh.mesh().origin(h))).norm();
+  return sum;
+}
+
+std::vector<Halfedge> shortestCycle(const WorkingMesh& mesh, double most) {
+  const HalfedgeMesh& m = mesh.mesh();
+  if (eulerCharacteristic(m) + long(boundaryLoopCount(m)) == 2) return {};
+  return CycleSearch(mesh, most).run();
+}
+
+}  // namespace remesher

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/shape/finish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "remesh/quads/shape/mending.h"
+#include "remesh/quads/shape/rewiring.h"
+#include "remesh/quads/shape/smoothing.h"
+
+namespace remesher {
+
+void settle(QuadMesh& quads, const WorkingMesh& ground) {
+  MovingQuads moving(quads, ground);
+  const std::vector<char> isFixed(quads.vertices.size(), 0);
+  smoothToRectangles(moving, kSmoothingSweeps, isFixed);
+  mendCorners(moving, isFixed);
+}
+
+void shape(QuadMesh& quads, const WorkingMesh& ground) {
+  settle(quads, ground);
+  rewire(quads, ground);
+}
+
+double faultsOf(QuadMesh& quads, const WorkingMesh& ground) {
+  const MovingQuads moving(quads, ground);
+  double sum = 0;
+  for (Index q = 0; q < quads.quads.size(); ++q)
+    sum += std::pow(std::max(0.0, 1 - moving.quality(q) / kLeastSine), 2);
+  return sum;
+}
+
+}  // namespace remesher

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The order of the steps that give quads their shape.
+#pragma once
+
+#include "remesh/quads/mesh/quad_mesh.h"
+
+namespace remesher {
+
+// Moves vertices only.
+void settle(QuadMesh& quads, const WorkingMesh& ground);
+
+// Moves vertices, then divides and joins quads around those that stay unsound.
+void shape(QuadMesh& quads, const WorkingMesh& ground);
+
+// How unsound the quads are: 1 for each without area, more for folds, less for narrow ones.
+double faultsOf(QuadMesh& quads, const WorkingMesh& ground);
+
+}  // namespace remesher

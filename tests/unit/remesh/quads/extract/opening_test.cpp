@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/quads/extract/opening.h"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <set>
+
+#include "mesh/topology.h"
+#include "remesh/quads/extract/short_cycles.h"
+#include "remesh/quads/mesh/quad_check.h"
+#include "remesh/quads/quad_sizes.h"
+#include "remesh/quads/quads.h"
+#include "support/working_meshes.h"
+
+using namespace remesher;
+
+namespace {
+
+// A ball without some of its triangles, none of them beside each other.
+TriangleMesh tornBall() {
+  TriangleMesh ball = shapes::icosphere(12);
+  TriangleMesh torn;
+  torn.positions = ball.positions;
+  for (Index f = 0; f < ball.indices.size() / 3; ++f)
+    if (f % 480 != 70)
+      for (Index i = 0; i < 3; ++i) torn.indices.push_back(ball.indices[3 * f + i]);
+  return torn;
+}
+
+constexpr double kTube = 2 * std::numbers::pi * 0.1;  // around the tube
+
+TriangleMesh thinRing() {
+  TriangleMesh ring;
+  shapes::addSheet(ring, 90, 8, [](int x, int y) {
+    const Vec3 out = shapes::onCircle(x, 90), up = shapes::onCircle(y, 8);
+    return Vec3(out * (1 + 0.1 * up.x()) + Vec3(0, 0, 0.1 * up.y()));
+  });
+  return ring;
+}
+
+}  // namespace
+
+TEST_CASE("opening: holes smaller than a quad stay open") {
+  const OriginalSurface surface = shapes::surfaceOf(tornBall());
+  const WorkingMesh ground(surface);
+  const SurfaceKind kind = kindOf(ground.mesh());
+  REQUIRE(kind.boundaryLoops == 6);
+  for (const double vertices : {150., 200., 300.}) {
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    REQUIRE(check(quads) == "");
+    CHECK(kindOf(quads) == kind);
+    CHECK(double(quads.vertices.size()) == doctest::Approx(vertices).epsilon(0.1));
+  }
+}
+
+TEST_CASE(
+    "opening: corners of an opened quad lie on the hole, all corners of the hole among them") {
+  const OriginalSurface surface = shapes::surfaceOf(tornBall());
+  const WorkingMesh ground(surface);
+  const Simpler simpler = withoutSmall(ground, 0.3);
+  CHECK(kindOf(simpler.mesh.mesh()) == SurfaceKind{2, 1, 0});
+  QuadMesh quads = pairToQuads(simpler.mesh, 0.3);
+  openAgain(quads, ground, simpler.handles);
+  REQUIRE(check(quads) == "");
+  CHECK(kindOf(quads) == kindOf(ground.mesh()));
+  std::size_t corners = 0, others = 0;
+  for (const Placement& place : quads.vertices) {
+    corners += place.kind == VertexKind::Corner;
+    others += place.kind == VertexKind::Curve;
+  }
+  CHECK(corners == 6 * 3);
+  CHECK(others == 6);
+}
+
+TEST_CASE("opening: a thin handle is cut for the map and joined again") {
+  const OriginalSurface surface = shapes::surfaceOf(thinRing(), shapes::Features::None);
+  const WorkingMesh ground(surface);
+  const std::vector<Halfedge> cycle = shortestCycle(ground, 1.01 * kTube);
+  REQUIRE(cycle.size() == 8);
+  std::set<Vertex> passed;
+  for (std::size_t i = 0; i < 8; ++i) {
+    CHECK(ground.mesh().tip(cycle[i]) == ground.mesh().origin(cycle[(i + 1) % 8]));
+    passed.insert(ground.mesh().tip(cycle[i]));
+  }
+  CHECK(passed.size() == 8);
+  CHECK(lengthOf(ground, cycle) <= kTube);
+  CHECK(shortestCycle(ground, 0.9 * kTube).empty());
+  CHECK(withoutSmall(ground, kTube / 8).handles.empty());
+  const Simpler simpler = withoutSmall(ground, kTube / 4);
+  CHECK(simpler.handles.size() == 1);
+  CHECK(kindOf(simpler.mesh.mesh()) == SurfaceKind{2, 1, 0});
+  QuadMesh quads = pairToQuads(simpler.mesh, kTube / 16);
+  openAgain(quads, ground, simpler.handles);
+  REQUIRE(check(quads) == "");
+  CHECK(kindOf(quads) == SurfaceKind{0, 1, 0});
+}
