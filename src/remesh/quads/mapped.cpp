@@ -125,19 +125,15 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
   return best;
 }
 
-}  // namespace
-
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn) {
+QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
+  const WorkingMesh &part = domain.part, &closed = domain.simpler.mesh;
   const double length = std::sqrt(areaOf(part) / vertices);
-  const Simpler simpler = withoutSmall(part, length);
-  const WorkingMesh& closed = simpler.mesh;
   const FaceFrames frames(closed);
   const CrossField field = makeSmoothField(closed, frames, length);
   FaceData<double> sizes = sizesOn(closed), turned = crossSizes(closed, frames, field);
   for (Index f = 0; f < sizes.size(); ++f) turned[Face(f)] *= sizes[Face(f)];
   MapMaker maker(closed, field, scaledToMean(std::move(turned), closed));
   if (!maker.isPossible()) return {};
-  const Domain domain{part, simpler};
   // What is opened again is unsound at every scale, and mending it takes a second: one map must do.
   const bool isTorn = closed.mesh().faceCount() > part.mesh().faceCount();
   std::optional<Extracted> found = searchScale(domain, maker, vertices, isTorn ? 1 : kSteps / 2);
@@ -154,6 +150,23 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn
     if (even && (!found || found->faults > 0 || isGood(*even))) found = std::move(even);
   }
   return found ? std::move(found->quads) : QuadMesh{};
+}
+
+}  // namespace
+
+// Near holes of two to four quads may become one in a map: where it fails, they are closed as well.
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn) {
+  const double length = std::sqrt(areaOf(part) / vertices);
+  Index faces = 0;
+  for (const double least : {length, 2 * length}) {
+    const Simpler simpler = withoutSmall(part, least);
+    const auto now = Index(simpler.mesh.mesh().faceCount());
+    if (now == faces) break;
+    faces = now;
+    QuadMesh quads = quadsOf({part, simpler}, vertices, sizesOn);
+    if (!quads.quads.empty()) return quads;
+  }
+  return {};
 }
 
 }  // namespace remesher
