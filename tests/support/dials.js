@@ -40,7 +40,7 @@ export const facts = {
   'remesh/operators/local_change.h': ['kMoved'],
   'remesh/quads/extract/extraction.cpp': ['kHalf'],
   'remesh/quads/field/cross_field.cpp': ['kOpposed'],
-  'remesh/quads/map/seamless_map.h': ['kUnit'],
+  'remesh/quads/map/seamless_map.h': ['kUnit', 'kLongest'],
   'remesh/quads/mesh/triangulated.cpp': ['kOfSide'],
   'remesh/quads/quads.cpp': ['kFewestOfPairs'],
   'remesh/schemes/chart_needs.cpp': ['kEverySize'],

@@ -35,7 +35,7 @@ MapPoint turned(const MapPoint& p, int turn) {
 bool isExact(const SeamlessMap& map) {
   for (Index i = 0; i < map.corners.size(); ++i) {
     const MapPoint edge = map.corners[HalfedgeMesh::next(Halfedge(i))] - map.corners[Halfedge(i)];
-    if (std::max(std::abs(edge.u), std::abs(edge.v)) >= 512 * kUnit) return false;
+    if (std::max(std::abs(edge.u), std::abs(edge.v)) >= kLongest) return false;
   }
   return true;
 }

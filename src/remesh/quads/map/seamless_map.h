@@ -15,6 +15,8 @@ namespace remesher {
 
 using Whole = std::int64_t;
 inline constexpr Whole kUnit = Whole{1} << 20;
+// Products of two such lengths, and sums of a few of them, fit into a whole number.
+inline constexpr Whole kLongest = Whole{1} << 29;
 
 struct MapPoint {
   Whole u = 0, v = 0;
@@ -25,7 +27,7 @@ inline MapPoint operator+(const MapPoint& a, const MapPoint& b) { return {a.u + 
 inline MapPoint operator-(const MapPoint& a, const MapPoint& b) { return {a.u - b.u, a.v - b.v}; }
 
 // Twice the area of the triangle, positive where it is counterclockwise. Exact as long as the
-// triangle is smaller than 512 in every direction.
+// triangle is smaller than kLongest in every direction.
 inline Whole orientation(const MapPoint& a, const MapPoint& b, const MapPoint& c) {
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
