@@ -129,8 +129,8 @@ class CycleSearch {
     reached_[start].distance = 0;
     queue.push({0, start.index});
     while (!queue.empty()) {
-      const auto [distance, index] = queue.top();
-      const Vertex v(index);
+      const double distance = queue.top().first;
+      const Vertex v(queue.top().second);
       queue.pop();
       if (distance > reached_[v].distance) continue;
       mesh_.mesh().forEachOutgoing(v, [&](Halfedge h) {
