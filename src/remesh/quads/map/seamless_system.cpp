@@ -26,6 +26,9 @@ IntegerSum sumOf(std::initializer_list<std::pair<Index, int>> terms) {
   return sum;
 }
 
+// They take half a gigabyte. A map of a horse in 100 thousand quads has fewer.
+constexpr std::size_t kMostEntries = std::size_t{1} << 25;
+
 double cotangent(const Vec2& a, const Vec2& b) {
   const double sine = cross(a, b), cosine = a.dot(b);
   return sine > kTie * std::abs(cosine) ? cosine / sine : 0;
@@ -173,10 +176,12 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
 
 // Dirichlet's energy of the difference between the gradients of u and v and the crosses'
 // directions, edge by edge with cotangents.
-SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& sizes) const {
+std::optional<SeamlessSystem::Quadratic> SeamlessSystem::quadratic(
+    const FaceData<double>& sizes) const {
   std::vector<Eigen::Triplet<double>> entries;
   Quadratic result{{}, Eigen::VectorXd::Zero(count_)};
   for (Index i = 0; i < copies_.size(); ++i) {
+    if (entries.size() > kMostEntries) return {};
     const Halfedge h(i), next = HalfedgeMesh::next(h), prev = HalfedgeMesh::prev(h);
     const double weight = cotangent(input_.frames.edge(prev), -input_.frames.edge(next)) / 2;
     const double angle = input_.cut.angle[HalfedgeMesh::face(h)];

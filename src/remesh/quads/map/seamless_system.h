@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCore>
 #include <array>
+#include <optional>
 
 #include "remesh/quads/map/cut.h"
 #include "remesh/quads/map/integer_rows.h"
@@ -39,12 +40,13 @@ class SeamlessSystem {
 
   // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
   // model units. For another side length divide b by the length. sizes: per face the side length
-  // wanted there beside the others.
+  // wanted there beside the others. None if differences of corners have so many variables that
+  // memory would not do.
   struct Quadratic {
     Eigen::SparseMatrix<double> matrix;  // its lower half
     Eigen::VectorXd right;
   };
-  Quadratic quadratic(const FaceData<double>& sizes) const;
+  std::optional<Quadratic> quadratic(const FaceData<double>& sizes) const;
 
  private:
   void nameCopies();
