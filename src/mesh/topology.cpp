@@ -36,15 +36,20 @@ std::size_t componentCount(const HalfedgeMesh& mesh) {
   return count;
 }
 
-std::size_t boundaryLoopCount(const HalfedgeMesh& mesh) {
-  std::size_t count = 0;
-  std::vector<char> seen(mesh.halfedgeCapacity(), 0);
+std::vector<std::vector<Halfedge>> boundaryLoops(const HalfedgeMesh& mesh) {
+  std::vector<std::vector<Halfedge>> loops;
+  HalfedgeData<char> seen(mesh.halfedgeCapacity(), 0);
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    if (!mesh.isAlive(Halfedge(i)) || !mesh.isBoundary(Halfedge(i)) || seen[i]) continue;
-    ++count;
-    for (Halfedge h(i); !seen[h.index]; h = mesh.outgoing(mesh.tip(h))) seen[h.index] = 1;
+    if (!mesh.isAlive(Halfedge(i)) || !mesh.isBoundary(Halfedge(i)) || seen[Halfedge(i)]) continue;
+    std::vector<Halfedge>& loop = loops.emplace_back();
+    for (Halfedge h(i); !seen[h]; h = mesh.outgoing(mesh.tip(h))) {
+      seen[h] = 1;
+      loop.push_back(h);
+    }
   }
-  return count;
+  return loops;
 }
+
+std::size_t boundaryLoopCount(const HalfedgeMesh& mesh) { return boundaryLoops(mesh).size(); }
 
 }  // namespace remesher

@@ -145,7 +145,7 @@ QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
   return splitPairs(mesh, pairTriangles(mesh, frames, makeSmoothField(mesh, frames, length)));
 }
 
-// A triangle divided.
+// As many vertices as a triangle has that is divided into quads at its middle.
 constexpr std::size_t kFewestOfPairs = 7;
 
 // Makes quads by pairs, not yet shaped, of the parts that get too few vertices for fewer triangles

@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "repair/holes/plug.h"
 
-#include <algorithm>
-
 #include "geometry/triangle.h"
+#include "mesh/topology.h"
 
 namespace remesher {
 
 std::vector<Loop> boundaryLoops(const BuiltMesh& built) {
   const HalfedgeMesh& mesh = built.mesh;
   std::vector<Loop> loops;
-  HalfedgeData<char> isSeen(mesh.halfedgeCapacity(), 0);
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    const Halfedge first(i);
-    if (!mesh.isAlive(first) || !mesh.isBoundary(first) || isSeen[first]) continue;
-    Loop loop;
-    Halfedge h = first;
-    do {
-      isSeen[h] = 1;
-      loop.vertices.push_back(mesh.tip(h));
-      loop.across.push_back(h);
+  for (const std::vector<Halfedge>& edges : boundaryLoops(mesh)) {
+    Loop& loop = loops.emplace_back();
+    for (const Halfedge h : edges)
       loop.length += distance(built.positions[mesh.origin(h)], built.positions[mesh.tip(h)]);
-      h = mesh.outgoing(mesh.tip(h));
-    } while (h != first);
     // Against the halfedges, so that edge i runs from vertex i to the next one.
-    std::reverse(loop.vertices.begin(), loop.vertices.end());
-    std::reverse(loop.across.begin(), loop.across.end());
-    loops.push_back(std::move(loop));
+    loop.across.assign(edges.rbegin(), edges.rend());
+    for (const Halfedge h : loop.across) loop.vertices.push_back(mesh.tip(h));
   }
   return loops;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mesh/topology.h"
 #include "remesh/quads/extract/short_cycles.h"
 
 namespace remesher {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "remesh/quads/extract/short_cycles.h"
+#include "mesh/topology.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
 

@@ -174,23 +174,6 @@ class CycleSearch {
 
 }  // namespace
 
-std::vector<std::vector<Halfedge>> boundaryLoops(const HalfedgeMesh& mesh) {
-  std::vector<std::vector<Halfedge>> loops;
-  HalfedgeData<char> seen(mesh.halfedgeCapacity(), 0);
-  for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
-    if (!mesh.isBoundary(Halfedge(i)) || seen[Halfedge(i)]) continue;
-    std::vector<Halfedge> loop;
-    for (Halfedge h(i); !seen[h];) {
-      seen[h] = 1;
-      loop.push_back(h);
-      h = HalfedgeMesh::next(h);
-      while (mesh.twin(h)) h = HalfedgeMesh::next(mesh.twin(h));
-    }
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
 double lengthOf(const WorkingMesh& mesh, const std::vector<Halfedge>& edges) {
   double sum = 0;
   for (const Halfedge h : edges)

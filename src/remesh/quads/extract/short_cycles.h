@@ -8,9 +8,6 @@
 
 namespace remesher {
 
-// The boundary loops of a mesh: their edges in order, with the surface on their left.
-std::vector<std::vector<Halfedge>> boundaryLoops(const HalfedgeMesh& mesh);
-
 double lengthOf(const WorkingMesh& mesh, const std::vector<Halfedge>& edges);
 
 // The shortest cycle of edges between inner vertices that does not divide a connected, compact

@@ -40,8 +40,8 @@ class SeamlessSystem {
 
   // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
   // model units. For another side length divide b by the length. sizes: per face the side length
-  // wanted there beside the others. None if differences of corners have so many variables that
-  // memory would not do.
+  // wanted there beside the others. None if that takes more entries of the matrix than
+  // there is memory for.
   struct Quadratic {
     Eigen::SparseMatrix<double> matrix;  // its lower half
     Eigen::VectorXd right;
