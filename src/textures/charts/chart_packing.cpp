@@ -265,7 +265,9 @@ class Packer {
       const double x1 = isLevel ? b.x() : across((i + 1) * double(cell_));
       const auto [low, high] = std::minmax(x0, x1);
       rows[i].begin = std::min(rows[i].begin, int(std::floor(low / cell_)));
-      rows[i].end = std::max(rows[i].end, int(std::floor((high + 2 * pad) / cell_)) + 1);
+      // A chart as long as the square touches the cell behind its last one, in no more than a line.
+      const int end = std::min(int(kCells), int(std::floor((high + 2 * pad) / cell_)) + 1);
+      rows[i].end = std::max(rows[i].end, end);
     }
   }
 
