@@ -4,6 +4,7 @@
 //   node bindings/build.js package tests    and the native unit tests with the tools that check
 //   node bindings/build.js package lint     and what checks the sources without building them
 //   node bindings/build.js package measure  and the native judge of the benchmark
+//   node bindings/build.js sanitized        the unit tests again, with sanitizers
 //   node bindings/build.js package fuzz     and the targets of libFuzzer
 //   node bindings/build.js package bits     and the browsers that must give the same bytes
 //   node bindings/build.js package profile  and the package once more, with names for the profiler
@@ -12,7 +13,8 @@
 
 import { assemblePackage, assembleProfile } from './build/assemble.js';
 import {
-  buildFuzz, buildMeasure, buildProfile, buildUnitTests, buildWebAssembly, configureUnitTests,
+  buildFuzz, buildMeasure, buildProfile, buildSanitized, buildUnitTests, buildWebAssembly,
+  configureUnitTests,
 } from './build/compile.js';
 import { installNpmPackages, installTools } from './build/install.js';
 import { BuildError, run, say } from './build/say.js';
@@ -45,6 +47,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
     },
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
+    sanitized: () => buildSanitized(system),
     fuzz: () => buildFuzz(system),
     bits: async () => {},
     profile: () => buildProfile(system),

@@ -7,7 +7,9 @@ import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
 
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
-/** @typedef {'package' | 'tests' | 'lint' | 'measure' | 'fuzz' | 'bits' | 'profile'} Part */
+/**
+ * @typedef {'package' | 'tests' | 'lint' | 'measure' | 'sanitized' | 'fuzz' | 'bits'
+ *   | 'profile'} Part */
 
 /**
  * @typedef {object} Need
@@ -63,6 +65,10 @@ export function findFirefox(system) {
     ?? (system.exists(onMac) ? onMac : undefined);
 }
 
+/** It compiles checks in less time than g++. @param {System} system */
+export const findClang = (system) =>
+  findProgram(system, 'clang++') ?? findProgram(system, 'clang++-14');
+
 /**
  * A clang++ that has its sanitizers' libraries: it finds more than g++, in less time. Some versions
  * (Debian's from 17 on) print a folder named after the target, which does not exist, and use the
@@ -70,7 +76,7 @@ export function findFirefox(system) {
  * @param {System} system
  */
 export function findSanitizingClang(system) {
-  const clang = findProgram(system, 'clang++') ?? findProgram(system, 'clang++-14');
+  const clang = findClang(system);
   if (!clang || system.platform === 'darwin') return clang;
   const named = system.ask(clang, ['-print-runtime-dir']);
   const folders = [named, join(dirname(named), 'linux')];
@@ -87,9 +93,11 @@ const header = (name) => (/** @type {System} */ system) => findHeader(system, na
 const variable = 'REMESHER_INCLUDE';
 
 /** @type {Part[]} */
-const all = ['package', 'tests', 'lint', 'measure', 'fuzz'];
+const all = ['package', 'tests', 'lint', 'measure', 'sanitized', 'fuzz'];
 /** @type {Part[]} */
 const checks = ['tests', 'lint'];
+/** @type {Part[]} */
+const sanitizers = ['sanitized', 'fuzz'];
 
 /** @type {readonly Need[]} */
 export const needs = [
@@ -117,7 +125,10 @@ export const needs = [
   { name: 'g++', parts: ['tests', 'lint', 'measure'],
     find: (system) => findProgram(system, system.platform === 'darwin' ? 'c++' : 'g++'),
     packages: { apt: 'g++', dnf: 'gcc-c++', pacman: 'gcc', apk: 'g++', brew: 'gcc', nix: 'gcc' } },
-  { name: 'clang++ with sanitizers', parts: [...checks, 'fuzz'], find: findSanitizingClang,
+  { name: 'clang++', parts: checks, find: findClang,
+    packages: { apt: 'clang', dnf: 'clang', pacman: 'clang', apk: 'clang', brew: 'llvm',
+      nix: 'clang' } },
+  { name: 'clang++ with sanitizers', parts: sanitizers, find: findSanitizingClang,
     packages: { apt: 'clang libclang-rt-dev', dnf: 'clang compiler-rt', pacman: 'clang compiler-rt',
       apk: 'clang compiler-rt', brew: 'llvm', nix: 'clang' } },
   { name: 'clang-format', parts: checks, find: program('clang-format'),
@@ -126,7 +137,7 @@ export const needs = [
   { name: 'clang-tidy', parts: ['lint'], find: program('clang-tidy'),
     packages: { apt: 'clang-tidy', dnf: 'clang-tools-extra', pacman: 'clang',
       apk: 'clang-extra-tools', brew: 'llvm', nix: 'clang-tools' } },
-  { name: 'doctest', parts: checks, find: header('doctest/doctest.h'), variable,
+  { name: 'doctest', parts: [...checks, 'sanitized'], find: header('doctest/doctest.h'), variable,
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
   { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',

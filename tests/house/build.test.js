@@ -56,7 +56,7 @@ test('the package manager follows from the system', () => {
 });
 
 test('a Debian that has it all misses nothing', () => {
-  assert.deepEqual(missingNeeds(debian, ['package', 'tests', 'lint', 'measure']), []);
+  assert.deepEqual(missingNeeds(debian, ['package', 'tests', 'lint', 'measure', 'sanitized']), []);
   assert.deepEqual(wasmDefinitions(debian)[0],
     `-DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/${toolchain}`);
   assert.ok(testDefinitions(debian).includes('-DCMAKE_CXX_COMPILER=/usr/bin/clang++'));
@@ -106,7 +106,7 @@ test('what is missing is named in a line each, as the package manager calls it',
     'tinygltf 2 is missing: install it, or name its place in REMESHER_INCLUDE',
   ]);
   const fedora = system({ ...debian, osRelease: 'ID=fedora' });
-  const [clang] = needs.filter(({ name }) => name.startsWith('clang++'));
+  const [clang] = needs.filter(({ name }) => name.startsWith('clang++ with'));
   assert.deepEqual(advice(fedora, [clang]),
     ['clang++ with sanitizers is missing: sudo dnf install clang compiler-rt']);
   const windows = system({ platform: 'win32', environment: { PATH: 'C:\\bin' } });
@@ -141,7 +141,9 @@ test('every need can be had from apt, and only tests need what only checks', () 
   assert.equal(names.includes('Chromium'), false);
 });
 
-test('a clang without the libraries of its sanitizers is none', () => {
+test('a clang without the libraries of its sanitizers is enough for tests only', () => {
+  const bare = system({ files: ['/usr/bin/clang++'] });
+  assert.ok(testDefinitions(bare).includes('-DCMAKE_CXX_COMPILER=/usr/bin/clang++'));
   assert.equal(findSanitizingClang(system({ files: ['/usr/bin/clang++'],
     answers: { '/usr/bin/clang++': runtime } })), undefined);
 });

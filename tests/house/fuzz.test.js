@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The targets of `npm run fuzz`, without libFuzzer: what it would begin with, and changed copies,
-// under the sanitizers. npm run fuzz goes on from there for as long as it is told.
+// The targets of `npm run fuzz`, without libFuzzer and sanitizers: what it would begin with, and
+// changed copies. npm run fuzz goes on from there for as long as it is told.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';

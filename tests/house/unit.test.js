@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The C++ unit tests, built natively with sanitizers: each of their cases is a case here. They run
-// in portions, one at a time per core. The cases of a file that passed are not run again before
-// something has changed that their code can reach.
+// The C++ unit tests, built natively with checks that end the program: each of their cases is a
+// case here. They run in portions, one at a time per core. The cases of a file that passed are not
+// run again before something has changed that their code can reach.
 import assert from 'node:assert/strict';
 import { execFile, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -31,10 +31,6 @@ const slowest = ['tests/unit/textures/charts/unwrap_test.cpp',
   'tests/unit/remesh/schemes/follow_test.cpp'];
 /** No case takes a tenth of this, on busy cores. */
 const longest = 900_000;
-/** Of an allocation its caller is told: more of them take a tenth of the time. */
-const env = { ...process.env,
-  ASAN_OPTIONS: `malloc_context_size=2:${process.env.ASAN_OPTIONS ?? ''}` };
-
 const unescaped = (text) => text.replace(/&(quot|lt|gt|apos|amp);/g,
   (_, name) => ({ quot: '"', lt: '<', gt: '>', apos: "'", amp: '&' })[name]);
 
@@ -62,8 +58,7 @@ function countByFile() {
 
 /** What all runs have in common: how they are built, by what, how they are run. */
 function surroundings() {
-  const hash = createHash('sha256').update(process.env.ASAN_OPTIONS ?? '')
-    .update(process.env.UBSAN_OPTIONS ?? '').update(readFileSync(fileURLToPath(import.meta.url)));
+  const hash = createHash('sha256').update(readFileSync(fileURLToPath(import.meta.url)));
   const files = ['CMakeLists.txt', 'src/core.cmake', 'tests/programs.cmake', 'tests/unit/main.cpp',
     'tests/support/cpp_sources.js', 'build/test/configured', ...versions];
   for (const file of files) hash.update(readText(file));
@@ -85,13 +80,13 @@ function memoryOf(file, common) {
 function runPortion({ file, first, last }) {
   return new Promise((resolve) => {
     const words = ['-r=xml', `-sf=*${file}`, `--first=${first}`, `--last=${last}`];
-    const options = { cwd: root, env, maxBuffer: 2 ** 28, timeout: longest };
+    const options = { cwd: root, maxBuffer: 2 ** 28, timeout: longest };
     execFile(program, words, options, (error, stdout, stderr) => {
       const cases = casesIn(stdout);
       const isWhole = cases.length === last - first + 1;
       const isFailed = cases.some(({ passed }) => !passed);
       const crash = { name: `${file}: cases ${first} to ${last} run to their end`, passed: false,
-        body: `${error?.message}\n${stderr}` };
+        body: `${error?.message}\n${stderr}\nnpm run sanitize may tell more.` };
       resolve(isWhole && (isFailed || !error) ? cases : [...cases, crash]);
     });
   });
