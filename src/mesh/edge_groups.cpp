@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/sort_pairs.h"
+#include "mesh/halfedge_mesh.h"
 
 namespace remesher {
 
@@ -46,11 +47,10 @@ struct EdgeLists {
   // The edge's first halfedge: the given one if the edge is new; kNone if the list is too long to
   // search.
   Index firstOf(Index lower, Index upper, Index halfedge) {
-    constexpr int kLong = 200;
     int passed = 0;
     Index at = heads[lower];
     for (; at != kNone && edges[at].upper != upper; at = edges[at].next)
-      if (++passed > kLong) return kNone;
+      if (++passed > HalfedgeMesh::kMostNeighbors) return kNone;
     if (at != kNone) return edges[at].halfedge;
     edges.push_back({upper, halfedge, heads[lower]});
     heads[lower] = Index(edges.size() - 1);

@@ -18,7 +18,8 @@ namespace {
 constexpr double kMuchSharper = 20;
 constexpr double kLongEnough = 3;  // target edge lengths
 // A fading crease is followed from its sharp part as long as it has this share of the angle and
-// does not turn back.
+// does not turn back. With .2 the fandisk's RMS is 7 % larger, median of 3 neighboring counts; ten
+// other models do not change.
 constexpr double kFaded = 0.25;
 constexpr double kTipAngle = radians(60);
 

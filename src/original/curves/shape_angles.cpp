@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
@@ -49,13 +50,11 @@ FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& po
     beyond[f] = HalfedgeMesh::face(mesh.twin(side));
     flat.push_back(f);
   }
-  // Two flat faces that lead to each other have no bearer. A chain of flat faces is short, so the
-  // steps are bounded.
-  constexpr int kMostSteps = 64;
-  FaceData<Face> bearers = beyond;
-  for (const Face f : flat)
-    for (int i = 0; i < kMostSteps && beyond[bearers[f]] != bearers[f]; ++i)
-      bearers[f] = beyond[bearers[f]];
+  // Two flat faces that lead to each other have no bearer. Each pass at least doubles how many flat
+  // faces every one of them looks across.
+  FaceData<Face> bearers = std::move(beyond);
+  for (std::size_t across = 1; across < flat.size(); across *= 2)
+    for (const Face f : flat) bearers[f] = bearers[bearers[f]];
   return bearers;
 }
 

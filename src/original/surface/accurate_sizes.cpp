@@ -12,8 +12,6 @@ namespace remesher {
 
 namespace {
 
-// The lower bound on sizes: see kCoarsest.
-constexpr double kSmallest = 0.0625;
 // The common distance is searched between this share of the even length and the even length itself,
 // by this many bisections of the ratio.
 constexpr double kLeastError = 1e-4;
@@ -97,7 +95,8 @@ class Accuracy {
 
   VertexData<double> sizesFor(double error) const {
     const double strength = rules_.adaptivity * (1.25 - rules_.adaptivity / 2);
-    const double smallest = rules_.mean * std::pow(kSmallest, strength);
+    // Rims and rods may be as many times finer again as what is merely curved.
+    const double smallest = rules_.mean * std::pow(kFinest * kFinest, strength);
     const double largest = rules_.mean * std::pow(kCoarsest, strength);
     VertexData<double> sizes(bends_.size());
     for (Index i = 0; i < sizes.size(); ++i) {

@@ -7,8 +7,8 @@
 
 namespace remesher {
 
-// The upper bound on sizes relative to even ones, before the power that adaptivity sets.
-inline constexpr double kCoarsest = 2.25;
+// Bounds on sizes relative to even ones, before the power that adaptivity sets.
+inline constexpr double kFinest = 0.25, kCoarsest = 2.25;
 
 struct AccuracyRules {
   double mean = 0;        // the edge length of an even mesh with the wished number of vertices

@@ -10,8 +10,10 @@ namespace remesher {
 
 namespace {
 
-// Costs of a chord beyond the tolerance, far above the costs of uneven edges and of moves.
-constexpr double kTooFar = 100, kFarther = 10;
+// The cost of a chord at the tolerance: above the costs of uneven edges and of moves. With 100 for
+// chords at the tolerance 42 of 45 results (15 cases at 3 neighboring counts) are the same, with
+// 100 for how much farther they are 41; shares of triangles above 50° change by .02 points.
+constexpr double kTooFar = 10;
 
 struct Site {
   double arc;
@@ -106,7 +108,7 @@ class Placing {
 
   double farness(const Site& from, const Site& to) const {
     const double far = curve_.distance(from, to, kPlacesBetween) / tolerance_;
-    return far > 1 ? kTooFar + kFarther * far : 0;
+    return far > 1 ? kTooFar * (1 + far) : 0;
   }
 
   void addStage(std::size_t i) {

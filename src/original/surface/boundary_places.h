@@ -14,6 +14,11 @@ namespace remesher {
 // nearly all of it in one of them, and distances within 1 %.
 inline constexpr int kPlacesBetween = 24;
 
+// How far a chord may be from its boundary, of the diagonal. With 9e-4 for the places of vertices,
+// medians of 14 cases at 3 neighboring counts change by less than .03 points of triangles above
+// 50°.
+inline constexpr double kChordTolerance = 1e-3;
+
 // The point of a chain at `arc`.
 Vec3 positionAt(const OriginalSurface& surface, Index chain, double arc);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/triangle.h"
+#include "original/surface/boundary_places.h"
 
 namespace remesher {
 
@@ -41,11 +42,10 @@ class Chords {
     return std::abs(chain_.arcs[way > 0 ? i + steps : i - steps] - chain_.arcs[i]);
   }
 
-  // Checks only about kMost of many vertices between.
+  // Checks only about kPlacesBetween of many vertices between.
   bool isNear(std::size_t i, int way, std::size_t steps) const {
-    constexpr std::size_t kMost = 64;
     const Vec3 &from = at(i, way, 0), &to = at(i, way, steps);
-    for (std::size_t k = 1; k < steps; k += 1 + steps / kMost) {
+    for (std::size_t k = 1; k < steps; k += 1 + steps / kPlacesBetween) {
       const Vec3& p = at(i, way, k);
       if ((closestPoint(p, from, to, to) - p).norm() > rules_.tolerance) return false;
     }

@@ -11,6 +11,7 @@
 
 #include "geometry/triangle.h"
 #include "original/surface/accurate_sizes.h"
+#include "original/surface/boundary_places.h"
 #include "original/surface/boundary_sizes.h"
 #include "original/surface/curvature.h"
 
@@ -18,22 +19,16 @@ namespace remesher {
 
 namespace {
 
-// The lower bound on k^-1/2 relative to the median: see kCoarsest.
-constexpr double kFinest = 0.25;
 constexpr int kNormalizations = 3;
 constexpr double kNormalEnough = 1e-3;  // a scale this near to 1 is good enough
 // Edges longer than this, in units of the mean size at their ends, do not survive a run.
 constexpr double kLongestEdge = 5.0 / 3;
 // Flat faces are divided into parts with edges of at most this many mean lengths.
 constexpr double kFinestPart = 1.5;
-// Beside kept edges, in units of the smaller size. The sooner sizes return to their proper value,
-// the more vertices are left for the rest.
-constexpr double kLongestBesideKept = 4.0 / 3;
 
-// Sizes that follow curvature also follow the bends of boundaries. Chord tolerance, in units of the
-// diagonal: the first factor, or, in coarse meshes, the second times size² / diagonal², since
-// chords leave arcs by the square of the size.
-constexpr double kChordOfDiagonal = 1e-3, kChordOfSquare = 2.75;
+// Sizes that follow curvature also follow the bends of boundaries. In coarse meshes the chord
+// tolerance is this times size² / diagonal, since chords leave arcs by the square of the size.
+constexpr double kChordOfSquare = 2.75;
 constexpr double kShortestChord = 0.75;
 
 // The median by area of values that are not negative, whose bits rise with the values. Finds 16
@@ -179,7 +174,7 @@ VertexData<double> keptLengths(const OriginalSurface& surface) {
 }
 
 VertexData<double> chordLimits(const OriginalSurface& surface, double mean) {
-  const double tolerance = std::max(kChordOfDiagonal * surface.diagonal(),
+  const double tolerance = std::max(kChordTolerance * surface.diagonal(),
                                     kChordOfSquare * mean * mean / surface.diagonal());
   return boundarySizes(surface, {tolerance, kShortestChord * mean});
 }
@@ -273,7 +268,9 @@ SizeField::SizeField(const OriginalSurface& surface, const SizeRules& rules)
   if (rules.adaptivity > 0) applyCurvature(surface, rules.adaptivity, areas, sizes_);
   for (Index i = 0; i < rules.density.size(); ++i)
     sizes_[Vertex(i)] /= std::sqrt(std::max(1e-6, double(rules.density[i])));
-  const double keptSlope = (rules.gradation - 1) / kLongestBesideKept;
+  // Beside kept edges the smaller size counts. The sooner sizes return to their proper value, the
+  // more vertices are left for the rest.
+  const double keptSlope = (rules.gradation - 1) / kLong;
   VertexData<double> largest, chords;
   if (rules.adaptivity > 0) chords = chordLimits(surface, mean_);
   if (rules.error > 0) largest = largestSizes(surface, rules.error);

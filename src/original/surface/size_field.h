@@ -14,6 +14,10 @@
 
 namespace remesher {
 
+// Relative lengths from which on splitting an edge, or collapsing it, brings it nearer to its
+// target [Botsch & Kobbelt 2004].
+inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
+
 struct SizeRules {
   double vertices = 0;     // how many a mesh of these sizes should have
   double adaptivity = 0;   // 0: even, 1: fully by curvature

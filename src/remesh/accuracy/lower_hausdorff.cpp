@@ -22,7 +22,8 @@ constexpr double kWorthAngles = 0.24;  // of the target edge length
 constexpr double kGain = 0.99;
 // A move that costs angles, or makes way for another, must lower the distance to this share.
 constexpr double kMuch = 0.9;
-// If the largest distance is stuck, distances below this share of it are not worth a try.
+// If the largest distance is stuck, distances below this share of it are not worth a try. With
+// kMuch the cow's RMS (at 1500, 2500 and 3000, medians of 7 neighboring counts) is 1 to 4 % larger.
 constexpr double kNearMaximum = 0.8;
 
 // The least number of triangles to try, and the number of vertices to each try in a large mesh,

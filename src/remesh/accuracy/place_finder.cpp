@@ -7,7 +7,9 @@ namespace remesher {
 
 namespace {
 
-constexpr std::size_t kEnoughSeen = 4;  // vertices
+// Vertices. With 1 a vertex takes values of another chart than the triangle's (a test of
+// chart_keeper).
+constexpr std::size_t kEnoughSeen = 4;
 
 }  // namespace
 

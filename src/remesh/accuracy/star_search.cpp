@@ -9,6 +9,7 @@
 #include "geometry/triangle.h"
 #include "original/surface/surface_walk.h"
 #include "remesh/accuracy/narrowest.h"
+#include "remesh/operators/smoothing.h"
 #include "remesh/steps/sweeps.h"
 
 namespace remesher {

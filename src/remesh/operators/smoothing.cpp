@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "geometry/extremes.h"
-#include "geometry/fast_trigonometry.h"
+#include "geometry/pattern_search.h"
 
 namespace remesher {
 
@@ -97,22 +96,20 @@ Vec2 laplacianTarget(const PolarMap& star) {
 }
 
 Vec2 wideTarget(const PolarMap& star) {
-  constexpr double kFirstStep = 0.1, kLastStep = 0.02;  // of the mean spoke
-  constexpr int kDirections = 4;
   const double spoke = star.meanSpoke();
   Vec2 at = Vec2::Zero();
   double cost = costAt(star, at, kInfinity);
-  for (double step = kFirstStep; step >= kLastStep;) {
+  searchPattern([&](double step) {
     const Vec2 from = at;
-    for (int i = 0; i < kDirections; ++i) {
-      const Vec2 to = from + step * spoke * onUnitCircle(2 * std::numbers::pi * i / kDirections);
+    for (const Vec2& way : planeDirections()) {
+      const Vec2 to = from + step * spoke * way;
       const double own = costAt(star, to, cost);
       if (!(own < cost)) continue;
       cost = own;
       at = to;
     }
-    if (at == from) step /= 2;
-  }
+    return at != from;
+  });
   return at;
 }
 

@@ -20,6 +20,11 @@ Vec2 laplacianTarget(const PolarMap& star);
 // around a vertex not all can have one much larger.
 inline constexpr double kWideAngle = radians(50.3);
 
+// A vertex on a curve stays this share of the way between its neighbours along the curve away from
+// either. With .25 medians of 15 cases at 3 neighboring counts have .08 points fewer triangles
+// above 50°; for quads of 5 models at 7 counts it is the same (.04° of their mean deviation).
+inline constexpr double kRoom = 0.33;
+
 // A point, found by search, that raises the smallest angles of the star's triangles on the whole
 // and leaves none far below kWideAngle; the origin if no point is better.
 Vec2 wideTarget(const PolarMap& star);

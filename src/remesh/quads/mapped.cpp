@@ -24,8 +24,9 @@ namespace remesher {
 
 namespace {
 
-constexpr double kNudge = 0.0015;
-// As many scales are corrected by the count of the map before; 2 kSteps beside the best follow.
+// As many scales are corrected by the count of the map before; 2 kSteps beside the best follow, the
+// farthest off by kCountTolerance. With steps half or twice as long 31 or 32 of 35 quad meshes (5
+// models at 7 neighboring counts) are the same; means of medians change by .03°.
 constexpr int kSteps = 4;
 // The largest count error of a result: half as many vertices again as wanted, for each of these
 // counts kTooMany times. With 0.2 all of 7 counts of featuretype at 700 and 6 at 1000 were pairs,
@@ -98,7 +99,8 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
   for (int i = 0; i < 3 * kSteps && std::max(shaped, failed) < most; ++i) {
     const bool isFirst = i < kSteps;
     if (best ? best->faults == 0 : !isFirst && least == kFarthest) break;
-    const double aside = 1 + kNudge * (i % 2 == 0 ? i - kSteps : kSteps - i);
+    const int beside = i % 2 == 0 ? i - kSteps : kSteps - i;
+    const double aside = 1 + kCountTolerance * beside / (2 * kSteps);
     const double scale = isFirst ? length : nearest * aside;
     const auto map = i == kSteps ? std::move(passed) : maker.map(scale, known);
     if (!map) continue;

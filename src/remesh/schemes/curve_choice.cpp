@@ -12,9 +12,6 @@ namespace remesher {
 
 namespace {
 
-// Flat regions at least so wide, in target edge lengths, are bordered by curves. Half the width
-// costs 3° of the mean angle of featuretype at 16 thousand vertices.
-constexpr double kFlatWidth = 1;
 // Quads follow a border of a flat region where it bends by this share of the feature angle: rims of
 // fillets, but not where flat goes over into round. With 3°, 7 to 8°, 10° and no borders, medians
 // of 7 neighboring counts at 5000, angles of fandisk, fixed_top and tray deviate by 4.6, 4.5, 4.5
@@ -86,7 +83,9 @@ CurveChoice chooseCurves(const BuiltMesh& built, const TriangleMesh& input,
   auto [edges, seams, isDetecting] = curveCandidates(built, input, options, scale.size);
   FlatRegions flats;
   if (isDetecting && scale.flats == Flats::Bordered && areFlatsMeant(options)) {
-    flats = findFlatRegions(built.mesh, built.positions, kFlatWidth * scale.size);
+    // A narrower region has no room for an even triangle: bordering regions of half the width costs
+    // 3° of the mean angle of featuretype at 16 thousand vertices.
+    flats = findFlatRegions(built.mesh, built.positions, scale.size);
     add(edges.free, rimsOf(flats, built, options));
   }
   if (!options.quads) edges.flats = flats;

@@ -8,6 +8,7 @@
 #include "base/place.h"
 #include "geometry/extent.h"
 #include "geometry/triangle_tree.h"
+#include "remesh/operators/projection.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/curve_choice.h"
 #include "remesh/schemes/targets.h"
@@ -24,10 +25,6 @@ bool mayMirror(const RemeshOptions& options) {
          options.density.empty() && options.featureEdges.empty() &&
          options.boundary == Boundary::Resample;
 }
-
-// What is mirrored but for this share of a quad's side counts as mirrored: the triangles of smooth
-// models seldom are.
-constexpr double kAlike = 0.05;
 
 // Whether the middle of each seam comes to a seam.
 bool areMirrored(const std::vector<Halfedge>& seams, const BuiltMesh& built,
@@ -78,7 +75,8 @@ std::optional<RemeshOutcome> remeshMirrored(const TriangleMesh& input, const Rem
   if (!mayMirror(options)) return {};
   const Extent extent = extentOf(input);
   const double wished = options.vertices.value_or(Index(input.positions.size()));
-  const double tolerance = kAlike * evenEdgeLength(extent.area, wished);
+  // The triangles of smooth models are seldom mirrored exactly.
+  const double tolerance = kPlainlyNear * evenEdgeLength(extent.area, wished);
   Mirrors mirrors{findMirrorPlanes(input, tolerance), kSingleRoundOff * extent.diagonal()};
   if (mirrors.planes.empty()) return {};
   BuiltMesh built = buildMesh(input);

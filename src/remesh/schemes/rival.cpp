@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "original/curves/flat_regions.h"
+#include "remesh/quads/quads.h"
 #include "simplify/divide.h"
 
 namespace remesher {
@@ -47,18 +48,17 @@ bool Rival::hasFlats() {
   return *hasFlats_;
 }
 
-// Whether the target is about the original's own number of places: within a hundredth, rounded.
+// Whether the target is about the original's own number of places: within kCountTolerance, rounded.
 // Places are not counted if the numbers differ by more than a factor of two: a surface that was cut
 // apart has up to twice as many vertices as places.
 bool Rival::isOwn() {
-  constexpr double kAbout = 0.01;
   if (isOwn_) return *isOwn_;
   const BuiltMesh& built = original_.surface().built();
   const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
   isOwn_ = false;
   if (vertices > 2 * most || 2 * vertices < most) return false;
   const auto own = double(distinctPositions(built.mesh, built.positions));
-  isOwn_ = std::abs(double(vertices) - own) <= std::round(kAbout * own);
+  isOwn_ = std::abs(double(vertices) - own) <= std::round(kCountTolerance * own);
   return *isOwn_;
 }
 

@@ -18,10 +18,13 @@ namespace remesher {
 
 namespace {
 
-constexpr double kTolerance = 9e-4;  // how far a chord may be from the curve, of the diagonal
-constexpr double kStill = 0.1;       // of the tolerance: shorter moves are left out
-constexpr int kMostRounds = 8;       // of plans, and of slides within each plan
-constexpr int kPasses = 3;           // of smoothing, after each round of slides and after splits
+// Of the tolerance: shorter moves are left out. With 0, .05 and .2, at 7 neighboring counts, quads
+// of the bunny at 1000 deviate by 9.8° more, .2° less and 1.9° more; triangles of bunny, hand and
+// nicolo change within their scatter.
+constexpr double kStill = 0.1;
+// Of plans, and of slides within each plan. With 16, 33 of 35 results (the cases above, and a
+// draft) are the same, with 4 only 13, and quads are up to half as far away again.
+constexpr int kMostRounds = 8;
 // The weight of a star's smallest angle beside the mean of its smallest angles, and the least gain
 // of that quality for which a vertex moves.
 constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
@@ -65,7 +68,7 @@ std::vector<Row> rowsOf(const Run& run) {
 
 bool isNear(const Run& run, Index chain, double from, double to) {
   const OriginalSurface& surface = run.mesh.surface();
-  return chordDistance(surface, chain, from, to) <= kTolerance * surface.diagonal();
+  return chordDistance(surface, chain, from, to) <= kChordTolerance * surface.diagonal();
 }
 
 bool isNear(const Run& run, const Row& row) {
@@ -90,12 +93,12 @@ const std::vector<double>& placesFor(const Run& run, Index chain, const std::vec
                                      Known& known) {
   const OriginalSurface& surface = run.mesh.surface();
   const auto [at, isNew] = known.try_emplace({chain, arcs});
-  if (isNew) at->second = placesAlong(surface, chain, arcs, kTolerance * surface.diagonal());
+  if (isNew) at->second = placesAlong(surface, chain, arcs, kChordTolerance * surface.diagonal());
   return at->second;
 }
 
 Plan planFor(const Run& run, Known& known) {
-  const double tolerance = kTolerance * run.mesh.surface().diagonal();
+  const double tolerance = kChordTolerance * run.mesh.surface().diagonal();
   Plan plan;
   for (const Row& row : rowsOf(run)) {
     if (isNear(run, row)) continue;
@@ -146,7 +149,7 @@ bool slide(Run& run, const Row& moves) {
       if (run.mesh.on(to.vertex).arc != to.arc) again = slideTowards(run, to) || again;
     if (!again) break;
     moved = true;
-    relax(run, kPasses);
+    relax(run, run.asked.effort.passes);
   }
   return moved;
 }
@@ -162,7 +165,7 @@ bool split(Run& run, const Edges& edges) {
   }
   if (!done) return false;
   delaunayFlips(run.mesh, run.asked.rule);
-  relax(run, kPasses);
+  relax(run, run.asked.effort.passes);
   return true;
 }
 
@@ -232,7 +235,7 @@ bool mendStars(Run& run, const VertexData<Vec3>& before) {
     for (std::size_t i = 1; i + 1 < row.size(); ++i)
       if (!isAsBefore(run.mesh, row[i].vertex, before))
         moved = mend(run, row[i - 1], row[i], row[i + 1]) || moved;
-  if (moved) relax(run, kPasses);
+  if (moved) relax(run, run.asked.effort.passes);
   return moved;
 }
 

@@ -8,8 +8,8 @@
 
 namespace remesher {
 
-// From this many vertices on the last bit of a step over the whole mesh costs more than it is
-// worth, and edges are so short that a walk over the original ends where a patch would lead.
+// From this many vertices on edges are so short that a walk over the original ends where a patch
+// would lead.
 inline constexpr std::size_t kMany = 8000;
 // From here on a step costs seconds, and nobody sees a few triangles more or less near a limit.
 inline constexpr std::size_t kLarge = 100'000;
@@ -33,12 +33,13 @@ struct Effort {
 // subdivision puts between them come out regular.
 inline constexpr Effort kSketch = {3, 1, 64, 2, 1, 2, 0.02, 0, 4, 1, 3, 1};
 inline constexpr Effort kDraft = {5, 2, 7, 4, 1, 2, 0.02, 0, 4, 1, 3, 1};
-// The coarse level of the best quality: the levels after it are smoothed again.
+// The coarse level of the best quality: the levels after it are smoothed again. With a second sweep
+// nicolo's worst angle at 2500 is 4.9° smaller, median of 7 neighboring counts; with one sweep for
+// the finest level too, featuretype's, angle_block's and tray's are 1.2 to 1.9° smaller.
 inline constexpr Effort kCoarse = {5, 1, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
-inline constexpr Effort kOfFew = {5, 2, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
+inline constexpr Effort kUsual = {5, 2, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 // A larger mesh has fewer irregular vertices for its size, and those that annealing cannot reach
 // cost less.
-inline constexpr Effort kUsual = {5, 2, 7, 12, 2, 4, 0.003, 3, 8, 2, 3, 2};
 inline constexpr Effort kOfLarge = {5, 2, 7, 12, 2, 4, 0.01, 2, 6, 2, 1, 2};
 
 enum class Level { Coarse, Finest };
@@ -47,8 +48,7 @@ enum class Level { Coarse, Finest };
 constexpr const Effort& effortOf(Quality quality, Level level, std::size_t vertices) {
   if (quality == Quality::Draft) return level == Level::Coarse ? kSketch : kDraft;
   if (vertices >= kLarge) return kOfLarge;
-  if (level == Level::Coarse) return kCoarse;
-  return vertices < kMany ? kOfFew : kUsual;
+  return level == Level::Coarse ? kCoarse : kUsual;
 }
 
 }  // namespace remesher

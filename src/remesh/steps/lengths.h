@@ -6,10 +6,6 @@
 
 namespace remesher {
 
-// Relative lengths from which on splitting an edge, or collapsing it, brings it nearer to its
-// target [Botsch & Kobbelt 2004].
-inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
-
 // The target length of an edge between places of sizes a and b.
 inline double targetLength(const Run& run, double a, double b) {
   return 0.5 * run.asked.scale * (a + b);

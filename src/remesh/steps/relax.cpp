@@ -20,11 +20,9 @@ bool isAtRest(const Run& run, Vertex v, double share) {
                                                                run.sizes.at(run.mesh.at(v)));
 }
 
-constexpr double kNarrow = radians(52);  // hardly above 50°
-
 VertexData<char> narrowCorners(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
-  const AngleLimit limit(kNarrow);
+  const AngleLimit limit(kWideAngle);
   VertexData<char> found(mesh.vertexCapacity(), 0);
   for (Index i = 0; i < mesh.faceCapacity(); ++i)
     if (mesh.isAlive(Face(i)) && limit.isAbove(run.mesh, Face(i)))

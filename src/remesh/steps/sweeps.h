@@ -13,9 +13,6 @@ struct CurveNeighbors {
 };
 CurveNeighbors curveNeighbors(const WorkingMesh& mesh, Vertex v);
 
-// A vertex stays this share of the way between its neighbours along the curve away from either.
-inline constexpr double kRoom = 0.33;
-
 // Area-based relocation; the weights μ of a triangle follow the target area at its corners, so that
 // grading is kept.
 void areaBasedSweep(Run& run);

@@ -22,7 +22,8 @@ constexpr double kStartProbability = 0.5;
 constexpr double kSmallestAngle = radians(25);
 constexpr int kDelaunayEvery = 5;
 // The weight of a boundary vertex: it has fewer neighbours to even out an irregular valence, which
-// is better inside. Not on kept boundaries, whose edges are as long as they happen to be.
+// is better inside. Not on kept boundaries, whose edges are as long as they happen to be. With 1
+// quads of the hand at 2500 deviate by .9° more, median of 7 neighboring counts.
 constexpr int kAtBoundary = 2;
 
 // At a boundary, the number of edges that divides the angle there into parts of about 60°.

@@ -200,7 +200,10 @@ CrossField makeCrossField(const WorkingMesh& mesh, const FaceFrames& frames, dou
 
 // The unknowns are changes of the present angles, so that fixed ones are 0.
 void smoothAngles(CrossField& field, const WorkingMesh& mesh, const FaceFrames& frames) {
-  constexpr double kStay = 1e-3;  // it matters only where nothing else sets an angle
+  // It matters only where nothing else sets an angle. With kTie, medians of 7 neighboring counts,
+  // quads of the horse at 2500 are 1.8 times as far away, and angles of the bunny at 5000 deviate
+  // by .4° more; with kCling 5 models at 2000 are 1.16 times as far away.
+  constexpr double kStay = 1e-3;
   const HalfedgeMesh& m = mesh.mesh();
   FaceData<Wish> wishes(m.faceCapacity());
   for (Index i = 0; i < wishes.size(); ++i) wishes[Face(i)].isFixed = isBesideCurve(mesh, Face(i));

@@ -12,9 +12,8 @@ namespace {
 
 // A triangle with less than this share of the area it should have counts as folded.
 constexpr double kLeastArea = 0.02;
-// Rings around folds that move; sweeps in all, and sweeps without fewer folds, before the end;
-// halvings of a step.
-constexpr int kRings = 3, kSweeps = 60, kIdle = 8, kHalvings = 6;
+// Rings around folds that move; sweeps without fewer folds, before the end; halvings of a step.
+constexpr int kRings = 3, kIdle = 8, kHalvings = 6;
 
 using Matrix2 = Eigen::Matrix2d;
 
@@ -31,7 +30,7 @@ class Untangling {
     const std::vector<Face> faces = facesAround(region);
     std::size_t fewest = folded.size();
     int idle = 0;
-    for (int sweep = 0; sweep < kSweeps && idle < kIdle && !folded.empty(); ++sweep) {
+    while (idle < kIdle && !folded.empty()) {
       double least = 0;
       for (const Face f : folded) least = std::min(least, jacobian(f).determinant());
       epsilon_ = std::max(1e-3, 0.5 * std::sqrt(least * least + 1e-4));

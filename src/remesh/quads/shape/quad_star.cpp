@@ -7,15 +7,12 @@
 #include <vector>
 
 #include "original/surface/surface_walk.h"
+#include "remesh/operators/smoothing.h"
 #include "remesh/quads/shape/side_places.h"
 
 namespace remesher {
 
 namespace {
-
-// A vertex on a curve comes no nearer to its two neighbours on the curve than this share of the way
-// between them.
-constexpr double kMargin = 0.25;
 
 // Where curves end, a walk for a place beyond them ends too; and a vertex is there already.
 bool isAtCorner(const SurfacePoint& p, const OriginalSurface& surface) {
@@ -73,7 +70,7 @@ std::optional<Placement> MovingQuads::alongCurve(Index v, const Vec3& p) const {
   if (!(length2 > 0)) return {};
   const double span = arcs[1 - low] - arcs[low];
   const double share = (p - here.position).dot(along) / length2;
-  const double margin = kMargin * span;
+  const double margin = kRoom * span;
   const double arc =
       std::clamp(here.on.arc + share * span, std::min(here.on.arc, arcs[low] + margin),
                  std::max(here.on.arc, arcs[1 - low] - margin));
