@@ -42,7 +42,6 @@ export const facts = {
   'remesh/quads/extract/extraction.cpp': ['kHalf'],
   'remesh/quads/field/cross_field.cpp': ['kOpposed'],
   'remesh/quads/map/seamless_map.h': ['kUnit', 'kLongest'],
-  'remesh/quads/map/seamless_system.cpp': ['kMostEntries'],
   'remesh/quads/mesh/triangulated.cpp': ['kOfSide'],
   'remesh/quads/quads.cpp': ['kFewestOfPairs'],
   'remesh/schemes/chart_needs.cpp': ['kEverySize'],

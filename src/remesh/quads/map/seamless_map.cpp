@@ -57,9 +57,8 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
       cut_(cutOpen(mesh, field, singular_)),
       system_({mesh, frames_, cut_, singular_}) {
   if (!system_.isSolvable() || system_.count() - system_.realCount() > kMostWholes) return;
-  const auto quadratic = system_.quadratic(sizes_);
-  if (!quadratic) return;
-  rounding_ = std::make_unique<Rounding>(quadratic->matrix, quadratic->right, system_.realCount());
+  const auto [matrix, right] = system_.quadratic(sizes_);
+  rounding_ = std::make_unique<Rounding>(matrix, right, system_.realCount());
   if (rounding_->isSolvable())
     rounding_->require(leastSpacings({mesh, frames_, cut_, singular_}, system_));
   else
@@ -68,7 +67,7 @@ MapMaker::MapMaker(const WorkingMesh& mesh, const CrossField& field, FaceData<do
 
 void MapMaker::setSizes(FaceData<double> sizes) {
   sizes_ = std::move(sizes);
-  rounding_->aim(system_.quadratic(sizes_)->right);
+  rounding_->aim(system_.quadratic(sizes_).right);
 }
 
 std::optional<SeamlessMap> MapMaker::map(double length, std::span<const double> known) const {

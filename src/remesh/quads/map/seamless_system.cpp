@@ -26,9 +26,6 @@ IntegerSum sumOf(std::initializer_list<std::pair<Index, int>> terms) {
   return sum;
 }
 
-// They take half a gigabyte. A map of a horse in 100 thousand quads has fewer.
-constexpr std::size_t kMostEntries = std::size_t{1} << 25;
-
 double cotangent(const Vec2& a, const Vec2& b) {
   const double sine = cross(a, b), cosine = a.dot(b);
   return sine > kTie * std::abs(cosine) ? cosine / sine : 0;
@@ -175,13 +172,20 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
 }
 
 // Dirichlet's energy of the difference between the gradients of u and v and the crosses'
-// directions, edge by edge with cotangents.
-std::optional<SeamlessSystem::Quadratic> SeamlessSystem::quadratic(
-    const FaceData<double>& sizes) const {
+// directions, edge by edge with cotangents. Rows may have hundreds of integers, but at most two
+// reals: the square of the integers is summed up in a dense matrix, so that entries are few.
+SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& sizes) const {
   std::vector<Eigen::Triplet<double>> entries;
+  const Eigen::Index wholes = count_ - reals_;
+  Eigen::MatrixXd ofWholes = Eigen::MatrixXd::Zero(wholes, wholes);
+  const auto add = [&](Index a, Index b, double value) {
+    if (b < reals_)
+      entries.emplace_back(a, b, value);
+    else
+      ofWholes(a - reals_, b - reals_) += value;
+  };
   Quadratic result{{}, Eigen::VectorXd::Zero(count_)};
   for (Index i = 0; i < copies_.size(); ++i) {
-    if (entries.size() > kMostEntries) return {};
     const Halfedge h(i), next = HalfedgeMesh::next(h), prev = HalfedgeMesh::prev(h);
     const double weight = cotangent(input_.frames.edge(prev), -input_.frames.edge(next)) / 2;
     const double angle = input_.cut.angle[HalfedgeMesh::face(h)];
@@ -193,11 +197,14 @@ std::optional<SeamlessSystem::Quadratic> SeamlessSystem::quadratic(
       for (const auto& [a, x] : row) {
         result.right[a] += weight * x * wanted[axis];
         for (const auto& [b, y] : row)
-          if (b <= a) entries.emplace_back(a, b, weight * x * y);
+          if (b <= a) add(a, b, weight * x * y);
       }
     }
   }
-  for (Index i = 0; i < count_; ++i) entries.emplace_back(i, i, kTie);
+  for (Index i = 0; i < count_; ++i) add(i, i, kTie);
+  for (Eigen::Index b = 0; b < wholes; ++b)
+    for (Eigen::Index a = b; a < wholes; ++a)
+      if (ofWholes(a, b) != 0) entries.emplace_back(reals_ + a, reals_ + b, ofWholes(a, b));
   result.matrix.resize(count_, count_);
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   return result;

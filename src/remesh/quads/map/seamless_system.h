@@ -10,7 +10,6 @@
 
 #include <Eigen/SparseCore>
 #include <array>
-#include <optional>
 
 #include "remesh/quads/map/cut.h"
 #include "remesh/quads/map/integer_rows.h"
@@ -40,13 +39,12 @@ class SeamlessSystem {
 
   // The quadratic ½ x·A·x − b·x is least where u and v follow the crosses, for quads of side 1 in
   // model units. For another side length divide b by the length. sizes: per face the side length
-  // wanted there beside the others. None if that takes more entries of the matrix than
-  // there is memory for.
+  // wanted there beside the others.
   struct Quadratic {
     Eigen::SparseMatrix<double> matrix;  // its lower half
     Eigen::VectorXd right;
   };
-  std::optional<Quadratic> quadratic(const FaceData<double>& sizes) const;
+  Quadratic quadratic(const FaceData<double>& sizes) const;
 
  private:
   void nameCopies();

@@ -21,9 +21,9 @@ TEST_CASE("untangle: a plane map whose inner vertices were thrown about has no f
   const SeamlessSystem system({mesh, frames, cut, singular});
   REQUIRE(system.isSolvable());
   const FaceData<double> even(mesh.mesh().faceCapacity(), 1.0);
-  const auto quadratic = system.quadratic(even);
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(quadratic->matrix);
-  const Eigen::VectorXd exact = solver.solve(quadratic->right);
+  const auto [matrix, right] = system.quadratic(even);
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::VectorXd exact = solver.solve(right);
   soups::Random random(3);
   Eigen::VectorXd values = exact;
   for (Index i = 0; i < system.realCount(); ++i)
