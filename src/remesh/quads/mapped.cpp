@@ -59,7 +59,7 @@ Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   if (quads.quads.empty()) return made;
   keepLargestPiece(quads);
   fillHoles(quads, part);
-  openAgain(quads, part, domain.simpler.handles);
+  openAgain(quads, part, domain.simpler);
   made.faults = double(followCurves(quads, part));
   removeDoublets(quads);
   dropUnusedVertices(quads);
@@ -104,7 +104,8 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     const double scale = isFirst ? length : nearest * aside;
     const auto map = i == kSteps ? std::move(passed) : maker.map(scale, known);
     if (!map) continue;
-    const double count = maker.countVertices(*map), error = countError(count, vertices);
+    const double count = maker.countVertices(*map) + double(domain.simpler.added);
+    const double error = countError(count, vertices);
     if (error < least) {
       least = error;
       nearest = scale;
@@ -156,12 +157,14 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
 
 }  // namespace
 
-// Near holes of two to four quads may become one in a map: where it fails, they are closed as well.
+// A loop whose length rounds to four sides or fewer is a missing quad, and a handle as thin has no
+// room for lines of quads along it. Near holes of two to four quads may become one in a map: where
+// it fails, they are closed as well.
 QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn) {
-  const double length = std::sqrt(areaOf(part) / vertices);
+  const double side = std::sqrt(areaOf(part) / vertices), small = 4.5 * side;
   Index faces = 0;
-  for (const double least : {length, 2 * length}) {
-    const Simpler simpler = withoutSmall(part, least);
+  for (const double most : {small, 2 * small}) {
+    const Simpler simpler = withoutSmall(part, side, most);
     const auto now = Index(simpler.mesh.mesh().faceCount());
     if (now == faces) break;
     faces = now;

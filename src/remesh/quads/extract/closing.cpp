@@ -118,11 +118,16 @@ bool mayClose(const WorkingMesh& mesh, const Loop& loop) {
   });
 }
 
-WorkingMesh withoutSmallLoops(const WorkingMesh& mesh, double least) {
+Simpler withoutSmallLoops(const WorkingMesh& mesh, double side, double most) {
   LoopClosing closing(mesh);
-  for (const Loop& loop : boundaryLoops(mesh.mesh()))
-    if (lengthOf(mesh, loop) < least && mayClose(mesh, loop)) closing.close(loop);
-  return closing.run();
+  std::size_t added = 0;
+  for (const Loop& loop : boundaryLoops(mesh.mesh())) {
+    const double length = lengthOf(mesh, loop);
+    if (length >= most || !mayClose(mesh, loop)) continue;
+    closing.close(loop);
+    if (isWithinQuad(length, side)) added += 4;
+  }
+  return {closing.run(), {}, side, added};
 }
 
 CutHandle handleAt(const WorkingMesh& mesh, const Loop& cycle) {
@@ -137,14 +142,12 @@ CutHandle handleAt(const WorkingMesh& mesh, const Loop& cycle) {
 
 }  // namespace
 
-// A loop whose length rounds to four sides or fewer is a missing quad, and a handle as thin has no
-// room for lines of quads along it.
-Simpler withoutSmall(const WorkingMesh& mesh, double length) {
-  const double least = 4.5 * length;
-  Simpler simpler{withoutSmallLoops(mesh, least), {}};
-  for (Loop cycle = shortestCycle(simpler.mesh, least); !cycle.empty();
-       cycle = shortestCycle(simpler.mesh, least)) {
+Simpler withoutSmall(const WorkingMesh& mesh, double side, double most) {
+  Simpler simpler = withoutSmallLoops(mesh, side, most);
+  for (Loop cycle = shortestCycle(simpler.mesh, most); !cycle.empty();
+       cycle = shortestCycle(simpler.mesh, most)) {
     simpler.handles.push_back(handleAt(simpler.mesh, cycle));
+    simpler.added += 8;
     LoopClosing closing(simpler.mesh);
     closing.cut(cycle);
     simpler.mesh = closing.run();

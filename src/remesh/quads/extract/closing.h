@@ -18,11 +18,17 @@ struct CutHandle {
 struct Simpler {
   WorkingMesh mesh;
   std::vector<CutHandle> handles;
+  double side;            // of a quad
+  std::size_t added = 0;  // vertices that quads get when they are opened again
 };
 
-// A compact, connected mesh with its small boundary loops closed, if no other curve ends at them,
-// and its thin handles cut. length: of a quad's sides. Triangles that close something follow the
-// others.
-Simpler withoutSmall(const WorkingMesh& mesh, double length);
+// Whether a boundary loop is less than half as long as the four sides of a quad. It becomes a hole
+// within a quad: a whole quad left out would pull its neighbours together.
+inline bool isWithinQuad(double length, double side) { return length < 2 * side; }
+
+// A compact, connected mesh with the boundary loops closed that are shorter than `most`, if no
+// other curve ends at them, and with handles cut that are as thin. side: of a quad. Triangles that
+// close something follow the others.
+Simpler withoutSmall(const WorkingMesh& mesh, double side, double most);
 
 }  // namespace remesher

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "mesh/topology.h"
+#include "remesh/quads/extract/short_cycles.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/mesh/quad_sides.h"
 
@@ -82,10 +84,17 @@ class Opening {
       isOpen_.push_back(sides.isBoundary(v) || sides.valence(v) < 3);
   }
 
-  void run(const std::vector<CutHandle>& handles) {
-    for (const CutHandle& handle : handles) join(handle);
-    for (const Loop& loop : boundaryLoops(mesh_.mesh()))
-      if (!isFollowed(loop)) open(FourOnLoop(mesh_, loop).places());
+  void run(const Simpler& simpler) {
+    for (const CutHandle& handle : simpler.handles) join(handle);
+    for (const Loop& loop : boundaryLoops(mesh_.mesh())) {
+      if (isFollowed(loop)) continue;
+      const Four<Placement> places = FourOnLoop(mesh_, loop).places();
+      const auto [quad, first] = nearestTo(places);
+      if (quad == kNone) continue;
+      isWithinQuad(lengthOf(mesh_, loop), simpler.side) ? takeWithin(quad) : take(quad);
+      for (Index i = 0; i < 4; ++i)
+        quads_.vertices[quads_.quads[quad][(first + 4 - i) % 4]] = places[i];
+    }
     isGone_.resize(quads_.quads.size(), 0);
     dropQuads(quads_, isGone_);
   }
@@ -115,10 +124,10 @@ class Opening {
   }
 
   // The quad that is nearest to the places, and its corner at the first of them, when its corners
-  // are taken clockwise.
-  void open(const Four<Placement>& places) {
+  // are taken clockwise; kNone if there is no quad inside.
+  std::pair<Index, Index> nearestTo(const Four<Placement>& places) const {
     double least = kInfinity;
-    Index nearest = 0, first = 0;
+    std::pair<Index, Index> nearest = {kNone, 0};
     for (Index q = 0; q < isGone_.size(); ++q) {
       if (!isInside(q)) continue;
       for (Index turn = 0; turn < 4; ++turn) {
@@ -128,19 +137,22 @@ class Opening {
                      .squaredNorm();
         if (sum >= least) continue;
         least = sum;
-        nearest = q;
-        first = turn;
+        nearest = {q, turn};
       }
     }
-    if (least == kInfinity) return;
-    take(nearest);
-    for (Index i = 0; i < 4; ++i)
-      quads_.vertices[quads_.quads[nearest][(first + 4 - i) % 4]] = places[i];
+    return nearest;
   }
 
   void take(Index q) {
     isGone_[q] = 1;
     for (const Index v : quads_.quads[q]) isOpen_[v] = 1;
+  }
+
+  // Takes a smaller quad out of it.
+  void takeWithin(Index q) {
+    shrink(quads_, q, quads_.vertices[quads_.quads[q].front()].at, mesh_);
+    isOpen_.resize(quads_.vertices.size(), 0);
+    take(q);
   }
 
   // The quad nearest to a point of those that face a direction and have no corner among `avoided`
@@ -180,8 +192,8 @@ class Opening {
     if (one == kNone) return;
     const Index other = nearestFacing(handle.middle, -handle.facing, around(one));
     if (other == kNone) return;
-    take(one);
-    take(other);
+    takeWithin(one);
+    takeWithin(other);
     const Four<Index> near = quads_.quads[one], far = quads_.quads[other];
     const auto apart = [&](std::size_t turn) {
       double sum = 0;
@@ -207,8 +219,8 @@ class Opening {
 
 }  // namespace
 
-void openAgain(QuadMesh& quads, const WorkingMesh& mesh, const std::vector<CutHandle>& handles) {
-  Opening(quads, mesh).run(handles);
+void openAgain(QuadMesh& quads, const WorkingMesh& mesh, const Simpler& simpler) {
+  Opening(quads, mesh).run(simpler);
 }
 
 }  // namespace remesher

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "remesh/quads/mesh/quad_parts.h"
 
+#include "original/surface/surface_walk.h"
+
 namespace remesher {
 
 namespace {
@@ -121,6 +123,23 @@ void surround(QuadMesh& mesh, Index quad, const Four<Index>& within) {
     mesh.quads.push_back({corners[i], corners[k], within[k], within[i]});
     mesh.curves.push_back({curves[i], kNone, kNone, kNone});
   }
+}
+
+void shrink(QuadMesh& mesh, Index quad, const SurfacePoint& from, const WorkingMesh& ground) {
+  const Four<Index> corners = mesh.quads[quad];
+  Vec3 middle = Vec3::Zero();
+  for (const Index v : corners) middle += mesh.position(v) / 4;
+  Four<Placement> places;  // `from` may be of a vertex, which would move as vertices are added
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 p = (middle + mesh.position(corners[i])) / 2;
+    places[i] = ground.onSurface(closestPointFrom(ground.surface(), from, p));
+  }
+  Four<Index> inner{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    inner[i] = Index(mesh.vertices.size());
+    mesh.vertices.push_back(places[i]);
+  }
+  surround(mesh, quad, inner);
 }
 
 }  // namespace remesher

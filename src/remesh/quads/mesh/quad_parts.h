@@ -26,4 +26,8 @@ void append(QuadMesh& mesh, const QuadMesh& other);
 // The quad moves to vertices within it; four quads join it with where it was.
 void surround(QuadMesh& mesh, Index quad, const Four<Index>& within);
 
+// The quad becomes half as large; four quads join it with where it was. from: a point of the
+// original near it.
+void shrink(QuadMesh& mesh, Index quad, const SurfacePoint& from, const WorkingMesh& ground);
+
 }  // namespace remesher

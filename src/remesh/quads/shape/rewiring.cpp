@@ -96,17 +96,9 @@ std::optional<QuadPatch> collapsed(const QuadPatch& patch, const QuadSides& side
 
 // Puts a smaller quad into the quad, and four around it.
 void fill(QuadMesh& mesh, Index quad, const WorkingMesh& ground) {
-  const Four<Index> corners = mesh.quads[quad];
   Vec3 middle = Vec3::Zero();
-  for (const Index v : corners) middle += mesh.position(v) / 4;
-  const Placement centre = placeWithin(mesh, quad, middle, ground);
-  Four<Index> inner{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3 p = (middle + mesh.position(corners[i])) / 2;
-    inner[i] = Index(mesh.vertices.size());
-    mesh.vertices.push_back(ground.onSurface(closestPointFrom(ground.surface(), centre.at, p)));
-  }
-  surround(mesh, quad, inner);
+  for (const Index v : mesh.quads[quad]) middle += mesh.position(v) / 4;
+  shrink(mesh, quad, placeWithin(mesh, quad, middle, ground).at, ground);
 }
 
 QuadPatch filled(QuadPatch patch, Index quad, const WorkingMesh& ground) {

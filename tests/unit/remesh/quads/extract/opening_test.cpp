@@ -58,12 +58,15 @@ TEST_CASE(
     "opening: corners of an opened quad lie on the hole, all corners of the hole among them") {
   const OriginalSurface surface = shapes::surfaceOf(tornBall());
   const WorkingMesh ground(surface);
-  const Simpler simpler = withoutSmall(ground, 0.3);
+  const Simpler simpler = withoutSmall(ground, 0.3, 4 * 0.3);
   CHECK(kindOf(simpler.mesh.mesh()) == SurfaceKind{2, 1, 0});
   QuadMesh quads = pairToQuads(simpler.mesh, 0.3);
-  openAgain(quads, ground, simpler.handles);
+  CHECK(simpler.added == 6 * 4);
+  const std::size_t whole = quads.vertices.size();
+  openAgain(quads, ground, simpler);
   REQUIRE(check(quads) == "");
   CHECK(kindOf(quads) == kindOf(ground.mesh()));
+  CHECK(quads.vertices.size() == whole + simpler.added);
   std::size_t corners = 0, others = 0;
   for (const Placement& place : quads.vertices) {
     corners += place.kind == VertexKind::Corner;
@@ -86,12 +89,30 @@ TEST_CASE("opening: a thin handle is cut for the map and joined again") {
   CHECK(passed.size() == 8);
   CHECK(lengthOf(ground, cycle) <= kTube);
   CHECK(shortestCycle(ground, 0.9 * kTube).empty());
-  CHECK(withoutSmall(ground, kTube / 8).handles.empty());
-  const Simpler simpler = withoutSmall(ground, kTube / 4);
+  CHECK(withoutSmall(ground, kTube / 8, 0.9 * kTube).handles.empty());
+  const Simpler simpler = withoutSmall(ground, kTube / 16, 1.01 * kTube);
   CHECK(simpler.handles.size() == 1);
   CHECK(kindOf(simpler.mesh.mesh()) == SurfaceKind{2, 1, 0});
   QuadMesh quads = pairToQuads(simpler.mesh, kTube / 16);
-  openAgain(quads, ground, simpler.handles);
+  CHECK(simpler.added == 8);
+  const std::size_t whole = quads.vertices.size();
+  openAgain(quads, ground, simpler);
   REQUIRE(check(quads) == "");
   CHECK(kindOf(quads) == SurfaceKind{0, 1, 0});
+  CHECK(quads.vertices.size() == whole + simpler.added);
+}
+
+TEST_CASE("opening: only the vertices of a quad within another move to a small hole") {
+  const OriginalSurface surface = shapes::surfaceOf(tornBall());
+  const WorkingMesh ground(surface);
+  for (const double side : {0.1, 0.3}) {  // the holes' loops are .3 long
+    const Simpler simpler = withoutSmall(ground, side, 4.5 * side);
+    QuadMesh quads = pairToQuads(simpler.mesh, 0.3);
+    const std::vector<Placement> before = quads.vertices;
+    openAgain(quads, ground, simpler);
+    std::size_t moved = 0;
+    for (std::size_t v = 0; v < before.size(); ++v)
+      moved += quads.position(Index(v)) != before[v].position;
+    CHECK(moved == (side > 0.15 ? 0 : 6 * 4));
+  }
 }
