@@ -52,10 +52,12 @@ double reachOf(const MovingQuads& quads, Index v) {
   return sum / count;
 }
 
-// How much the quads around v lack to 30°, squared and summed up.
-double missingAround(const MovingQuads& quads, Index v) {
+// How much the quads around v lack to 30°, squared and summed up. Quads that follow once the sum is
+// `most` or more do not count.
+double missingAround(const MovingQuads& quads, Index v, double most = kInfinity) {
   double sum = 0;
   quads.sides().forEachOutgoing(v, [&](Index side) {
+    if (sum >= most) return;
     const double missing = std::max(0.0, kEnough - quads.quality(side / 4));
     sum += missing * missing;
   });
@@ -97,7 +99,7 @@ bool searchLess(MovingQuads& quads, Index v, double missing) {
       if (!place) return isMoved;
       const Placement before = quads.mesh().vertices[v];
       quads.move(v, *place);
-      const double now = missingAround(quads, v);
+      const double now = missingAround(quads, v, missing - gain);
       if (now < missing - gain) {
         missing = now;
         isBetter = isMoved = true;
