@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -114,5 +116,33 @@ TEST_CASE("opening: only the vertices of a quad within another move to a small h
     for (std::size_t v = 0; v < before.size(); ++v)
       moved += quads.position(Index(v)) != before[v].position;
     CHECK(moved == (side > 0.15 ? 0 : 6 * 4));
+  }
+}
+
+TEST_CASE("opening: near holes of a few quads that no map keeps apart are closed, too") {
+  const TriangleMesh ball = shapes::icosphere(12);
+  const Vec3 top = ball.positions[100], aside = 0.275 * top.unitOrthogonal();
+  const Vec3 middles[] = {(top - aside).normalized(), (top + aside).normalized()};
+  TriangleMesh torn;
+  torn.positions = ball.positions;
+  for (std::size_t f = 0; f < ball.indices.size(); f += 3) {
+    const auto isInHole = [&](const Vec3& middle) {
+      return std::all_of(ball.indices.begin() + f, ball.indices.begin() + f + 3,
+                         [&](Index v) { return (ball.positions[v] - middle).norm() < 0.2; });
+    };
+    if (isInHole(middles[0]) || isInHole(middles[1])) continue;
+    torn.indices.insert(torn.indices.end(), ball.indices.begin() + f, ball.indices.begin() + f + 3);
+  }
+  const OriginalSurface surface = shapes::surfaceOf(torn);
+  const WorkingMesh ground(surface);
+  const SurfaceKind kind = kindOf(ground.mesh());
+  REQUIRE(kind.boundaryLoops == 2);
+  for (const double vertices : {200., 250., 300., 350.}) {
+    const double side = std::sqrt(areaOf(ground) / vertices);
+    CHECK(kindOf(withoutSmall(ground, side, 4.5 * side).mesh.mesh()).boundaryLoops == 2);
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    REQUIRE(check(quads) == "");
+    REQUIRE_FALSE(quads.quads.empty());
+    CHECK(kindOf(quads) == kind);
   }
 }
