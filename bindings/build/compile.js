@@ -110,7 +110,8 @@ export const buildSanitized = (system) => buildTarget({
 /** @param {System} system */
 export const buildFuzz = (system) => buildTarget({
   what: 'the fuzzer, with sanitizers', folder: 'build/fuzz', names: ['fuzz'],
-  definitions: [...commonDefinitions(system), ...sanitizedDefinitions(system), '-DREMESHER_FUZZ=ON'],
+  definitions: [...commonDefinitions(system), ...sanitizedDefinitions(system),
+    '-DREMESHER_FUZZ=ON'],
 });
 
 /** Finds the headers for tools that only read them. @param {System} system */
