@@ -118,3 +118,25 @@ export function forEachTexel(model, visit) {
   const { indices } = model.primitive;
   for (let t = 0; t < indices.length; t += 3) visitWithin(model, indices.slice(t, t + 3), visit);
 }
+
+/** The largest step of a colour over the charts' borders, and usual ones within them: along an edge
+ * of a triangle, and from one texel to the next. */
+export function colourSteps({ primitive }, image) {
+  const byPlace = new Map();
+  const colours = primitive.TEXCOORD_0.map((texcoord) => bilinear(image, texcoord));
+  primitive.POSITION.forEach((position, vertex) => {
+    byPlace.set(position.join(), [...(byPlace.get(position.join()) ?? []), colours[vertex]]);
+  });
+  const difference = (a, b) => Math.max(...[0, 1, 2].map((k) => Math.abs(a[k] - b[k])));
+  const over = [...byPlace.values()].filter(({ length }) => length > 1).map((all) =>
+    Math.max(...all.map((colour) => difference(colour, all[0]))));
+  const edges = primitive.indices.map((vertex, corner) => {
+    const other = primitive.indices[corner % 3 === 2 ? corner - 2 : corner + 1];
+    const [a, b] = [vertex, other].map((v) => primitive.TEXCOORD_0[v].map((x) => x * image.width));
+    return { step: difference(colours[vertex], colours[other]),
+      length: Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) };
+  });
+  const high = (list) => list.sort((a, b) => a - b)[Math.floor(0.95 * list.length)];
+  return { over: high(over), edge: high(edges.map(({ step }) => step)),
+    texel: high(edges.map(({ step, length }) => step / length)) };
+}
