@@ -102,7 +102,7 @@ std::optional<Extracted> searchScale(const Domain& domain, const MapMaker& maker
     const int beside = i % 2 == 0 ? i - kSteps : kSteps - i;
     const double aside = 1 + kCountTolerance * beside / (2 * kSteps);
     const double scale = isFirst ? length : nearest * aside;
-    const auto map = i == kSteps ? std::move(passed) : maker.map(scale, known);
+    const auto map = i == kSteps ? std::exchange(passed, {}) : maker.map(scale, known);
     if (!map) continue;
     const double count = maker.countVertices(*map) + double(domain.simpler.added);
     const double error = countError(count, vertices);
