@@ -40,7 +40,6 @@ add_library(linear OBJECT
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
-  src/io/text/obj_reader.cpp
   src/io/text/text_scanner.cpp
   src/measure/facing.cpp
   src/measure/self_intersections.cpp
@@ -114,6 +113,7 @@ add_library(small OBJECT
   src/io/stl/stl_reader.cpp
   src/io/stl/stl_writer.cpp
   src/io/text/mtl.cpp
+  src/io/text/obj_reader.cpp
   src/io/text/obj_writer.cpp
   src/io/text/off.cpp
   src/io/text/text_writer.cpp

@@ -176,13 +176,16 @@ void SeamlessSystem::numberFree(const IntegerRows& rows) {
 // reals: the square of the integers is summed up in a dense matrix, so that entries are few.
 SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& sizes) const {
   std::vector<Eigen::Triplet<double>> entries;
-  const Eigen::Index wholes = count_ - reals_;
-  Eigen::MatrixXd ofWholes = Eigen::MatrixXd::Zero(wholes, wholes);
+  const std::size_t wholes = count_ - reals_;
+  std::vector<double> ofWholes(wholes * wholes);
+  const auto sumOf = [&](Index a, Index b) -> double& {
+    return ofWholes[(a - reals_) * wholes + b - reals_];
+  };
   const auto add = [&](Index a, Index b, double value) {
     if (b < reals_)
       entries.emplace_back(a, b, value);
     else
-      ofWholes(a - reals_, b - reals_) += value;
+      sumOf(a, b) += value;
   };
   Quadratic result{{}, Eigen::VectorXd::Zero(count_)};
   for (Index i = 0; i < copies_.size(); ++i) {
@@ -202,9 +205,9 @@ SeamlessSystem::Quadratic SeamlessSystem::quadratic(const FaceData<double>& size
     }
   }
   for (Index i = 0; i < count_; ++i) add(i, i, kTie);
-  for (Eigen::Index b = 0; b < wholes; ++b)
-    for (Eigen::Index a = b; a < wholes; ++a)
-      if (ofWholes(a, b) != 0) entries.emplace_back(reals_ + a, reals_ + b, ofWholes(a, b));
+  for (Index b = reals_; b < count_; ++b)
+    for (Index a = b; a < count_; ++a)
+      if (double sum = sumOf(a, b); sum != 0) entries.emplace_back(a, b, sum);
   result.matrix.resize(count_, count_);
   result.matrix.setFromTriplets(entries.begin(), entries.end());
   return result;
