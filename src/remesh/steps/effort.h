@@ -34,8 +34,7 @@ struct Effort {
 inline constexpr Effort kSketch = {3, 1, 64, 2, 1, 2, 0.02, 0, 4, 1, 3, 1};
 inline constexpr Effort kDraft = {5, 2, 7, 4, 1, 2, 0.02, 0, 4, 1, 3, 1};
 // The coarse level of the best quality: the levels after it are smoothed again. With a second sweep
-// nicolo's worst angle at 2500 is 4.9° smaller, median of 7 neighboring counts; with one sweep for
-// the finest level too, featuretype's, angle_block's and tray's are 1.2 to 1.9° smaller.
+// nicolo's worst angle at 2500 is 4.9° smaller, median of 7 neighboring counts.
 inline constexpr Effort kCoarse = {5, 1, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 inline constexpr Effort kUsual = {5, 2, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 // A larger mesh has fewer irregular vertices for its size, and those that annealing cannot reach

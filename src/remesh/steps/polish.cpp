@@ -33,9 +33,9 @@ constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // Steps of lifts are as much shorter than other moves.
 constexpr double kHighest = 0.2;  // of the mean spoke
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
-// wall's, and larger steps would cut across its rims. With kSmallShift the
-// worst angle of fixed_top at 3000 is 8°, not 19°, median of 7 neighboring counts; those of three
-// other parts are as good or better.
+// wall's, and larger steps would cut across its rims. With kSmallShift the worst angle of fixed_top
+// at 3000 is 8°, not 19°, median of 7 neighboring counts; those of three other parts are as good or
+// better.
 constexpr double kMostBesideCurves = 0.25;
 
 // The best proposal seen so far, by the worst angle it leaves.
