@@ -3,7 +3,7 @@
 # inlining; what is done once (planning, writing, reading what describes a model), where size
 # matters more than speed; and the doors to repair, quads and whole steps, which the engine for
 # arrays lacks.
-add_library(fast OBJECT
+set(fast
   src/geometry/polar_map.cpp
   src/geometry/triangle.cpp
   src/geometry/triangle_tree.cpp
@@ -35,7 +35,7 @@ add_library(fast OBJECT
   src/remesh/steps/sweeps.cpp
   src/remesh/steps/valence.cpp
 )
-add_library(linear OBJECT
+set(linear
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp
@@ -63,7 +63,7 @@ add_library(linear OBJECT
   src/textures/painting/side_finder.cpp
   src/textures/painting/texture.cpp
 )
-add_library(small OBJECT
+set(small
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp
@@ -277,7 +277,7 @@ add_library(small OBJECT
   src/textures/painting/tangents.cpp
   src/textures/repaint.cpp
 )
-add_library(doors OBJECT
+set(doors
   src/jobs/checks/whole_steps.cpp
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp

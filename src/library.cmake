@@ -7,8 +7,7 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-add_library(remesher STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:fast> $<TARGET_OBJECTS:linear>
-  $<TARGET_OBJECTS:small> $<TARGET_OBJECTS:doors>)
+add_library(remesher STATIC EXCLUDE_FROM_ALL ${core_objects})
 set_target_properties(remesher PROPERTIES LINKER_LANGUAGE CXX)
 target_link_libraries(remesher INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
 target_compile_features(remesher INTERFACE cxx_std_20)

@@ -177,7 +177,7 @@ if(REMESHER_PRECOMPILE)
     <doctest/doctest.h> <map> <memory> <optional> <random> <string> <vector>)
 endif()
 target_link_libraries(unit_tests PRIVATE core)
-compile_folders_as_one(unit_tests)
+compile_rooms_as_one(unit_tests)
 
 # What the benchmark and developers judge meshes with.
 add_executable(measure tests/bench/measure_main.cpp)
@@ -220,7 +220,7 @@ add_executable(fuzz_replay EXCLUDE_FROM_ALL ${fuzz_targets}
 )
 target_include_directories(fuzz_replay PRIVATE tests/unit)
 target_link_libraries(fuzz_replay PRIVATE core)
-compile_folders_as_one(fuzz_replay)
+compile_rooms_as_one(fuzz_replay)
 
 if(REMESHER_FUZZ)
   add_executable(fuzz EXCLUDE_FROM_ALL ${fuzz_targets}
@@ -229,5 +229,5 @@ if(REMESHER_FUZZ)
   target_include_directories(fuzz PRIVATE tests/unit)
   target_link_libraries(fuzz PRIVATE core)
   target_link_options(fuzz PRIVATE -fsanitize=fuzzer)
-  compile_folders_as_one(fuzz)
+  compile_rooms_as_one(fuzz)
 endif()

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/types.h"
@@ -15,6 +16,10 @@ struct File {
   std::string name;
   std::vector<std::uint8_t> bytes;
 };
+
+inline std::string_view asText(const File& file) {
+  return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+}
 
 // A decoded image, for baking textures: four bytes per texel, row after row from the top. Images of
 // glTF are named by their numbers.

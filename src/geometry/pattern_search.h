@@ -24,9 +24,9 @@ template <class Look>
 void searchPattern(const Look& look) {
   constexpr double kFirstStep = 0.3, kLastStep = 0.02;
   // To a place a billion spokes away a search would take as many steps, each a little nearer.
-  constexpr int kMostRounds = 64;
+  constexpr int kMostSteps = 64;
   double step = kFirstStep;
-  for (int i = 0; i < kMostRounds && step >= kLastStep; ++i)
+  for (int i = 0; i < kMostSteps && step >= kLastStep; ++i)
     if (!look(step)) step /= 2;
 }
 

@@ -2,7 +2,6 @@
 #include "io/formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "io/model/bake.h"
 #include "io/model/companions.h"
 #include "io/model/near_origin.h"
+#include "io/model/resources.h"
 #include "io/ply/ply.h"
 #include "io/stl/stl.h"
 #include "io/text/obj.h"
@@ -40,12 +40,6 @@ constexpr Format kFormats[] = {
     {".stl", "solid", readStl, writeStl, 0},
 };
 
-std::string lowerCase(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 std::string listOfExtensions() {
   std::string list;
   for (const Format& format : kFormats)
@@ -62,7 +56,7 @@ const Format* findByExtension(const std::string& name) {
 }
 
 const Format* findByMagic(const File& file) {
-  const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
+  const std::string_view bytes = asText(file);
   const auto found =
       std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& format) {
         return !format.magic.empty() && bytes.substr(0, format.magic.size()) == format.magic;

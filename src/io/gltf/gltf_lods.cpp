@@ -6,10 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "io/gltf/tree/gltf_levels.h"
+
 namespace remesher::io {
 namespace {
 
-constexpr const char* kExtension = "MSFT_lod";
 constexpr const char* kInstances = "EXT_mesh_gpu_instancing";
 
 void rename(Json& named, std::size_t level) {
@@ -49,12 +50,13 @@ void addNodes(Json& tree, std::size_t node, const std::vector<std::size_t>& mesh
     if (tree.contains("animations")) moveAlike(tree["animations"], node, added);
     numbers.push_back(added);
   }
-  tree["nodes"][node]["extensions"][kExtension] = {{"ids", std::move(numbers)}};
+  tree["nodes"][node]["extensions"][kLevelsExtension] = {{"ids", std::move(numbers)}};
 }
 
 void declareExtension(Json& tree) {
   Json& used = tree["extensionsUsed"];
-  if (std::find(used.begin(), used.end(), kExtension) == used.end()) used.push_back(kExtension);
+  if (std::find(used.begin(), used.end(), kLevelsExtension) == used.end())
+    used.push_back(kLevelsExtension);
 }
 
 }  // namespace

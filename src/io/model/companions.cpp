@@ -14,13 +14,6 @@ namespace {
 // Of folders and name together: Windows and most other systems accept this length.
 constexpr std::size_t kLongestName = 200;
 
-std::string lowerCase(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 // Windows reserves these names for devices in every folder, with any extension.
 bool isDeviceName(std::string_view part) {
   constexpr std::array<std::string_view, 4> kDevices = {"con", "prn", "aux", "nul"};

@@ -6,15 +6,15 @@
 namespace remesher::io {
 namespace {
 
-constexpr std::string_view kDigits =
+constexpr std::string_view kBase64Digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::uint8_t kNoDigit = 0xFF;
 
 constexpr std::array<std::uint8_t, 256> digitValues() {
   std::array<std::uint8_t, 256> values{};
   for (auto& value : values) value = kNoDigit;
-  for (std::size_t i = 0; i < kDigits.size(); ++i)
-    values[static_cast<unsigned char>(kDigits[i])] = static_cast<std::uint8_t>(i);
+  for (std::size_t i = 0; i < kBase64Digits.size(); ++i)
+    values[static_cast<unsigned char>(kBase64Digits[i])] = static_cast<std::uint8_t>(i);
   return values;
 }
 
@@ -50,6 +50,13 @@ int hexValue(char c) {
 std::string_view baseName(std::string_view path) {
   const std::size_t slash = path.find_last_of("/\\");
   return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+std::string lowerCase(std::string_view name) {
+  std::string result(name);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
 }
 
 std::string percentDecoded(std::string_view text) {
@@ -112,7 +119,7 @@ std::string encodeDataUri(std::string_view mediaType, std::span<const std::uint8
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < count ? bytes[i + k] : 0);
     for (std::size_t k = 0; k < 4; ++k)
-      uri += k <= count ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+      uri += k <= count ? kBase64Digits[bits >> (18 - 6 * k) & 63] : '=';
   }
   return uri;
 }

@@ -20,6 +20,8 @@ const File* findResource(const std::vector<File>& resources, std::string_view re
 
 // The part behind the last slash or backslash.
 std::string_view baseName(std::string_view path);
+// Of A to Z only.
+std::string lowerCase(std::string_view name);
 
 std::string percentDecoded(std::string_view text);
 std::string percentEncoded(std::string_view text);

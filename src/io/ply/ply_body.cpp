@@ -15,16 +15,12 @@ namespace {
 
 constexpr char kHint[] = "Its header promises more than follows: was it copied completely?";
 
-std::string_view textOf(const File& file) {
-  return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
-}
-
 }  // namespace
 
 PlyBody::PlyBody(const File& file, const ParsedPlyHeader& parsed)
     : file_(file),
       encoding_(parsed.header.encoding),
-      scanner_(textOf(file), file.name),
+      scanner_(asText(file), file.name),
       at_(parsed.size) {
   if (encoding_ != PlyEncoding::Ascii) return;
   for (std::size_t i = 0; i <= parsed.lines; ++i) scanner_.nextLine();

@@ -171,8 +171,7 @@ std::vector<GroupInfo> groupInfos(const PlySource& source) {
 }  // namespace
 
 Model readPly(const File& file, const std::vector<File>&) {
-  const ParsedPlyHeader parsed = parsePlyHeader(
-      {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()}, file.name);
+  const ParsedPlyHeader parsed = parsePlyHeader(asText(file), file.name);
   PlyContent content = readContent(file, parsed);
   Model model;
   model.conventions = Conventions::Classic;

@@ -18,10 +18,6 @@
 namespace remesher::io {
 namespace {
 
-std::string_view textOf(const File& file) {
-  return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
-}
-
 // Reads a little-endian number at any place of the file.
 template <class Number>
 Number load(const File& file, std::size_t at) {
@@ -33,7 +29,7 @@ Number load(const File& file, std::size_t at) {
 
 bool isText(const File& file) {
   constexpr std::size_t kLooked = 512;
-  const std::string_view start = textOf(file).substr(0, kLooked);
+  const std::string_view start = asText(file).substr(0, kLooked);
   const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == std::string_view::npos) return false;
   std::string word(start.substr(first, 5));
@@ -52,7 +48,7 @@ struct Facets {
 
 class StlText {
  public:
-  explicit StlText(const File& file) : scanner_(textOf(file), file.name) {}
+  explicit StlText(const File& file) : scanner_(asText(file), file.name) {}
   Facets read();
 
  private:
@@ -157,7 +153,7 @@ Facets readBinary(const File& file) {
   // Two conventions for colours: VisCAM and SolidView set the highest bit of a coloured facet;
   // Magics announces colours in the header and clears the bit.
   const bool isMagics =
-      textOf(file).substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos;
+      asText(file).substr(0, kHeaderBytes).find("COLOR=") != std::string_view::npos;
   Facets facets;
   CornerWeld weld;
   facets.mesh.indices.reserve(3 * static_cast<std::size_t>(count));

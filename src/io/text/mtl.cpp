@@ -113,10 +113,7 @@ void readMap(Material& material, std::string_view keyword, TextScanner& line) {
   }
 }
 
-TextScanner scannerOf(const File& library) {
-  return {{reinterpret_cast<const char*>(library.bytes.data()), library.bytes.size()},
-          library.name};
-}
+TextScanner scannerOf(const File& library) { return {asText(library), library.name}; }
 
 }  // namespace
 

@@ -338,8 +338,7 @@ void findLibraries(ObjSource& source, const std::vector<File>& resources,
 }  // namespace
 
 Model readObj(const File& file, const std::vector<File>& resources) {
-  ObjReader reader({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()},
-                   file.name);
+  ObjReader reader(asText(file), file.name);
   ObjContent content = reader.read();
   const std::shared_ptr<ObjSource> source = reader.source();
 

@@ -318,8 +318,7 @@ std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh, Digits digits) {
 }  // namespace
 
 Model readOff(const File& file, const std::vector<File>&) {
-  OffReader reader({reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()},
-                   file.name);
+  OffReader reader(asText(file), file.name);
   Model model;
   model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();

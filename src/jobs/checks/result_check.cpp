@@ -59,32 +59,32 @@ WorstTriangle worstTriangle(const std::vector<io::Part>& parts) {
 }
 
 // The box of all vertices; without any, `low` is above `high`.
-struct Extent {
+struct CoordinateRange {
   Vec3 low = Vec3::Constant(kInfinity), high = -low;
   bool isSingle = false;  // of any of them
   double size() const { return (high - low).maxCoeff(); }
   double largest() const { return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()); }
 };
 
-Extent extentOf(const std::vector<io::Part>& parts) {
-  Extent extent;
+CoordinateRange rangeOf(const std::vector<io::Part>& parts) {
+  CoordinateRange range;
   for (const io::Part& part : parts) {
-    extent.isSingle = extent.isSingle || part.mesh.isSingle;
+    range.isSingle = range.isSingle || part.mesh.isSingle;
     for (const Vec3& p : part.mesh.positions) {
-      extent.low = extent.low.cwiseMin(p);
-      extent.high = extent.high.cwiseMax(p);
+      range.low = range.low.cwiseMin(p);
+      range.high = range.high.cwiseMax(p);
     }
   }
-  return extent;
+  return range;
 }
 
 // The middle of all vertices, if their coordinates are too coarse for a shape so small.
 std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
-  const Extent extent = extentOf(parts);
-  const double step = extent.isSingle ? std::numeric_limits<float>::epsilon()
-                                      : std::numeric_limits<double>::epsilon();
-  if (extent.size() < 0 || extent.size() > kSteps * step * extent.largest()) return {};
-  return (extent.low + extent.high) / 2;
+  const CoordinateRange range = rangeOf(parts);
+  const double step = range.isSingle ? std::numeric_limits<float>::epsilon()
+                                     : std::numeric_limits<double>::epsilon();
+  if (range.size() < 0 || range.size() > kSteps * step * range.largest()) return {};
+  return (range.low + range.high) / 2;
 }
 
 // "message, the first near (…).", for the first edge with a wanted number of triangles.
@@ -128,9 +128,9 @@ std::size_t more(std::size_t after, std::size_t before) {
 }  // namespace
 
 std::string placeInWords(const Vec3& p, const std::vector<io::Part>& parts) {
-  const Extent extent = extentOf(parts);
+  const CoordinateRange range = rangeOf(parts);
   int digits = kDigits;
-  for (double reach = extent.size(); reach < extent.largest() && digits < kMostDigits; reach *= 10)
+  for (double reach = range.size(); reach < range.largest() && digits < kMostDigits; reach *= 10)
     ++digits;
   std::string text = inDigits(p.x(), digits);
   for (const double x : {p.y(), p.z()}) text.append(", ").append(inDigits(x, digits));

@@ -53,11 +53,11 @@ PartPlace placeOf(const io::Part& part, const Facing& faces) {
 // directions.
 std::pair<Eigen::Matrix3d, Vec3> stretchesOf(const Eigen::Matrix3d& linear) {
   const Eigen::Matrix3d squares = linear.transpose() * linear;
-  constexpr double kRounding = 1e-12;
+  constexpr double kNoStretch = 1e-12;
   const Vec3 diagonal = squares.diagonal();
   const Eigen::Matrix3d others = squares - Eigen::Matrix3d(diagonal.asDiagonal());
   const double least = diagonal.minCoeff();
-  if (others.cwiseAbs().maxCoeff() <= kRounding * least)
+  if (others.cwiseAbs().maxCoeff() <= kNoStretch * least)
     return {Eigen::Matrix3d::Identity(), diagonal.cwiseMax(0).cwiseSqrt()};
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
   return {solver.eigenvectors(), solver.eigenvalues().cwiseMax(0).cwiseSqrt()};

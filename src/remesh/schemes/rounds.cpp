@@ -39,22 +39,22 @@ bool isLongest(const Run& run, Halfedge side) {
          own >= length(run, HalfedgeMesh::prev(side));
 }
 
-struct Ranked {
+struct RankedEdge {
   double key;  // the largest come first
   Halfedge edge;
 };
 
 // The edges with keys above a limit, the largest first, ties by index.
 template <class Key>
-std::vector<Ranked> rankedEdges(const HalfedgeMesh& mesh, double above, Key key) {
-  std::vector<Ranked> edges;
+std::vector<RankedEdge> rankedEdges(const HalfedgeMesh& mesh, double above, Key key) {
+  std::vector<RankedEdge> edges;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     if (!mesh.isEdge(Halfedge(i))) continue;
     const double own = key(Halfedge(i));
     if (own > above) edges.push_back({own, Halfedge(i)});
   }
   std::stable_sort(edges.begin(), edges.end(),
-                   [](const Ranked& a, const Ranked& b) { return a.key > b.key; });
+                   [](const RankedEdge& a, const RankedEdge& b) { return a.key > b.key; });
   return edges;
 }
 
@@ -76,31 +76,31 @@ double goodness(const WorkingMesh& mesh, Halfedge h) {
   return std::max(smallestAngle(mesh, m.face(h)), smallestAngle(mesh, m.face(m.twin(h))));
 }
 
-std::vector<Ranked> longestFirst(const Run& run, double above) {
+std::vector<RankedEdge> longestFirst(const Run& run, double above) {
   return rankedEdges(run.mesh.mesh(), above, [&](Halfedge h) { return length(run, h); });
 }
 
-std::vector<Ranked> shortestFirst(const Run& run, double below) {
+std::vector<RankedEdge> shortestFirst(const Run& run, double below) {
   return rankedEdges(run.mesh.mesh(), -below, [&](Halfedge h) { return -length(run, h); });
 }
 
 // The order of insertion: the edges of the worst triangles first; with graded sizes the edges that
 // exceed their target most, for bad angles say nothing about sizes.
-std::vector<Ranked> splitOrder(const Run& run) {
+std::vector<RankedEdge> splitOrder(const Run& run) {
   if (!run.sizes.isEven()) return longestFirst(run, -kInfinity);
   return rankedEdges(run.mesh.mesh(), -kInfinity, [&](Halfedge h) { return badness(run.mesh, h); });
 }
 
 // The order of collapses: the edges of the best triangles first; with graded sizes the edges
 // shortest for their target.
-std::vector<Ranked> collapseOrder(const Run& run) {
+std::vector<RankedEdge> collapseOrder(const Run& run) {
   if (!run.sizes.isEven()) return shortestFirst(run, kInfinity);
   return rankedEdges(run.mesh.mesh(), -kInfinity,
                      [&](Halfedge h) { return goodness(run.mesh, h); });
 }
 
 // One round of insertion: edges that are the longest of their triangles, no triangle twice.
-std::size_t splitRound(Run& run, const std::vector<Ranked>& edges, std::size_t target) {
+std::size_t splitRound(Run& run, const std::vector<RankedEdge>& edges, std::size_t target) {
   const HalfedgeMesh& m = run.mesh.mesh();
   FaceData<char> touched(m.faceCapacity(), 0);
   std::size_t splits = 0;
@@ -127,7 +127,7 @@ bool tryCollapse(Run& run, Halfedge h) {
 }
 
 // One round of collapses: no star twice.
-std::size_t collapseRound(Run& run, const std::vector<Ranked>& edges, std::size_t target) {
+std::size_t collapseRound(Run& run, const std::vector<RankedEdge>& edges, std::size_t target) {
   const HalfedgeMesh& m = run.mesh.mesh();
   FaceData<char> touched(m.faceCapacity(), 0);
   std::size_t collapses = 0;

@@ -114,21 +114,21 @@ void thinOut(Run& run) {
   decimate(run.mesh, run.asked.rule, spacing);
 }
 
-struct Ranked {
+struct EdgeOfLength {
   double length;
   Halfedge edge;
   Vertex from, to;
 
-  bool operator<(const Ranked& other) const {
+  bool operator<(const EdgeOfLength& other) const {
     return length < other.length || (length == other.length && other.edge < edge);
   }
 };
 
 // A heap, since few of its edges are used.
-std::vector<Ranked> edgesByLength(const Run& run) {
+std::vector<EdgeOfLength> edgesByLength(const Run& run) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   VertexSizes sizes(run);
-  std::vector<Ranked> edges;
+  std::vector<EdgeOfLength> edges;
   for (Index i = 0; i < mesh.halfedgeCapacity(); ++i) {
     const Halfedge h(i);
     if (mesh.isEdge(h)) edges.push_back({sizes.relativeLength(h), h, mesh.origin(h), mesh.tip(h)});
@@ -141,7 +141,7 @@ std::vector<Ranked> edgesByLength(const Run& run) {
 enum class Middle { Projected, Straight };
 
 // Splits an edge at its own middle: no point of the surface moves, so that nothing can fold over.
-bool commitStraight(Run& run, const Ranked& edge) {
+bool commitStraight(Run& run, const EdgeOfLength& edge) {
   run.scratch.change.place.position =
       0.5 * (run.mesh.position(edge.from) + run.mesh.position(edge.to));
   if (run.asked.rule.mode != Fidelity::Fold) return commit(run);
@@ -159,10 +159,10 @@ bool makesNeedle(const Run& run) {
 std::size_t splitLongest(Run& run, std::size_t vertices, Middle middle, Halves halves) {
   const HalfedgeMesh& mesh = run.mesh.mesh();
   std::size_t splits = 0;
-  for (std::vector<Ranked> edges = edgesByLength(run);
+  for (std::vector<EdgeOfLength> edges = edgesByLength(run);
        !edges.empty() && mesh.vertexCount() < vertices; edges.pop_back()) {
     std::pop_heap(edges.begin(), edges.end());
-    const Ranked& edge = edges.back();
+    const EdgeOfLength& edge = edges.back();
     const Halfedge h = mesh.find(edge.from, edge.to);
     if (!h || !proposeSplit(run.mesh, run.projector, h, run.scratch.change)) continue;
     if (halves == Halves::NoNeedles && makesNeedle(run)) continue;

@@ -124,10 +124,10 @@ void moveInside(Run& run, Vertex v, double step) {
 std::size_t moveApart(Run& run) {
   // Vertices of sheets that are alike may move to one place again: steps halve, and one vertex of
   // each place stays.
-  constexpr int kTries = 4;
+  constexpr int kMostHalvings = 4;
   double step = 0.25;
   std::vector<Written> others = onOthers(run);
-  for (int i = 0; i < kTries && !others.empty(); ++i, step /= 2) {
+  for (int i = 0; i < kMostHalvings && !others.empty(); ++i, step /= 2) {
     for (const Written& one : others)
       if (one.tie == Tie::None) moveInside(run, one.vertex, step);
     // Looks again, since inner vertices have moved apart.

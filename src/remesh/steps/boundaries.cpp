@@ -79,7 +79,7 @@ bool isNear(const Run& run, const Row& row) {
 
 using Edges = std::vector<std::array<Vertex, 2>>;
 
-struct Plan {
+struct BoundaryPlan {
   Edges far;      // whose chords are far from the curve
   Edges tooLong;  // whose chords stay far wherever their ends go
   Row moves;      // the vertices with their new places
@@ -97,9 +97,9 @@ const std::vector<double>& placesFor(const Run& run, Index chain, const std::vec
   return at->second;
 }
 
-Plan planFor(const Run& run, Known& known) {
+BoundaryPlan planFor(const Run& run, Known& known) {
   const double tolerance = kChordTolerance * run.mesh.surface().diagonal();
-  Plan plan;
+  BoundaryPlan plan;
   for (const Row& row : rowsOf(run)) {
     if (isNear(run, row)) continue;
     const Index chain = row.front().chain;
@@ -245,7 +245,7 @@ void followBoundaries(Run& run) {
   Known known;
   bool changed = true;
   for (int i = 0; i < kMostRounds && changed; ++i) {
-    Plan plan = planFor(run, known);
+    BoundaryPlan plan = planFor(run, known);
     changed = split(run, plan.tooLong);
     if (changed) plan = planFor(run, known);
     changed = slide(run, plan.moves) || changed || split(run, plan.far);

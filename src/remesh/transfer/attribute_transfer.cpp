@@ -27,9 +27,9 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 }
 
 // Collects output vertices; one per working vertex and side of the curves through it.
-class Extraction {
+class WedgeExtraction {
  public:
-  Extraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
+  WedgeExtraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
       : mesh_(mesh), input_(input), mix_(mesh.surface(), input, rules.chartless) {
     if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules.charts);
     for (const Attribute& attribute : input.attributes)
@@ -112,7 +112,7 @@ class Extraction {
 
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
                          const TransferRules& rules) {
-  return Extraction(mesh, input, rules).run();
+  return WedgeExtraction(mesh, input, rules).run();
 }
 
 // The builder may have turned a triangle over: weights go to the corners that they belong to.

@@ -118,8 +118,8 @@ class PlugMesh {
   }
 
   bool mayFlip(Index h) const {
-    constexpr double kTolerance = 1e-9;  // radians: four vertices on a circle are not flipped
-    if (angleAcross(h) + angleAcross(twins_[h]) <= std::numbers::pi + kTolerance) return false;
+    constexpr double kOnCircle = 1e-9;  // radians: four vertices on a circle are not flipped
+    if (angleAcross(h) + angleAcross(twins_[h]) <= std::numbers::pi + kOnCircle) return false;
     const Index a = corners_[prevCorner(h)], b = corners_[prevCorner(twins_[h])];
     if (a == b || areJoined(prevCorner(h), b)) return false;
     return facesAlike(h);

@@ -15,8 +15,6 @@
 namespace remesher::io {
 namespace {
 
-constexpr const char* kExtension = "MSFT_lod";
-
 using Visitor = std::function<void(Json& number)>;
 
 const Json* nodeAt(const Json& tree, std::size_t number) {
@@ -279,7 +277,7 @@ std::set<std::size_t> takeLevels(Json& tree) {
     for (const std::size_t level : levelsOf(node))
       for (const std::size_t number : family(tree, level)) taken.insert(number);
     if (!node.contains("extensions") || !node["extensions"].is_object()) return;
-    if (node["extensions"].erase(kExtension) == 0) return;
+    if (node["extensions"].erase(kLevelsExtension) == 0) return;
     if (node.contains("extras") && node["extras"].is_object())
       node["extras"].erase("MSFT_screencoverage");  // a number for each level
     if (node["extensions"].empty()) node.erase("extensions");

@@ -10,6 +10,8 @@
 
 namespace remesher::io {
 
+inline constexpr const char* kLevelsExtension = "MSFT_lod";
+
 // Per mesh of a coarser MSFT_lod level the meshes of the finest level. A mesh that is in a finest
 // level itself is left out.
 std::map<int, std::set<int>> meshLevels(const Json& tree);

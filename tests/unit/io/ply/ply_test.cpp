@@ -75,11 +75,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), by);
 }
 
-TriangleMesh meshOf(const std::string& bytes) {
+TriangleMesh plyMesh(const std::string& bytes) {
   return io::read(textFile("a.ply", bytes)).parts.at(0).mesh;
 }
 
-std::vector<float> valuesOf(const TriangleMesh& mesh, const std::string& semantic) {
+std::vector<float> attributeOf(const TriangleMesh& mesh, const std::string& semantic) {
   const Attribute* const attribute = findAttribute(mesh, semantic);
   REQUIRE(attribute != nullptr);
   return attribute->values;
@@ -97,16 +97,16 @@ std::string rewritten(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("ply: text and both orders of bytes say the same") {
-  const TriangleMesh text = meshOf(textSquare());
+  const TriangleMesh text = plyMesh(textSquare());
   CHECK(text.indices == std::vector<Index>{0, 1, 2, 0, 2, 3});
   CHECK(text.positions[3].x() == 0.30000000000000004);
   CHECK(text.positions[2].z() == -7);
-  CHECK(valuesOf(text, "COLOR_0")[0] == 1);
-  CHECK(valuesOf(text, "COLOR_0")[2] == 9.0F / 255);
-  CHECK(valuesOf(text, "_QUALITY") == std::vector<float>{0.5F, 0.25F, 0.125F, 0.1F});
-  CHECK(valuesOf(text, "_LABEL") == std::vector<float>{1, 2, 3, 4});
+  CHECK(attributeOf(text, "COLOR_0")[0] == 1);
+  CHECK(attributeOf(text, "COLOR_0")[2] == 9.0F / 255);
+  CHECK(attributeOf(text, "_QUALITY") == std::vector<float>{0.5F, 0.25F, 0.125F, 0.1F});
+  CHECK(attributeOf(text, "_LABEL") == std::vector<float>{1, 2, 3, 4});
   for (const bool isBigEndian : {false, true}) {
-    const TriangleMesh binary = meshOf(binarySquare(isBigEndian));
+    const TriangleMesh binary = plyMesh(binarySquare(isBigEndian));
     CHECK(binary.indices == text.indices);
     CHECK(binary.positions[0].y() == double{0.1F});
     CHECK(binary.positions == text.positions);
@@ -126,7 +126,7 @@ TEST_CASE("ply: a new mesh is written in the encoding and the types of the file"
     const std::string expected = replaced(bytes, twoTriangles, "element face 3");
     const std::string written = rewritten(bytes);
     CHECK(written.substr(0, expected.size()) == expected);
-    CHECK(meshOf(written).indices == std::vector<Index>{0, 1, 2, 0, 2, 3, 0, 1, 2});
+    CHECK(plyMesh(written).indices == std::vector<Index>{0, 1, 2, 0, 2, 3, 0, 1, 2});
   }
 }
 
@@ -137,21 +137,21 @@ TEST_CASE("ply: integers of a new mesh are rounded, and stay in their range") {
     if (attribute.semantic == "COLOR_0")
       attribute.values = {2, -1, 0.5F, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   }
-  const TriangleMesh mesh = meshOf(textOf(io::write(model, "b.ply").files[0]));
-  CHECK(valuesOf(mesh, "_LABEL")[0] == 7);
-  CHECK(valuesOf(mesh, "COLOR_0")[0] == 1);
-  CHECK(valuesOf(mesh, "COLOR_0")[1] == 0);
-  CHECK(valuesOf(mesh, "COLOR_0")[2] == 128.0F / 255);
+  const TriangleMesh mesh = plyMesh(textOf(io::write(model, "b.ply").files[0]));
+  CHECK(attributeOf(mesh, "_LABEL")[0] == 7);
+  CHECK(attributeOf(mesh, "COLOR_0")[0] == 1);
+  CHECK(attributeOf(mesh, "COLOR_0")[1] == 0);
+  CHECK(attributeOf(mesh, "COLOR_0")[2] == 128.0F / 255);
 }
 
 TEST_CASE("ply: polygons and strips become triangles") {
   const std::string quad =
       replaced(replaced(kTriangle, "vertex 3", "vertex 4"), "3 0 1 2", "1 1 0\n4 0 1 3 2");
-  CHECK(meshOf(quad).indices == std::vector<Index>{0, 1, 3, 0, 3, 2});
+  CHECK(plyMesh(quad).indices == std::vector<Index>{0, 1, 3, 0, 3, 2});
   const std::string strips = replaced(
       replaced(replaced(quad, "element face 1", "element tristrips 1"), "uchar int", "int int"),
       "4 0 1 3 2", "8 0 1 2 3 -1 3 2 1");
-  CHECK(meshOf(strips).indices == std::vector<Index>{0, 1, 2, 2, 1, 3, 3, 2, 1});
+  CHECK(plyMesh(strips).indices == std::vector<Index>{0, 1, 2, 2, 1, 3, 3, 2, 1});
 }
 
 TEST_CASE("ply: elements in any order, unknown ones and lists of vertices are passed over") {
@@ -179,7 +179,7 @@ TEST_CASE("ply: a header of lone carriage returns ends before a body that begins
   body.put(std::bit_cast<float>(0x3F80000AU)).put(0.0F).put(0.0F);
   body.put(1.0F).put(0.0F).put(0.0F).put(0.0F).put(1.0F).put(0.0F);
   body.put(std::uint8_t{3}).put(0).put(1).put(2);
-  CHECK(meshOf(header + body.bytes).positions[0].x() == double{std::bit_cast<float>(0x3F80000AU)});
+  CHECK(plyMesh(header + body.bytes).positions[0].x() == double{std::bit_cast<float>(0x3F80000AU)});
 }
 
 TEST_CASE("ply: normals, texture coordinates and colours go by all their names") {
@@ -197,7 +197,7 @@ TEST_CASE("ply: normals, texture coordinates and colours go by all their names")
         "property list uchar int vertex_indices\nend_header\n0 0 0" +
         zeros + "\n1 0 0" + zeros + "\n0 1 0" + zeros + "\n3 0 1 2\n";
     std::string semantics;
-    for (const Attribute& attribute : meshOf(text).attributes)
+    for (const Attribute& attribute : plyMesh(text).attributes)
       semantics += attribute.semantic + std::to_string(attribute.itemSize) + " ";
     return semantics;
   };
@@ -220,7 +220,7 @@ TEST_CASE("ply: attributes return from glTF under their own names") {
                            "property float label\n", "format binary_little_endian"})
     CHECK(back.find(line) != std::string::npos);
   for (const char* semantic : {"COLOR_0", "_QUALITY", "_LABEL"})
-    CHECK(valuesOf(meshOf(back), semantic) == valuesOf(model.parts[0].mesh, semantic));
+    CHECK(attributeOf(plyMesh(back), semantic) == attributeOf(model.parts[0].mesh, semantic));
 }
 
 TEST_CASE("ply: coordinates far from the origin are written as doubles") {
@@ -256,7 +256,7 @@ TEST_CASE("ply: texture coordinates of corners that are no numbers are 0") {
                                              "vertex_index\nproperty list uchar double texcoord\n"
                                              "property float texnumber\n"),
                                     "3 0 1 2\n", "3 0 1 2 6 nan 1 1e300 1 0.5 -inf nan\n");
-  CHECK(valuesOf(meshOf(text), "TEXCOORD_0") == std::vector<float>{0, 1, 0, 1, 0.5F, 0});
+  CHECK(attributeOf(plyMesh(text), "TEXCOORD_0") == std::vector<float>{0, 1, 0, 1, 0.5F, 0});
   const io::Model model = io::read(textFile("a.ply", text));
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].code == "NON_FINITE_ATTRIBUTE");
@@ -269,7 +269,7 @@ TEST_CASE("ply: colours in floats may count to one or to 255") {
       replaced(kTriangle, "property float z\n",
                "property float z\nproperty float red\nproperty float green\nproperty float blue\n"),
       "0 0 0\n1 0 0\n0 1 0\n", "0 0 0 51 0 0\n1 0 0 255 0 0\n0 1 0 0 0 102\n");
-  CHECK(valuesOf(meshOf(colored), "COLOR_0")[0] == 0.2F);
+  CHECK(attributeOf(plyMesh(colored), "COLOR_0")[0] == 0.2F);
   CHECK(rewritten(colored).find("\n0 0 0 51 0 0\n") != std::string::npos);
 }
 
@@ -277,7 +277,7 @@ TEST_CASE("ply: numbers that are not finite are refused of places, and 0 of the 
   CHECK(readingFails(textFile("a.ply", replaced(kTriangle, "0 1 0\n", "0 nan 0\n")))
             .find("NON_FINITE a.ply, line 12: the y of vertex 2") == 0);
   const io::Model model = io::read(textFile("a.ply", replaced(textSquare(), "0.25", "nan")));
-  CHECK(valuesOf(model.parts[0].mesh, "_QUALITY")[1] == 0);
+  CHECK(attributeOf(model.parts[0].mesh, "_QUALITY")[1] == 0);
   CHECK(model.warnings.at(0).code == "NON_FINITE_ATTRIBUTE");
   CHECK(textOf(io::write(model, "b.ply").files[0]).find("nan") == std::string::npos);
 }
@@ -286,8 +286,8 @@ TEST_CASE("ply: numbers that are not finite are refused of places, and 0 of the 
 TEST_CASE("ply: an exporter's signature above the elements is a comment, below them an error") {
   const std::string signature = "Created by a program\n";
   const std::string above = replaced(kTriangle, "element vertex", signature + "element vertex");
-  CHECK(meshOf(above).positions == meshOf(kTriangle).positions);
-  CHECK_THROWS_AS(meshOf(replaced(kTriangle, "element face", signature + "element face")), Error);
+  CHECK(plyMesh(above).positions == plyMesh(kTriangle).positions);
+  CHECK_THROWS_AS(plyMesh(replaced(kTriangle, "element face", signature + "element face")), Error);
 }
 
 TEST_CASE("ply: a header of thousands of names is refused, not compared with itself") {

@@ -34,15 +34,17 @@ s off
 f 1/1/2 3/3/2 4/4/2
 )";
 
-TriangleMesh meshOf(std::string_view text) {
+TriangleMesh objMesh(std::string_view text) {
   const io::Model model = io::read(textFile("test.obj", text));
   REQUIRE(model.parts.size() == 1);
   return model.parts[0].mesh;
 }
 
-constexpr std::string_view kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+constexpr std::string_view kObjSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-std::string square(std::string_view faces) { return std::string(kSquare) + std::string(faces); }
+std::string objSquare(std::string_view faces) {
+  return std::string(kObjSquare) + std::string(faces);
+}
 
 }  // namespace
 
@@ -53,27 +55,27 @@ TEST_CASE("obj: every way of writing the same triangles reads as the same triang
         "f 1 2 \\\n 3 4\n", "f 1 2 \\\r\n 3 4\r\n", "\tf  1  2\t3  4  \n", "f 1/ 2/ 3/ 4/\n",
         "f 1// 2// 3// 4//\n", "vp 1 2\nf +1 2 3 4\n"}) {
     CAPTURE(faces);
-    CHECK(meshOf(square(faces)).indices == expected);
+    CHECK(objMesh(objSquare(faces)).indices == expected);
   }
 }
 
 TEST_CASE("obj: all three line endings and a byte order mark are read") {
-  std::string carriageReturns = square("f 1 2 3\n");
+  std::string carriageReturns = objSquare("f 1 2 3\n");
   for (char& c : carriageReturns)
     if (c == '\n') c = '\r';
-  CHECK(meshOf(carriageReturns).positions.size() == 4);
-  CHECK(meshOf("\xEF\xBB\xBF" + square("f 1 2 3\n")).positions.size() == 4);
+  CHECK(objMesh(carriageReturns).positions.size() == 4);
+  CHECK(objMesh("\xEF\xBB\xBF" + objSquare("f 1 2 3\n")).positions.size() == 4);
 }
 
 TEST_CASE("obj: a file without vt and vn keeps the numbers of its vertices") {
-  const TriangleMesh mesh = meshOf("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 4 2 3\n");
+  const TriangleMesh mesh = objMesh("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 4 2 3\n");
   CHECK(mesh.positions.size() == 4);
   CHECK(mesh.indices == std::vector<Index>{3, 1, 2});
   CHECK(mesh.attributes.empty());
 }
 
 TEST_CASE("obj: a vertex is made for each combination of position, texture coordinate and normal") {
-  const TriangleMesh mesh = meshOf(kTwoMaterials);
+  const TriangleMesh mesh = objMesh(kTwoMaterials);
   CHECK(mesh.positions.size() == 6);
   CHECK(mesh.groups == std::vector<Index>{0, 1});
   REQUIRE(mesh.attributes.size() == 2);
@@ -143,7 +145,7 @@ TEST_CASE(
 }
 
 TEST_CASE("obj, off: written exactly, floats are the same numbers to a reader of doubles") {
-  io::Model model = io::read(textFile("test.obj", square("f 1 2 3\nf 1 3 4\n")));
+  io::Model model = io::read(textFile("test.obj", objSquare("f 1 2 3\nf 1 3 4\n")));
   TriangleMesh& mesh = model.parts[0].mesh;
   mesh.isSingle = true;
   for (Vec3& p : mesh.positions) p = Vec3(double(0.1F), double(1.0F / 3), 2.0) + p;
@@ -190,17 +192,18 @@ TEST_CASE("obj: bad files are refused with the line and what is wrong") {
   contains(failure("v 0 0\n"), "PARSE_ERROR bad.obj, line 1");
   contains(failure("v 0 0 x\n"), "not a number: \"x\"");
   contains(failure("\nv 0 0 0\nf 1 2 3\n"), "INDEX_OUT_OF_RANGE bad.obj, line 3");
-  contains(failure(square("f 1 2 0\n")), "INDEX_OUT_OF_RANGE bad.obj, line 5");
-  contains(failure(square("f 1 2 -5\n")), "INDEX_OUT_OF_RANGE bad.obj, line 5");
-  contains(failure(square("f 1/1 2/1 3/1\n")), "texture coordinate 1, but there is none");
-  contains(failure(square("f 1 2\n")), "fewer than three corners");
-  contains(failure(square("f 1 b 3\n")), "PARSE_ERROR bad.obj, line 5");
-  contains(failure(square("f 1/2/3/4 2 3\n")), "INDEX_OUT_OF_RANGE");
+  contains(failure(objSquare("f 1 2 0\n")), "INDEX_OUT_OF_RANGE bad.obj, line 5");
+  contains(failure(objSquare("f 1 2 -5\n")), "INDEX_OUT_OF_RANGE bad.obj, line 5");
+  contains(failure(objSquare("f 1/1 2/1 3/1\n")), "texture coordinate 1, but there is none");
+  contains(failure(objSquare("f 1 2\n")), "fewer than three corners");
+  contains(failure(objSquare("f 1 b 3\n")), "PARSE_ERROR bad.obj, line 5");
+  contains(failure(objSquare("f 1/2/3/4 2 3\n")), "INDEX_OUT_OF_RANGE");
 }
 
 TEST_CASE("obj: a file without faces is refused, lines beside faces are only counted") {
-  CHECK(readingFails(textFile("points.obj", square("p 1 2\nl 1 2 3\n"))).find("NO_TRIANGLES") == 0);
-  const io::Model model = io::read(textFile("mixed.obj", square("f 1 2 3\np 1 2\nl 1 2 3\n")));
+  CHECK(readingFails(textFile("points.obj", objSquare("p 1 2\nl 1 2 3\n"))).find("NO_TRIANGLES") ==
+        0);
+  const io::Model model = io::read(textFile("mixed.obj", objSquare("f 1 2 3\np 1 2\nl 1 2 3\n")));
   REQUIRE(model.warnings.size() == 1);
   CHECK(model.warnings[0].count == 2);
 }

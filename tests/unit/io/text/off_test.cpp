@@ -10,13 +10,13 @@ using namespace remesher::test;
 
 namespace {
 
-constexpr std::string_view kTetrahedron =
+constexpr std::string_view kOffTetrahedron =
     "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
 }  // namespace
 
 TEST_CASE("off: a file read and written is the same file") {
-  const io::Model model = io::read(textFile("t.off", kTetrahedron));
+  const io::Model model = io::read(textFile("t.off", kOffTetrahedron));
   CHECK(textOf(io::write(model, "o.off").files[0]) ==
         "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
 }

@@ -14,7 +14,7 @@ using namespace remesher::test;
 namespace {
 
 // A square with two sets of coordinates and identifiers.
-GltfMaker square() {
+GltfMaker identifiedSquare() {
   GltfMaker maker;
   const int texcoords = maker.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, kFloat, "VEC2");
   maker.addMesh(
@@ -42,7 +42,7 @@ std::size_t saidLost(const io::WrittenFiles& files) {
 
 // The extensions of the first primitive once its triangles are made anew.
 Json afterwards(const std::string& name, const Json& extension, std::size_t lost) {
-  GltfMaker maker = square();
+  GltfMaker maker = identifiedSquare();
   maker.tree["meshes"][0]["primitives"][0]["extensions"][name] = extension;
   maker.tree["extensionsUsed"] = Json::array({name});
   const io::WrittenFiles files = written(maker.glb());
@@ -121,7 +121,7 @@ TEST_CASE(
 }
 
 TEST_CASE("extensions: a mesh's own go too, with the accessors that only they named") {
-  GltfMaker maker = square();
+  GltfMaker maker = identifiedSquare();
   const int merged = maker.add(std::vector<std::uint16_t>{0, 1}, kUShort, "SCALAR");
   maker.tree["meshes"][0]["extensions"]["EXT_mesh_manifold"] = {
       {"manifoldPrimitive", {{"indices", 3}, {"attributes", {{"POSITION", 1}}}}},
