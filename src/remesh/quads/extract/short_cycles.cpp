@@ -105,9 +105,18 @@ class CycleSearch {
         most_(most),
         reached_(mesh.mesh().vertexCapacity()) {}
 
+  // A cycle that divides nothing has an edge that a cycle of triangles crosses: a vertex of each
+  // such edge will do.
   std::vector<Halfedge> run() {
-    for (Index i = 0; i < mesh_.mesh().vertexCapacity(); ++i)
-      if (mesh_.kind(Vertex(i)) == VertexKind::Interior) searchFrom(Vertex(i));
+    const HalfedgeMesh& m = mesh_.mesh();
+    VertexData<char> isStart(m.vertexCapacity(), 0);
+    for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+      const Halfedge h(i);
+      if (crossings_[h] == 0 || isStart[m.origin(h)] || isStart[m.tip(h)]) continue;
+      if (mesh_.kind(m.origin(h)) != VertexKind::Interior) continue;
+      isStart[m.origin(h)] = 1;
+      searchFrom(m.origin(h));
+    }
     return best_;
   }
 
