@@ -19,6 +19,8 @@ namespace {
 // .5. With a third of the second the horse has 48 and the hand 39, not 37, with three times as much
 // the horse 52; angles and distances change by chance.
 constexpr double kAlign = 0.04, kCling = 0.05;
+// With 10 and 40 angles of 5 models at 2000, medians of 7 neighboring counts, deviate by .20° more
+// and .01° less, and distances are 1.05 and 1.09 times as large.
 constexpr int kSmoothings = 20;
 
 struct Wish {

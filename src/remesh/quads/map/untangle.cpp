@@ -10,10 +10,16 @@ namespace remesher {
 
 namespace {
 
-// A triangle with less than this share of the area it should have counts as folded.
-constexpr double kLeastArea = 0.02;
-// Rings around folds that move; sweeps without fewer folds, before the end; halvings of a step.
-constexpr int kRings = 3, kIdle = 8, kHalvings = 6;
+// Rings around folds that move. With 2 angles of 5 models at 2000, medians of 7 neighboring counts,
+// deviate by .13° more and distances are 1.04 times as large, with 6 they are the same, in 1.16 of
+// the time.
+constexpr int kRings = 3;
+// Sweeps without fewer folds, before the end. With 1 angles deviate by .17° more, with 4 and 16 by
+// .00° and .01° less.
+constexpr int kIdle = 8;
+// The step with the least error of a second difference: the fourth root of a double's precision
+// [Press et al. 2007, 5.7].
+constexpr double kDifference = 0x1p-13;
 
 using Matrix2 = Eigen::Matrix2d;
 
@@ -66,7 +72,7 @@ class Untangling {
   std::vector<Face> foldedOf(const std::vector<Face>& faces) const {
     std::vector<Face> folded;
     for (const Face f : faces)
-      if (!(jacobian(f).determinant() > kLeastArea)) folded.push_back(f);
+      if (!(jacobian(f).determinant() > 0)) folded.push_back(f);
     return folded;
   }
 
@@ -115,7 +121,6 @@ class Untangling {
 
   // One step of Newton's method for each variable, by differences, halved until it helps.
   void improve(Vertex v) {
-    constexpr double kDifference = 1e-4;
     for (const Index variable : variablesOf(v)) {
       double& x = values_[variable];
       const double before = x, here = energyAround(v);
@@ -127,12 +132,8 @@ class Untangling {
       const double bend = (ahead - 2 * here + behind) / (kDifference * kDifference);
       double step = bend > 0 ? -slope / bend : (slope > 0 ? -0.1 : 0.1);
       step = std::clamp(step, -0.5, 0.5);
-      x = before;
-      for (int k = 0; k < kHalvings; ++k, step /= 2) {
-        x = before + step;
-        if (energyAround(v) < here) break;
-        x = before;
-      }
+      x = before + step;
+      for (; std::abs(x - before) > 0 && !(energyAround(v) < here); x = before + step) step /= 2;
     }
   }
 

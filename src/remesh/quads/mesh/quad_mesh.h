@@ -24,7 +24,9 @@ struct QuadMesh {
   const Vec3& position(Index v) const { return vertices[v].position; }
 };
 
-// A corner with a smaller sine (12°) is nearly straight.
+// A corner with a smaller sine (12°) is nearly straight. With .1 the least scaled Jacobian of 5
+// models at 2000, medians of 7 neighboring counts, is smaller by .07, with .4 distances are 1.19
+// times as large.
 constexpr double kLeastSine = 0.2;
 
 // A side of a quad as one number.

@@ -22,7 +22,9 @@ constexpr double kStep = 0.8;
 constexpr double kSquareness = 0.2;
 // With 4 or 16 directions, 3 or 8 searches angles of the same four change by up to .1°.
 constexpr int kDirections = 8, kSearches = 5;
-constexpr double kGain = 0.01;  // of what a search wants to lessen: less is not worth a step
+// Of what a search wants to lessen: less is not worth a step. With 0 featuretype at 2000 takes 2 to
+// 9 times as long (3 neighboring counts); angles of five other models stay the same.
+constexpr double kGain = 0.01;
 
 // The place of each vertex that moves on average over the rectangles of its quads.
 std::vector<Vec3> targetsOf(const MovingQuads& quads, std::span<const char> isFixed) {

@@ -14,7 +14,9 @@ namespace remesher {
 // and 3.4, 3.1, 2.8°. Twice as many take up to a tenth of the time.
 constexpr int kSmoothingSweeps = 24;
 
-constexpr double kEnough = 0.5;  // the sine of 30°: corners with a larger one are sound
+// The sine of 30°: corners with a larger one are sound. With that of 20° the least scaled Jacobian
+// of 5 models at 2000, medians of 7 neighboring counts, is smaller by .12.
+constexpr double kEnough = 0.5;
 
 // Runs so many passes over all vertices that are not marked. No corner becomes worse than 30°.
 void smoothToRectangles(MovingQuads& quads, int passes, std::span<const char> isFixed);
