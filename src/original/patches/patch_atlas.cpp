@@ -21,9 +21,6 @@ constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 // All on-demand patches together may visit as many faces as the mesh has, and at least so many.
 constexpr std::size_t kMinOnDemandFaces = 100000;
 
-// A patch on demand reaches this many times its triangle's longest side from the centroid.
-constexpr double kOnDemandReach = 1.3;
-
 // Triangles with a corner this near to the middle of its disk share the patch: farther out it may
 // hold the corners and yet be of little use.
 constexpr double kCentral = 0.6;
@@ -144,7 +141,7 @@ const PlanarPatch* PatchAtlas::Impl::patchOnDemand(const std::array<SurfacePoint
   }
   if (builder.visitedFaces() >= onDemandBudget) return nullptr;
   const Vec3 centre = (triangle[0] + triangle[1] + triangle[2]) / 3;
-  const double reach = kOnDemandReach * std::sqrt(squaredLongestSide(triangle));
+  const double reach = kMargin * std::sqrt(squaredLongestSide(triangle));  // from the centroid
   // If the faces lie around a thin tube, the ways from one of them may close a ring: try each face.
   PlanarPatch patch;
   for (std::size_t i = 0; i < 3 && patch.isEmpty(); ++i)

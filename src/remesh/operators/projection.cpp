@@ -5,16 +5,10 @@
 
 namespace remesher {
 
-namespace {
-
-constexpr double kMargin = 1.5;  // of a patch around its cell, in edges: see PatchAtlas
-
-}  // namespace
-
 Projector::Projector(const OriginalSurface& surface, Projection mode, double reach)
     : surface_(&surface),
       mode_(mode),
-      atlas_(std::in_place, surface.mesh(), surface.positions(), kMargin * reach,
+      atlas_(std::in_place, surface.mesh(), surface.positions(), PatchAtlas::kMargin * reach,
              surface.barriers()) {}
 
 void Projector::moveOnto(const OriginalSurface& surface) {

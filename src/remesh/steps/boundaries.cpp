@@ -25,10 +25,6 @@ constexpr double kStill = 0.1;
 // Of plans, and of slides within each plan. With 16, 33 of 35 results (the cases above, and a
 // draft) are the same, with 4 only 13, and quads are up to half as far away again.
 constexpr int kMostRounds = 8;
-// The weight of a star's smallest angle beside the mean of its smallest angles, and the least gain
-// of that quality for which a vertex moves.
-constexpr double kWorstCounts = 2, kWorthAMove = radians(0.3);
-
 struct Station {
   Index chain;
   double arc;
@@ -176,8 +172,8 @@ void pinNeeded(Run& run) {
       if (!isNear(run, row[i].chain, row[i - 1].arc, row[i + 1].arc)) run.mesh.pin(row[i].vertex);
 }
 
-// Rates the triangles around v if it were at `place`: the mean of their smallest angles plus, with
-// more weight, the smallest of all where it is bad. If the quality does not exceed `most`, any
+// Rates the triangles around v if it were at `place`: the mean of their smallest angles plus the
+// smallest of all where it is bad. If the quality does not exceed `most`, any
 // value up to `most` may be returned.
 double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
   constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
@@ -191,7 +187,7 @@ double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double 
     sum += angle;
     worst = std::min(worst, angle);
     --rest;
-    quality = (sum + rest * kLargest) / count + kWorstCounts * worst;
+    quality = (sum + rest * kLargest) / count + worst;
     if (quality <= most) break;
   }
   return quality;
@@ -212,7 +208,7 @@ bool mend(Run& run, const Station& before, Station& at, const Station& after) {
   const auto qualityAt = [&](double arc, double most) {
     return starQuality(run.mesh, at.vertex, positionAt(surface, at.chain, arc), most);
   };
-  double most = qualityAt(at.arc, 0) + kWorthAMove;
+  double most = qualityAt(at.arc, 0);
   Station best = at;
   for (int i = 1; i < kPlacesBetween; ++i) {
     const double arc = before.arc + (after.arc - before.arc) * i / kPlacesBetween;

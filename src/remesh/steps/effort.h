@@ -24,7 +24,7 @@ struct Effort {
   double rest;            // a vertex rests while its neighbours' mean moves less; target lengths
   int widenings;          // passes that widen the angles around irregular vertices
   int polishRounds;       // over the bad triangles
-  int polishPatience;     // rounds within which a fifth of many bad triangles must be mended
+  int polishPatience;     // rounds in which many bad triangles must not become more
   int polishTries;        // per triangle in a round
   int fitPasses;          // of fitting the vertices to the original
 };

@@ -113,7 +113,7 @@ inline bool areProofsSpent(const Run& run) {
 // The run's rule, but more tolerant of folds: for changes that are worth one.
 inline FidelityRule lenient(const Run& run) {
   FidelityRule rule = run.asked.rule;
-  rule.fold = kTightFold;
+  rule.fold = -kFold;
   return rule;
 }
 

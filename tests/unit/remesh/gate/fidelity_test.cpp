@@ -114,7 +114,7 @@ TEST_CASE("fidelity: what may lean far may not turn over, even where walls stand
   LocalChange change;
   REQUIRE(proposeFlip(mesh, mesh.mesh().find(Vertex(0), Vertex(3)), change));
   FidelityRule lenient = rule(Fidelity::Fold, 20, 20);
-  lenient.fold = kTightFold;
+  lenient.fold = -kFold;
   CHECK(judge(mesh, change, lenient) == Verdict::FoldsOver);
 }
 
