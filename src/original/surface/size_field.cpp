@@ -21,8 +21,6 @@ namespace {
 
 constexpr int kNormalizations = 3;
 constexpr double kNormalEnough = 1e-3;  // a scale this near to 1 is good enough
-// Edges longer than this, in units of the mean size at their ends, do not survive a run.
-constexpr double kLongestEdge = 5.0 / 3;
 // Flat faces are divided into parts with edges of at most this many mean lengths. With kLongestEdge
 // the worst angle of fixed_top at 3000 is 11° smaller and the tray's RMS distance 1.11 times as
 // large, medians of 7 neighboring counts.
