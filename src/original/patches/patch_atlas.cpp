@@ -15,14 +15,16 @@ namespace {
 
 // A distorted map throws points along the surface. A point is refused if its distance from the flat
 // triangle exceeds these shares of the longest side: kMaxSlide along the triangle, where there is
-// no reason to move, kMaxThrow in all, where the surface may bulge.
+// no reason to move, kMaxThrow in all, where the surface may bulge. With .5 along the triangle,
+// too, RMS distances of 15 cases at 7 neighboring counts are 1.01 times as large, means of medians.
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
 // All on-demand patches together may visit as many faces as the mesh has, and at least so many.
 constexpr std::size_t kMinOnDemandFaces = 100000;
 
 // Triangles with a corner this near to the middle of its disk share the patch: farther out it may
-// hold the corners and yet be of little use.
+// hold the corners and yet be of little use. With 1 15 cases at 7 neighboring counts have .2 points
+// fewer triangles above 50°, and RMS distances are 1.01 times as large, means of medians.
 constexpr double kCentral = 0.6;
 
 double diagonal(const VertexData<Vec3>& positions) {

@@ -29,6 +29,8 @@ constexpr double kFinestPart = 1.5;
 // Sizes that follow curvature also follow the bends of boundaries. In coarse meshes the chord
 // tolerance is this times size² / diagonal, since chords leave arcs by the square of the size.
 constexpr double kChordOfSquare = 2.75;
+// In mean lengths. Without a shortest chord 77 of 105 results (15 cases at 7 neighboring counts)
+// are the same, and distances 1.01 times as large, means of medians.
 constexpr double kShortestChord = 0.75;
 
 // The median by area of values that are not negative, whose bits rise with the values. Finds 16

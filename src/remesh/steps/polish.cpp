@@ -293,6 +293,8 @@ std::size_t mostWork(const Run& run) {
 }  // namespace
 
 bool areFewBelow(const Run& run, double angle) {
+  // With .01 and .04 15 cases at 7 neighboring counts have .2 and .3 points fewer triangles above
+  // 50°, means of medians.
   constexpr double kFew = 0.02;
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const AngleLimit limit(angle);

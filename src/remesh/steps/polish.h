@@ -12,6 +12,7 @@ namespace remesher {
 constexpr double kSmallShift = 0.16;
 
 // Drastic means may multiply the number of vertices by this before the count is put right again.
+// With 4 105 of 105 results (15 cases at 7 neighboring counts) are the same.
 inline constexpr double kMostGrowth = 1.25;
 
 struct PolishGoal {

@@ -16,10 +16,14 @@ namespace remesher {
 namespace {
 
 constexpr std::uint32_t kSeed = 2003;
+// With .25 15 cases at 7 neighboring counts have .1 points more triangles above 50° and worst
+// angles .2° smaller, means of medians.
 constexpr double kStartProbability = 0.5;
 // Not a rung of the ladder: with 28° a torus of 1500 vertices broke its gradation of 1.2, one of
 // 300 its mean angle of 54°.
 constexpr double kSmallestAngle = radians(25);
+// Rounds. Without these flips 15 cases at 7 neighboring counts have .1 points fewer triangles above
+// 50°, and RMS distances are 1.01 times as large, means of medians.
 constexpr int kDelaunayEvery = 5;
 // The weight of a boundary vertex: it has fewer neighbours to even out an irregular valence, which
 // is better inside. Not on kept boundaries, whose edges are as long as they happen to be. With 1
