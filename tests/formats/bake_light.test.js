@@ -105,11 +105,13 @@ test('what can be seen through is drawn in the order that it was drawn in', asyn
   const drawn = { ...addTorus(maker, { material: 0 }),
     indices: maker.addIndices(Uint32Array.from(upwards.flat())) };
   const { primitive } = await baked(await bake(maker.show([drawn]).glb()));
+  // A triangle is drawn when that of the original is on which it lies in part, and which starts at
+  // most a row of them, 0.21, below that part.
   let highest = -1;
   for (let t = 0; t < primitive.indices.length; t += 3) {
-    const [, middle] = primitive.indices.slice(t, t + 3)
-      .map((vertex) => primitive.POSITION[vertex][2]).sort((a, b) => a - b);
-    assert.ok(middle > highest - 0.42, `${middle} after ${highest}`); // two rows of them
-    highest = Math.max(highest, middle);
+    const heights = Array.from(primitive.indices.slice(t, t + 3),
+      (vertex) => primitive.POSITION[vertex][2]);
+    assert.ok(Math.max(...heights) > highest - 0.21, `${heights} after ${highest}`);
+    highest = Math.max(highest, Math.min(...heights));
   }
 });
