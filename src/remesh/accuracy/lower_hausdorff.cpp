@@ -25,7 +25,8 @@ constexpr double kGain = 0.99;
 constexpr double kNearMaximum = 0.8;
 
 // The least number of triangles to try, and the number of vertices to each try in a large mesh,
-// where few triangles decide. Three times and a third as many give 15 cases the same bytes.
+// where few triangles decide. With 50 distances of 15 cases at 7 neighboring counts are 1.03 times
+// as large, means of medians.
 constexpr std::size_t kTries = 100;
 // A point between two shells is far from both, and about as near to one as to the other: a try
 // there may look at millions of the original's triangles. If a mesh passes through itself all over,

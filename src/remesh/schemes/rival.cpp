@@ -18,7 +18,8 @@ namespace {
 // show errors, may also be off by kMuchNearer × kSeen. With 4 for those 104 of 105 results (15
 // cases at 7 neighboring counts) are the same.
 constexpr double kMuchNearer = 2;
-constexpr double kFinishing = 2;  // finishing never halves a distance
+// Finishing never halves a distance. With 1.5 105 of 105 results are the same.
+constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
 
 // Whether nothing is drawn on the surface: there even triangles are worth more than half a pixel.
