@@ -18,13 +18,8 @@ namespace remesher {
 
 class PatchAtlas {
  public:
-  // How far patches reach, in longest edges of the meshes to be projected. With 1.5 around cells 15
-  // cases at 7 neighboring counts have .06 points more triangles above 50° and RMS distances .7 %
-  // smaller, means of medians; with 1.5 on demand, too, the cow's draft takes half as long again.
-  static constexpr double kMargin = 1.3;
-
   // mesh and positions must outlive the atlas. margin: how far, in model units, a patch reaches
-  // beyond its cell; about kMargin × the longest edge of the meshes to be projected. Patches never
+  // beyond its cell; about 1.5 × the longest edge of the meshes to be projected. Patches never
   // reach across a halfedge marked in `barriers` (sized to the mesh, both halfedges of an edge
   // marked), if given.
   PatchAtlas(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin,

@@ -115,7 +115,7 @@ bool turnsOver(const WorkingMesh& mesh, const LocalChange& change) {
     const Vec3 normal = unitNormal(at(t[0]), at(t[1]), at(t[2]));
     return std::all_of(change.going.begin(), change.going.end(), [&](Face f) {
       const auto [a, b, c] = mesh.corners(f);
-      return normal.dot(unitNormal(a, b, c)) < -kFold;
+      return normal.dot(unitNormal(a, b, c)) < kTightFold;
     });
   });
 }

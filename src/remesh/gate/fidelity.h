@@ -26,12 +26,12 @@ namespace remesher {
 
 enum class Verdict { Accepted, FoldsOver, VertexAngle, TriangleAngle, MaxError, Crosses };
 
-// A triangle may lean 78° against the surface before it counts as folding over. The limit is as far
-// beyond 90° where the surface itself folds more tightly than the triangles are large and nothing
-// else would remove a cluster. With 107°
-// there 15 cases at 7 neighboring counts have .05 points fewer triangles above 50° and distances
-// 1.02 times as large, means of medians.
+// A triangle may lean 78° against the surface before it counts as folding over. The limit is 107°
+// where the surface itself folds more tightly than the triangles are large and nothing else would
+// remove a cluster. With 102° there the horse's worst angle at 2500 is 1.5° smaller, mean of 14
+// neighboring counts.
 inline constexpr double kFold = 0.2;
+inline constexpr double kTightFold = -0.3;
 
 struct FidelityRule {
   Fidelity mode = Fidelity::Fold;

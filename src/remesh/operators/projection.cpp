@@ -5,10 +5,18 @@
 
 namespace remesher {
 
+namespace {
+
+// Of a patch around its cell, in edges: see PatchAtlas. With 1.3 the cow's worst angle at 2500 is
+// 29°, not 33°, mean of 14 neighboring counts, in half as much time again.
+constexpr double kMargin = 1.5;
+
+}  // namespace
+
 Projector::Projector(const OriginalSurface& surface, Projection mode, double reach)
     : surface_(&surface),
       mode_(mode),
-      atlas_(std::in_place, surface.mesh(), surface.positions(), PatchAtlas::kMargin * reach,
+      atlas_(std::in_place, surface.mesh(), surface.positions(), kMargin * reach,
              surface.barriers()) {}
 
 void Projector::moveOnto(const OriginalSurface& surface) {

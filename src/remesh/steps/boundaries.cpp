@@ -25,6 +25,7 @@ constexpr double kStill = 0.1;
 // Of plans, and of slides within each plan. With 16, 33 of 35 results (the cases above, and a
 // draft) are the same, with 4 only 13, and quads are up to half as far away again.
 constexpr int kMostRounds = 8;
+
 struct Station {
   Index chain;
   double arc;
@@ -173,8 +174,8 @@ void pinNeeded(Run& run) {
 }
 
 // Rates the triangles around v if it were at `place`: the mean of their smallest angles plus the
-// smallest of all where it is bad. If the quality does not exceed `most`, any
-// value up to `most` may be returned.
+// smallest of all where it is bad. If the quality does not exceed `most`, any value up to `most`
+// may be returned.
 double starQuality(const WorkingMesh& mesh, Vertex v, const Vec3& place, double most) {
   constexpr double kLargest = radians(60.001);  // of smallest angles, rounding included
   const HalfedgeMesh& m = mesh.mesh();

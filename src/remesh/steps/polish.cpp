@@ -21,9 +21,9 @@ namespace {
 
 constexpr int kMeansByTurns = 2;  // see meansOf
 // If this many bad triangles outlast the effort's patience, the surface allows no better: the rest
-// are around handles no larger than a triangle. If a fifth must go, 96 of 105
-// results (15 cases at 7 neighboring counts) are the same; with 400 for kManyBad there are
-// .2 points fewer triangles above 50°.
+// are around handles no larger than a triangle. If a fifth must go, 96 of 105 results (15 cases at
+// 7 neighboring counts) are the same; with 400 for kManyBad there are .2 points fewer triangles
+// above 50°.
 constexpr std::size_t kManyBad = 200;
 // The work on a triangle is the number of its corners' neighbours. Where few triangles are bad a
 // twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
