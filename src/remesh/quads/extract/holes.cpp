@@ -20,7 +20,6 @@ namespace {
 // A hole with more sides is no slip of the map. Without this limit 35 of 35 quad meshes (5 models
 // at 7 neighboring counts) are the same.
 constexpr std::size_t kLongestLoop = 64;
-constexpr int kRelaxations = 40;
 
 // Quads that are unsound by themselves or beside others.
 std::vector<char> unsoundQuads(const QuadMesh& mesh) {
@@ -211,7 +210,7 @@ class Filling {
           neighbors[v - firstVertex_].push_back(mesh_.quads[q][(i + 1) % 4]);
           neighbors[v - firstVertex_].push_back(mesh_.quads[q][(i + 3) % 4]);
         }
-    for (int k = 0; k < kRelaxations; ++k)
+    for (int k = 0; k < kSmoothingSweeps; ++k)
       for (std::size_t i = 0; i < count; ++i) {
         Vec3 sum = Vec3::Zero();
         for (const Index w : neighbors[i]) sum += mesh_.position(w);

@@ -29,6 +29,11 @@ struct QuadMesh {
 // times as large.
 constexpr double kLeastSine = 0.2;
 
+// Of sizes, of vertices in holes, and of all vertices. With 6, 12 and 24, medians of 7 neighboring
+// counts at 5000, angles of fandisk, horse, bunny and hand deviate by 5.7, 5.3, 4.8; 3.1, 3.0, 2.8;
+// 3.6, 3.5, 3.2; and 3.4, 3.1, 2.8°. Twice as many take up to a tenth of the time.
+constexpr int kSmoothingSweeps = 24;
+
 // A side of a quad as one number.
 inline Index sideOf(Index quad, Index corner) { return 4 * quad + corner; }
 inline Index nextSide(Index side) { return side % 4 == 3 ? side - 3 : side + 1; }

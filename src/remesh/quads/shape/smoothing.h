@@ -9,11 +9,6 @@
 
 namespace remesher {
 
-// Of sizes, and of the places of quads. With 6, 12 and 24, medians of 7 neighboring counts at 5000,
-// angles of fandisk, horse, bunny and hand deviate by 5.7, 5.3, 4.8; 3.1, 3.0, 2.8; 3.6, 3.5, 3.2;
-// and 3.4, 3.1, 2.8°. Twice as many take up to a tenth of the time.
-constexpr int kSmoothingSweeps = 24;
-
 // The sine of 30°: corners with a larger one are sound. With that of 20° the least scaled Jacobian
 // of 5 models at 2000, medians of 7 neighboring counts, is smaller by .12.
 constexpr double kEnough = 0.5;
