@@ -188,7 +188,8 @@ class ChainTracer {
   // lets no more vertices in.
   std::size_t cornersOf(const Chain& loop) const {
     // kEdges: original edges per corner. With three corners everywhere 15 cases at 7 neighboring
-    // counts are 1.04 times as far away, means of medians.
+    // counts are 1.04 times as far away, means of medians. With 8 edges 5 cases are 1.03 times as
+    // far away, with 12 corners .91 times, but worst angles are .9° smaller.
     constexpr std::size_t kMost = 6, kEdges = 4;
     if (loop.boundary || !(rules_.size > 0)) return 3;
     return std::clamp<std::size_t>(loop.vertices.size() / kEdges, 3, kMost);

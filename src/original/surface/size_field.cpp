@@ -19,8 +19,11 @@ namespace remesher {
 
 namespace {
 
+// With 1000, 84 of 84 results (12 cases at 7 neighboring counts) are the same.
 constexpr int kNormalizations = 3;
-constexpr double kNormalEnough = 1e-3;  // a scale this near to 1 is good enough
+// A scale this near to 1 is good enough. With 0 the RMS distances of horse and cow at 2500 are 1.02
+// and 1.03 times as large, medians of 7 neighboring counts.
+constexpr double kNormalEnough = 1e-3;
 // Flat faces are divided into parts with edges of at most this many mean lengths. With kLongestEdge
 // the worst angle of fixed_top at 3000 is 11° smaller and the tray's RMS distance 1.11 times as
 // large, medians of 7 neighboring counts.

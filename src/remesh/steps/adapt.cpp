@@ -17,7 +17,8 @@ namespace remesher {
 
 namespace {
 
-// A shorter edge collapses even at the price of a fold.
+// A shorter edge collapses even at the price of a fold. With .2, 5 cases at 7 neighboring counts
+// are .97 times as far away and worst angles .05° smaller, with .8 .96 times and RMS 1.01 times.
 constexpr double kMustGo = 0.4;
 // Beyond this length only the longest side of a triangle is halved [Rivara 1984]. Halving all sides
 // of a triangle of such edges, whatever its shape, would pile vertices up beside its longest and

@@ -27,7 +27,7 @@ constexpr int kMeansByTurns = 2;  // see meansOf
 constexpr std::size_t kManyBad = 200;
 // The work on a triangle is the number of its corners' neighbours. Where few triangles are bad a
 // twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
-// in vain.
+// in vain. With 10 and 40, 35 of 35 results (5 cases at 7 neighboring counts) are the same.
 constexpr std::size_t kMostWork = 20;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
