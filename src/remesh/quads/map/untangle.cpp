@@ -10,6 +10,10 @@ namespace remesher {
 
 namespace {
 
+// A triangle with less than this share of the area that it should have counts as folded. With 0 the
+// least scaled Jacobian of a dragon, a torn scan, in 10,000 quads at 7 neighboring counts is -.34
+// at worst, not -.10.
+constexpr double kLeastArea = 0.02;
 // Rings around folds that move. With 2 angles of 5 models at 2000, medians of 7 neighboring counts,
 // deviate by .13° more and distances are 1.04 times as large, with 6 they are the same, in 1.16 of
 // the time.
@@ -72,7 +76,7 @@ class Untangling {
   std::vector<Face> foldedOf(const std::vector<Face>& faces) const {
     std::vector<Face> folded;
     for (const Face f : faces)
-      if (!(jacobian(f).determinant() > 0)) folded.push_back(f);
+      if (!(jacobian(f).determinant() > kLeastArea)) folded.push_back(f);
     return folded;
   }
 
