@@ -37,6 +37,7 @@ class Rival {
   bool isOwn();
   bool hasFlats();
   Away awayOf(const WorkingMesh& even);
+  double muchNearer();  // how many times nearer the rival must be
   void look();
 
   const Prepared& original_;

