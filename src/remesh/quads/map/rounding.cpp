@@ -193,8 +193,8 @@ Minimum Rounding::minimumOf(const Wholes& wholes, const std::vector<int>& some) 
 
 // Pulls sums to what is wanted of them, by the variables of the minimum.
 void Rounding::pull(Minimum& minimum, const Wholes& wholes) const {
-  // One over the weight, beside weights of about 1. With kTie angles of 5 models at 2000, medians
-  // of 7 neighboring counts, deviate by .10° more.
+  // One over the weight, beside weights of about 1. With kTie in its place angles of 5 models at
+  // 2000, medians of 7 neighboring counts, deviate by .10° more.
   constexpr double kYield = 1e-3;
   std::vector<int> places(std::size_t(wholes_), -1);
   for (Eigen::Index i = 0; i < minimum.count(); ++i)

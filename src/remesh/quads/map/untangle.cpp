@@ -18,8 +18,8 @@ constexpr double kLeastArea = 0.02;
 // deviate by .13° more and distances are 1.04 times as large, with 6 they are the same, in 1.16 of
 // the time.
 constexpr int kRings = 3;
-// Sweeps without fewer folds, before the end. With 1 angles deviate by .17° more, with 4 and 16 by
-// .00° and .01° less.
+// Sweeps without fewer folds, before the end. With 1 angles of the same models deviate by .17°
+// more, with 4 and 16 by .00° and .01° less.
 constexpr int kIdle = 8;
 // The step with the least error of a second difference: the fourth root of a double's precision
 // [Press et al. 2007, 5.7].
