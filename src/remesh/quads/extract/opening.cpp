@@ -16,8 +16,8 @@ namespace {
 
 using Loop = std::vector<Halfedge>;
 
-// The four places on a loop that its quad's corners take: its corners, as many as there are room
-// for, and middles between these.
+// Four places on a loop for the corners of its quad: the loop's own corners, at most four, then the
+// middles of the widest gaps.
 class FourOnLoop {
  public:
   FourOnLoop(const WorkingMesh& mesh, const Loop& loop) : mesh_(mesh), loop_(loop), arcs_{0} {
@@ -87,11 +87,12 @@ class Opening {
   void run(const Simpler& simpler) {
     for (const CutHandle& handle : simpler.handles) join(handle);
     for (const Loop& loop : boundaryLoops(mesh_.mesh())) {
-      if (isFollowed(loop)) continue;
+      if (hasVertexOn(loop)) continue;
       const Four<Placement> places = FourOnLoop(mesh_, loop).places();
-      const auto [quad, first] = nearestTo(places);
+      const bool isWithin = isWithinQuad(lengthOf(mesh_, loop), simpler.side);
+      const auto [quad, first] = nearestTo(places, isWithin);
       if (quad == kNone) continue;
-      isWithinQuad(lengthOf(mesh_, loop), simpler.side) ? takeWithin(quad) : take(quad);
+      isWithin ? takeWithin(quad) : take(quad);
       for (Index i = 0; i < 4; ++i)
         quads_.vertices[quads_.quads[quad][(first + 4 - i) % 4]] = places[i];
     }
@@ -100,8 +101,8 @@ class Opening {
   }
 
  private:
-  // Whether a vertex of the quads lies on the loop.
-  bool isFollowed(const Loop& loop) const {
+  // Whether the quads have a vertex on the loop.
+  bool hasVertexOn(const Loop& loop) const {
     std::set<Index> chains;
     std::set<Vertex> corners;
     for (const Halfedge h : loop) {
@@ -116,20 +117,21 @@ class Opening {
     });
   }
 
-  bool isInside(Index q) const {
+  bool isFree(Index q) const {
     const Four<Index>& quad = quads_.quads[q];
     return !isGone_[q] && std::all_of(quad.begin(), quad.end(), [&](Index v) {
       return !isOpen_[v] && quads_.vertices[v].kind == VertexKind::Interior;
     });
   }
 
-  // The quad that is nearest to the places, and its corner at the first of them, when its corners
-  // are taken clockwise; kNone if there is no quad inside.
-  std::pair<Index, Index> nearestTo(const Four<Placement>& places) const {
+  // The quad nearest to the places, its corners taken clockwise, and its corner at the first place;
+  // kNone if there is none. isWithin: whether a smaller quad is taken out of the quad. Else the
+  // quad must be free, because its corners move to the places.
+  std::pair<Index, Index> nearestTo(const Four<Placement>& places, bool isWithin) const {
     double least = kInfinity;
     std::pair<Index, Index> nearest = {kNone, 0};
     for (Index q = 0; q < isGone_.size(); ++q) {
-      if (!isInside(q)) continue;
+      if (isWithin ? isGone_[q] : !isFree(q)) continue;
       for (Index turn = 0; turn < 4; ++turn) {
         double sum = 0;
         for (Index i = 0; i < 4; ++i)
@@ -148,50 +150,38 @@ class Opening {
     for (const Index v : quads_.quads[q]) isOpen_[v] = 1;
   }
 
-  // Takes a smaller quad out of it.
+  // Puts a smaller quad into a quad and removes the smaller one.
   void takeWithin(Index q) {
     shrink(quads_, q, quads_.vertices[quads_.quads[q].front()].at, mesh_);
     isOpen_.resize(quads_.vertices.size(), 0);
     take(q);
   }
 
-  // The quad nearest to a point of those that face a direction and have no corner among `avoided`
-  // vertices; kNone if there is none.
-  Index nearestFacing(const Vec3& p, const Vec3& facing, const std::vector<char>& avoided) const {
+  // The quad nearest to a point of those that face a direction; kNone if there is none.
+  Index nearestFacing(const Vec3& p, const Vec3& facing) const {
     double least = kInfinity;
     Index nearest = kNone;
     for (Index q = 0; q < isGone_.size(); ++q) {
-      if (!isInside(q)) continue;
+      if (isGone_[q]) continue;
       const auto& [a, b, c, d] = quads_.quads[q];
       const Vec3 across = quads_.position(c) - quads_.position(a);
       const Vec3 other = quads_.position(d) - quads_.position(b);
+      if (across.cross(other).dot(facing) <= 0) continue;
       double sum = 0;
-      for (const Index v : quads_.quads[q])
-        sum += avoided[v] ? kInfinity : (quads_.position(v) - p).squaredNorm();
-      if (sum >= least || across.cross(other).dot(facing) <= 0) continue;
+      for (const Index v : quads_.quads[q]) sum += (quads_.position(v) - p).squaredNorm();
+      if (sum >= least) continue;
       least = sum;
       nearest = q;
     }
     return nearest;
   }
 
-  // Marks the vertices of a quad and of its neighbours.
-  std::vector<char> around(Index quad) const {
-    std::vector<char> isOfQuad(quads_.vertices.size(), 0), marks(quads_.vertices.size(), 0);
-    for (const Index v : quads_.quads[quad]) isOfQuad[v] = 1;
-    for (const Four<Index>& other : quads_.quads)
-      if (std::any_of(other.begin(), other.end(), [&](Index v) { return isOfQuad[v]; }))
-        for (const Index v : other) marks[v] = 1;
-    return marks;
-  }
-
-  // Joins the quads at both ends of a cut by four others, between those corners that are nearest.
+  // Removes a smaller quad at each end of a cut and joins the two rims by four quads. Corners pair
+  // so that the squared distances sum to least.
   void join(const CutHandle& handle) {
-    const std::vector<char> none(quads_.vertices.size(), 0);
-    const Index one = nearestFacing(handle.middle, handle.facing, none);
-    if (one == kNone) return;
-    const Index other = nearestFacing(handle.middle, -handle.facing, around(one));
-    if (other == kNone) return;
+    const Index one = nearestFacing(handle.middle, handle.facing);
+    const Index other = nearestFacing(handle.middle, -handle.facing);
+    if (one == kNone || other == kNone) return;
     takeWithin(one);
     takeWithin(other);
     const Four<Index> near = quads_.quads[one], far = quads_.quads[other];
@@ -214,7 +204,7 @@ class Opening {
   QuadMesh& quads_;
   const WorkingMesh& mesh_;
   std::vector<char> isGone_;  // of the quads
-  std::vector<char> isOpen_;  // of the vertices: on a boundary, or in a doublet
+  std::vector<char> isOpen_;  // of the vertices: on a boundary, in a doublet, or of a removed quad
 };
 
 }  // namespace

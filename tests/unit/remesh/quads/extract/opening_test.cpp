@@ -119,6 +119,44 @@ TEST_CASE("opening: only the vertices of a quad within another move to a small h
   }
 }
 
+TEST_CASE("opening: a small hole beside a boundary is opened in the quad it lies in") {
+  const TriangleMesh ball = shapes::icosphere(12);
+  const auto middleOf = [&](std::size_t f) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) sum += ball.positions[ball.indices[f + i]];
+    return Vec3(sum / 3);
+  };
+  const auto distance = [&](std::size_t f) { return (middleOf(f) - Vec3(0.893, 0, 0.45)).norm(); };
+  std::size_t small = 0;
+  for (std::size_t f = 3; f < ball.indices.size(); f += 3)
+    if (distance(f) < distance(small)) small = f;
+  TriangleMesh torn;
+  torn.positions = ball.positions;
+  for (std::size_t f = 0; f < ball.indices.size(); f += 3)
+    if (f != small && middleOf(f).z() < 0.55)
+      torn.indices.insert(torn.indices.end(), ball.indices.begin() + f,
+                          ball.indices.begin() + f + 3);
+  const OriginalSurface surface = shapes::surfaceOf(torn);
+  const WorkingMesh ground(surface);
+  REQUIRE(kindOf(ground.mesh()).boundaryLoops == 2);
+  for (const double vertices : {120., 140., 160., 180.}) {
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    REQUIRE(check(quads) == "");
+    CHECK(kindOf(quads) == kindOf(ground.mesh()));
+    const auto isOfHole = [&](Index v) {
+      return quads.vertices[v].kind != VertexKind::Interior &&
+             (quads.position(v) - middleOf(small)).norm() < 0.1;
+    };
+    const auto isOfRim = [&](Index v) {
+      return quads.vertices[v].kind != VertexKind::Interior && !isOfHole(v);
+    };
+    CHECK(std::any_of(quads.quads.begin(), quads.quads.end(), [&](const Four<Index>& quad) {
+      return std::any_of(quad.begin(), quad.end(), isOfHole) &&
+             std::any_of(quad.begin(), quad.end(), isOfRim);
+    }));
+  }
+}
+
 TEST_CASE("opening: near holes of a few quads that no map keeps apart are closed, too") {
   const TriangleMesh ball = shapes::icosphere(12);
   const Vec3 top = ball.positions[100], aside = 0.275 * top.unitOrthogonal();
