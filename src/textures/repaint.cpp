@@ -13,21 +13,13 @@
 #include "base/legible.h"
 #include "geometry/triangle.h"
 #include "textures/charts/unwrap.h"
+#include "textures/map_size.h"
 #include "textures/painting/look_borders.h"
 #include "textures/painting/new_surface.h"
 #include "textures/painting/tangents.h"
 
 namespace remesher {
 namespace {
-
-constexpr Index kSmallest = 64, kLargest = 4096;  // limits of automatically chosen sizes
-constexpr double kUse = 0.6;                      // approximate share of a square that charts cover
-constexpr double kBareTexels = 4;                 // per triangle of an original without maps
-// Limit on texels for blending vertex colours: they alone justify no more than a small square.
-constexpr double kMostForSteps = kUse * 512 * 512;
-// Texels around a chart: one for a filter at the chart's rim, and this share of the size more,
-// because coarser mip levels of larger squares are used as well.
-constexpr Index kPaddingShare = 256;
 
 bool isPainted(const std::string& semantic) {
   const std::string own = semantic.substr(semantic.find('/') + 1);  // of a morph target, too
@@ -164,16 +156,6 @@ class Repainting {
     double texels = 0;
     forEachGroup(number, [&](Index p, Index g) { texels += sources_[p]->largestMap(g); });
     return texels;
-  }
-
-  // A place of a map that the original shows several times, such as a mirrored half, gets texels
-  // each time. These are coarser, so that their number does not far exceed the original's. The next
-  // size has four times as many: the nearest size has up to twice as many or as few as wished.
-  static Index sizeFor(double shown, double stored) {
-    const double texels = stored > 0 ? std::sqrt(shown * std::min(shown, stored)) : shown;
-    Index size = kSmallest;
-    while (size < kLargest && 2 * double(size) * size * kUse < texels) size *= 2;
-    return size;
   }
 
   // Per part and corner, whether charts end at the edge from it.

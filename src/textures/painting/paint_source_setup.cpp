@@ -124,7 +124,9 @@ double PaintSource::texels(Index triangle) const {
 }
 
 double PaintSource::colorTexels(Index triangle) const {
-  constexpr double kStep = 1.0 / 32;  // about eight of a byte's levels per texel
+  // About eight of a byte's levels per texel. With 1/16 colors of 2 cases at 7 neighboring counts
+  // are 1.6 and 2.2 times as far off, with 1/64 .9 and .7 times, in four times as many texels.
+  constexpr double kStep = 1.0 / 32;
   double most = 0;
   std::array<Eigen::Vector4d, 3> shown;
   for (Index k = 0; k < 3; ++k)
