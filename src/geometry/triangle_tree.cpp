@@ -89,17 +89,16 @@ TriangleTree::TriangleTree(std::span<const Vec3> positions, std::span<const Inde
   }
 }
 
-// The centre of the box. If most corners lie in a small part of it, as beside a long spike, the
-// centre of the part that has at least a quarter of the corners in either half along each axis:
-// floats separate these corners only relative to a near origin.
+// The centre of the part of the box that has at least a quarter of the corners in either half along
+// each axis. This part is small beside a long spike, and floats separate its corners only relative
+// to a near origin.
 Vec3 TriangleTree::middle() const {
-  constexpr int kSmall = 8, kMost = 64;   // halvings of the box
-  constexpr std::size_t kCorners = 1000;  // sampled, about
+  constexpr int kMost = 64;  // halvings of the box
+  // Sampled, about. With 100 and with all, 42 of 42 results (6 cases at 7 neighboring counts) are
+  // the same.
+  constexpr std::size_t kCorners = 1000;
   const std::size_t step = std::max<std::size_t>(1, indices_.size() / kCorners);
   Box inner = box_;
-  Eigen::Index longest = 0;
-  (box_.high - box_.low).maxCoeff(&longest);
-  bool isSmall = false;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
     for (int halvings = 0; halvings < kMost; ++halvings) {
       const double half = 0.5 * (inner.low[axis] + inner.high[axis]);
@@ -108,10 +107,8 @@ Vec3 TriangleTree::middle() const {
         below += positions_[indices_[i]][axis] < half;
       if (4 * below >= all && 4 * below <= 3 * all) break;
       (4 * below < all ? inner.low : inner.high)[axis] = half;
-      isSmall = isSmall || (axis == longest && halvings >= kSmall);
     }
-  const Box& box = isSmall ? inner : box_;
-  return 0.5 * (box.low + box.high);
+  return 0.5 * (inner.low + inner.high);
 }
 
 TriangleTree::Lanes TriangleTree::inFloats(const Vec3& p) const {
