@@ -19,7 +19,7 @@ namespace {
 constexpr double kSingleNoise = 0x1p-22, kDoubleNoise = 0x1p-50;
 
 // Distances to try in turn, in percent of the diagonal: from single precision's step to a visible
-// one.
+// one. Only a warning names the one that joins.
 constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 
 // Numbers of finer cells would not be exact.
