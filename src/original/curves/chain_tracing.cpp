@@ -11,7 +11,9 @@ namespace remesher {
 
 namespace {
 
-// A curve has a corner where it turns by more than this; a regular octagon (45°) has none.
+// A curve has a corner where it turns by more than this; a regular octagon (45°) has none. With 65°
+// 119 of 140 results (20 cases at 7 neighboring counts) are the same, and worst angles .2° smaller,
+// means of medians.
 constexpr double kCornerTurn = radians(50);
 
 double turn(const Vec3& before, const Vec3& at, const Vec3& after) {

@@ -20,6 +20,9 @@ namespace {
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
 // All on-demand patches together may visit as many faces as the mesh has, and at least so many.
+// Without this least number 112 of 140, without any limit 135 of 140 results (20 cases at 7
+// neighboring counts) are the same, and distances differ by less than a hundredth, means of
+// medians.
 constexpr std::size_t kMinOnDemandFaces = 100000;
 
 // A patch on demand reaches this many times its triangle's longest side from the centroid. With 1.5

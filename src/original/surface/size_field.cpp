@@ -34,7 +34,9 @@ constexpr double kLongestEdge = 5.0 / 3;
 constexpr double kFinestPart = 1.5;
 
 // Sizes that follow curvature also follow the bends of boundaries. In coarse meshes the chord
-// tolerance is this times size² / diagonal, since chords leave arcs by the square of the size.
+// tolerance is this times size² / diagonal, since chords leave arcs by the square of the size. With
+// half as much 119 of 119 results (17 cases at 7 neighboring counts) are the same, with twice as
+// much 105.
 constexpr double kChordOfSquare = 2.75;
 // In mean lengths. Without a shortest chord 77 of 105 results (15 cases at 7 neighboring counts)
 // are the same, and distances 1.01 times as large, means of medians.

@@ -30,7 +30,9 @@ constexpr double kNearMaximum = 0.8;
 constexpr std::size_t kTries = 100;
 // A point between two shells is far from both, and about as near to one as to the other: a try
 // there may look at millions of the original's triangles. If a mesh passes through itself all over,
-// a try may look at as many of the mesh's own. Other tries seldom look at more than ten thousand.
+// a try may look at as many of the mesh's own. Other tries seldom look at more than ten thousand:
+// without a limit 140 of 140 results (20 cases at 7 neighboring counts) are the same, with 3000
+// 139.
 constexpr std::size_t kLooksPerTry = 12'000;
 
 // The smallest angle that a move must leave, in radians, and the one asked of the last try, which

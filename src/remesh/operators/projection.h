@@ -11,7 +11,9 @@
 
 namespace remesher {
 
-// A place this near, in units of an edge's length, is as good as the place itself.
+// A place this near, in units of an edge's length, is as good as the place itself. With .1
+// distances of 10 cases at 7 neighboring counts are 1.08 times as large, with 0 .95 times, but
+// worst angles .7° smaller, means of medians.
 inline constexpr double kPlainlyNear = 0.05;
 
 class Projector {

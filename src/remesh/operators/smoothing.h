@@ -17,7 +17,9 @@ Vec2 areaBasedTarget(const PolarMap& star, std::span<const double> mu);
 Vec2 laplacianTarget(const PolarMap& star);
 
 // A smallest angle below this is penalised more than other triangles gain by it. Of seven triangles
-// around a vertex not all can have one much larger.
+// around a vertex not all can have one much larger. With 45° 10 cases at 7 neighboring counts have
+// 1.4 points fewer triangles above 50°, with 55° distances are 1.04 times as large, means of
+// medians.
 inline constexpr double kWideAngle = radians(50.3);
 
 // A vertex on a curve stays this share of the way between its neighbours along the curve away from

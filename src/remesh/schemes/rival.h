@@ -12,7 +12,8 @@
 namespace remesher {
 
 // The largest distance that is not seen, as a share of the diagonal: half a pixel in a picture a
-// thousand pixels wide.
+// thousand pixels wide. With twice as much 119 of 119 results (17 cases at 7 neighboring counts)
+// are the same, with half as much 102, and angles 4.3° smaller, means of medians.
 constexpr double kSeen = 5e-4;
 
 // The mesh that `follow` makes of an original, made on first use. It replaces even triangles that

@@ -8,7 +8,8 @@
 
 namespace remesher {
 
-// A step's shift, in target edge lengths: a quarter and more loses tips, much less leaves slivers.
+// A step's shift, in target edge lengths. With .08 worst angles of 10 cases at 7 neighboring counts
+// are .5° smaller, with .24 larger by .1°, means of medians.
 constexpr double kSmallShift = 0.16;
 
 // Drastic means may multiply the number of vertices by this before the count is put right again.
