@@ -24,7 +24,8 @@ constexpr double kFewAround = 8;
 // the same cases are 1.18 times as large, with 8 all results are the same.
 constexpr double kFar = 4;
 // On a boundary a spike must be this many times as long as all the rest is wide, because an outline
-// may come to a slender point. With 3 and 30, 56 and 63 of the same 63 results are the same.
+// may come to a slender point. With 3 a test of outlines fails; with 30 all results
+// are the same.
 constexpr double kWild = 10;
 // Spikes with less than this share of the area do no harm.
 constexpr double kWorthAWord = 0.05;

@@ -21,7 +21,9 @@ struct MadeQuads {
 // Makes even, compact triangle meshes of about so many vertices, all on the same surface.
 using TriangleMaker = std::function<WorkingMesh(std::size_t vertices)>;
 
-// A number that is not to be exact is met within this share.
+// A number that is not to be exact is met within this share. With .005 and .02 5 models at 2000, 7
+// neighboring counts, have 2 and 3 irregular vertices fewer, and distances are .99 and 1.18 times
+// as large, means of medians.
 constexpr double kCountTolerance = 0.01;
 
 struct QuadGoal {

@@ -15,7 +15,9 @@ namespace remesher {
 
 namespace {
 
-// Dense work grows with the third power: this many variables take about a second per map.
+// Dense work grows with the third power: this many variables take about a second per map. With 100
+// angles of 5 models at 2000, 7 neighboring counts, deviate by 5.8° more, means of medians; without
+// a limit 35 of 35 results are the same.
 constexpr Index kMostWholes = 1500;
 
 MapPoint turned(const MapPoint& p, int turn) {
