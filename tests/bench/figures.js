@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Prints the sizes of the code: modules in each folder, dials in each room of the algorithm, and
-// for each tree the longest files, the longest functions and the functions with most parameters.
+// Prints the sizes of the code: modules in each folder, named constants in each folder of the core,
+// and for each tree the longest files, the longest functions, and the most parameters.
 //   npm run figures
-import { dialsOfRooms, mostDials } from '../support/dials.js';
+import { constantsOfRooms } from '../support/constants.js';
 import { filesWithSizes, folderSizes, limits, shareOfLong } from '../support/figures.js';
 import { markdownTable } from './table.js';
 
@@ -24,7 +24,7 @@ function print(title, names, rows) {
 print(`Folders (at most ${limits.modules} modules)`, ['folder', 'modules', 'files'],
   [...folderSizes(files)].map(([folder, size]) => [folder, size.modules, size.files]));
 
-print(`Dials (at most ${mostDials} in all)`, ['room of the algorithm', 'dials'], dialsOfRooms());
+print('Named constants', ['folder of src', 'constants'], constantsOfRooms());
 
 print('Trees', ['tree', 'files', 'lines', 'functions', 'median', 'longest', `% > ${limits.habit}`],
   trees.map((top) => {

@@ -3,12 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { constantsIn } from '../support/constants.js';
 import { cppFunctions } from '../support/cpp_functions.js';
-import { constantsIn, dialsOfRooms, facts, mostDials } from '../support/dials.js';
 import {
   filesWithSizes, folderSizes, jsFunctions, limits, shareOfLong,
 } from '../support/figures.js';
-import { readText } from '../support/tree.js';
 
 const sources = ['src', 'bindings', 'web'].flatMap(filesWithSizes);
 const files = [...sources, ...filesWithSizes('tests')];
@@ -108,19 +107,4 @@ test('constants are found, several to a statement, and no calls or mentions', ()
     inline constexpr Effort kRow = {1, 2}; const double kFour = std::cos(kOne);
     if (x == kOne) return kTwo + f(kOne); static constexpr int kFive{5};`),
   ['kOne', 'kTwo', 'kRow', 'kFour', 'kFive']);
-});
-
-test('every constant that counts as a fact is in its file', () => {
-  const wrong = Object.entries(facts).flatMap(([file, names]) => {
-    const constants = constantsIn(readText(`src/${file}`));
-    return names.filter((name) => !constants.includes(name)).map((name) => `${file}: ${name}`);
-  });
-  assert.deepEqual(wrong, []);
-});
-
-test('the algorithm has no more dials than it had', () => {
-  const all = dialsOfRooms();
-  assert.ok(all.every(([, dials]) => dials > 0), 'every room is looked at');
-  const sum = all.reduce((total, [, dials]) => total + dials, 0);
-  assert.ok(sum <= mostDials, `${sum} dials, at most ${mostDials}: derive the new one, or measure`);
 });

@@ -15,7 +15,7 @@ import { filesUnder, readText, root } from './tree.js';
 
 /** The limits; `longFunctions` is the share of functions with more than `habit` lines. */
 export const limits = {
-  modules: 15, fileLines: 400, functionLines: 60, habit: 30, longFunctions: 0.1, parameters: 4,
+  modules: 25, fileLines: 500, functionLines: 80, habit: 30, longFunctions: 0.2, parameters: 6,
 };
 
 /** A function's name, if it has one. */
