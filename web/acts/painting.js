@@ -4,8 +4,10 @@
 import { addCommand } from '../base/commands.js';
 import { densityColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
-import { recall, remember } from '../base/memory.js';
-import { applyDab, densityOf, largestLevel, levelsOf, mirrored } from '../model/density.js';
+import { Setting } from '../base/memory.js';
+import {
+  applyDab, areDabs, densityOf, largestLevel, levelsOf, mirrored,
+} from '../model/density.js';
 import { currentBrush, hideBrush, showBrush } from '../panel/brush.js';
 import { ramp } from '../view/ramp.js';
 
@@ -14,6 +16,12 @@ import { ramp } from '../view/ramp.js';
  *   }} Desk */
 
 const densityColor = ramp(densityColors);
+
+/** The dabs, and the model that they are on. */
+const paint = new Setting('paint', (text) => {
+  const { key, dabs } = JSON.parse(text);
+  return typeof key === 'string' && areDabs(dabs) ? { key, dabs } : undefined;
+});
 
 export class Painting {
   #page;
@@ -62,15 +70,15 @@ export class Painting {
     this.#shownAt = this.#page.stage.viewer?.view('original')?.soup().positions ?? null;
     this.#countedAt = null;
     this.#toggle(false);
-    const kept = JSON.parse(recall('paint') ?? '{}');
-    this.set(kept.key === this.#key && Array.isArray(kept.dabs) ? kept.dabs : []);
+    const kept = paint.recall();
+    this.set(kept?.key === this.#key ? kept?.dabs ?? [] : []);
   }
 
   /** @param {Dab[]} dabs replace all present dabs */
   set(dabs) {
     this.#dabs = [...dabs];
-    if (dabs.length) remember('paint', JSON.stringify({ key: this.#key, dabs }));
-    else if (this.#key) remember('paint', null);
+    if (dabs.length) paint.remember(JSON.stringify({ key: this.#key, dabs }));
+    else if (this.#key) paint.remember(null);
     if (!this.#shownAt) return;
     this.#levels = levelsOf(this.#shownAt, dabs);
     this.#showLevels();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The visitor's commands. A button (data-do), a key and a program run the same command.
-import { recall, remember } from './memory.js';
+import { switchSetting } from './memory.js';
 
 /** @typedef {{ id: string, key: string, run: () => void }} Command key: '' for none */
 
@@ -13,12 +13,12 @@ export function isTyping({ target }) {
   return target instanceof Element && target.matches(kinds);
 }
 
-const singleKeys = 'single-keys';
-export const hasSingleKeys = () => recall(singleKeys) !== 'off';
+const singleKeys = switchSetting('single-keys', 'off');
+export const hasSingleKeys = () => singleKeys.recall() === undefined;
 
 /** @param {boolean} isOn whether single letters, without Ctrl, run commands */
 export function setSingleKeys(isOn) {
-  remember(singleKeys, isOn ? null : 'off');
+  singleKeys.remember(isOn ? null : 'off');
   showShortcuts();
 }
 

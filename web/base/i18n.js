@@ -3,7 +3,7 @@
 // texts are English. Elements name their text by data-text, their label by data-label, and their
 // role description by data-role.
 import en from '../texts/en.js';
-import { recall, remember } from './memory.js';
+import { Setting } from './memory.js';
 
 /** @typedef {keyof typeof en} TextKey */
 /** @typedef {Record<string, string | number>} Filling */
@@ -26,8 +26,11 @@ let current = 'en';
 /** @type {(() => void)[]} */
 const listeners = [];
 
-/** @param {string | null} code @returns {code is Language} */
-const isKnown = (code) => code !== null && code in languages;
+/** @param {string | undefined} code @returns {code is Language} */
+const isKnown = (code) => code !== undefined && Object.hasOwn(languages, code);
+
+/** The visitor's choice. */
+const chosen = new Setting('language', (code) => (isKnown(code) ? code : undefined));
 
 export const language = () => current;
 
@@ -59,7 +62,7 @@ export function applyTexts(root) {
 export async function setLanguage(code) {
   texts = await files[code]();
   current = code;
-  remember('language', code);
+  chosen.remember(code);
   document.documentElement.lang = code;
   applyTexts(document);
   for (const listener of listeners) listener();
@@ -67,6 +70,6 @@ export async function setLanguage(code) {
 
 /** The visitor's choice, or the first of the browser's languages with texts. */
 export function firstLanguage() {
-  const asked = [recall('language'), ...navigator.languages.map((tag) => tag.slice(0, 2))];
+  const asked = [chosen.recall(), ...navigator.languages.map((tag) => tag.slice(0, 2))];
   return asked.find(isKnown) ?? 'en';
 }

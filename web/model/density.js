@@ -8,6 +8,13 @@
 /** Levels are at most this far from 0. */
 export const largestLevel = 3;
 
+/** @param {any} dab @returns {dab is Dab} */
+const isDab = (dab) => Array.isArray(dab?.point) && dab.point.length === 3
+  && [...dab.point, dab.radius, dab.strength].every(Number.isFinite) && dab.radius > 0;
+
+/** Whether a value is a list of dabs. @param {unknown} value @returns {value is Dab[]} */
+export const areDabs = (value) => Array.isArray(value) && value.every(isDab);
+
 /** The weight of a dab, falling smoothly from 1 at the centre to 0 at the rim.
  * @param {number} share squared distance over squared radius */
 const falloff = (share) => (1 - share) ** 2;

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Models opened before: only their names, unless the visitor lets the browser keep the files.
 import { clear, createStore, get, set } from 'idb-keyval';
-import { recall, remember } from '../base/memory.js';
+import { Setting, switchSetting } from '../base/memory.js';
 
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
 
 const most = 8;
-const setting = 'keep-files';
+/** Letters of a name: no file system takes longer ones. */
+const longestName = 1024;
+
+/** @param {unknown} name @returns {name is string} */
+const isName = (name) =>
+  typeof name === 'string' && name.length > 0 && name.length <= longestName;
+
+const recent = new Setting('recent', (text) => {
+  const names = JSON.parse(text);
+  const isFit = Array.isArray(names) && names.length > 0 && names.length <= most
+    && names.every(isName);
+  return isFit ? /** @type {string[]} */ (names) : undefined;
+});
+const keeping = switchSetting('keep-files', 'on');
 
 /** @returns {string[]} the latest first */
-export function recentNames() {
-  try {
-    const names = JSON.parse(recall('recent') ?? '[]');
-    return Array.isArray(names) ? names.filter((name) => typeof name === 'string') : [];
-  } catch {
-    return [];
-  }
-}
+export const recentNames = () => recent.recall() ?? [];
 
-export const keepsFiles = () => recall(setting) === 'on';
+export const keepsFiles = () => keeping.recall() !== undefined;
 
 /** The database is opened at its first use: most visitors never need it. */
 const store = () => createStore('remesher', 'files');
@@ -26,22 +32,26 @@ const store = () => createStore('remesher', 'files');
 /** @param {string} name of the model @param {PathedFile[]} items the model and its other files */
 export async function addRecent(name, items) {
   const names = [name, ...recentNames().filter((other) => other !== name)].slice(0, most);
-  remember('recent', JSON.stringify(names));
+  recent.remember(JSON.stringify(names.filter(isName)));
   if (keepsFiles()) await set(name, items, store()).catch(() => {});
 }
 
+/** @param {any} item @returns {item is PathedFile} */
+const isPathedFile = (item) => typeof item?.path === 'string' && item.file instanceof File;
+
 /** @param {string} name @returns {Promise<PathedFile[] | undefined>} */
 export async function keptFiles(name) {
-  return keepsFiles() ? get(name, store()).catch(() => undefined) : undefined;
+  const items = keepsFiles() ? await get(name, store()).catch(() => undefined) : undefined;
+  return Array.isArray(items) && items.every(isPathedFile) ? items : undefined;
 }
 
 /** @param {boolean} keeps true: files are kept from now on; false: all kept files are deleted */
 export async function setKeepsFiles(keeps) {
-  remember(setting, keeps ? 'on' : null);
+  keeping.remember(keeps ? 'on' : null);
   if (!keeps) await clear(store()).catch(() => {});
 }
 
 export async function forgetRecent() {
-  remember('recent', null);
+  recent.remember(null);
   await clear(store()).catch(() => {});
 }
