@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 
 import { drop, opened, reportRow, settled, visit } from '../support/browser_page.js';
-import { presets, withPreset } from '../../web/model/presets.js';
+import { ownChoices, presets, withPreset } from '../../web/model/presets.js';
 import { plate } from '../support/machine_parts.js';
 import { objText, torus } from '../support/shape_files.js';
 import { offText } from '../support/shapes.js';
@@ -128,6 +128,41 @@ test('a new model begins anew', async () => {
   assert.equal(await page.isDisabled('#undo'), true);
   assert.equal(await page.locator('.history-entry').count(), 0);
   assert.deepEqual(complaints, []);
+});
+
+test('a purpose does not depend on the purposes before it', () => {
+  const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
+    { vertices: 70, textures: 'bake', textureSize: 64 }];
+  const pairs = presets.flatMap((first) => presets.map((second) => [first, second]));
+  for (const [first, second] of pairs) {
+    for (const own of choices) {
+      for (const isTextured of [false, true]) {
+        const between = withPreset(first, own, isTextured);
+        assert.deepEqual(withPreset(second, ownChoices(between, own), isTextured),
+          withPreset(second, own, isTextured), `${second.id} after ${first.id}`);
+      }
+    }
+  }
+});
+
+test('options of a purpose stay with neither the next purpose nor the next model', async () => {
+  await page.fill('#target', '150');
+  await page.dispatchEvent('#target', 'change');
+  await page.click('#preset-lowPoly');
+  assert.equal(await value('.target select'), 'ratio');
+  await page.click('#preset-even');
+  assert.deepEqual([await value('.target select'), await value('#target')], ['vertices', '150']);
+  assert.equal(await page.textContent('#asked'), 'Adaptivity 0');
+  for (const preset of ['lowPoly', 'print', 'quads']) {
+    await page.click(`#preset-${preset}`);
+    await settled(page);
+    await drop(page, { [`after ${preset}.obj`]: objText(torus(24, 12)) });
+    await opened(page, `after ${preset}.obj`);
+    assert.equal(await page.textContent('#asked'), '');
+    assert.deepEqual([await value('.target select'), await value('#target')],
+      ['vertices', '288']);
+    assert.match(await page.evaluate(() => location.hash), /^#vertices=288$/);
+  }
 });
 
 test('low poly prefers shape, and paints anew what has textures', async () => {

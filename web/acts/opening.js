@@ -51,12 +51,11 @@ async function showOriginal({ session, stage, surveying, painting, panel }) {
   panel.setPaintable({ isPaintable: session.isGltf || isTextured, isTextured });
 }
 
-/** @param {Page} page @param {Values} wished what an address asked for */
+/** A model begins with the defaults and what an address asked for: no option of the model before
+ * stays. @param {Page} page @param {Values} wished */
 function setForm({ panel, session }, wished) {
-  panel.setInput(session.inspection?.input.vertices ?? 0);
-  const sample = sampleOf(session.source);
-  if (sample) panel.setTarget(sample.vertices);
-  if (Object.keys(wished).length) panel.setValues(wished);
+  panel.setInput(session.inspection?.input.vertices ?? 0, sampleOf(session.source)?.vertices);
+  panel.setValues(wished);
 }
 
 /** Remeshes by the form. Where that asks for the model's own number of vertices, and these are too

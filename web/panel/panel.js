@@ -4,7 +4,7 @@
 import { defaultOf, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
-import { presets, withPreset } from '../model/presets.js';
+import { ownChoices, presets, withPreset } from '../model/presets.js';
 import {
   choiceName, optionHelp, optionName, optionUnit, valuesInWords,
 } from './option_words.js';
@@ -121,6 +121,8 @@ export class Panel {
   #repair = element('div', { className: 'repair' });
   #asked = element('p', { id: 'asked', className: 'help' });
   #isTextured = false;
+  /** The target and the texture options that no preset has set. @type {Values} */
+  #own = {};
   /** Whether the result is updated while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
   #acts;
@@ -176,7 +178,7 @@ export class Panel {
   #presets() {
     const buttons = presets.map((preset) => element('button', { type: 'button', className: 'chip',
       id: `preset-${preset.id}`, onclick: () =>
-        this.#change(withPreset(preset, this.values(), this.#isTextured)) },
+        this.#change(withPreset(preset, this.#own, this.#isTextured)) },
     t(`preset.${preset.id}`)));
     return element('div', { className: 'presets', role: 'group', 'aria-label': t('presets') },
       ...buttons, this.#asked);
@@ -232,6 +234,7 @@ export class Panel {
   /** Shows which options were set, in a line and at their fields. */
   #showAsked() {
     const values = this.values();
+    this.#own = ownChoices(values, this.#own);
     this.#asked.textContent = valuesInWords(values);
     this.#target.follow(values);
     for (const { option, control } of this.#fields) {
@@ -286,9 +289,11 @@ export class Panel {
   }
 
   /** Takes the size of a new model, by which targets are measured.
-   * @param {number} vertices of the input */
-  setInput(vertices) {
-    this.#target.setInput(vertices);
+   * @param {number} vertices of the input @param {number} [target] the default; the input's size,
+   *   if that is not large, if not given */
+  setInput(vertices, target) {
+    this.#own = {};
+    this.#target.setInput(vertices, target);
     this.#button.disabled = false;
   }
 
@@ -300,11 +305,6 @@ export class Panel {
     if (isPaintable) return;
     const others = Object.entries(this.values()).filter(([name]) => !ofTextures.includes(name));
     this.setValues(Object.fromEntries(others));
-  }
-
-  /** @param {number} vertices to ask for */
-  setTarget(vertices) {
-    this.#target.setValue({ vertices });
   }
 
   /** Asks for twice as many vertices as the model has, and says why. */

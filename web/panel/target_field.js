@@ -25,6 +25,8 @@ export class TargetField {
   static names = ['vertices', 'ratio', 'edgeLength'];
 
   #inputVertices = 0;
+  /** @type {number | ''} */
+  #defaultVertices = '';
   /** Whether the result has exactly the target number of vertices; else nearly. */
   #isExact = true;
   /** Whether twice the input's number was the page's own choice. */
@@ -93,10 +95,6 @@ export class TargetField {
     this.#show();
   }
 
-  get #defaultVertices() {
-    return Math.min(this.#inputVertices, largestDefault) || '';
-  }
-
   #show() {
     this.#slider.hidden = !this.#isVertices;
     if (this.#isVertices && this.#inputVertices) this.#slider.value = String(this.#toSlider());
@@ -152,9 +150,10 @@ export class TargetField {
     this.setValue({ vertices: 2 * this.#inputVertices });
   }
 
-  /** @param {number} vertices */
-  setInput(vertices) {
+  /** @param {number} vertices of the input @param {number} [target] the default, if known */
+  setInput(vertices, target) {
     this.#inputVertices = vertices;
+    this.#defaultVertices = target ?? (Math.min(vertices, largestDefault) || '');
     this.#isTwice = false;
     this.#changeKind();
   }
