@@ -37,7 +37,7 @@ test('a dropped OBJ is remeshed to exactly as many vertices as were asked for', 
 
 test('downloads have the vertices that the report tells of', async () => {
   const obj = await saved(page, 'text="OBJ"');
-  assert.equal(obj.name, 'ring.obj');
+  assert.equal(obj.name, 'ring-500.obj');
   assert.equal(String(obj.bytes).match(/^v /gm).length, 500);
   const off = await saved(page, 'text="OFF"');
   assert.match(String(off.bytes), /^OFF\s+500 1000 /);

@@ -66,8 +66,8 @@ test('all of several models are remeshed into one ZIP, a bad one being named', a
   await settled(page);
   assert.equal(name, 'remeshed.zip');
   const files = unzipSync(bytes);
-  assert.deepEqual(Object.keys(files).sort(), ['a/one.obj', 'b/one.obj', 'report.json']);
-  for (const path of ['a/one.obj', 'b/one.obj']) {
+  assert.deepEqual(Object.keys(files).sort(), ['a/one-150.obj', 'b/one-150.obj', 'report.json']);
+  for (const path of ['a/one-150.obj', 'b/one-150.obj']) {
     assert.equal(String(Buffer.from(files[path])).match(/^v /gm).length, 150);
   }
   const reports = JSON.parse(new TextDecoder().decode(files['report.json']));

@@ -14,7 +14,7 @@ import { takeawayView } from '../report/takeaway.js';
 import { savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
-/** @typedef {import('../model/session.js').Result} Result */
+/** @typedef {import('../model/result.js').Result} Result */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 
 /** Writes both sides' names, and the report on the right side, in the current language.
@@ -45,9 +45,9 @@ export function showReport(page) {
 
 /** The views to save a result and its maps. @param {Page} page @param {Result} result */
 function homeViews(page, result) {
-  const acts = savingActs(page);
+  const acts = savingActs(page, result);
   const maps = mapsView(result, acts.onFile);
-  return [...(maps ? [maps] : []), takeawayView(page.session, acts)];
+  return [...(maps ? [maps] : []), takeawayView(page.session, result, acts)];
 }
 
 /** A function that shows a warning's place, null if the place is unknown.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Saves a result as files, a report or a picture, and copies texts such as its command line.
-import { withExtension } from '../base/format.js';
+import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { saidAs } from '../base/said.js';
 import { packed } from '../files/archives.js';
 import { download } from '../panel/downloads.js';
 import { announce, showNews } from '../panel/messages.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
+/** @typedef {import('../model/result.js').Result} Result */
 
 /** Number of levels of detail. */
 const levelCount = 4;
@@ -19,17 +21,30 @@ function save(file) {
 }
 
 /** Saves one file as it is, several files (such as an OBJ with its materials) as one ZIP.
- * @param {NamedBytes[]} files */
-async function hand(files) {
-  const zipName = withExtension(files[0].name, 'zip');
-  download(files.length === 1 ? files[0] : await packed(zipName, files));
+ * @param {NamedBytes[]} files @param {string} zipName @returns {Promise<string>} the name */
+async function hand(files, zipName) {
+  const file = files.length === 1 ? files[0] : await packed(zipName, files);
+  download(file);
+  return file.name;
 }
 
-/** @param {Page} page @param {boolean} hasBackground */
-async function picture({ session, stage }, hasBackground) {
+/** Saves a result in a format, and says what the format does not hold.
+ * @param {Page} page @param {Result} result @param {string} format */
+async function saveAs({ session }, result, format) {
+  const { files, losses, warnings } = await session.filesIn(result, format);
+  const name = await hand(files, result.nameIn('zip'));
+  const lacks = [
+    ...losses.map(({ kind, count: total }) =>
+      t(`loss.${kind}`, { format: format.toUpperCase(), count: count(total) })),
+    ...warnings.map(({ code, message }) => saidAs('warning', code, message).text),
+  ];
+  if (lacks.length) showNews([t('saved', { name }), ...lacks].join(' '));
+}
+
+/** @param {Page} page @param {Result} result @param {boolean} hasBackground */
+async function picture({ stage }, result, hasBackground) {
   const bytes = await stage.picture({ scale: 2, hasBackground });
-  const name = withExtension(session.model?.name ?? 'model', 'png');
-  if (bytes) download({ name, bytes });
+  if (bytes) download({ name: result.nameIn('png'), bytes });
 }
 
 /** @param {string} text */
@@ -38,21 +53,22 @@ async function copy(text) {
   showNews(t('copied'));
 }
 
-/** @param {Page} page */
-export function savingActs(page) {
+/** @param {Page} page @param {Result} result */
+export function savingActs(page, result) {
   const { session } = page;
   return {
     onFormat: (/** @type {string} */ format) =>
-      page.busy(async () => hand(await session.filesAs(format))),
-    onLevels: () => page.busy(async () => hand(await session.levels(levelCount))),
+      page.busy(() => saveAs(page, result, format)),
+    onLevels: () => page.busy(async () => {
+      await hand(await session.levels(result, levelCount), result.nameIn('zip', 'lods'));
+    }),
     onReport: () => {
-      const text = `${JSON.stringify(session.shown?.report, null, 2)}\n`;
-      const name = withExtension(session.model?.name ?? 'model', 'report.json');
-      save({ name, bytes: new TextEncoder().encode(text) });
+      const text = `${JSON.stringify(result.report, null, 2)}\n`;
+      save({ name: result.nameIn('json', 'report'), bytes: new TextEncoder().encode(text) });
     },
     onFile: save,
     onPicture: (/** @type {boolean} */ hasBackground) =>
-      page.busy(() => picture(page, hasBackground)),
+      page.busy(() => picture(page, result, hasBackground)),
     onCopy: (/** @type {string} */ text) => page.busy(() => copy(text)),
   };
 }

@@ -71,8 +71,3 @@ export function words(name) {
 
 /** @param {string} text the beginning of a sentence, or all of it without its full stop */
 export const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
-
-/** @param {string} name of a file @param {string} extension */
-export function withExtension(name, extension) {
-  return `${name.replace(/\.[^.]*$/, '')}.${extension}`;
-}

@@ -2,7 +2,9 @@
 // Remeshes several models, one after the other, with the same options. The result is one ZIP, with
 // a report on each model.
 import { packed } from '../files/archives.js';
+import { extensionOf } from '../files/files.js';
 import { modelFrom } from '../files/models.js';
+import { nameFor } from './names.js';
 
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
 /** @typedef {import('./address.js').Values} Values */
@@ -31,10 +33,11 @@ export async function remeshAll(session, { models, items, values }, onStart) {
     onStart(item.path, index);
     try {
       const model = await modelFrom(item, items);
-      const result = await session.remeshOther(model, values);
-      files.push(...result.files.map(({ name, bytes }) =>
-        ({ name: folderOf(item.path) + name, bytes })));
-      outcomes.push({ name: item.path, report: result.report });
+      const { files: [first, ...others], report } = await session.remeshOther(model, values);
+      const name = nameFor(model.name, report, extensionOf(first.name));
+      files.push(...[{ ...first, name }, ...others].map((file) =>
+        ({ ...file, name: folderOf(item.path) + file.name })));
+      outcomes.push({ name: item.path, report });
     } catch (error) {
       if (isAbort(error)) throw error;
       const { message, hint } = /** @type {{ message: string, hint?: string }} */ (error);

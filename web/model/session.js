@@ -3,24 +3,17 @@
 // not the page. Every method rejects with AbortError when it was overtaken.
 import { convertFile, inspect, RemeshError, remeshFile } from 'remesher';
 import { extensionOf } from '../files/files.js';
+import { describe, resultOf } from './result.js';
 
 /** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
-/** @typedef {import('remesher').RemeshFileResult} RemeshFileResult */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
 /** @typedef {import('remesher').ProgressEvent} ProgressEvent */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
-/** number: counts the results kept, from 1; 0 for a draft, which is not kept. The bytes are a GLB.
- * @typedef {RemeshFileResult
- *   & { number: number, values: Values, options: RemeshOptions }} Result */
+/** @typedef {import('./result.js').Result} Result */
 
 /** The most results that are kept, and the most bytes of them. */
 const most = { results: 12, bytes: 2 ** 28 };
-
-/** The part of every call's options that describes the file. @param {Model} model */
-const describe = ({ name, resources }) => ({
-  name, resources: Object.fromEntries(resources.map(({ name: key, bytes }) => [key, bytes])),
-});
 
 export class Session {
   #controller = new AbortController();
@@ -116,23 +109,24 @@ export class Session {
     return this.model;
   }
 
-  /** Remeshes another model and does not keep the result.
+  /** Ends the run before, and begins the next. */
+  #beginRun() {
+    return { onProgress: this.#onProgress, signal: this.#begin() };
+  }
+
+  /** Remeshes another model, and keeps nothing of it.
    * @param {Model} model
    * @param {RemeshOptions & import('remesher').OutputOptions} options */
   remeshOther(model, options) {
-    const onProgress = this.#onProgress;
-    const signal = this.#begin();
-    return remeshFile(model.bytes, { ...describe(model), ...options, onProgress, signal });
+    return remeshFile(model.bytes, { ...describe(model), ...options, ...this.#beginRun() });
   }
 
   /** Remeshes the model; the result is neither kept nor shown.
    * @param {Values} values as they were asked for
-   * @param {RemeshOptions} [extra] options that neither form nor address has
-   * @returns {Promise<Result>} */
-  async attempt(values, extra = {}) {
-    const options = { ...values, ...extra };
-    const made = await this.remeshOther(this.#opened(), { ...options, output: 'glb' });
-    return { ...made, number: 0, values, options };
+   * @param {RemeshOptions} [extra] options that neither form nor address has */
+  attempt(values, extra = {}) {
+    return resultOf(this.#opened(), { values, options: { ...values, ...extra } },
+      this.#beginRun());
   }
 
   /** Remeshes the model; the result is shown from then on.
@@ -157,42 +151,33 @@ export class Session {
     result.number = ++this.#runs;
     this.results.push(result);
     this.isUnsaved = this.source === null;
-    const size = () => this.results.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    const size = () => this.results.reduce((sum, { size: bytes }) => sum + bytes, 0);
     const isTooMuch = () => this.results.length > most.results || size() > most.bytes;
     while (this.results.length > 1 && isTooMuch()) this.results.shift();
     if (this.baseline && !this.results.includes(this.baseline)) this.baseline = null;
   }
 
-  /** The shown result's files in a format. For another format than the shown one the original is
-   * remeshed again, to keep data that only that format holds; the same input and options give the
-   * same mesh. Only glTF can hold baked textures: other formats get the result without them.
-   * @param {string} output @returns {Promise<NamedBytes[]>} */
-  async filesAs(output) {
-    if (!this.shown) throw new Error('There is no result');
-    this.isUnsaved = false;
-    if (output === 'glb') return this.shown.files;
-    if (this.shown.values.textures === 'bake' && output !== 'gltf') {
-      const { bytes, name } = this.shown;
-      const signal = this.#begin();
-      return (await convertFile(bytes, { name, output, signal })).files;
-    }
-    return (await this.remeshOther(this.#opened(), { ...this.shown.options, output })).files;
+  /** The files of a result in a format. @param {Result} result @param {string} format */
+  async filesIn(result, format) {
+    const saved = await result.filesIn(format, () => this.#begin());
+    if (result === this.shown) this.isUnsaved = false;
+    return saved;
   }
 
-  /** The shown result and coarser ones, each with half as many vertices as the one before.
-   * @param {number} levels @returns {Promise<NamedBytes[]>} GLB files */
-  async levels(levels) {
-    if (!this.shown) throw new Error('There is no result');
-    const { report, values, options } = this.shown;
-    const rest = { ...values, ...options, ratio: undefined, edgeLength: undefined };
+  /** A result and coarser ones, each with half as many vertices as the one before.
+   * @param {Result} result @param {number} levels
+   * @returns {Promise<NamedBytes[]>} GLB files */
+  async levels(result, levels) {
+    const { report, options } = result;
+    const rest = { ...options, ratio: undefined, edgeLength: undefined };
     const files = [];
     for (let level = 0; level < levels; ++level) {
       const vertices = Math.max(4, Math.round(report.output.vertices / 2 ** level));
-      const [file] = level === 0 ? this.shown.files : (await this.remeshOther(this.#opened(),
-        { ...rest, vertices, output: 'glb' })).files;
-      files.push({ name: file.name.replace(/\.glb$/, `-lod${level}.glb`), bytes: file.bytes });
+      const { bytes } = level === 0 ? result
+        : await this.remeshOther(this.#opened(), { ...rest, vertices, output: 'glb' });
+      files.push({ name: result.nameIn('glb', `lod${level}`), bytes });
     }
-    this.isUnsaved = false;
+    if (result === this.shown) this.isUnsaved = false;
     return files;
   }
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The page's run as a command line and as JavaScript.
 import { optionTable } from 'remesher/options';
-import { withExtension } from '../base/format.js';
 
-/** @typedef {import('./address.js').Values} Values */
+/** output: the name of the file that the run writes.
+ * @typedef {{ input: string, output: string, values: import('./address.js').Values }} Run */
 
 /** A file's name, quoted for a shell. @param {string} name */
 const quoted = (name) => (/^[\w.-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`);
 
-/** The same run on the command line. @param {string} input @param {Values} values */
-export function commandLine(input, values) {
-  const output = withExtension(input, 'remeshed.glb');
+/** The same run on the command line. @param {Run} run */
+export function commandLine({ input, output, values }) {
   const given = Object.entries(values).filter(([, value]) => value !== false);
   const flags = given.map(([name, value]) => {
     const flag = optionTable.find((option) => option.name === name)?.flag?.split(' ')[0];
@@ -23,10 +22,9 @@ export function commandLine(input, values) {
 const literal = (value) => (typeof value === 'string'
   ? `'${value.replaceAll('\\', '\\\\').replaceAll("'", "\\'")}'` : String(value));
 
-/** The same run in a program for Node. @param {string} input @param {Values} values */
-export function javaScript(input, values) {
-  const output = withExtension(input, 'remeshed.glb');
-  const options = Object.entries({ name: input, output: 'glb', ...values })
+/** The same run in a program for Node. @param {Run} run */
+export function javaScript({ input, output, values }) {
+  const options = Object.entries({ name: input, output, ...values })
     .map(([name, value]) => `${name}: ${literal(value)}`);
   return [
     "import { readFile, writeFile } from 'node:fs/promises';",

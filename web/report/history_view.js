@@ -6,7 +6,7 @@ import { t } from '../base/i18n.js';
 import { valuesInWords } from '../panel/option_words.js';
 
 /** @typedef {import('../model/session.js').Session} Session */
-/** @typedef {import('../model/session.js').Result} Result */
+/** @typedef {import('../model/result.js').Result} Result */
 
 /** @param {Result} result */
 export const resultName = ({ number }) => (number ? t('history.name', { number }) : t('draft'));

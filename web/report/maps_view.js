@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The textures that were painted for a result. The visitor can look at each, and save it.
 import { byId, element } from '../base/dom.js';
-import { fileSize, withExtension } from '../base/format.js';
+import { fileSize } from '../base/format.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { mapsOf } from '../model/maps.js';
 
@@ -44,17 +44,17 @@ function enlarge(map, title) {
 }
 
 /**
- * @param {import('../model/session.js').Result} result
+ * @param {import('../model/result.js').Result} result
  * @param {(file: NamedBytes) => void} onSave
  */
-export function mapsView({ name, bytes, values }, onSave) {
-  if (values.textures !== 'bake') return null;
-  const maps = mapsOf(bytes);
+export function mapsView(result, onSave) {
+  if (result.values.textures !== 'bake') return null;
+  const maps = mapsOf(result.bytes);
   const entries = maps.map((map) => {
     const title = titleOf(map, maps);
     const extension = extensions[map.type];
     const words = title.replaceAll(' ', '-').toLowerCase();
-    const file = { name: withExtension(name, `${words}.${extension}`), bytes: map.bytes };
+    const file = { name: result.nameIn(extension, words), bytes: map.bytes };
     return element('li', {},
       element('button', { type: 'button', className: 'map', 'aria-label':
         t('maps.enlarge', { title }), onclick: () => enlarge(map, title) }, picture(map, '')),

@@ -7,6 +7,7 @@ import { t } from '../base/i18n.js';
 import { commandLine, javaScript } from '../model/snippets.js';
 
 /** @typedef {import('../model/session.js').Session} Session */
+/** @typedef {import('../model/result.js').Result} Result */
 /** @typedef {{ onFormat: (format: string) => void, onLevels: () => void, onReport: () => void,
  *   onPicture: (hasBackground: boolean) => void, onCopy: (text: string) => void }} SavingActs */
 
@@ -32,10 +33,10 @@ function snippet(label, text, onCopy) {
     element('code', { tabIndex: 0 }, text));
 }
 
-/** @param {Session} session @param {SavingActs} acts */
-export function takeawayView({ model, shown }, acts) {
-  const name = model?.name ?? '';
-  const values = shown?.values ?? {};
+/** @param {Session} session @param {Result} result @param {SavingActs} acts */
+export function takeawayView({ model }, result, acts) {
+  const { options, values } = result;
+  const run = { input: model?.name ?? '', output: result.ownName, values };
   return element('section', { className: 'takeaway', 'aria-label': t('download') },
     element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },
       ...files(acts.onFormat), button(t('download.levels'), acts.onLevels),
@@ -44,9 +45,9 @@ export function takeawayView({ model, shown }, acts) {
       button(t('download.cutout'), () => acts.onPicture(false))),
     element('details', { className: 'command' },
       element('summary', {}, t('elsewhere')),
-      shown?.options.density && element('p', { className: 'notice', id: 'no-density' },
+      options.density && element('p', { className: 'notice', id: 'no-density' },
         t('elsewhere.noDensity')),
-      snippet(t('elsewhere.command'), commandLine(name, values), acts.onCopy),
-      snippet('JavaScript', javaScript(name, values), acts.onCopy),
+      snippet(t('elsewhere.command'), commandLine(run), acts.onCopy),
+      snippet('JavaScript', javaScript(run), acts.onCopy),
       snippet(t('elsewhere.link'), location.href, acts.onCopy)));
 }

@@ -181,6 +181,11 @@ export default {
   'copy': 'Kopieren',
   'copied': 'Kopiert.',
   'saved': '{name} liegt bei den Downloads.',
+  'loss.quads': '{format} kennt nur Dreiecke: Jedes Viereck wird als zwei geschrieben.',
+  'loss.parts': '{format} kennt nur eine Fläche: {count} Teile und Materialien werden als eine '
+    + 'geschrieben, ohne ihre Namen.',
+  'loss.looks': '{format} erhält keine Farben und Bilder der Materialien.',
+  'loss.scene': '{format} kennt keine Animationen, Skelette, Kameras und Lichter.',
 
   'maps': 'Gemalte Texturen',
   'maps.enlarge': '{title}: größer',

@@ -177,6 +177,11 @@ export default {
   'copy': 'Copy',
   'copied': 'Copied.',
   'saved': '{name} is in your downloads.',
+  'loss.quads': '{format} holds triangles only: each quad is written as two.',
+  'loss.parts': '{format} holds one surface: {count} parts and materials are written as one, '
+    + 'without their names.',
+  'loss.looks': '{format} gets no colours and images of materials.',
+  'loss.scene': '{format} holds no animations, skins, cameras and lights.',
 
   'maps': 'Painted textures',
   'maps.enlarge': '{title}: larger',

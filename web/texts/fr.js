@@ -182,6 +182,11 @@ export default {
   'copy': 'Copier',
   'copied': 'Copié.',
   'saved': '{name} est dans vos téléchargements.',
+  'loss.quads': '{format} n’a que des triangles : chaque quadrilatère est écrit comme deux.',
+  'loss.parts': '{format} n’a qu’une surface : {count} parties et matériaux sont écrits comme une '
+    + 'seule, sans leurs noms.',
+  'loss.looks': '{format} ne reçoit ni couleurs ni images des matériaux.',
+  'loss.scene': '{format} n’a ni animations, ni squelettes, ni caméras, ni lumières.',
 
   'maps': 'Textures peintes',
   'maps.enlarge': '{title} : agrandir',

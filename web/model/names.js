@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The names of saved files: the model's name, what was done to it, and the number of vertices, as
+// in scan-repaired-5000.stl and horse-quads-2000.glb.
+
+/** @typedef {import('remesher').RemeshReport} RemeshReport */
+
+/** Whether the repair that was asked for changed the surface. @param {RemeshReport} report */
+function wasRepaired({ repair }) {
+  if (!repair) return false;
+  const { mode, holes, islands, shells, turned } = repair;
+  return mode === 'solid' || mode === 'wrap' || holes + islands + shells + turned > 0;
+}
+
+/** A name without its extension, and without the letters that some file systems refuse.
+ * @param {string} name of a file */
+const stemOf = (name) => name.replace(/\.[^.]*$/, '').replace(/[\p{Cc}\\/:*?"<>|]/gu, '_');
+
+/**
+ * @param {string} model the model's name
+ * @param {RemeshReport} report on the result
+ * @param {string} extension
+ * @param {string} [detail] tells apart several files of one result, as in horse-2000-lod1.glb
+ */
+export function nameFor(model, report, extension, detail = '') {
+  const { quads, vertices } = report.output;
+  const words = [stemOf(model), wasRepaired(report) ? 'repaired' : '', quads ? 'quads' : '',
+    String(vertices), detail];
+  return `${words.filter(Boolean).join('-')}.${extension}`;
+}
