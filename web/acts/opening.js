@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Opens a model: finds it among the files, reads and shows it, and remeshes it if that is quick.
-import { RemeshError } from 'remesher';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
 import { unpacked } from '../files/archives.js';
@@ -89,12 +88,12 @@ async function remeshEach({ session, panel }, { models, items }) {
   }
 }
 
-/** Looks for faults while other work goes on; a file that cannot be checked shows none.
- * @param {Page} page */
-function findFaults({ surveying }) {
-  surveying.findFaults().catch((error) => {
-    if (!(error instanceof RemeshError) && !isAbort(error)) throw error;
-  });
+/** Faults are looked for while other work goes on; of models that wait for the button, on request.
+ * @param {Page} page @param {{ isLarge: boolean, isCancelled: boolean }} opened */
+function findFaults({ surveying }, { isLarge, isCancelled }) {
+  if (isLarge) surveying.leaveFaults({ kind: 'large', limit: largestAutomatic });
+  else if (isCancelled) surveying.leaveFaults({ kind: 'skipped' });
+  else void surveying.seekFaults();
 }
 
 /**
@@ -105,8 +104,8 @@ function findFaults({ surveying }) {
  */
 export function open(page, coming, { source, wished, onForm }) {
   const { session } = page;
-  /** @type {boolean | undefined} */
-  let isQuick;
+  /** @type {{ model: object, isLarge: boolean, isCancelled: boolean } | undefined} */
+  let opened;
   return page.busy(async () => {
     const items = await unpacked(await coming);
     const models = modelsAmong(items);
@@ -119,18 +118,20 @@ export function open(page, coming, { source, wished, onForm }) {
     const model = await modelFrom(chosen, items);
     announce(t('opening', { name: model.name }));
     const { report, signal } = await session.open(model, source);
+    clearResult(page);
+    page.surveying.forgetModel();
     if (!source) await addRecent(model.name, items);
     fillMenu();
     showInMenu(source);
-    clearResult(page);
     showFacts(page);
     showReport(page);
     setForm(page, wished);
     await showOriginal(page);
     onForm();
     announce(t('opened', { name: model.name, facts: modelFacts(report) }));
-    isQuick = report.input.vertices <= largestAutomatic;
-    isQuick &&= !signal.aborted;
-    if (isQuick) await remeshAtFirst(page, { wished, onForm });
-  }).then(() => { if (isQuick) findFaults(page); });
+    const isLarge = report.input.vertices > largestAutomatic;
+    opened = { model, isLarge, isCancelled: signal.aborted };
+    if (isLarge || signal.aborted) return;
+    await remeshAtFirst(page, { wished, onForm });
+  }).then(() => { if (opened && opened.model === session.model) findFaults(page, opened); });
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What is shown on top of the surfaces: distances as colours; curves, borders and faults as lines;
 // the triangle under the pointer. The core finds edges, the survey's worker the rest.
+import { RemeshError } from 'remesher';
 import { Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
 import { distanceColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
 import { t } from '../base/i18n.js';
-import { showLandmarks } from '../report/landmarks.js';
+import { showFaultNote, showLandmarks } from '../report/landmarks.js';
 import { showLegend, showProbe } from '../report/legend.js';
-import { announce } from '../panel/messages.js';
+import { announce, isAbort } from '../panel/messages.js';
 import { Survey } from '../survey/survey.js';
 import { ramp } from '../view/ramp.js';
 
@@ -21,6 +22,8 @@ import { ramp } from '../view/ramp.js';
  *   session: import('../model/session.js').Session }} Desk */
 
 const distanceColor = ramp(distanceColors);
+/** Milliseconds before the page says that it still looks for faults. */
+const patience = 1000;
 
 export class Surveying {
   survey = new Survey();
@@ -31,6 +34,8 @@ export class Surveying {
   #edges = null;
   /** @type {import('remesher').FaultSummary | null} of the original */
   #faults = null;
+  /** Why faults are not known. @type {import('../report/landmarks.js').FaultNote | null} */
+  #faultNote = null;
   /** Per kind of fault, the number of its next place. @type {Record<string, number>} */
   #visited = {};
   #isProbing = false;
@@ -79,20 +84,47 @@ export class Surveying {
     if (side === 'original') await this.#showEdges(found);
   }
 
-  /** Finds misplaced pieces and triangles, which takes longer. */
-  async findFaults() {
-    const { session } = this.#page;
-    const { model } = session;
-    const faults = await session.faults();
-    if (session.model !== model) return;
+  /** Another model is open: nothing is known of it yet. */
+  forgetModel() {
+    this.#edges = null;
+    this.#setFaults(null, null);
+  }
+
+  /** @param {import('remesher').FaultSummary | null} faults
+   * @param {import('../report/landmarks.js').FaultNote | null} note */
+  #setFaults(faults, note) {
     this.#faults = faults;
+    this.#faultNote = note;
     this.#visited = {};
     this.#showLandmarks();
   }
 
+  /** Faults are not looked for unless the visitor asks.
+   * @param {import('../report/landmarks.js').FaultNote} why */
+  leaveFaults(why) {
+    this.#setFaults(null, why);
+  }
+
+  /** Looks for misplaced pieces and triangles while other work goes on. */
+  async seekFaults() {
+    const { session } = this.#page;
+    const { model } = session;
+    const isCurrent = () => session.model === model;
+    const timer = setTimeout(() => isCurrent() && this.#setFaults(null, { kind: 'sought' }),
+      patience);
+    try {
+      const faults = await session.faults();
+      if (isCurrent()) this.#setFaults(faults, null);
+    } catch (error) {
+      if (!(error instanceof RemeshError) && !isAbort(error)) throw error;
+      if (isCurrent()) this.#setFaults(null, { kind: 'failed' });
+    } finally {
+      clearTimeout(timer);
+    }
+  }
+
   /** @param {import('remesher').EdgeSummary | null} found on the original */
   async #showEdges(found) {
-    this.#faults = null;
     this.#edges = found && await this.survey.ask('lines', found);
     const edges = this.#edges;
     const overlays = this.#page.stage.viewer?.overlays.original;
@@ -117,6 +149,7 @@ export class Surveying {
       { onVisit: (landmark) => this.visitLandmark(landmark),
         onFault: (fault) => this.#visitFault(fault),
         onMend: () => this.#page.panel.ask('repair', 'auto', true) });
+    showFaultNote(this.#faultNote, () => void this.seekFaults());
   }
 
   get #hasFeatures() {

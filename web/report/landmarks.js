@@ -52,6 +52,20 @@ function needsOf(faults) {
     { seconds: count(Math.max(1, Math.round(seconds))), size: fileSize(bytes) }))];
 }
 
+/** Why no faults are shown yet, `faults.KIND` in the texts; limit: a number of vertices.
+ * @typedef {{ kind: 'sought' | 'large' | 'skipped' | 'failed', limit?: number }} FaultNote */
+
+/** @param {FaultNote | null} note @param {() => void} onSeek */
+export function showFaultNote(note, onSeek) {
+  const box = byId('fault-note', HTMLElement);
+  box.hidden = !note;
+  if (!note) return;
+  const canSeek = note.kind === 'large' || note.kind === 'skipped';
+  box.replaceChildren(t(`faults.${note.kind}`, { limit: count(note.limit ?? 0) }),
+    ...(canSeek ? [' ', element('button', { type: 'button', className: 'link', id: 'seek-faults',
+      onclick: onSeek }, t('faults.seek'))] : []));
+}
+
 /** @param {{ edges: Record<Landmark, number> | null,
  *   faults: import('remesher').FaultSummary | null }} found
  * @param {{ onVisit: (landmark: Landmark) => void, onFault: (fault: FaultPlace) => void,

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Faults of the model that is open: those of the model before are gone, and if faults are not
+// looked for, the page says so and offers it.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { nestedBoxes } from '../support/broken_shapes.js';
+import { cancelAtOnce, drop, opened, settled, visit } from '../support/browser_page.js';
+import { stl, torus } from '../support/shapes.js';
+
+const { page, complaints } = await visit(
+  { hash: '#model=gear&vertices=300', unseen: true, viewport: { width: 800, height: 480 } });
+
+const scratch = mkdtempSync(join(tmpdir(), 'remesher-faults-'));
+after(() => rmSync(scratch, { recursive: true }));
+
+/** Opens boxes inside boxes, whose faults are found. */
+async function openBoxes() {
+  await drop(page, { 'boxes.stl': stl(nestedBoxes(3)) });
+  await opened(page, 'boxes.stl');
+  await page.waitForSelector('#landmark-innerShells');
+}
+
+test('no fault of the model before is shown under the name of the next one', async () => {
+  await openBoxes();
+  await page.evaluate(() => {
+    globalThis.stale = [];
+    const name = document.getElementById('model-name');
+    const look = () => {
+      if (name.textContent !== 'ring.stl') return;
+      globalThis.stale.push(document.getElementById('landmarks').textContent);
+    };
+    new MutationObserver(look).observe(document.querySelector('.model'),
+      { childList: true, characterData: true, attributes: true, subtree: true });
+  });
+  await drop(page, { 'ring.stl': stl(torus()) });
+  await opened(page, 'ring.stl');
+  await page.waitForTimeout(300);
+  const stale = await page.evaluate(() => globalThis.stale);
+  assert.ok(stale.length > 0);
+  assert.deepEqual(stale.filter((text) => text.includes('inner')), []);
+  assert.equal(await page.isVisible('#landmarks'), false);
+  assert.equal(await page.isVisible('#fault-note'), false);
+});
+
+test('a file that cannot be read leaves the model and its faults', async () => {
+  await openBoxes();
+  await drop(page, { 'broken.glb': 'no model' });
+  await page.waitForSelector('#error:visible');
+  await settled(page);
+  assert.ok(await page.isVisible('#landmark-innerShells'));
+});
+
+test('where the opening is cancelled, faults are looked for on request', async () => {
+  await cancelAtOnce(page);
+  await drop(page, { 'shells.stl': stl(nestedBoxes(2)) });
+  await opened(page, 'shells.stl');
+  await page.waitForSelector('#fault-note:not([hidden])');
+  assert.match(await page.textContent('#fault-note'), /not looked for.* cancelled/);
+  await page.click('#seek-faults');
+  await page.waitForSelector('#landmark-innerShells');
+  assert.equal(await page.isVisible('#fault-note'), false);
+});
+
+test('a large model says that faults are not looked for, and from which size', async () => {
+  const path = join(scratch, 'large.stl');
+  writeFileSync(path, stl(torus({ columns: 500, rows: 301 })));
+  await page.setInputFiles('#file-input', path);
+  await opened(page, 'large.stl');
+  await page.waitForSelector('#fault-note:not([hidden])');
+  assert.match(await page.textContent('#fault-note'), /not looked for: .* more than 150,000 vert/);
+  await page.click('#seek-faults');
+  await page.waitForSelector('#fault-note', { state: 'hidden' });
+  assert.equal(await page.isVisible('#landmarks'), false, 'a torus has none');
+  await openBoxes();
+  assert.deepEqual(complaints, []);
+});
