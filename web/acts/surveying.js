@@ -212,13 +212,14 @@ export class Surveying {
   visitLargest() {
     if (!this.distances) return;
     this.#page.stage.setShading('distance');
-    void this.visit('result', this.distances.largest.point);
+    void this.visit('result', this.distances.place.point);
   }
 
   /** Distances of the shown result to the original; null without 3-D, or if overtaken. */
   async measure() {
     const { session: { shown }, stage: { viewer } } = this.#page;
-    const distances = viewer && await this.survey.ask('distances');
+    const largest = (shown?.report.fidelity.hausdorff ?? 0) / 100 * this.diagonal;
+    const distances = viewer && await this.survey.ask('distances', largest);
     if (shown !== this.#page.session.shown) return null;
     this.distances = distances;
     if (distances) this.#colorDistances(distances);
@@ -230,12 +231,12 @@ export class Surveying {
   #colorDistances({ values, largest }) {
     const { viewer } = this.#page.stage;
     viewer?.view('result')?.setColors('distance', (vertex, color) =>
-      distanceColor(values[vertex] / (largest.distance || 1), color));
+      distanceColor(values[vertex] / (largest || 1), color));
     this.#page.stage.setShading(this.#page.stage.shading);
   }
 
   #showLegend() {
-    const largest = this.distances?.largest.distance;
+    const largest = this.distances?.largest;
     showLegend(this.#page.stage.shading, {
       distance: largest === undefined ? null : { largest, diagonal: this.diagonal },
       faces: this.#page.stage.viewer?.faces ?? [],

@@ -25,7 +25,7 @@ function bars(bins) {
  * @param {{ onVisit: () => void, onMaxError: (percent: number, isChosen: boolean) => void }} acts
  */
 export function distanceView({ bins, largest }, diagonal, { onVisit, onMaxError }) {
-  const most = 100 * largest.distance / diagonal;
+  const most = 100 * largest / diagonal;
   const value = element('output', { htmlFor: 'error-handle' }, '–');
   const handle = element('input', { id: 'error-handle', type: 'range', min: 0, max: 1,
     step: 0.01, value: '1', 'aria-label': t('distance.handle') });
@@ -44,6 +44,6 @@ export function distanceView({ bins, largest }, diagonal, { onVisit, onMaxError 
       element('span', {}, t('distance.handle'), ' ', value),
       element('button', { type: 'button', className: 'link', id: 'visit-largest',
         onclick: onVisit }, t('distance.largest',
-        { distance: lengthInWords(largest.distance, diagonal) }))),
+        { distance: lengthInWords(largest, diagonal) }))),
   ];
 }

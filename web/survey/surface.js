@@ -104,27 +104,29 @@ function distancesFrom(from, to) {
 }
 
 /**
- * values: for each vertex of the result; bins: shares of all sample points, from distance 0 to the
+ * values: for each vertex of the result; largest: as the report has it, in model units; place: of
+ * the sample point that is farthest away; bins: shares of all sample points, from distance 0 to the
  * largest.
- * @typedef {{ values: Float32Array, largest: Place, bins: number[] }} Distances
+ * @typedef {{ values: Float32Array, largest: number, place: Place, bins: number[] }} Distances
  */
 
-/** Distances between two surfaces, both ways. @param {Surface} result @param {Surface} original
- * @returns {Distances} */
-export function measureDistances(result, original) {
+/** Distances between two surfaces, both ways. The core measures more finely, so the largest
+ * distance is the core's. @param {Surface} result @param {Surface} original
+ * @param {number} largest @returns {Distances} */
+export function measureDistances(result, original, largest) {
   const there = distancesFrom(result, original);
   const back = distancesFrom(original, result);
   const { point, nearest, distance } = back.largest;
   // The place must be on the result, because the colours are there.
-  const largest = distance > there.largest.distance
+  const place = distance > there.largest.distance
     ? { distance, point: nearest, nearest: point } : there.largest;
   const bins = new Array(binCount).fill(0);
   const places = there.all.length + back.all.length;
   for (const list of [there.all, back.all]) {
     for (const value of list) {
-      const bin = Math.min(binCount - 1, Math.floor(binCount * value / (largest.distance || 1)));
+      const bin = Math.min(binCount - 1, Math.floor(binCount * value / (largest || 1)));
       bins[bin] += 1 / places;
     }
   }
-  return { values: there.values, largest, bins };
+  return { values: there.values, largest, place, bins };
 }

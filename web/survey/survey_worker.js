@@ -30,9 +30,9 @@ const questions = {
     ? irregularVertices(surfaces[side].soup, first) : null),
   /** @param {Side} side */
   strokes: (side) => (surfaces[side] ? strokesOf(surfaces[side].soup) : null),
-  /** @returns {Distances | null} */
-  distances: () => (surfaces.result && surfaces.original
-    ? measureDistances(surfaces.result, surfaces.original) : null),
+  /** @param {number} largest distance, in model units @returns {Distances | null} */
+  distances: (largest) => (surfaces.result && surfaces.original
+    ? measureDistances(surfaces.result, surfaces.original, largest) : null),
   /** @param {{ side: Side, origin: Point, direction: Point }} request */
   pick({ side, origin, direction }) {
     const on = surfaces[side];

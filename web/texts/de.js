@@ -222,7 +222,7 @@ export default {
   'visited': 'Die Ansicht ist an dieser Stelle.',
   'distance': 'Abstand zum Original',
   'distance.measuring': 'Der Abstand wird gemessen…',
-  'distance.largest': 'Größter: {distance}',
+  'distance.largest': 'Größter Abstand: {distance}',
   'distance.handle': 'Größter erlaubter Fehler:',
   'legend.deviation': 'Vierecke: Winkel neben 90°',
   'density': 'Dichte',

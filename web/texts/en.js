@@ -221,7 +221,7 @@ export default {
   'visited': 'The view is at that place.',
   'distance': 'Distance to the original',
   'distance.measuring': 'The distance is being measured…',
-  'distance.largest': 'Largest: {distance}',
+  'distance.largest': 'Largest distance: {distance}',
   'distance.handle': 'Largest error allowed:',
   'legend.deviation': 'Of quads: angles off 90°',
   'density': 'Density',

@@ -223,7 +223,7 @@ export default {
   'visited': 'La vue est à cet endroit.',
   'distance': 'Distance à l’original',
   'distance.measuring': 'La distance est en cours de mesure…',
-  'distance.largest': 'La plus grande : {distance}',
+  'distance.largest': 'Plus grande distance : {distance}',
   'distance.handle': 'Erreur maximale permise :',
   'legend.deviation': 'Quadrilatères : écart à 90°',
   'density': 'Densité',
