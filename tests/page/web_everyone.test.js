@@ -132,6 +132,48 @@ test('360 pixels are wide enough, from right to left, too', async () => {
   await page.evaluate(() => { document.documentElement.dir = 'ltr'; });
 });
 
+/** The lists whose longest choice is cut off. */
+const cutLists = () => page.locator('.field select:visible').evaluateAll((lists) =>
+  lists.filter((list) => {
+    const copy = list.cloneNode(true);
+    copy.style.cssText = 'position: absolute; width: max-content; min-width: 0; max-width: none';
+    list.parentElement.append(copy);
+    const isCut = copy.offsetWidth > list.offsetWidth + 1;
+    copy.remove();
+    return isCut;
+  }).map(({ id }) => id));
+
+test('no choice of a list is cut off, in any language, on a phone or a wide screen', async () => {
+  await page.selectOption('#option-repair', 'auto');
+  for (const language of ['de', 'fr', 'en']) {
+    await page.click('[data-do=settings]');
+    await page.selectOption('#language', language);
+    await page.click('#settings-close');
+    await page.selectOption('#option-repair', 'auto');
+    for (const width of [390, 1200]) {
+      await page.setViewportSize({ width, height: 640 });
+      assert.deepEqual(await cutLists(), [], `${language} at ${width}`);
+    }
+  }
+  await page.selectOption('#option-repair', '');
+  await settled(page);
+});
+
+test('on a phone a finger finds every control', async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const small = await page.locator(
+    ':is(button, select, summary, input:not([type=checkbox], [type=radio], #divider)):visible')
+    .evaluateAll((controls) => controls.map((control) => {
+      const { width, height } = control.getBoundingClientRect();
+      return { name: control.id || control.textContent, width, height };
+    }).filter(({ width, height }) => width < 44 || height < 44));
+  assert.deepEqual(small, []);
+  const labels = await page.locator('label:has(input[type=checkbox]):visible')
+    .evaluateAll((nodes) => nodes.map((node) => node.getBoundingClientRect().height));
+  assert.ok(labels.length > 0 && Math.min(...labels) >= 44, labels.join(' '));
+  await page.setViewportSize({ width: 900, height: 560 });
+});
+
 /** Where an element is in the window. */
 const box = (selector) => page.locator(selector).evaluate((element) => {
   const { left, right, top, bottom } = element.getBoundingClientRect();
