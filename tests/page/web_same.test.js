@@ -176,6 +176,26 @@ test('a repaired STL is the same in every format, and named after the repair', a
   assert.equal(all.stl.name, `broken scan-repaired-${vertices}.stl`);
 });
 
+test('far from the origin STL says that it is rounded; the others are not', async () => {
+  const near = torus(24, 12);
+  const shift = [431234.5, 5412345.75, 312.25];
+  const positions = near.positions.map((p) => p.map((x, k) => x / 32 + shift[k]));
+  await open({ 'far.obj': objText({ ...near, positions }) }, 200);
+  const { glb, stl: rounded, ...exact } = await savedInAll();
+  assert.match(rounded.news, /STL has too few digits so far from the origin.* steps of 0\.5\./);
+  const moved = ({ surface }) => ({ ...surface, positions: surface.positions.map((p) =>
+    p.map((x, k) => x - shift[k])) });
+  const nearby = moved(glb).positions;
+  for (const [format, file] of Object.entries(exact)) {
+    assert.equal(file.news, '', format);
+    assert.equal(file.surface.faces.length, glb.surface.faces.length, format);
+    for (const [x, y, z] of moved(file).positions) {
+      const distance = Math.min(...nearby.map((p) => Math.hypot(p[0] - x, p[1] - y, p[2] - z)));
+      assert.ok(distance < 1e-6, `${format}: ${distance}`);
+    }
+  }
+});
+
 test('an integer PLY is saved as it is shown, not rounded', async () => {
   const { positions, triangles } = torus(24, 12);
   const rows = positions.map((p) => p.map((x) => Math.round(20 * x)).join(' '));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Saves a result as files, a report or a picture, and copies texts such as its command line.
-import { count } from '../base/format.js';
+import { count, length } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { packed } from '../files/archives.js';
@@ -28,14 +28,28 @@ async function hand(files, zipName) {
   return file.name;
 }
 
+/** Farther from the origin, in diagonals, single precision changes the shape as written. */
+const farDiagonals = 16;
+
+/** Says that an STL, whose numbers are of single precision, is rounded, if it is by much.
+ * @param {Page} page @param {string} format */
+function roundingOf({ stage, surveying }, format) {
+  const farthest = Math.max(...stage.origin.toArray().map(Math.abs));
+  if (format !== 'stl' || farthest < farDiagonals * surveying.diagonal) return [];
+  const step = 2 ** (Math.floor(Math.log2(farthest)) - 23);
+  return [t('loss.digits', { format: 'STL', step: length(step) })];
+}
+
 /** Saves a result in a format, and says what the format does not hold.
  * @param {Page} page @param {Result} result @param {string} format */
-async function saveAs({ session }, result, format) {
+async function saveAs(page, result, format) {
+  const { session } = page;
   const { files, losses, warnings } = await session.filesIn(result, format);
   const name = await hand(files, result.nameIn('zip'));
   const lacks = [
     ...losses.map(({ kind, count: total }) =>
       t(`loss.${kind}`, { format: format.toUpperCase(), count: count(total) })),
+    ...roundingOf(page, format),
     ...warnings.map(({ code, message }) => saidAs('warning', code, message).text),
   ];
   if (lacks.length) showNews([t('saved', { name }), ...lacks].join(' '));

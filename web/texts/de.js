@@ -185,6 +185,8 @@ export default {
   'loss.parts': '{format} kennt nur eine Fläche: {count} Teile und Materialien werden als eine '
     + 'geschrieben, ohne ihre Namen.',
   'loss.looks': '{format} erhält keine Farben und Bilder der Materialien.',
+  'loss.digits': '{format} hat so fern vom Ursprung zu wenige Ziffern: Seine Koordinaten sind auf '
+    + 'Schritte von {step} gerundet.',
   'loss.scene': '{format} kennt keine Animationen, Skelette, Kameras und Lichter.',
 
   'maps': 'Gemalte Texturen',

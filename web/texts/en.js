@@ -181,6 +181,8 @@ export default {
   'loss.parts': '{format} holds one surface: {count} parts and materials are written as one, '
     + 'without their names.',
   'loss.looks': '{format} gets no colours and images of materials.',
+  'loss.digits': '{format} has too few digits so far from the origin: its coordinates are '
+    + 'rounded to steps of {step}.',
   'loss.scene': '{format} holds no animations, skins, cameras and lights.',
 
   'maps': 'Painted textures',

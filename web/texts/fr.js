@@ -186,6 +186,8 @@ export default {
   'loss.parts': '{format} n’a qu’une surface : {count} parties et matériaux sont écrits comme une '
     + 'seule, sans leurs noms.',
   'loss.looks': '{format} ne reçoit ni couleurs ni images des matériaux.',
+  'loss.digits': '{format} a trop peu de chiffres si loin de l’origine : ses coordonnées sont '
+    + 'arrondies à des pas de {step}.',
   'loss.scene': '{format} n’a ni animations, ni squelettes, ni caméras, ni lumières.',
 
   'maps': 'Textures peintes',
