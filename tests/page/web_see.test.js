@@ -199,6 +199,16 @@ test('a model far from the origin is measured as the same one near it', async ()
   assert.ok(Math.abs(farBar - bar) < 3, `${told}`);
 });
 
+test('the largest distance inside of triangles has no second number beside it', async () => {
+  // Places between the samples of a survey: around a coarse ring they are the farthest.
+  for (const [m, n] of [[24, 12], [30, 8], [40, 24]]) {
+    await open('ring.obj', objText(torus(m, n)));
+    await page.waitForSelector('#distances:not([hidden])');
+    const [, told] = await reportRow(page, 'Largest distance');
+    assert.ok((await page.textContent('#visit-largest')).endsWith(`(${told})`), told);
+  }
+});
+
 test('dragging on the distances sets the largest error', async () => {
   await open('ring.obj', objText(torus(24, 12)));
   await page.waitForSelector('#distances:not([hidden])');
