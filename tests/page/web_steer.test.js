@@ -145,26 +145,6 @@ test('a purpose does not depend on the purposes before it', () => {
   }
 });
 
-test('options of a purpose stay with neither the next purpose nor the next model', async () => {
-  await page.fill('#target', '150');
-  await page.dispatchEvent('#target', 'change');
-  await page.click('#preset-lowPoly');
-  assert.equal(await value('.target select'), 'ratio');
-  await page.click('#preset-even');
-  assert.deepEqual([await value('.target select'), await value('#target')], ['vertices', '150']);
-  assert.equal(await page.textContent('#asked'), 'Adaptivity 0');
-  for (const preset of ['lowPoly', 'print', 'quads']) {
-    await page.click(`#preset-${preset}`);
-    await settled(page);
-    await drop(page, { [`after ${preset}.obj`]: objText(torus(24, 12)) });
-    await opened(page, `after ${preset}.obj`);
-    assert.equal(await page.textContent('#asked'), '');
-    assert.deepEqual([await value('.target select'), await value('#target')],
-      ['vertices', '288']);
-    assert.match(await page.evaluate(() => location.hash), /^#vertices=288$/);
-  }
-});
-
 test('low poly prefers shape, and paints anew what has textures', async () => {
   const lowPoly = presets.find(({ id }) => id === 'lowPoly');
   const asked = { vertices: 500, textures: 'keep' };
@@ -233,4 +213,24 @@ test('the field shows on a draft of quads while a slider moves, and goes with it
   const last = Number(await page.getAttribute('#canvas', 'data-calls'));
   assert.equal(most, last + 1, JSON.stringify(drawn));
   assert.deepEqual(complaints, []);
+});
+
+test('options of a purpose stay with neither the next purpose nor the next model', async () => {
+  await page.fill('#target', '150');
+  await page.dispatchEvent('#target', 'change');
+  await page.click('#preset-lowPoly');
+  assert.equal(await value('.target select'), 'ratio');
+  await page.click('#preset-even');
+  assert.deepEqual([await value('.target select'), await value('#target')], ['vertices', '150']);
+  assert.equal(await page.textContent('#asked'), 'Adaptivity 0');
+  for (const preset of ['lowPoly', 'print', 'quads']) {
+    await page.click(`#preset-${preset}`);
+    await settled(page);
+    await drop(page, { [`after ${preset}.obj`]: objText(torus(24, 12)) });
+    await opened(page, `after ${preset}.obj`);
+    assert.equal(await page.textContent('#asked'), '');
+    assert.deepEqual([await value('.target select'), await value('#target')],
+      ['vertices', '288']);
+    assert.match(await page.evaluate(() => location.hash), /^#vertices=288$/);
+  }
 });
