@@ -36,6 +36,8 @@ set(fast
   src/remesh/steps/valence.cpp
 )
 set(linear
+  src/arrangement/dyadic.cpp
+  src/arrangement/points.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The native programs: unit tests, the judge of the benchmark, what developers run by hand.
 add_executable(unit_tests
+  tests/unit/arrangement/dyadic_test.cpp
+  tests/unit/arrangement/points_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp

@@ -38,6 +38,7 @@ export const coreRooms = {
     'simplify', 'remesh/operators', 'remesh/gate', 'remesh/ground', 'remesh/steps',
     'remesh/accuracy', 'remesh/transfer', 'remesh/quads/mesh', 'remesh/quads', 'remesh/symmetry'],
   measure: ['base', 'mesh', 'geometry'],
+  arrangement: ['base', 'mesh', 'geometry', 'measure'],
   'repair/holes': ['base', 'mesh', 'geometry', 'measure'],
   'repair/solid': ['base', 'mesh', 'geometry', 'measure'],
   repair: ['base', 'mesh', 'geometry', 'measure', 'repair/holes', 'repair/solid'],
