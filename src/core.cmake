@@ -38,6 +38,8 @@ set(fast
 set(linear
   src/arrangement/dyadic.cpp
   src/arrangement/points.cpp
+  src/arrangement/sheet_triangulation.cpp
+  src/arrangement/sheets.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
   src/geometry/triangle_grid.cpp
@@ -66,6 +68,11 @@ set(linear
   src/textures/painting/texture.cpp
 )
 set(small
+  src/arrangement/arrangement.cpp
+  src/arrangement/cells.cpp
+  src/arrangement/facets.cpp
+  src/arrangement/merge.cpp
+  src/arrangement/rounding.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # The native programs: unit tests, the judge of the benchmark, what developers run by hand.
 add_executable(unit_tests
+  tests/unit/arrangement/arrangement_test.cpp
   tests/unit/arrangement/dyadic_test.cpp
   tests/unit/arrangement/points_test.cpp
+  tests/unit/arrangement/sheet_triangulation_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp

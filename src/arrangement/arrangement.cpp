@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "arrangement/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "arrangement/facets.h"
+#include "arrangement/merge.h"
+#include "arrangement/points.h"
+#include "arrangement/rounding.h"
+#include "base/place.h"
+#include "base/triangle_mesh.h"
+#include "geometry/triangle_meeting.h"
+#include "measure/self_intersections.h"
+#include "mesh/edge_groups.h"
+
+namespace remesher {
+
+namespace {
+
+using Outcome = ArrangementResult::Outcome;
+
+// Rounding may make triangles meet anew, which a second arrangement parts.
+constexpr int kMostRounds = 4;
+
+bool isClosed(const ArrangementInput& input) {
+  const EdgeGroups edges(input.positions.size(), input.indices);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const std::span<const Index> around = edges[e];
+    for (const Index h : around) {
+      int sum = 0;
+      for (const Index g : around)
+        if (input.operands[g / 3] == input.operands[h / 3])
+          sum += input.indices[g] == input.indices[h] ? 1 : -1;
+      if (sum != 0) return false;
+    }
+  }
+  return true;
+}
+
+// The power of two that brings all coordinates to at most 1.
+double normalScale(std::span<const Vec3> positions) {
+  double largest = 0;
+  for (const Vec3& p : positions) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, -exponent);
+}
+
+class Run {
+ public:
+  Run(const ArrangementInput& input, const ArrangementOptions& options)
+      : input_(input),
+        options_(options),
+        toNormal_(normalScale(input.positions)),
+        normal_(scaled(input.positions, toNormal_)),
+        tree_(normal_, input.indices),
+        points_(normal_),
+        triangles_{input.indices, input.operands, tree_} {}
+
+  ArrangementResult run() {
+    ArrangementResult result;
+    const std::optional<Facets> facets = cutTriangles(points_, triangles_, options_.mostWork);
+    if (!facets) {
+      result.outcome = Outcome::GaveUp;
+      return result;
+    }
+    KeptFacets kept = boundaryOfInside(points_, triangles_, *facets, options_.isInside);
+    kept = mergedFacets(points_, triangles_, input_.classes, *facets, std::move(kept));
+    result.work = facets->work + kept.work;
+    result.cut = facets->cutTriangles;
+    roundTo(result, kept);
+    return result;
+  }
+
+ private:
+  static std::vector<Vec3> scaled(std::vector<Vec3> positions, double by) {
+    for (Vec3& p : positions) p *= by;
+    return positions;
+  }
+
+  // The new points that are used follow the given ones.
+  void roundTo(ArrangementResult& result, KeptFacets& kept) {
+    result.positions = input_.positions;
+    const std::size_t given = input_.positions.size();
+    std::vector<Index> numbers(points_.size(), kNone), pointOf;
+    for (Index& corner : kept.corners) {
+      if (corner < given) continue;
+      if (numbers[corner] == kNone) {
+        numbers[corner] = static_cast<Index>(result.positions.size());
+        result.positions.push_back(rounded(points_.position(corner)));
+        pointOf.push_back(corner);
+      }
+      corner = numbers[corner];
+    }
+    mendRounded(result.positions, given, kept);
+    result.indices = std::move(kept.corners);
+    std::vector<std::uint8_t> isUsed(triangles_.size(), 0);
+    for (Index f = 0; f < kept.from.size(); ++f) {
+      const FacetParent& from = kept.from[f];
+      isUsed[from.triangle] = 1;
+      ArrangedTriangle triangle{from.triangle, from.sign < 0, {}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index corner = result.indices[std::size_t{3} * f + k];
+        triangle.weights[k] =
+            weights(from.triangle, corner < given ? corner : pointOf[corner - given]);
+      }
+      result.triangles.push_back(triangle);
+    }
+    result.dropped =
+        static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), std::uint8_t{0}));
+  }
+
+  Vec3 rounded(const Vec3& normal) const {
+    const Vec3 p = canonicalPlace(normal / toNormal_);
+    return options_.isSingle ? inSingle(p, options_.scale) : p;
+  }
+
+  Vec3 weights(Index triangle, Index point) const {
+    const GivenPlane corners = triangles_[triangle];
+    for (Eigen::Index k = 0; k < 3; ++k)
+      if (corners[std::size_t(k)] == point) return Vec3::Unit(k);
+    return points_.barycentric(corners, point);
+  }
+
+  const ArrangementInput& input_;
+  const ArrangementOptions& options_;
+  const double toNormal_;
+  const std::vector<Vec3> normal_;
+  const TriangleTree tree_;
+  PointPool points_;
+  const ArrangedTriangles triangles_;
+};
+
+std::vector<Index> crossingsOf(const ArrangementResult& result) {
+  TriangleMesh mesh;
+  const double toNormal = normalScale(result.positions);
+  for (const Vec3& p : result.positions) mesh.positions.emplace_back(toNormal * p);
+  mesh.indices = result.indices;
+  return selfIntersections(mesh);
+}
+
+// The rounded result is arranged like any closed surface; its parents are those of the first.
+ArrangementResult arrangedAgain(const ArrangementInput& input, const ArrangementOptions& options,
+                                const ArrangementResult& first) {
+  ArrangementInput again{
+      first.positions, first.indices, std::vector<Index>(first.triangles.size(), 0), {}};
+  for (const ArrangedTriangle& t : first.triangles)
+    if (!input.classes.empty()) again.classes.push_back(input.classes[t.parent]);
+  ArrangementOptions plain = options;
+  plain.isInside = isWound;
+  ArrangementResult result = Run(again, plain).run();
+  std::vector<std::uint8_t> isUsed(input.operands.size(), 0);
+  for (ArrangedTriangle& t : result.triangles) {
+    const ArrangedTriangle& parent = first.triangles[t.parent];
+    for (Vec3& w : t.weights)
+      w = Vec3(w[0] * parent.weights[0] + w[1] * parent.weights[1] + w[2] * parent.weights[2]);
+    t.parent = parent.parent;
+    t.isTurned = t.isTurned != parent.isTurned;
+    isUsed[t.parent] = 1;
+  }
+  result.cut = first.cut;
+  result.work += first.work;
+  result.dropped =
+      static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), std::uint8_t{0}));
+  return result;
+}
+
+bool haveArea(const ArrangementResult& result) {
+  for (std::size_t i = 0; i < result.indices.size(); i += 3)
+    if (!hasArea({result.positions[result.indices[i]], result.positions[result.indices[i + 1]],
+                  result.positions[result.indices[i + 2]]}))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+bool isWound(std::span<const int> windings) { return windings[0] > 0; }
+
+ArrangementResult arrange(const ArrangementInput& input, const ArrangementOptions& options) {
+  ArrangementResult best;
+  best.positions = input.positions;
+  if (input.indices.empty()) return best;
+  if (!isClosed(input)) {
+    best.outcome = Outcome::NotClosed;
+    return best;
+  }
+  best = Run(input, options).run();
+  if (best.outcome != Outcome::Done) return best;
+  best.selfIntersections = crossingsOf(best);
+  for (int round = 1; round < kMostRounds && !best.selfIntersections.empty(); ++round) {
+    if (!haveArea(best)) break;
+    ArrangementResult next = arrangedAgain(input, options, best);
+    if (next.outcome != Outcome::Done) break;
+    next.selfIntersections = crossingsOf(next);
+    if (next.selfIntersections.size() >= best.selfIntersections.size()) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace remesher

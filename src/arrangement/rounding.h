@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Makes a closed surface of points that were rounded sound again, as far as that takes no new
+// points: equal points become one, opposite triangles cancel, and triangles without an area go.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "arrangement/cells.h"
+
+namespace remesher {
+
+// Points from number `firstNew` on were rounded. False if a triangle without an area is left.
+bool mendRounded(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets);
+
+}  // namespace remesher
