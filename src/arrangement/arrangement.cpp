@@ -12,7 +12,6 @@
 #include "arrangement/rounding.h"
 #include "base/place.h"
 #include "base/triangle_mesh.h"
-#include "geometry/triangle_meeting.h"
 #include "measure/self_intersections.h"
 #include "mesh/edge_groups.h"
 
@@ -22,8 +21,9 @@ namespace {
 
 using Outcome = ArrangementResult::Outcome;
 
-// Rounding may make triangles meet anew, which a second arrangement parts.
-constexpr int kMostRounds = 4;
+// Rounding may make triangles meet anew, which another arrangement parts. So many may follow each
+// other without a gain, because the number seldom falls in each.
+constexpr int kPatience = 6;
 
 bool isClosed(const ArrangementInput& input) {
   const EdgeGroups edges(input.positions.size(), input.indices);
@@ -168,14 +168,6 @@ ArrangementResult arrangedAgain(const ArrangementInput& input, const Arrangement
   return result;
 }
 
-bool haveArea(const ArrangementResult& result) {
-  for (std::size_t i = 0; i < result.indices.size(); i += 3)
-    if (!hasArea({result.positions[result.indices[i]], result.positions[result.indices[i + 1]],
-                  result.positions[result.indices[i + 2]]}))
-      return false;
-  return true;
-}
-
 }  // namespace
 
 bool isWound(std::span<const int> windings) { return windings[0] > 0; }
@@ -191,13 +183,15 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   best = Run(input, options).run();
   if (best.outcome != Outcome::Done) return best;
   best.selfIntersections = crossingsOf(best);
-  for (int round = 1; round < kMostRounds && !best.selfIntersections.empty(); ++round) {
-    if (!haveArea(best)) break;
-    ArrangementResult next = arrangedAgain(input, options, best);
-    if (next.outcome != Outcome::Done) break;
-    next.selfIntersections = crossingsOf(next);
-    if (next.selfIntersections.size() >= best.selfIntersections.size()) break;
-    best = std::move(next);
+  ArrangementResult last = best;
+  for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
+    ArrangementResult next = arrangedAgain(input, options, last);
+    if (next.outcome != Outcome::Done || next.indices == last.indices) break;
+    last = std::move(next);
+    last.selfIntersections = crossingsOf(last);
+    if (last.selfIntersections.size() >= best.selfIntersections.size()) continue;
+    best = last;
+    left = kPatience;
   }
   return best;
 }

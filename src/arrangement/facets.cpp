@@ -128,7 +128,7 @@ Facets inOrderOfParents(const Facets& facets) {
 
 std::optional<Facets> cutTriangles(PointPool& points, const ArrangedTriangles& triangles,
                                    std::size_t mostWork) {
-  const std::optional<Sheets> sheets = findSheets(points, triangles, mostWork);
+  const std::optional<FoundSheets> sheets = findSheets(points, triangles, mostWork);
   if (!sheets) return std::nullopt;
   Facets result;
   result.work = sheets->work;

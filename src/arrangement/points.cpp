@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "arrangement/points.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,8 +21,9 @@ constexpr double kFar = 8;
 
 std::array<std::uint64_t, 3> bitsOf(const Vec3& p) {
   // Adding 0 makes -0 and 0 the same.
-  return {std::bit_cast<std::uint64_t>(p[0] + 0.0), std::bit_cast<std::uint64_t>(p[1] + 0.0),
-          std::bit_cast<std::uint64_t>(p[2] + 0.0)};
+  return {Eigen::numext::bit_cast<std::uint64_t>(p[0] + 0.0),
+          Eigen::numext::bit_cast<std::uint64_t>(p[1] + 0.0),
+          Eigen::numext::bit_cast<std::uint64_t>(p[2] + 0.0)};
 }
 
 int signOf(double x) { return (x > 0) - (x < 0); }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
+#include <set>
 #include <utility>
 
 #include "base/place.h"
@@ -14,22 +14,17 @@ namespace remesher {
 
 namespace {
 
-constexpr int kNeedleRounds = 16;
-
 class RoundedSurface {
  public:
   RoundedSurface(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets)
       : positions_(positions), firstNew_(firstNew), facets_(facets) {}
 
-  bool run() {
+  void run() {
     if (weldNew()) cancelOpposite();
-    for (int round = 0; round < kNeedleRounds; ++round) {
-      const std::vector<Index> needles = findNeedles();
-      if (needles.empty()) return true;
-      flipAway(needles);
-      cancelOpposite();
-    }
-    return findNeedles().empty();
+    const std::vector<Index> needles = findNeedles();
+    if (needles.empty()) return;
+    flipAway(needles);
+    cancelOpposite();
   }
 
  private:
@@ -93,52 +88,91 @@ class RoundedSurface {
     facets_.corners.resize(std::size_t{3} * kept);
   }
 
+  bool isNeedle(Index f) const {
+    const std::array<Index, 3> c = corners(f);
+    return !hasArea({positions_[c[0]], positions_[c[1]], positions_[c[2]]});
+  }
+
   std::vector<Index> findNeedles() const {
     std::vector<Index> needles;
-    for (Index f = 0; f < size(); ++f) {
-      const std::array<Index, 3> c = corners(f);
-      if (std::max({c[0], c[1], c[2]}) < firstNew_) continue;  // as given, and that has an area
-      if (!hasArea({positions_[c[0]], positions_[c[1]], positions_[c[2]]})) needles.push_back(f);
-    }
+    for (Index f = 0; f < size(); ++f)
+      if (isNeedle(f)) needles.push_back(f);
     return needles;
   }
 
   double length(Index a, Index b) const { return (positions_[a] - positions_[b]).norm(); }
 
+  // The corner where the longest edge begins.
+  std::size_t longestOf(const std::array<Index, 3>& c) const {
+    std::size_t k = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (length(c[i], c[(i + 1) % 3]) > length(c[k], c[(k + 1) % 3])) k = i;
+    return k;
+  }
+
+  // Needles by their longest edges, the longest first: beyond that of the first one there is no
+  // needle with a longer one, so that each flip leaves fewer needles of that length.
+  std::pair<double, Index> placeInQueue(Index f) const {
+    const std::array<Index, 3> c = corners(f);
+    const std::size_t k = longestOf(c);
+    return {-length(c[k], c[(k + 1) % 3]), f};
+  }
+
+  void attach(Index f) {
+    const std::array<Index, 3> c = corners(f);
+    for (std::size_t k = 0; k < 3; ++k) trianglesAt_[{c[k], c[(k + 1) % 3]}].push_back(f);
+  }
+  void detach(Index f) {
+    const std::array<Index, 3> c = corners(f);
+    for (std::size_t k = 0; k < 3; ++k) std::erase(trianglesAt_[{c[k], c[(k + 1) % 3]}], f);
+  }
+
   // The middle corner of a needle is put into the triangle beyond the longest edge.
   void flipAway(const std::vector<Index>& needles) {
-    std::map<std::pair<Index, Index>, Index> triangleAt;  // by directed edge; the last one
-    for (Index f = 0; f < size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k) triangleAt[{corners(f)[k], corners(f)[(k + 1) % 3]}] = f;
-    std::vector<std::uint8_t> isChanged(size(), 0);
-    for (const Index f : needles) {
+    for (Index f = 0; f < size(); ++f) attach(f);
+    std::set<std::pair<double, Index>> queue;
+    for (const Index f : needles) queue.insert(placeInQueue(f));
+    std::vector<std::uint8_t> isGone(size(), 0);
+    while (!queue.empty()) {
+      const Index f = queue.begin()->second;
+      queue.erase(queue.begin());
       const std::array<Index, 3> c = corners(f);
-      std::size_t k = 0;
-      for (std::size_t i = 1; i < 3; ++i)
-        if (length(c[i], c[(i + 1) % 3]) > length(c[k], c[(k + 1) % 3])) k = i;
+      const std::size_t k = longestOf(c);
       const Index from = c[k], to = c[(k + 1) % 3], middle = c[(k + 2) % 3];
-      const auto beyond = triangleAt.find({to, from});
-      if (beyond == triangleAt.end() || isChanged[f] || isChanged[beyond->second]) continue;
-      const Index g = beyond->second;
+      const std::vector<Index>& beyond = trianglesAt_[{to, from}];
+      if (beyond.empty()) continue;
+      const Index g = beyond.front();
       const std::array<Index, 3> d = corners(g);
       const auto at = static_cast<std::size_t>(std::find(d.begin(), d.end(), to) - d.begin());
       const Index apex = d[(at + 2) % 3];
+      queue.erase(placeInQueue(g));
+      detach(f);
+      detach(g);
+      if (apex == middle) {
+        isGone[f] = isGone[g] = 1;
+        continue;
+      }
       setCorners(f, {to, middle, apex});
       setCorners(g, {middle, from, apex});
       facets_.from[f] = facets_.from[g];
-      isChanged[f] = isChanged[g] = 1;
+      for (const Index changed : {f, g}) {
+        attach(changed);
+        if (isNeedle(changed)) queue.insert(placeInQueue(changed));
+      }
     }
+    drop(isGone);
   }
 
   std::span<const Vec3> positions_;
   std::size_t firstNew_;
   KeptFacets& facets_;
+  std::map<std::pair<Index, Index>, std::vector<Index>> trianglesAt_;  // per directed edge
 };
 
 }  // namespace
 
-bool mendRounded(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets) {
-  return RoundedSurface(positions, firstNew, facets).run();
+void mendRounded(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets) {
+  RoundedSurface(positions, firstNew, facets).run();
 }
 
 }  // namespace remesher

@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-// Points from number `firstNew` on were rounded. False if a triangle without an area is left.
-bool mendRounded(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets);
+// Points from number `firstNew` on were rounded.
+void mendRounded(std::span<const Vec3> positions, std::size_t firstNew, KeptFacets& facets);
 
 }  // namespace remesher

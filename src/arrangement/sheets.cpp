@@ -24,7 +24,7 @@ class SheetSearch {
   SheetSearch(PointPool& points, const ArrangedTriangles& triangles)
       : points_(points), triangles_(triangles), planes_(triangles.size()) {}
 
-  std::optional<Sheets> run(std::size_t mostWork) {
+  std::optional<FoundSheets> run(std::size_t mostWork) {
     const std::vector<Pair> pairs = meetingPairs(mostWork);
     if (work_ > mostWork) return std::nullopt;
     for (const auto& [s, t] : pairs) {
@@ -104,8 +104,8 @@ class SheetSearch {
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
   }
 
-  Sheets collect(const std::vector<Pair>& pairs) {
-    Sheets result;
+  FoundSheets collect(const std::vector<Pair>& pairs) {
+    FoundSheets result;
     std::vector<Index> sheetOf(triangles_.size(), kNone);
     std::vector<Index> touched;
     for (const auto& [s, t] : pairs) touched.insert(touched.end(), {s, t});
@@ -143,8 +143,8 @@ class SheetSearch {
 
 }  // namespace
 
-std::optional<Sheets> findSheets(PointPool& points, const ArrangedTriangles& triangles,
-                                 std::size_t mostWork) {
+std::optional<FoundSheets> findSheets(PointPool& points, const ArrangedTriangles& triangles,
+                                      std::size_t mostWork) {
   return SheetSearch(points, triangles).run(mostWork);
 }
 

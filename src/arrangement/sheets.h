@@ -18,14 +18,14 @@ struct Sheet {
   std::vector<Segment> segments;
 };
 
-struct Sheets {
+struct FoundSheets {
   std::vector<Sheet> all;  // in the order of their lowest triangles
   std::size_t work = 0;    // pairs and points
 };
 
 // All sheets of triangles that meet another triangle beyond common corners and edges. Nothing if
 // that would take more than so many steps.
-std::optional<Sheets> findSheets(PointPool& points, const ArrangedTriangles& triangles,
-                                 std::size_t mostWork);
+std::optional<FoundSheets> findSheets(PointPool& points, const ArrangedTriangles& triangles,
+                                      std::size_t mostWork);
 
 }  // namespace remesher

@@ -290,6 +290,28 @@ TEST_CASE("arrangement: many bodies at once, in any order of the triangles") {
   }
 }
 
+TEST_CASE("arrangement: bodies that nearly coincide, in single precision") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    INFO("seed " << seed);
+    soups::Random random(seed);
+    std::vector<TriangleMesh> bodies;
+    for (int k = 0; k < 3; ++k) {
+      bodies.push_back(soups::moved(shapes::cylinder(9, 2), 1e-7 * random.point()));
+      for (Vec3& p : bodies.back().positions) p = inSingle(p, 1);
+    }
+    const ArrangementInput input = inputOf(bodies);
+    ArrangementOptions options;
+    options.isSingle = true;
+    const ArrangementResult result = arrange(input, options);
+    CHECK(isClosed(result));
+    CHECK(volumeOf(result) == doctest::Approx(volumeOf(bodies[0])).epsilon(1e-5));
+    // What is left is said.
+    CHECK(selfIntersections(meshOf(result)) == result.selfIntersections);
+    for (std::size_t v = input.positions.size(); v < result.positions.size(); ++v)
+      REQUIRE(inSingle(result.positions[v], 1) == result.positions[v]);
+  }
+}
+
 TEST_CASE("arrangement: untouched triangles stay, in their order") {
   const TriangleMesh sphere = shapes::icosphere(8);
   const ArrangementInput input = inputOf({sphere, soups::moved(sphere, Vec3(1.7, 0.1, 0.2))});
