@@ -21,8 +21,9 @@ class SheetCut {
         sheet_(sheet),
         cut_(points, triangles[sheet.triangles.front()]) {}
 
-  // Everything in the order of positions, so that the numbers of the triangles do not matter.
-  void run() {
+  // Everything in the order of positions, so that the numbers of the triangles do not matter. False
+  // if it would take more than so many steps.
+  bool run(std::size_t mostWork) {
     std::vector<Index> inserted = sheet_.points;
     std::vector<Segment> segments = sheet_.segments;
     for (const Index t : sheet_.triangles) {
@@ -35,15 +36,22 @@ class SheetCut {
     }
     const auto isBefore = [this](Index p, Index q) { return points_.isBefore(p, q); };
     std::sort(inserted.begin(), inserted.end(), isBefore);
-    for (const Index point : inserted) cut_.insert(point);
+    for (const Index point : inserted) {
+      if (cut_.work() > mostWork) return false;
+      cut_.insert(point);
+    }
     for (Segment& s : segments)
       if (isBefore(s.to, s.from)) std::swap(s.from, s.to);
     std::stable_sort(segments.begin(), segments.end(), [&](const Segment& a, const Segment& b) {
       return a.from != b.from ? isBefore(a.from, b.from) : isBefore(a.to, b.to);
     });
-    for (const Segment& segment : segments) cut_.force(segment);
+    for (const Segment& segment : segments) {
+      if (cut_.work() > mostWork) return false;
+      cut_.force(segment);
+    }
     cut_.widenAngles();
     for (const Index t : sheet_.triangles) fill(t);
+    return true;
   }
 
   // Appends the facets that lie in a triangle.
@@ -135,7 +143,7 @@ std::optional<Facets> cutTriangles(PointPool& points, const ArrangedTriangles& t
   std::vector<std::uint8_t> isCut(triangles.size(), 0);
   for (const Sheet& sheet : sheets->all) {
     SheetCut cut(points, triangles, sheet);
-    cut.run();
+    if (!cut.run(mostWork - result.work)) return std::nullopt;
     cut.addTo(result);
     result.work += cut.work();
     if (result.work > mostWork) return std::nullopt;
