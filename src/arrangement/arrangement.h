@@ -31,7 +31,7 @@ struct ArrangementOptions {
   InsideRule isInside = isWound;
   bool isSingle = false;  // new points in single precision of the written coordinates
   double scale = 1;       // a coordinate here over the written one, as in TriangleMesh
-  std::size_t mostWork = std::size_t{1} << 32;  // steps: pairs of triangles, points, flips, signs
+  std::size_t mostWork = std::size_t{1} << 31;  // steps: pairs of triangles, points, flips, signs
 };
 
 struct ArrangedTriangle {
