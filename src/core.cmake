@@ -147,6 +147,7 @@ set(small
   src/measure/mesh_report.cpp
   src/measure/quad_report.cpp
   src/measure/salient_vertices.cpp
+  src/mesh/attribute_mix.cpp
   src/mesh/check.cpp
   src/mesh/fan_cut.cpp
   src/mesh/hubs.cpp
@@ -243,7 +244,6 @@ set(small
   src/remesh/symmetry/joined.cpp
   src/remesh/symmetry/mirror_planes.cpp
   src/remesh/symmetry/mirroring.cpp
-  src/remesh/transfer/attribute_mix.cpp
   src/remesh/transfer/attribute_transfer.cpp
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp

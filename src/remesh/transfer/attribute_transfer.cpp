@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "remesh/transfer/attribute_mix.h"
-
 namespace remesher {
 
 namespace {
@@ -30,7 +28,7 @@ bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
 class WedgeExtraction {
  public:
   WedgeExtraction(const WorkingMesh& mesh, const TriangleMesh& input, const TransferRules& rules)
-      : mesh_(mesh), input_(input), mix_(mesh.surface(), input, rules.chartless) {
+      : mesh_(mesh), input_(input), mix_(input, rules.chartless) {
     if (!input.attributes.empty()) points_ = cornerPoints(mesh, rules.charts);
     for (const Attribute& attribute : input.attributes)
       result_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
@@ -87,7 +85,8 @@ class WedgeExtraction {
   Index addSide(Vertex v, Halfedge h, Index begin) {
     const Index made = Index(result_.positions.size());
     result_.positions.push_back(mesh_.position(v));
-    mix_.append(points_[h], result_.attributes);
+    if (!result_.attributes.empty())
+      mix_.append(mixPoint(mesh_.surface(), points_[h], mix_), result_.attributes);
     for (Index other = begin; other < made; ++other)
       if (haveSameAttributes(result_, other, made)) {
         dropLastVertex(result_);
@@ -109,6 +108,15 @@ class WedgeExtraction {
 };
 
 }  // namespace
+
+AttributeMix::Point mixPoint(const OriginalSurface& surface, const SurfacePoint& point,
+                             const AttributeMix& mix) {
+  const HalfedgeData<Index>& wedges = surface.built().wedges;
+  const Halfedge h = HalfedgeMesh::halfedge(point.face);
+  return {{wedges[h], wedges[HalfedgeMesh::next(h)], wedges[HalfedgeMesh::prev(h)]},
+          point.barycentric,
+          mix.needsNormals() ? surface.normal(point) : Vec3(Vec3::Zero())};
+}
 
 TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
                          const TransferRules& rules) {

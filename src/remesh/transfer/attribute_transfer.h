@@ -7,6 +7,7 @@
 
 #include "base/input_place.h"
 #include "base/triangle_mesh.h"
+#include "mesh/attribute_mix.h"
 #include "remesh/transfer/chart_keeper.h"
 
 namespace remesher {
@@ -24,6 +25,10 @@ TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
 // The place on the input of each corner of extractMesh's triangles, each on its own side of the
 // curves.
 std::vector<InputPlace> cornerPlaces(const WorkingMesh& mesh, const TriangleMesh& input);
+
+// A point of the surface, as `mix` takes it; the mesh that it mixes is the surface's input.
+AttributeMix::Point mixPoint(const OriginalSurface& surface, const SurfacePoint& point,
+                             const AttributeMix& mix);
 
 // A point of the surface built from the input, as a place on the input.
 InputPlace inputPlace(const SurfacePoint& point, const BuiltMesh& built, const TriangleMesh& input);

@@ -28,7 +28,7 @@ InputAttributes::InputAttributes(const TriangleMesh& input, BuiltMesh built,
     : input_(input),
       chartless_(std::move(chartless)),
       surface_(withoutCurves(std::move(built))),
-      mix_(surface_, input, chartless_),
+      mix_(input, chartless_),
       tree_(surface_.positions().values(), allCorners(surface_.mesh()),
             TriangleTree::Listed::Anyhow),
       faces_(input.triangleCount()) {
@@ -65,7 +65,8 @@ void InputAttributes::append(const InputPlace& place, std::vector<Attribute>& va
   const Face face = faces_[place.triangle];
   Index nearest = 0;
   place.weights.maxCoeff(&nearest);
-  if (face && place.weights[nearest] < 1) return mix_.append(pointOf(place, face), values);
+  if (face && place.weights[nearest] < 1)
+    return mix_.append(mixPoint(surface_, pointOf(place, face), mix_), values);
   const std::size_t wedge = input_.indices[3 * place.triangle + nearest];
   for (std::size_t a = 0; a < values.size(); ++a) {
     const std::vector<float>& all = input_.attributes[a].values;

@@ -7,7 +7,8 @@
 
 #include "base/input_place.h"
 #include "geometry/triangle_tree.h"
-#include "remesh/transfer/attribute_mix.h"
+#include "mesh/attribute_mix.h"
+#include "original/surface/original_surface.h"
 
 namespace remesher {
 

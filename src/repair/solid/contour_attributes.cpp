@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.h"
 #include "geometry/triangle.h"
+#include "mesh/attribute_mix.h"
 
 namespace remesher {
 
@@ -42,15 +43,6 @@ std::vector<Index> spreadSources(const Contour& contour) {
   return sources;
 }
 
-// Normalizes the direction that was appended last.
-void makeUnit(Attribute& attribute) {
-  if (attribute.itemSize < 3) return;
-  float* const last = &attribute.values[attribute.values.size() - std::size_t(attribute.itemSize)];
-  const Vec3 v(last[0], last[1], last[2]);
-  if (!(v.norm() > 0)) return;
-  for (Eigen::Index k = 0; k < 3; ++k) last[k] = float(v[k] / v.norm());
-}
-
 class Carrier {
  public:
   Carrier(const Contour& contour, const TriangleMesh& input, const BuiltMesh& built)
@@ -59,6 +51,7 @@ class Carrier {
         built_(built),
         charts_(chartsOf(input, built)),
         sources_(spreadSources(contour)),
+        mix_(input),
         first_(contour.points.size(), kNone) {
     mesh_.isSingle = input.isSingle, mesh_.scale = input.scale;
     for (const Attribute& attribute : input.attributes)
@@ -96,32 +89,16 @@ class Carrier {
   void append(const Vec3& p, Index face) {
     if (input_.attributes.empty()) return;
     std::array<Index, 3> wedges{};
-    Vec3 weights(1, 0, 0);
+    Vec3 weights(1, 0, 0), normal = Vec3::Zero();
     if (face != kNone) {
       const auto [a, b, c] = built_.mesh.vertices(Face(face));
       weights =
           closestBarycentric(p, built_.positions[a], built_.positions[b], built_.positions[c]);
+      normal = areaVector(built_.positions[a], built_.positions[b], built_.positions[c]);
       for (int k = 0; k < 3; ++k)
         wedges[std::size_t(k)] = built_.wedges[HalfedgeMesh::halfedge(Face(face), k)];
     }
-    Eigen::Index nearest = 0;
-    weights.maxCoeff(&nearest);
-    for (std::size_t a = 0; a < input_.attributes.size(); ++a) {
-      const Attribute& from = input_.attributes[a];
-      const bool isSkin =
-          from.semantic.rfind("JOINTS_", 0) == 0 || from.semantic.rfind("WEIGHTS_", 0) == 0;
-      const bool isTangent = from.semantic == "TANGENT" && from.itemSize == 4;
-      for (int k = 0; k < from.itemSize; ++k) {
-        const auto value = [&](Eigen::Index c) {
-          return double(from.values[std::size_t{wedges[std::size_t(c)]} * from.itemSize + k]);
-        };
-        const bool isPicked = isSkin || (isTangent && k == 3);
-        mesh_.attributes[a].values.push_back(float(
-            isPicked ? value(nearest)
-                     : weights[0] * value(0) + weights[1] * value(1) + weights[2] * value(2)));
-      }
-      if (from.semantic == "NORMAL" || isTangent) makeUnit(mesh_.attributes[a]);
-    }
+    mix_.append({wedges, weights, normal}, mesh_.attributes);
   }
 
   const Contour& contour_;
@@ -129,6 +106,7 @@ class Carrier {
   const BuiltMesh& built_;
   std::vector<Index> charts_;   // per face
   std::vector<Index> sources_;  // per triangle of the contour
+  const AttributeMix mix_;
   struct Known {
     Index chart, next = kNone;  // next: another vertex at the same point
   };

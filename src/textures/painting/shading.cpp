@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "base/options.h"
 #include "geometry/triangle.h"
 #include "mesh/edge_groups.h"
 

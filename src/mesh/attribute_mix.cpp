@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/transfer/attribute_mix.h"
+#include "mesh/attribute_mix.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kInfluences = 4;  // joints per vertex that glTF's first set holds
 
-bool startsWith(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
+bool hasPrefix(const std::string& text, const char* prefix) { return text.rfind(prefix, 0) == 0; }
 
-std::size_t find(const TriangleMesh& mesh, const std::string& semantic) {
+std::size_t findSemantic(const TriangleMesh& mesh, const std::string& semantic) {
   std::size_t a = 0;
   while (a < mesh.attributes.size() && mesh.attributes[a].semantic != semantic) ++a;
   return a;
@@ -24,20 +24,22 @@ void appendVector(const Vec3& v, std::vector<float>& out) {
 
 }  // namespace
 
-AttributeMix::AttributeMix(const OriginalSurface& surface, const TriangleMesh& input,
-                           const std::vector<std::string>& chartless)
-    : surface_(surface), input_(input) {
+AttributeMix::AttributeMix(const TriangleMesh& input, const std::vector<std::string>& chartless)
+    : input_(input) {
   const auto isOfFour = [&](std::size_t a) {
     return a < input.attributes.size() && input.attributes[a].itemSize == int{kInfluences};
   };
   for (std::size_t n = 0; n < input.attributes.size(); ++n) {
     const std::string number = std::to_string(n);
-    const SkinSet set{find(input, "JOINTS_" + number), find(input, "WEIGHTS_" + number)};
+    const SkinSet set{findSemantic(input, "JOINTS_" + number),
+                      findSemantic(input, "WEIGHTS_" + number)};
     if (!isOfFour(set.joints) || !isOfFour(set.weights)) break;
     skin_.push_back(set);
   }
   for (const Attribute& attribute : input.attributes)
     kinds_.push_back(kindOf(attribute, chartless));
+  for (const Kind kind : kinds_)
+    needsNormals_ |= kind == Kind::Unit || kind == Kind::Tangent || kind == Kind::SurfaceNormal;
 }
 
 AttributeMix::Kind AttributeMix::kindOf(const Attribute& attribute,
@@ -51,45 +53,44 @@ AttributeMix::Kind AttributeMix::kindOf(const Attribute& attribute,
         semantic == input_.attributes[set.weights].semantic)
       return Kind::Skin;
   // A mean of two identifiers would be another identifier.
-  const bool isIdentifier =
-      startsWith(semantic, "_FEATURE_ID_") || startsWith(semantic, "_BATCHID");
-  if (jumps || isIdentifier || startsWith(semantic, "JOINTS_")) return Kind::Nearest;
+  const bool isIdentifier = hasPrefix(semantic, "_FEATURE_ID_") || hasPrefix(semantic, "_BATCHID");
+  if (jumps || isIdentifier || hasPrefix(semantic, "JOINTS_")) return Kind::Nearest;
   return semantic == "TANGENT" && attribute.itemSize == 4 ? Kind::Tangent : Kind::Linear;
 }
 
-double AttributeMix::value(const Attribute& attribute, const Corners& corners, int k) const {
+double AttributeMix::value(const Attribute& attribute, const Point& point, int k) const {
   double sum = 0;
   for (int i = 0; i < 3; ++i)
-    sum += corners.weights[i] *
-           double(attribute.values[std::size_t{corners.wedges[i]} * attribute.itemSize + k]);
+    sum += point.weights[i] *
+           double(attribute.values[std::size_t{point.vertices[i]} * attribute.itemSize + k]);
   return sum;
 }
 
-Vec3 AttributeMix::mixedVector(const Attribute& attribute, const Corners& corners) const {
-  return {value(attribute, corners, 0), value(attribute, corners, 1), value(attribute, corners, 2)};
+Vec3 AttributeMix::mixedVector(const Attribute& attribute, const Point& point) const {
+  return {value(attribute, point, 0), value(attribute, point, 1), value(attribute, point, 2)};
 }
 
-void AttributeMix::appendTangent(std::size_t a, const Corners& corners, const Vec3& normal,
+void AttributeMix::appendTangent(std::size_t a, const Point& point, const Vec3& normal,
                                  std::vector<float>& out) const {
   const Attribute& attribute = input_.attributes[a];
-  Vec3 tangent = mixedVector(attribute, corners);
+  Vec3 tangent = mixedVector(attribute, point);
   tangent -= tangent.dot(normal) * normal;
   if (!(tangent.squaredNorm() > 1e-12)) tangent = normal.unitOrthogonal();
   appendVector(tangent.normalized(), out);
   // The side of the chart is the same at all three corners.
-  out.push_back(attribute.values[std::size_t{corners.wedges[0]} * 4 + 3]);
+  out.push_back(attribute.values[std::size_t{point.vertices[0]} * 4 + 3]);
 }
 
 // Weight per joint over the three corners; the strongest four, scaled to sum to one. The first set
 // holds them and further sets are zero, as are joints whose weight is too small for a number.
-void AttributeMix::appendSkin(const Corners& corners, std::vector<Attribute>& values) const {
+void AttributeMix::appendSkin(const Point& point, std::vector<Attribute>& values) const {
   std::vector<std::pair<float, double>> influences;
   for (const SkinSet& set : skin_)
     for (int i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < kInfluences; ++k) {
-        const std::size_t at = corners.wedges[i] * kInfluences + k;
+        const std::size_t at = point.vertices[i] * kInfluences + k;
         const float joint = input_.attributes[set.joints].values[at];
-        const double weight = corners.weights[i] * input_.attributes[set.weights].values[at];
+        const double weight = point.weights[i] * input_.attributes[set.weights].values[at];
         if (!(weight > 0)) continue;
         const auto known = std::find_if(influences.begin(), influences.end(),
                                         [&](const auto& other) { return other.first == joint; });
@@ -113,48 +114,42 @@ void AttributeMix::appendSkin(const Corners& corners, std::vector<Attribute>& va
     }
 }
 
-void AttributeMix::append(const SurfacePoint& point, std::vector<Attribute>& values) const {
-  const auto& wedges = surface_.built().wedges;
-  const Halfedge h = HalfedgeMesh::halfedge(point.face);
-  const Corners corners{{wedges[h], wedges[HalfedgeMesh::next(h)], wedges[HalfedgeMesh::prev(h)]},
-                        point.barycentric};
+void AttributeMix::append(const Point& point, std::vector<Attribute>& values) const {
   int nearest = 0;
-  point.barycentric.maxCoeff(&nearest);
-  const std::size_t normals = find(input_, "NORMAL");
+  point.weights.maxCoeff(&nearest);
+  const std::size_t normals = findSemantic(input_, "NORMAL");
   for (std::size_t a = 0; a < kinds_.size(); ++a) {
     const Attribute& attribute = input_.attributes[a];
     std::vector<float>& out = values[a].values;
     switch (kinds_[a]) {
       case Kind::Linear:
         for (int k = 0; k < attribute.itemSize; ++k)
-          out.push_back(float(value(attribute, corners, k)));
+          out.push_back(float(value(attribute, point, k)));
         break;
       case Kind::Unit: {
-        const Vec3 mixed = mixedVector(attribute, corners);
-        appendVector((mixed.isZero(0) ? surface_.normal(point) : mixed).normalized(), out);
+        const Vec3 mixed = mixedVector(attribute, point);
+        appendVector((mixed.isZero(0) ? point.normal : mixed).normalized(), out);
         break;
       }
       case Kind::SurfaceNormal:
-        appendVector(surface_.normal(point).normalized(), out);
+        appendVector(point.normal.normalized(), out);
         break;
       case Kind::Tangent: {
         const bool own = normals < kinds_.size() && kinds_[normals] == Kind::Unit;
-        appendTangent(a, corners,
-                      own ? mixedVector(input_.attributes[normals], corners).normalized()
-                          : surface_.normal(point).normalized(),
-                      out);
+        const Vec3 normal = own ? mixedVector(input_.attributes[normals], point) : point.normal;
+        appendTangent(a, point, normal.normalized(), out);
         break;
       }
       case Kind::Nearest:
         for (int k = 0; k < attribute.itemSize; ++k)
           out.push_back(
-              attribute.values[std::size_t{corners.wedges[nearest]} * attribute.itemSize + k]);
+              attribute.values[std::size_t{point.vertices[nearest]} * attribute.itemSize + k]);
         break;
       case Kind::Skin:
         break;
     }
   }
-  if (!skin_.empty()) appendSkin(corners, values);
+  if (!skin_.empty()) appendSkin(point, values);
 }
 
 }  // namespace remesher
