@@ -42,6 +42,7 @@ set(linear
   src/arrangement/sheets.cpp
   src/geometry/predicates.cpp
   src/geometry/quad.cpp
+  src/geometry/ray_crossings.cpp
   src/geometry/triangle_grid.cpp
   src/geometry/triangle_meeting.cpp
   src/io/text/text_scanner.cpp
@@ -248,6 +249,8 @@ set(small
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
+  src/repair/diagnosis.cpp
+  src/repair/exact_repair.cpp
   src/repair/fineness.cpp
   src/repair/holes/close_holes.cpp
   src/repair/holes/fairing.cpp
@@ -258,6 +261,7 @@ set(small
   src/repair/holes/refinement.cpp
   src/repair/holes/turn_over.cpp
   src/repair/holes/used_vertices.cpp
+  src/repair/pieces.cpp
   src/repair/repair.cpp
   src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp
@@ -271,6 +275,8 @@ set(small
   src/repair/solid/seen_loss.cpp
   src/repair/solid/solid.cpp
   src/repair/solid/thin_walls.cpp
+  src/repair/stitch.cpp
+  src/repair/united.cpp
   src/repair_file.cpp
   src/simplify/divide.cpp
   src/textures/charts/chart_growth.cpp

@@ -77,8 +77,8 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
   PhaseClock clock;
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
-  Report report = repairOnly(parts, options, progress.timedBy(clock));
-  return {std::move(parts.front().mesh), timed(std::move(report), clock)};
+  RepairedParts repaired = repairOnly(parts, options, progress.timedBy(clock));
+  return {std::move(parts.front().mesh), timed(std::move(repaired.report), clock)};
 }
 
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,

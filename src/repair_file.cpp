@@ -1,14 +1,33 @@
 // SPDX-License-Identifier: MIT
 // A file mended, and no more.
+#include <cctype>
+#include <string>
 #include <utility>
 
 #include "io/formats.h"
+#include "io/model/same_mesh.h"
 #include "jobs/mending.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
 #include "remesher.h"
 
 namespace remesher {
+
+namespace {
+
+std::string extensionOf(const std::string& name) {
+  std::string extension = name.substr(name.find_last_of('.') + 1);
+  for (char& letter : extension) letter = char(std::tolower(static_cast<unsigned char>(letter)));
+  return extension;
+}
+
+// Whether the file as it is may be the result: in the same format, all in one file.
+bool mayStay(const FileBundle& input, const std::string& outputName, const io::Model& model) {
+  return extensionOf(input.file.name) == extensionOf(outputName) && input.resources.empty() &&
+         !io::isMended(model.warnings);
+}
+
+}  // namespace
 
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
@@ -20,9 +39,14 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   io::prepare(model, outputName);
   io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
-  Report report = inFile(
+  RepairedParts repaired = inFile(
       input.file.name, [&] { return repairOnly(model.parts, options, whole.part(kReadShare, 1)); });
+  Report& report = repaired.report;
   whole.phase("write", 1, 1);
+  if (repaired.isUnchanged && mayStay(input, outputName, model)) {
+    report.warnings = joined(model.warnings, report.warnings);
+    return {{{outputName, input.file.bytes}}, {}, timed(std::move(report), clock)};
+  }
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
   return {std::move(written.files), {}, timed(std::move(report), clock)};

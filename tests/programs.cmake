@@ -16,6 +16,7 @@ add_executable(unit_tests
   tests/unit/geometry/polar_map_test.cpp
   tests/unit/geometry/predicates_test.cpp
   tests/unit/geometry/quad_test.cpp
+  tests/unit/geometry/ray_crossings_test.cpp
   tests/unit/geometry/triangle_grid_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
@@ -153,6 +154,7 @@ add_executable(unit_tests
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/repair/holes/used_vertices_test.cpp
+  tests/unit/repair/pieces_test.cpp
   tests/unit/repair/repair_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp
@@ -160,6 +162,7 @@ add_executable(unit_tests
   tests/unit/repair/solid/seen_loss_test.cpp
   tests/unit/repair/solid/solid_test.cpp
   tests/unit/repair/solid/thin_walls_test.cpp
+  tests/unit/repair/stitch_test.cpp
   tests/unit/simplify/divide_test.cpp
   tests/unit/simplify/simplify_test.cpp
   tests/unit/textures/charts/unwrap_test.cpp

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/parts/part_joining.h"
@@ -40,8 +41,8 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
 }
 
 RemeshOptions Mending::chosen(RemeshOptions options) const {
-  if (options.repair == Repair::Auto && repair_)
-    options.repair = repair_->report.mode == "holes" ? Repair::Holes : Repair::Solid;
+  if (repair_ && (options.repair == Repair::Auto || options.repair == Repair::Solid))
+    options.repair = repair_->isRemade ? Repair::Solid : Repair::Holes;
   if (ratio_) {
     if (!options.ratio) options.tooFew = TooFew::Raise;
     options.ratio = ratio_;
@@ -50,7 +51,7 @@ RemeshOptions Mending::chosen(RemeshOptions options) const {
 }
 
 RemeshOptions Mending::withPaint(RemeshOptions options, io::Model& model) const {
-  const bool isImplied = repair_ && repair_->report.mode != "holes" && options.lods.empty() &&
+  const bool isImplied = repair_ && repair_->isRemade && options.lods.empty() &&
                          options.textures == Textures::Auto &&
                          model.conventions == io::Conventions::Gltf;
   if (!isImplied) return options;
@@ -67,9 +68,10 @@ void Mending::note(Report& report) const {
   report.warnings = joined(repair_->warnings, report.warnings);
 }
 
-Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
-                  const Progress& progress) {
-  parts = joinedPlaces(std::move(parts), {});
+RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+                         const Progress& progress) {
+  const std::vector<io::Part> given = parts;
+  parts = joinedPlaces(std::move(parts), options.weld);
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -78,7 +80,10 @@ Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
   Report report;
   report.output = inspectScaled(parts);
   mending.note(report);
-  return report;
+  const bool isUnchanged =
+      std::equal(parts.begin(), parts.end(), given.begin(),
+                 [](const io::Part& a, const io::Part& b) { return io::isSame(a.mesh, b.mesh); });
+  return {std::move(report), isUnchanged};
 }
 
 }  // namespace remesher

@@ -44,8 +44,13 @@ class Mending {
   std::optional<double> ratio_;  // of the repaired parts' vertices, where the input's number counts
 };
 
+struct RepairedParts {
+  Report report;
+  bool isUnchanged;  // whether every part is as it was given, bit for bit
+};
+
 // Repairs the parts in place. The report lacks only the times.
-Report repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                   const Progress& progress);
 
 }  // namespace remesher

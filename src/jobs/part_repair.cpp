@@ -113,24 +113,22 @@ std::vector<std::optional<double>> spacingsOf(const std::vector<io::Part>& parts
   return spacings;
 }
 
-// The parts are repaired one by one; what they have in common stays.
-std::size_t countMeeting(const std::vector<io::Part>& parts) {
+// Each part is repaired for itself, so parts may still intersect each other.
+void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
   io::Model bodies;
   bodies.parts = parts;
   io::makeBodies(bodies);
-  if (bodies.parts.size() < 2) return 0;
-  return intersectionsOfGroups(io::mergeParts(bodies.parts)).size();
-}
-
-void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::Part>& parts) {
-  const std::size_t meeting = countMeeting(parts);
-  if (meeting == 0) return;
+  if (bodies.parts.size() < 2) return;
+  const TriangleMesh merged = io::mergeParts(bodies.parts);
+  const std::vector<Index> meeting = intersectionsOfGroups(merged);
+  if (meeting.empty()) return;
+  const Index corner = merged.indices[3 * std::size_t{meeting.front()}];
   warnings.push_back(
       {{"PARTS_MEET",
-        "Triangles of parts meet those of others: each part was repaired for itself. "
+        "Triangles of parts intersect those of other parts: each part was repaired for itself. "
         "In an .stl file all become one surface.",
-        meeting},
-       std::nullopt});
+        meeting.size()},
+       merged.positions[corner]});
 }
 
 // The places of the mesh's own corners on the mesh itself.
@@ -154,7 +152,6 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   for (const io::Part& part : parts) total += double(part.mesh.triangleCount());
   RemeshOptions own = scale.isNeeded() ? scale.applied(options) : options;
   const std::vector<std::optional<double>> spacings = spacingsOf(result.parts, own);
-  warnOfMeeting(warnings, result.parts);
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];
     own.spacing = spacings[i];
@@ -163,6 +160,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     RepairedMesh repaired = repairSurface(part.mesh, own);
     repaired.mesh.steps = part.mesh.steps;
     part.mesh = std::move(repaired.mesh);
+    result.isRemade |= repaired.isRemade;
     add(result.report, repaired.report);
     result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;
     addPlaces(result.report.lostAt, inWorld(repaired.report.lostAt, part, scale));
@@ -178,6 +176,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     done += double(triangles);
   }
   if (scale.isNeeded()) result.parts = scale.undone(std::move(result.parts), parts);
+  warnOfMeeting(warnings, result.parts);
   result.warnings = inWords(std::move(warnings), result.parts);
   return result;
 }

@@ -17,6 +17,7 @@ struct PartsRepair {
   std::vector<io::Part> parts;
   RepairReport report;
   std::vector<Warning> warnings;
+  bool isRemade = false;  // whether a lattice replaced the triangles of any part
 };
 
 // Throws the Errors of repairSurface, and INVALID_OPTION if the options name vertices of the input.

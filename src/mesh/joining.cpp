@@ -148,16 +148,20 @@ void joinNoise(TriangleMesh& mesh) {
 }
 
 void joinNear(TriangleMesh& mesh, double distance) {
+  std::vector<char> isCorner(mesh.positions.size(), 0);
+  for (const Index v : mesh.indices) isCorner[v] = 1;
+  joinNear(mesh, distance, isCorner);
+}
+
+void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovable) {
   if (mesh.indices.empty() || !(distance > 0)) return;
   const Extents box = extentsOf(mesh);
   const double largest = (box.high - box.low).maxCoeff();
   if (!std::isfinite(largest) || largest / distance > kMostCells) return;
-  std::vector<char> isCorner(mesh.positions.size(), 0);
-  for (const Index v : mesh.indices) isCorner[v] = 1;
   NearPlaces places(mesh.positions, distance, box.low);
   std::vector<Index> first;
   for (Index v = 0; v < mesh.positions.size(); ++v)
-    first.push_back(isCorner[v] ? places.firstNear(v) : v);
+    first.push_back(isMovable[v] ? places.firstNear(v) : v);
   for (Index v = 0; v < first.size(); ++v) mesh.positions[v] = mesh.positions[first[v]];
 }
 

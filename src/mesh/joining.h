@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "base/triangle_mesh.h"
 
@@ -19,6 +20,8 @@ void joinNoise(TriangleMesh& mesh);
 
 // Moves vertices no farther apart than this to the place of the first.
 void joinNear(TriangleMesh& mesh, double distance);
+// The same for some vertices only. isMovable: one per vertex.
+void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovable);
 
 // The diagonal of the box around all corners of triangles.
 double diagonalOf(const TriangleMesh& mesh);

@@ -25,6 +25,10 @@ constexpr double kBytesPerMade = 400, kBytesBesides = 2.5e7;
 // The memory that a lattice is made coarser for, and the points up to which thin walls make it
 // finer: some 3 s.
 constexpr double kMostBytes = 5e8, kMostPoints = 8e6;
+// Few triangles do not get a surface of very many: the crossings and the points that each input
+// has, and those for each triangle.
+constexpr double kLeastCrossings = 2e4, kCrossingsPerTriangle = 100;
+constexpr double kLeastPoints = 1e6, kPointsPerTriangle = 5e3;
 // Times of one core, within a factor of two for most of the same shapes.
 constexpr double kSecondsPerTriangle = 2e-5, kSecondsPerPoint = 1.2e-6;
 
@@ -64,7 +68,9 @@ Grid gridFor(const Extent& extent, const RemeshOptions& options, InsideBy by) {
   Grid grid = {
       std::clamp(options.spacing.value_or(wishedSpacing(extent, options)), finest, coarsest),
       spare};
-  while (grid.spacing < coarsest && bytesOf(extent, grid) > kMostBytes)
+  const double most = kLeastCrossings + kCrossingsPerTriangle * double(extent.triangles);
+  while (grid.spacing < coarsest &&
+         (bytesOf(extent, grid) > kMostBytes || crossingsOf(extent, grid.spacing) > most))
     grid.spacing = std::min(coarsest, kStep * grid.spacing);
   return grid;
 }
@@ -101,7 +107,9 @@ SolidRule ruleFor(const TriangleMesh& input, const RemeshOptions& options, Insid
   rule.sheets = options.sheets;
   rule.keepsCavities = options.cavities;
   const double left = std::max(0.0, kMostBytes - bytesOf(extent, grid)) / kBytesPerPoint;
-  rule.mostPoints = std::size_t(std::min(kMostPoints, pointsOf(extent, grid) + left));
+  const double most =
+      std::min(kMostPoints, kLeastPoints + kPointsPerTriangle * double(extent.triangles));
+  rule.mostPoints = std::size_t(std::min(most, pointsOf(extent, grid) + left));
   return rule;
 }
 

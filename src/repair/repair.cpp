@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/place.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
+#include "repair/diagnosis.h"
+#include "repair/exact_repair.h"
 #include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
@@ -20,14 +23,6 @@
 namespace remesher {
 
 namespace {
-
-double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3 * triangles; i += 3)
-    sum += area(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                mesh.positions[mesh.indices[i + 2]]);
-  return sum;
-}
 
 Vec3 centreOf(const TriangleMesh& mesh, Index triangle) {
   const Index* v = &mesh.indices[3 * std::size_t{triangle}];
@@ -45,65 +40,15 @@ void warn(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places
   if (!places.empty()) result.warnings.back().at = places.front();
 }
 
-// The mesh to repair, and its self-intersecting triangles.
-struct Broken {
-  const TriangleMesh& mesh;
-  const std::vector<Index>& crossings;
-};
-
-void countCrossings(RepairedMesh& result) {
-  const std::vector<Index> crossings = selfIntersections(result.mesh);
+void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
   result.report.selfIntersections[1] = crossings.size();
-  warn(result,
-       {"CROSSINGS_LEFT",
-        "Triangles pass through others: they did before, or what closes a hole meets the rest.",
-        crossings.size()},
+  warn(result, {"CROSSINGS_LEFT", "Triangles intersect others.", crossings.size()},
        firstOf(result.mesh, crossings));
 }
 
 double longestLoop(const TriangleMesh& input, const RemeshOptions& options) {
   if (!options.holesUpTo) return kInfinity;
   return *options.holesUpTo / 100 * diagonalOf(input);
-}
-
-// The enclosure on the coarsest lattice.
-Enclosure roughEnclosure(const TriangleMesh& mesh) {
-  RemeshOptions coarse;
-  coarse.vertices = 1;
-  return enclosureOf(mesh, ruleFor(mesh, coarse, InsideBy::Enclosure));
-}
-
-// The triangles kept that face the other way than given.
-std::size_t countTurned(const TriangleMesh& input, const ClosedHoles& closed) {
-  std::size_t turned = 0;
-  for (std::size_t i = 0; i < closed.kept.size(); ++i)
-    turned += closed.mesh.indices[3 * i + 1] != input.indices[3 * std::size_t{closed.kept[i]} + 1];
-  return turned;
-}
-
-RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
-  ClosedHoles closed = closeHoles(input, longestLoop(input, options));
-  RepairedMesh result;
-  result.report.mode = "holes";
-  result.report.holes = closed.holes;
-  result.report.islands = closed.islands;
-  turnOver(closed.mesh, roughEnclosure(closed.mesh).insideOut);
-  result.report.turned = countTurned(input, closed);
-  const double before = areaOf(input, input.triangleCount());
-  const double kept = areaOf(closed.mesh, closed.kept.size());
-  result.report.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
-  keepUsedVertices(closed.mesh);
-  result.mesh = std::move(closed.mesh);
-  warn(result,
-       {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
-        closed.openAt.size()},
-       closed.openAt);
-  warn(result, {"SCRAPS_REMOVED",
-                "Triangles were removed that hang together with the surface in points only, lie "
-                "loose in holes, or are given twice.",
-                closed.trianglesRemoved});
-  countCrossings(result);
-  return result;
 }
 
 void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
@@ -114,6 +59,48 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
          {"SHEETS_THICKENED",
           "Sheets, which enclose nothing, were made thin solids behind what is seen of them.",
           count});
+}
+
+// The report and the warnings of the exact steps.
+RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
+  RepairedMesh result;
+  result.mesh = std::move(exact.mesh);
+  result.report.mode = mode;
+  result.report.holes = exact.holes;
+  result.report.islands = exact.islands;
+  result.report.shells = exact.hiddenAt.size() + exact.filledAt.size();
+  result.report.turned = exact.turned;
+  result.report.lost = exact.lost;
+  warn(result,
+       {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
+        exact.openAt.size()},
+       exact.openAt);
+  warn(result,
+       {"SCRAPS_REMOVED",
+        "Triangles were removed: those of small open components, those that share only a vertex "
+        "with the surface beside a hole, and those given twice.",
+        exact.trianglesRemoved},
+       exact.removedAt);
+  warn(result,
+       {"HIDDEN_BODIES_REMOVED", "Bodies were removed that lie inside others and are not seen.",
+        exact.hiddenAt.size()},
+       exact.hiddenAt);
+  warn(result,
+       {"CAVITIES_FILLED", "Cavities that are not seen from outside were filled.",
+        exact.filledAt.size()},
+       exact.filledAt);
+  warn(result,
+       {"SHEETS_LEFT",
+        "Sheets such as cards, cloth or terrain enclose nothing and were left as they are; "
+        "wrapping makes them thin solids.",
+        exact.sheetsAt.size()},
+       exact.sheetsAt);
+  warnOfCrossings(result, exact.crossings);
+  return result;
+}
+
+RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
+  return asRepaired(closedOnly(input, {longestLoop(input, options)}), "holes");
 }
 
 RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule) {
@@ -133,10 +120,12 @@ RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule&
   result.report.lostBeyond = 100 * solid.loss.beyond / diagonalOf(input);
   result.report.lostAt = std::move(solid.loss.places);
   result.mesh = std::move(solid.mesh);
+  result.isRemade = true;
   return result;
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
+  requireMemory(input, options);
   const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
   RepairedMesh result = asRepaired(solidOf(input, rule), input, rule);
   if (!result.mesh.indices.empty()) return result;
@@ -154,33 +143,6 @@ RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOpti
   return asRepaired(std::move(solid), input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
-// Whether the surface that hole closing keeps intersects itself. It can only if the input does.
-bool staysCrossed(const TriangleMesh& input, const std::vector<Index>& crossings) {
-  constexpr double kNoLoop = -1;
-  return !crossings.empty() && !selfIntersections(closeHoles(input, kNoLoop).mesh).empty();
-}
-
-// The input with holes closed; none if the result intersects itself, or if there are shells within
-// bodies.
-std::optional<RepairedMesh> closedSoundly(const Broken& input, const RemeshOptions& options,
-                                          const Enclosure& enclosure) {
-  if (!enclosure.innerAt.empty()) return std::nullopt;
-  try {
-    if (staysCrossed(input.mesh, input.crossings)) return std::nullopt;
-    RepairedMesh closed = withHolesClosed(input.mesh, options);
-    if (closed.report.selfIntersections[1] == 0) return closed;
-  } catch (const Error& error) {
-    if (error.code != ErrorCode::NoTriangles) throw;
-  }
-  return std::nullopt;
-}
-
-// Whether no shell is left within a body.
-bool isEnough(const RepairedMesh& closed) {
-  const bool isAsGiven = closed.report.holes == 0 && closed.warnings.empty();
-  return isAsGiven || roughEnclosure(closed.mesh).innerAt.empty();
-}
-
 // Whether the surface bounds bodies: then all half lines agree at most points beside the surface,
 // and hardly any visible surface is lost. Assemblies of bodies, also inside out, have 0 % unsure
 // and below 1 % lost; an open sheet has 80 % and 56 %.
@@ -189,16 +151,17 @@ bool isClear(const Enclosure& enclosure) {
   return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
 }
 
-// The closed pieces as bodies, without pieces inside others, which nobody sees.
-RepairedMesh unitedOnceClosed(RepairedMesh closed, const RemeshOptions& options) {
-  RepairedMesh united =
-      solidified(solidOf(closed.mesh, ruleFor(closed.mesh, options, InsideBy::Enclosure)),
-                 closed.mesh, options);
-  united.report.holes = closed.report.holes;
-  united.report.islands = closed.report.islands;
-  united.report.lost = std::max(united.report.lost, closed.report.lost);
-  united.warnings.insert(united.warnings.end(), closed.warnings.begin(), closed.warnings.end());
-  return united;
+// Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
+// seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
+bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
+  constexpr double kNearlyAll = 0.9, kMostCrossed = 0.5;
+  const Diagnosis diagnosis = diagnose(input);
+  const double crossed = double(diagnosis.crossings.size());
+  if (isLoose(input) || crossed > kMostCrossed * double(input.triangleCount()) ||
+      openShare(diagnosis) < kNearlyAll)
+    return false;
+  const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
+  return enclosureOf(input, rule).sheetShare > kNearlyAll;
 }
 
 RepairedMesh because(const char* reason, RepairedMesh result) {
@@ -206,35 +169,73 @@ RepairedMesh because(const char* reason, RepairedMesh result) {
   return result;
 }
 
-RepairedMesh automatic(const Broken& broken, const RemeshOptions& options) {
-  const TriangleMesh& input = broken.mesh;
+const char* modeOf(const ExactRepair& exact) {
+  return exact.way == ExactRepair::Way::United ? "solid" : "holes";
+}
+
+const char* reasonOf(const ExactRepair& exact) {
+  switch (exact.way) {
+    case ExactRepair::Way::Unchanged:
+      return "sound";
+    case ExactRepair::Way::Closed:
+      return "closed";
+    default:
+      return "united";
+  }
+}
+
+// The lattice, for what has no exact outside.
+RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
+  requireMemory(input, options);
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
-  const Enclosure enclosure = ground->enclosure();
-  if (std::optional<RepairedMesh> closed = closedSoundly(broken, options, enclosure)) {
-    if (isEnough(*closed)) return because("sound", std::move(*closed));
-    ground.reset();  // a solid takes as much memory again, and so does a wrap
-    return because("shells", unitedOnceClosed(std::move(*closed), options));
-  }
-  if (isClear(enclosure)) return because("enclosed", solidified(ground->solid(), input, options));
-  ground.reset();
+  if (isClear(ground->enclosure()))
+    return because("enclosed", solidified(ground->solid(), input, options));
+  ground.reset();  // a wrap takes as much memory again
+  if (isOfSheets(input, options)) return because("sheets", asRepaired(leftAlone(input), "holes"));
   return because("open", wrapped(input, options));
 }
 
-RepairedMesh repaired(const Broken& broken, const RemeshOptions& options) {
-  const TriangleMesh& input = broken.mesh;
+RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
+  std::optional<ExactRepair> exact =
+      exactlyRepaired(input, {longestLoop(input, options), kMostDisk});
+  if (!exact) return remade(input, options);
+  return because(reasonOf(*exact), asRepaired(std::move(*exact), modeOf(*exact)));
+}
+
+RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
+  if (std::optional<ExactRepair> exact = exactlyRepaired(input, {kInfinity, kMostDisk})) {
+    if (exact->sheetsAt.empty()) {
+      if (!options.cavities) fillCavities(*exact);
+      return asRepaired(std::move(*exact), "solid");
+    }
+  }
+  requireMemory(input, options);
+  return solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)), input, options);
+}
+
+RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
   const char* const asked = "asked";
   switch (options.repair) {
     case Repair::Holes:
       return because(asked, withHolesClosed(input, options));
     case Repair::Solid:
-      return because(asked, solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)),
-                                       input, options));
+      return because(asked, solid(input, options));
     case Repair::Wrap:
       return because(asked, wrapped(input, options));
     default:
-      return automatic(broken, options);
+      return automatic(input, options);
   }
+}
+
+// Which repair mends it, without the work of the lattice's surface.
+Repair repairFor(const TriangleMesh& input) {
+  if (const std::optional<ExactRepair> exact = exactlyRepaired(input, {kInfinity, kMostDisk}))
+    return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
+  RemeshOptions coarse;
+  coarse.vertices = 1;
+  const SolidRule rule = ruleFor(input, coarse, InsideBy::Enclosure);
+  return isClear(enclosureOf(input, rule)) ? Repair::Solid : Repair::Wrap;
 }
 
 }  // namespace
@@ -242,40 +243,31 @@ RepairedMesh repaired(const Broken& broken, const RemeshOptions& options) {
 FaultReport faultsOf(const TriangleMesh& input) {
   requireValid(input);
   requireMemory(input, {});
-  const Enclosure enclosure = roughEnclosure(input);
+  const Diagnosis diagnosis = diagnose(input);
   FaultReport faults;
-  // All loops of the input, also of islands and pinches, which hole closing would remove.
-  const BuiltMesh built = buildMesh(input);
   const double diagonal = diagonalOf(input);
-  for (const Loop& loop : boundaryLoops(built)) {
+  for (const Loop& loop : boundaryLoops(diagnosis.built)) {
     faults.openLoops.push_back(100 * loop.length / diagonal);
-    faults.places.openLoops.push_back(built.positions[loop.vertices.front()]);
+    faults.places.openLoops.push_back(diagnosis.built.positions[loop.vertices.front()]);
   }
-  const std::vector<Index> crossings = selfIntersections(input);
-  faults.selfIntersections = crossings.size();
-  faults.places.selfIntersections = firstOf(input, crossings);
-  faults.innerShells = enclosure.innerAt.size();
-  faults.places.innerShells = enclosure.innerAt;
-  faults.insideOut = enclosure.insideOutAt.size();
-  faults.places.insideOut = enclosure.insideOutAt;
-  if (faults.openLoops.empty() && crossings.empty() && enclosure.innerAt.empty() &&
-      enclosure.insideOut.empty())
-    return faults;
-  const std::optional<RepairedMesh> closed = closedSoundly({input, crossings}, {}, enclosure);
+  faults.selfIntersections = diagnosis.crossings.size();
+  faults.places.selfIntersections = firstOf(input, diagnosis.crossings);
+  faults.places.innerShells = cornersOf(diagnosis, isShell);
+  faults.innerShells = faults.places.innerShells.size();
+  faults.places.insideOut = cornersOf(diagnosis, isInsideOut);
+  faults.insideOut = faults.places.insideOut.size();
+  if (isSound(diagnosis)) return faults;
   RemeshOptions alone;
-  alone.repair = faults.repair = closed && isEnough(*closed)    ? Repair::Holes
-                                 : closed || isClear(enclosure) ? Repair::Solid
-                                                                : Repair::Wrap;
+  alone.repair = faults.repair = repairFor(input);
   faults.needs = needsOf(input, alone);
   return faults;
 }
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
-  requireMemory(input, options);
-  const std::vector<Index> crossings = selfIntersections(input);
-  RepairedMesh result = repaired({input, crossings}, options);
-  result.report.selfIntersections[0] = crossings.size();
+  const std::size_t before = selfIntersections(input).size();
+  RepairedMesh result = repaired(input, options);
+  result.report.selfIntersections[0] = before;
   return result;
 }
 

@@ -19,6 +19,7 @@ struct PlacedWarning {
 struct RepairedMesh {
   TriangleMesh mesh;
   RepairReport report;
+  bool isRemade = false;  // by a lattice: the triangles are not the input's
   std::vector<PlacedWarning> warnings;
 };
 

@@ -41,7 +41,7 @@ export const coreRooms = {
   arrangement: ['base', 'mesh', 'geometry', 'measure'],
   'repair/holes': ['base', 'mesh', 'geometry', 'measure'],
   'repair/solid': ['base', 'mesh', 'geometry', 'measure'],
-  repair: ['base', 'mesh', 'geometry', 'measure', 'repair/holes', 'repair/solid'],
+  repair: ['base', 'mesh', 'geometry', 'measure', 'arrangement', 'repair/holes', 'repair/solid'],
   'io/model': ['base'],
   'io/text': ['base', 'io/model'],
   'io/ply': ['base', 'io/model', 'io/text'],

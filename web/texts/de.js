@@ -335,8 +335,7 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Manche Werte werden nicht mitgenommen.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Dreiecke Rücken an Rücken, die nichts umschließen, '
     + 'wurden entfernt.',
-  'warning.CROSSINGS_LEFT': 'Dreiecke gehen durch andere hindurch: Sie taten es vorher, oder was '
-    + 'ein Loch schließt, trifft das Übrige.',
+  'warning.CROSSINGS_LEFT': 'Dreiecke schneiden andere.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Manche Dreiecke des Ergebnisses haben keine Fläche: Teile '
     + 'sind zu dünn für seine Zahlen.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
@@ -375,8 +374,13 @@ export default {
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
     + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
-  'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt, die nur in Punkten mit der Fläche '
-    + 'zusammenhängen, lose in Löchern liegen oder doppelt sind.',
+  'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
+    + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',
+  'warning.HIDDEN_BODIES_REMOVED': 'Körper wurden entfernt, die in anderen liegen und nicht zu sehen '
+    + 'sind.',
+  'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
+  'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, wie '
+    + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '

@@ -336,8 +336,7 @@ export default {
   'warning.ATTRIBUTE_NOT_CARRIED': 'Certaines valeurs ne sont pas reprises.',
   'warning.BACK_TO_BACK_TRIANGLES_REMOVED': 'Des triangles dos à dos, qui n’enferment rien, '
     + 'ont été retirés.',
-  'warning.CROSSINGS_LEFT': 'Des triangles en traversent d’autres : ils le faisaient déjà, ou ce '
-    + 'qui ferme un trou rencontre le reste.',
+  'warning.CROSSINGS_LEFT': 'Des triangles en coupent d’autres.',
   'warning.DEGENERATE_TRIANGLES_MADE': 'Des triangles du résultat n’ont pas d’aire : des parties '
     + 'sont trop minces pour ses nombres.',
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Des triangles sans trois coins distincts ont été '
@@ -374,8 +373,13 @@ export default {
     + 'nombres et ne sont pas remaillées.',
   'warning.PARTS_MERGED': 'Ce fichier est un seul solide : parties et matériaux y sont fondus.',
   'warning.RESOURCE_NOT_GIVEN': 'Un fichier auquel le modèle renvoie n’a pas été donné.',
-  'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés qui ne tiennent à la surface que par '
-    + 'des points, flottent dans des trous ou sont en double.',
+  'warning.SCRAPS_REMOVED': 'Des triangles ont été retirés : ceux de petites composantes ouvertes, '
+    + 'ceux qui, près d’un trou, ne touchent la surface qu’en un point, et les doubles.',
+  'warning.HIDDEN_BODIES_REMOVED': 'Des corps situés dans d’autres, que l’on ne voit pas, ont été '
+    + 'retirés.',
+  'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
+  'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
+    + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '

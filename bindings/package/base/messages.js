@@ -256,12 +256,13 @@
  * What repair did.
  * @typedef {object} RepairSummary
  * @property {string} mode How the mesh was repaired.
- * @property {'asked' | 'sound' | 'shells' | 'enclosed' | 'open'} reason Why in that mode: it
- *   was asked for; the surface is sound once its holes are closed; closed pieces lie within others
- *   or face inwards; the visible surface clearly separates inside from outside; nothing does.
+ * @property {'asked' | 'sound' | 'closed' | 'united' | 'sheets' | 'enclosed' | 'open'} reason Why
+ *   in that mode: it was asked for; nothing was wrong, and the mesh is unchanged; the surface is
+ *   sound once its loops are closed; bodies that intersect were united exactly; sheets, which
+ *   enclose nothing, were left; a lattice found bodies; a lattice found the outside.
  * @property {number} holes Open loops closed.
- * @property {number} islands Loose open scraps removed.
- * @property {number} shells Bodies inside of others, removed.
+ * @property {number} islands Small open components removed.
+ * @property {number} shells Bodies inside others, removed because nobody sees them.
  * @property {number} turned Triangles turned over.
  * @property {number} lost Percent of the area that the result lacks: of what is seen from outside,
  *   what is farther from the result than `lostBeyond`. Where only holes are closed, of all.

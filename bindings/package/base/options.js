@@ -323,7 +323,7 @@ function checkTogether(given, label) {
 
 /** The names of the options for repair. */
 export const repairNames =
-  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets']);
+  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'weld']);
 
 /**
  * The options of a repair, checked as checkOptions does; no others belong there.

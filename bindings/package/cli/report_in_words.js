@@ -46,10 +46,12 @@ function distanceInWords({ hausdorff, rms }) {
 
 const reasons = {
   asked: 'as asked',
-  sound: 'for with holes closed it is sound',
-  shells: 'for pieces lie within others',
-  enclosed: 'for what is seen encloses something',
-  open: 'for what is seen encloses nothing clearly',
+  sound: 'it was sound and is unchanged',
+  closed: 'with its loops closed it is sound',
+  united: 'bodies that intersect were united exactly',
+  sheets: 'sheets enclose nothing and were left as they are',
+  enclosed: 'remade as a lattice surface that encloses the visible bodies',
+  open: 'remade as a lattice surface around the input, which encloses nothing clearly',
 };
 
 /** `, the first near (0.5, 2, 1)` @param {number[]} places */
@@ -69,9 +71,9 @@ function repairInWords(repair) {
   const [before, after] = selfIntersections;
   return `repair (${mode}, ${reasons[reason]}):\n`
     + `  ${counted(holes, 'hole')} closed, ${counted(islands, 'island')} and `
-    + `${counted(shells, 'inner shell')} removed, ${counted(turned, 'triangle')} turned over\n`
+    + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
     + `${lossInWords(repair)}\n`
-    + `  triangles that pass through others: ${before} before, ${after} after`;
+    + `  self-intersecting triangles: ${before} before, ${after} after`;
 }
 
 const cures = {

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.h"
+#include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "repair/holes/fairing.h"
 #include "repair/holes/kept_surface.h"
@@ -18,7 +19,7 @@ namespace remesher {
 
 namespace {
 
-// A plug's shapes, the best first.
+// A disk's shapes, the best first.
 enum class Shape { Smooth, Flat, Bare };
 constexpr std::array kShapes = {Shape::Smooth, Shape::Flat, Shape::Bare};
 
@@ -29,18 +30,24 @@ Plug plugOf(const BuiltMesh& built, const Loop& loop, Shape shape) {
   return plug;
 }
 
-// The kept triangles in input order, each starting at its original first corner.
-TriangleMesh meshOf(const TriangleMesh& input, const BuiltMesh& built) {
-  std::vector<Index> faces(built.mesh.faceCapacity());
-  std::iota(faces.begin(), faces.end(), Index{0});
+// The faces of the manifold, in the order of their triangles.
+std::vector<Face> facesInOrder(const BuiltMesh& built) {
+  std::vector<Face> faces;
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) faces.emplace_back(f);
   std::sort(faces.begin(), faces.end(),
-            [&](Index f, Index g) { return built.triangles[Face(f)] < built.triangles[Face(g)]; });
-  TriangleMesh mesh = input;
+            [&](Face f, Face g) { return built.triangles[f] < built.triangles[g]; });
+  return faces;
+}
+
+// The triangles of these faces, each starting at its first corner, as far as it has not been
+// turned.
+TriangleMesh meshOf(const KeptSurface& kept, const std::vector<Face>& faces) {
+  TriangleMesh mesh = kept.mesh;
   mesh.indices.clear(), mesh.groups.clear();
-  for (const Index f : faces) {
+  for (const Face f : faces) {
     for (int k = 0; k < 3; ++k)
-      mesh.indices.push_back(built.wedges[HalfedgeMesh::halfedge(Face(f), k)]);
-    if (!input.groups.empty()) mesh.groups.push_back(input.groups[built.triangles[Face(f)]]);
+      mesh.indices.push_back(kept.built.wedges[HalfedgeMesh::halfedge(f, k)]);
+    if (!kept.mesh.groups.empty()) mesh.groups.push_back(kept.mesh.groups[kept.built.triangles[f]]);
   }
   return mesh;
 }
@@ -55,8 +62,9 @@ struct Closing {
 
 class Closer {
  public:
-  Closer(const TriangleMesh& input, const BuiltMesh& built, std::vector<Loop> loops)
-      : input_(input), built_(built), kept_(meshOf(input, built)) {
+  // without: the surface without disks.
+  Closer(const KeptSurface& kept, TriangleMesh without, std::vector<Loop> loops)
+      : kept_(kept), without_(std::move(without)) {
     for (Loop& loop : loops) closings_.push_back({std::move(loop)});
     for (Closing& closing : closings_) choose(closing, 0);
   }
@@ -69,14 +77,15 @@ class Closer {
  private:
   void choose(Closing& closing, std::size_t shape) {
     closing.shape = shape;
-    closing.plug = plugOf(built_, closing.loop, kShapes[shape]);
+    closing.plug = plugOf(kept_.built, closing.loop, kShapes[shape]);
+    if (!without_.isSingle) return;
     for (std::size_t v = closing.loop.vertices.size(); v < closing.plug.points.size(); ++v)
-      if (input_.isSingle) closing.plug.points[v] = inSingle(closing.plug.points[v], input_.scale);
+      closing.plug.points[v] = inSingle(closing.plug.points[v], without_.scale);
   }
 
   TriangleMesh assembled() const {
-    TriangleMesh mesh = kept_;
-    for (const Closing& closing : closings_) appendPlug(mesh, built_, closing.loop, closing.plug);
+    TriangleMesh mesh = without_;
+    for (const Closing& closing : closings_) appendPlug(mesh, kept_, closing.loop, closing.plug);
     return mesh;
   }
 
@@ -85,8 +94,8 @@ class Closer {
   bool retry() {
     if (closings_.empty()) return false;
     const std::vector<Index> hits =
-        selfIntersectionsFrom(assembled(), Index(kept_.triangleCount()));
-    std::size_t end = kept_.triangleCount(), hit = 0;
+        selfIntersectionsFrom(assembled(), Index(without_.triangleCount()));
+    std::size_t end = without_.triangleCount(), hit = 0;
     bool isAny = false;
     for (Closing& closing : closings_) {
       end += closing.plug.triangles.size();
@@ -104,27 +113,68 @@ class Closer {
     return isAny;
   }
 
-  const TriangleMesh& input_;
-  const BuiltMesh& built_;
-  const TriangleMesh kept_;
+  const KeptSurface& kept_;
+  const TriangleMesh without_;
   std::vector<Closing> closings_;
 };
 
+double areaOfDisk(const Plug& disk) {
+  double sum = 0;
+  for (const Corners3& t : disk.triangles)
+    sum += area(disk.points[t[0]], disk.points[t[1]], disk.points[t[2]]);
+  return sum;
+}
+
+// Takes out the loops of sheets.
+void leaveSheets(const BuiltMesh& built, double mostDisk, std::vector<Loop>& loops,
+                 ClosedHoles& result) {
+  if (mostDisk == kInfinity || loops.empty()) return;
+  DisjointSets components(built.mesh.vertexCapacity());
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
+    for (const Vertex v : built.mesh.vertices(Face(f)))
+      components.unite(built.mesh.vertices(Face(f))[0].index, v.index);
+  const auto componentOf = [&](const Loop& loop) {
+    return components.find(loop.vertices.front().index);
+  };
+  std::vector<double> own(built.mesh.vertexCapacity(), 0), disks(own.size(), 0);
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) {
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    own[components.find(a.index)] +=
+        area(built.positions[a], built.positions[b], built.positions[c]);
+  }
+  for (const Loop& loop : loops)
+    disks[componentOf(loop)] += areaOfDisk(plugOf(built, loop, Shape::Bare));
+  const auto isSheet = [&](Index component) {
+    return disks[component] > mostDisk * own[component];
+  };
+  std::erase_if(loops, [&](const Loop& loop) { return isSheet(componentOf(loop)); });
+  for (Index v = 0; v < own.size(); ++v) {
+    if (!built.mesh.isAlive(Vertex(v)) || components.find(v) != v || !isSheet(v)) continue;
+    result.sheetsAt.push_back(built.positions[Vertex(v)]);
+    result.sheetArea += own[v];
+  }
+}
+
 }  // namespace
 
-ClosedHoles closeHoles(const TriangleMesh& input, double longest) {
+ClosedHoles closeHoles(const TriangleMesh& input, const LoopRule& rule) {
   const KeptSurface kept = keptSurface(input);
   std::vector<Loop> loops = boundaryLoops(kept.built);
   ClosedHoles result;
+  leaveSheets(kept.built, rule.mostDisk, loops, result);
   for (const Loop& loop : loops)
-    if (loop.length > longest) result.openAt.push_back(kept.built.positions[loop.vertices.front()]);
-  std::erase_if(loops, [&](const Loop& loop) { return loop.length > longest; });
+    if (loop.length > rule.longest)
+      result.openAt.push_back(kept.built.positions[loop.vertices.front()]);
+  std::erase_if(loops, [&](const Loop& loop) { return loop.length > rule.longest; });
   result.holes = loops.size();
   result.islands = kept.islands;
+  result.removedAt = kept.removedAt;
   result.trianglesRemoved = kept.trianglesRemoved;
-  result.kept = kept.built.triangles.values();
-  std::sort(result.kept.begin(), result.kept.end());
-  result.mesh = Closer(input, kept.built, std::move(loops)).run();
+  const std::vector<Face> faces = facesInOrder(kept.built);
+  for (const Face f : faces) result.kept.push_back(kept.inputs[kept.built.triangles[f]]);
+  result.mesh = Closer(kept, meshOf(kept, faces), std::move(loops)).run();
+  // Disks are no quads, and a triangle that was turned pairs with its neighbour the other way.
+  result.mesh.isQuads = input.isQuads && result.mesh.indices == input.indices;
   return result;
 }
 

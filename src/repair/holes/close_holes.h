@@ -5,21 +5,33 @@
 #include <vector>
 
 #include "base/triangle_mesh.h"
+#include "repair/holes/kept_surface.h"
 
 namespace remesher {
 
-struct ClosedHoles {
-  TriangleMesh mesh;                 // vertices: all given, then new; triangles: kept, then plugs
-  std::vector<Index> kept;           // the input's triangle of each that is no plug's, ascending
-  std::size_t holes = 0;             // loops closed
-  std::vector<Vec3> openAt;          // a vertex of each loop too long to be closed
-  std::size_t islands = 0;           // open scraps taken off
-  std::size_t trianglesRemoved = 0;  // of islands, at pinches, without area or given twice
+// Which loops are closed.
+struct LoopRule {
+  double longest = kInfinity;  // a length; longer loops stay open
+  // A component whose disks would have more than this share of its own area is a sheet, such as a
+  // card or a terrain: its loops stay open.
+  double mostDisk = kInfinity;
 };
 
-// Loops longer than `longest` stay open. Each other loop gets a disk, so the result is a closed
-// 2-manifold except at loops left open. A plug intersects the surface only if each of its three
-// shapes does (smooth, flat, without new vertices). Throws the Errors of keptSurface.
-ClosedHoles closeHoles(const TriangleMesh& input, double longest = kInfinity);
+struct ClosedHoles {
+  TriangleMesh mesh;                 // vertices: all given, then new; triangles: kept, then disks
+  std::vector<InputTriangle> kept;   // per triangle that is in no disk the input's, ascending
+  std::size_t holes = 0;             // loops closed
+  std::vector<Vec3> openAt;          // a vertex of each loop too long to be closed
+  std::vector<Vec3> sheetsAt;        // a vertex of each sheet
+  double sheetArea = 0;              // of all sheets
+  std::size_t islands = 0;           // small open components removed
+  std::vector<Vec3> removedAt;       // a corner of each of them, and of what goes at pinches
+  std::size_t trianglesRemoved = 0;  // of debris, at pinches, without area or given twice
+};
+
+// Each loop that the rule does not leave open gets a disk, so that its edges have two triangles. A
+// disk intersects the surface only if each of its three shapes does (smooth, flat, without new
+// vertices). Throws the Errors of keptSurface.
+ClosedHoles closeHoles(const TriangleMesh& input, const LoopRule& rule = {});
 
 }  // namespace remesher

@@ -12,36 +12,46 @@ namespace remesher {
 
 namespace {
 
-// The input triangles that are kept so far.
-struct Stay {
-  const TriangleMesh& input;
-  std::vector<Index> triangles;
+// The input's triangles that are kept so far.
+class Selection {
+ public:
+  explicit Selection(const TriangleMesh& input)
+      : input_(input), isKept_(input.triangleCount(), 1) {}
 
-  explicit Stay(const TriangleMesh& mesh) : input(mesh), triangles(mesh.triangleCount()) {
-    for (Index t = 0; t < triangles.size(); ++t) triangles[t] = t;
+  // The kept triangles as a mesh of their own, with the manifold that is made of it.
+  KeptSurface surface() const {
+    KeptSurface kept;
+    for (Index t = 0; t < isKept_.size(); ++t)
+      if (isKept_[t]) kept.inputs.push_back(InputTriangle(t));
+    if (kept.inputs.empty())
+      throw Error(ErrorCode::NoTriangles, "Nothing is left when pinches and debris are removed.",
+                  "Few of these triangles share edges: ask for another way of repair.");
+    const bool isAll = kept.inputs.size() == isKept_.size();
+    kept.mesh = isAll ? input_ : withTriangles(kept.inputs);
+    kept.built = buildMesh(kept.mesh);
+    return kept;
   }
 
-  BuiltMesh build() const {
-    TriangleMesh part;
-    part.positions = input.positions;
-    for (const Index t : triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        part.indices.push_back(input.indices[3 * std::size_t{t} + k]);
-    if (part.indices.empty())
-      throw Error(ErrorCode::NoTriangles, "Nothing is left when pinches and islands are taken off.",
-                  "These triangles hardly hang together: ask for another way of repair.");
-    BuiltMesh built = buildMesh(part);
-    for (Index& t : built.triangles.values()) t = triangles[t];
-    return built;
-  }
-
-  // Returns the number of triangles removed.
-  std::size_t remove(const BuiltMesh& built, const FaceData<char>& unwanted) {
-    std::vector<char> goes(input.triangleCount(), 0);
+  void remove(const KeptSurface& kept, const FaceData<char>& unwanted) {
     for (Index f = 0; f < unwanted.size(); ++f)
-      if (unwanted[Face(f)]) goes[built.triangles[Face(f)]] = 1;
-    return std::erase_if(triangles, [&](Index t) { return goes[t]; });
+      if (unwanted[Face(f)]) isKept_[kept.inputs[kept.built.triangles[Face(f)]].index] = 0;
   }
+
+ private:
+  TriangleMesh withTriangles(const std::vector<InputTriangle>& triangles) const {
+    TriangleMesh mesh = input_;
+    mesh.indices.clear(), mesh.groups.clear();
+    mesh.isQuads = false;
+    for (const InputTriangle t : triangles) {
+      const Index* v = &input_.indices[3 * std::size_t{t.index}];
+      mesh.indices.insert(mesh.indices.end(), v, v + 3);
+      if (!input_.groups.empty()) mesh.groups.push_back(input_.groups[t.index]);
+    }
+    return mesh;
+  }
+
+  const TriangleMesh& input_;
+  std::vector<char> isKept_;  // per triangle
 };
 
 double areaOf(const BuiltMesh& built, Face f) {
@@ -55,16 +65,18 @@ double fanArea(const BuiltMesh& built, Vertex v) {
   return sum;
 }
 
-// The vertices that coincide with another vertex, sorted by place.
+// The vertices with an open fan that coincide with another such vertex, sorted by position.
 std::vector<std::pair<Index, Index>> pinchesOf(const BuiltMesh& built) {
-  std::vector<std::pair<Index, Index>> all;  // the place, the vertex
-  for (Index v = 0; v < built.sources.size(); ++v) all.emplace_back(built.sources[Vertex(v)], v);
-  std::sort(all.begin(), all.end());
+  std::vector<std::pair<Index, Index>> open;  // the position, the vertex
+  for (Index v = 0; v < built.sources.size(); ++v)
+    if (built.mesh.isAlive(Vertex(v)) && built.mesh.isBoundary(Vertex(v)))
+      open.emplace_back(built.sources[Vertex(v)], v);
+  std::sort(open.begin(), open.end());
   std::vector<std::pair<Index, Index>> pinches;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if ((i > 0 && all[i - 1].first == all[i].first) ||
-        (i + 1 < all.size() && all[i + 1].first == all[i].first))
-      pinches.push_back(all[i]);
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if ((i > 0 && open[i - 1].first == open[i].first) ||
+        (i + 1 < open.size() && open[i + 1].first == open[i].first))
+      pinches.push_back(open[i]);
   return pinches;
 }
 
@@ -99,35 +111,41 @@ DisjointSets componentsOf(const BuiltMesh& built) {
 }
 
 // Removing fans makes new pinches, seldom more than two or three times in a row. After kFanRounds
-// whole stars are removed, after kStarRounds more whole components with a pinch.
-BuiltMesh withoutPinches(Stay& stay) {
+// whole stars are removed, after kStarRounds more whole components with a pinch. places: a pinch
+// of each round is added.
+KeptSurface withoutPinches(Selection& selection, std::vector<Vec3>& places) {
   constexpr int kFanRounds = 12, kStarRounds = 12;
   for (int round = 0;; ++round) {
-    BuiltMesh built = stay.build();
+    KeptSurface kept = selection.surface();
+    const BuiltMesh& built = kept.built;
     const auto pinches = pinchesOf(built);
-    if (pinches.empty()) return built;
+    if (pinches.empty()) return kept;
+    places.push_back(built.positions[Vertex(pinches.front().second)]);
     if (round < kFanRounds + kStarRounds) {
-      stay.remove(built, facesAtPinches(built, pinches,
-                                        round < kFanRounds ? Fans::AllButWidest : Fans::All));
+      selection.remove(kept, facesAtPinches(built, pinches,
+                                            round < kFanRounds ? Fans::AllButWidest : Fans::All));
       continue;
     }
     DisjointSets components = componentsOf(built);
     std::vector<char> isPinched(built.mesh.vertexCapacity(), 0);
-    for (const auto& [place, v] : pinches) isPinched[components.find(v)] = 1;
+    for (const auto& [position, v] : pinches) isPinched[components.find(v)] = 1;
     FaceData<char> unwanted(built.mesh.faceCapacity(), 0);
     for (Index f = 0; f < unwanted.size(); ++f)
       unwanted[Face(f)] = isPinched[components.find(built.mesh.vertices(Face(f))[0].index)];
-    stay.remove(built, unwanted);
+    selection.remove(kept, unwanted);
   }
 }
 
-// An open component with less than this share of the largest component's area is a scrap of torn
-// surface; closing it would make a flake. Scraps of the torn bunny are below 1/5000; separate
-// bodies of models are seldom below 1/100.
-constexpr double kIslandShare = 0.01;
+// An open component with less than this share of the largest component's area is debris of a torn
+// surface; closing it would make a flake.
+constexpr double kDebrisShare = 0.01;
 
-// The faces of islands, and the number of islands.
-std::pair<FaceData<char>, std::size_t> islandsOf(const BuiltMesh& built) {
+struct Debris {
+  FaceData<char> faces;
+  std::vector<Vec3> at;  // a corner of each component
+};
+
+Debris debrisOf(const BuiltMesh& built) {
   DisjointSets components = componentsOf(built);
   std::vector<double> areas(built.mesh.vertexCapacity(), 0);
   std::vector<char> isOpen(areas.size(), 0);
@@ -138,29 +156,34 @@ std::pair<FaceData<char>, std::size_t> islandsOf(const BuiltMesh& built) {
       if (built.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k))) isOpen[root] = 1;
   }
   const double largest = *std::max_element(areas.begin(), areas.end());
-  const auto isIsland = [&](Index root) {
-    return isOpen[root] && areas[root] < kIslandShare * largest;
+  const auto isDebris = [&](Index root) {
+    return isOpen[root] && areas[root] < kDebrisShare * largest;
   };
-  std::pair<FaceData<char>, std::size_t> result{{built.mesh.faceCapacity(), 0}, 0};
+  Debris debris{FaceData<char>(built.mesh.faceCapacity(), 0), {}};
   for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
-    result.first[Face(f)] = isIsland(components.find(built.mesh.vertices(Face(f))[0].index));
+    debris.faces[Face(f)] = isDebris(components.find(built.mesh.vertices(Face(f))[0].index));
   for (Index v = 0; v < areas.size(); ++v)
-    result.second += components.find(v) == v && built.mesh.isAlive(Vertex(v)) && isIsland(v);
-  return result;
+    if (components.find(v) == v && built.mesh.isAlive(Vertex(v)) && isDebris(v))
+      debris.at.push_back(built.positions[Vertex(v)]);
+  return debris;
 }
 
 }  // namespace
 
 KeptSurface keptSurface(const TriangleMesh& input) {
-  Stay stay(input);
-  BuiltMesh built = withoutPinches(stay);
-  const auto [unwanted, islands] = islandsOf(built);
-  if (islands > 0) {
-    stay.remove(built, unwanted);
-    built = stay.build();
+  Selection selection(input);
+  std::vector<Vec3> pinches;
+  KeptSurface kept = withoutPinches(selection, pinches);
+  Debris debris = debrisOf(kept.built);
+  if (!debris.at.empty()) {
+    selection.remove(kept, debris.faces);
+    kept = selection.surface();
   }
-  const std::size_t removed = input.triangleCount() - built.mesh.faceCount();
-  return {std::move(built), islands, removed};
+  kept.islands = debris.at.size();
+  kept.removedAt = std::move(debris.at);
+  kept.removedAt.insert(kept.removedAt.end(), pinches.begin(), pinches.end());
+  kept.trianglesRemoved = input.triangleCount() - kept.built.mesh.faceCount();
+  return kept;
 }
 
 }  // namespace remesher

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of a mesh that hole closing keeps: a manifold without coincident vertices. Where the
-// surface touches itself in a point or along an edge, only the widest fan stays; small open scraps
-// (islands) go.
+// The part of a mesh whose open loops can be closed: where open fans of triangles touch in a point,
+// only the widest stays, and small open components go. Closed fans stay, wherever they touch.
 #pragma once
 
 #include <vector>
@@ -11,10 +10,17 @@
 
 namespace remesher {
 
+// A triangle of the mesh that a step was given. It does not convert to a number, so it cannot name
+// a triangle of the mesh that the step makes.
+using InputTriangle = Handle<struct InputTriangleTag>;
+
 struct KeptSurface {
-  BuiltMesh built;
-  std::size_t islands = 0;           // small open components removed
-  std::size_t trianglesRemoved = 0;  // of islands and at pinches
+  TriangleMesh mesh;                  // all vertices of the input; the triangles kept, in order
+  BuiltMesh built;                    // of `mesh`: its triangles and wedges are that mesh's
+  std::vector<InputTriangle> inputs;  // per triangle of `mesh` the input's, ascending
+  std::size_t islands = 0;            // small open components removed
+  std::vector<Vec3> removedAt;        // a corner of each of them, and of what goes at pinches
+  std::size_t trianglesRemoved = 0;   // of debris, at pinches, given twice
 };
 
 // Throws Error as buildMesh does; NO_TRIANGLES if no triangle stays.

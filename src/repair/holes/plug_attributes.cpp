@@ -4,19 +4,22 @@
 #include <map>
 
 #include "geometry/triangle.h"
+#include "mesh/attribute_mix.h"
 
 namespace remesher {
 
 namespace {
 
-Index groupAt(const TriangleMesh& mesh, const BuiltMesh& built, Halfedge h) {
-  return mesh.groups.empty() ? 0 : mesh.groups[built.triangles[HalfedgeMesh::face(h)]];
+Index groupAt(const KeptSurface& kept, Halfedge h) {
+  const std::vector<Index>& groups = kept.mesh.groups;
+  return groups.empty() ? 0 : groups[kept.built.triangles[HalfedgeMesh::face(h)]];
 }
 
-Index groupOfLoop(const TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop) {
+Index groupOfLoop(const KeptSurface& kept, const Loop& loop) {
+  const BuiltMesh& built = kept.built;
   std::map<Index, double> lengths;
   for (const Halfedge h : loop.across)
-    lengths[groupAt(mesh, built, h)] +=
+    lengths[groupAt(kept, h)] +=
         distance(built.positions[built.mesh.origin(h)], built.positions[built.mesh.tip(h)]);
   auto longest = lengths.begin();
   for (auto it = lengths.begin(); it != lengths.end(); ++it)
@@ -24,11 +27,11 @@ Index groupOfLoop(const TriangleMesh& mesh, const BuiltMesh& built, const Loop& 
   return longest->first;
 }
 
-// The input vertex that triangles of the group have at a vertex of the surface, or kNone.
-Index wedgeOfGroup(const TriangleMesh& mesh, const BuiltMesh& built, Vertex v, Index group) {
+// The vertex that triangles of the group have at a vertex of the surface, or kNone.
+Index wedgeOfGroup(const KeptSurface& kept, Vertex v, Index group) {
   Index wedge = kNone;
-  built.mesh.forEachOutgoing(v, [&](Halfedge h) {
-    if (wedge == kNone && groupAt(mesh, built, h) == group) wedge = built.wedges[h];
+  kept.built.mesh.forEachOutgoing(v, [&](Halfedge h) {
+    if (wedge == kNone && groupAt(kept, h) == group) wedge = kept.built.wedges[h];
   });
   return wedge;
 }
@@ -41,40 +44,25 @@ Index copyVertex(TriangleMesh& mesh, Index source, const Vec3& place) {
   return Index(mesh.positions.size() - 1);
 }
 
-// Per loop vertex an input vertex with the group's attributes. Where the group has none, a new
-// vertex copies the last one before it along the loop.
-std::vector<Index> rimVertices(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop,
+// Per loop vertex one with the group's attributes. Where the group has none, a new vertex copies
+// the last one before it along the loop; one loop vertex at least has one, as the group is that of
+// a triangle beside the loop.
+std::vector<Index> rimVertices(TriangleMesh& mesh, const KeptSurface& kept, const Loop& loop,
                                Index group) {
   const std::size_t n = loop.vertices.size();
   std::vector<Index> result(n, kNone);
   Index last = kNone;
   for (std::size_t i = 0; i < n; ++i) {
-    result[i] = wedgeOfGroup(mesh, built, loop.vertices[i], group);
+    result[i] = wedgeOfGroup(kept, loop.vertices[i], group);
     if (result[i] != kNone) last = result[i];
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (result[i] != kNone)
       last = result[i];
     else
-      result[i] = copyVertex(mesh, last, built.positions[loop.vertices[i]]);
+      result[i] = copyVertex(mesh, last, kept.built.positions[loop.vertices[i]]);
   }
   return result;
-}
-
-// Appends the mean of the parents' values. Joints, their weights and the handedness of tangents
-// come from the first parent.
-void mix(Attribute& attribute, const std::array<Index, 3>& parents) {
-  const auto value = [&](Index v, int k) {
-    return attribute.values[std::size_t{v} * attribute.itemSize + k];
-  };
-  const bool isSkin =
-      attribute.semantic.rfind("JOINTS_", 0) == 0 || attribute.semantic.rfind("WEIGHTS_", 0) == 0;
-  const bool isTangent = attribute.semantic == "TANGENT" && attribute.itemSize == 4;
-  for (int k = 0; k < attribute.itemSize; ++k) {
-    const float first = value(parents[0], k);
-    const float mean = (first + value(parents[1], k) + value(parents[2], k)) / 3;
-    attribute.values.push_back(isSkin || (isTangent && k == 3) ? first : mean);
-  }
 }
 
 bool isNormal(const Attribute& attribute) {
@@ -99,20 +87,20 @@ void setNormal(Attribute& attribute, Index vertex, const Vec3& normal) {
 
 }  // namespace
 
-void appendPlug(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop, const Plug& plug) {
-  const Index group = groupOfLoop(mesh, built, loop);
-  std::vector<Index> vertices = rimVertices(mesh, built, loop, group);
+void appendPlug(TriangleMesh& mesh, const KeptSurface& kept, const Loop& loop, const Plug& plug) {
+  const Index group = groupOfLoop(kept, loop);
+  std::vector<Index> vertices = rimVertices(mesh, kept, loop, group);
   const std::size_t rim = vertices.size();
   const std::vector<Vec3> normals = normalsOf(plug);
+  const AttributeMix mixed(mesh);
   for (std::size_t i = rim; i < plug.points.size(); ++i) {
     const Corners3& p = plug.parents[i - rim];
     const std::array<Index, 3> parents = {vertices[p[0]], vertices[p[1]], vertices[p[2]]};
     vertices.push_back(Index(mesh.positions.size()));
     mesh.positions.push_back(plug.points[i]);
-    for (Attribute& attribute : mesh.attributes) {
-      mix(attribute, parents);
+    mixed.append({parents, Vec3::Constant(1.0 / 3), normals[i]}, mesh.attributes);
+    for (Attribute& attribute : mesh.attributes)
       if (isNormal(attribute)) setNormal(attribute, vertices.back(), normals[i]);
-    }
   }
   for (const Corners3& t : plug.triangles) {
     for (const Index v : t) mesh.indices.push_back(vertices[v]);

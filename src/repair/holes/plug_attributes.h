@@ -3,14 +3,14 @@
 // length, and a new vertex takes the mean attributes of its parents.
 #pragma once
 
-#include <span>
-
 #include "base/triangle_mesh.h"
+#include "repair/holes/kept_surface.h"
 #include "repair/holes/plug.h"
 
 namespace remesher {
 
-// Appends the plug to a mesh that begins with all vertices of the input that `built` was made of.
-void appendPlug(TriangleMesh& mesh, const BuiltMesh& built, const Loop& loop, const Plug& plug);
+// Appends the plug to a mesh that begins with all vertices of the kept surface's mesh; its
+// triangles may differ from that mesh's.
+void appendPlug(TriangleMesh& mesh, const KeptSurface& kept, const Loop& loop, const Plug& plug);
 
 }  // namespace remesher

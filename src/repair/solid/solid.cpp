@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/triangle.h"
 #include "mesh/mesh_builder.h"
 #include "repair/solid/clean_up.h"
 #include "repair/solid/contour.h"
@@ -103,6 +104,20 @@ std::size_t countSheets(const OrientedPatches& patches, const std::vector<Index>
   return std::size_t(std::count(isSheet.begin(), isSheet.end(), 1));
 }
 
+// The share of the area that these faces have.
+double shareOf(const BuiltMesh& built, std::vector<Index> faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  const auto areaOfFace = [&](Index f) {
+    const auto [a, b, c] = built.mesh.vertices(Face(f));
+    return area(built.positions[a], built.positions[b], built.positions[c]);
+  };
+  double all = 0, own = 0;
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f) all += areaOfFace(f);
+  for (const Index f : faces) own += areaOfFace(f);
+  return all > 0 ? own / all : 0;
+}
+
 // Seen along the axes: the first and the last crossing of each line. Found again: on or next to an
 // edge that the border between inside and outside crosses.
 void measureLost(const Lattice& lattice, const InsideField& field,
@@ -176,6 +191,7 @@ Enclosure SolidGround::enclosure() const {
                            ? onBorder(known_->lattice, known_->patches, known_->crossings, isInside)
                            : std::vector<char>(known_->patches.count, 0));
   result.sheets = countSheets(known_->patches, known_->field.sheets);
+  result.sheetShare = shareOf(known_->built, known_->field.sheets);
   result.unsure = known_->field.unsure;
   measureLost(known_->lattice, known_->field, known_->crossings, result);
   result.isAny = std::find(isInside.begin(), isInside.end(), 1) != isInside.end();

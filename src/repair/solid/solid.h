@@ -22,6 +22,7 @@ struct Enclosure {
   std::vector<Vec3> innerAt, insideOutAt;
   std::vector<Index> insideOut;  // the triangles of the latter
   double unsure = 0;             // share of the points beside the surface whose side is in dispute
+  double sheetShare = 0;         // of the area: triangles with the outside on both sides
   bool isAny = false;            // whether anything is enclosed
 };
 

@@ -26,10 +26,11 @@ RemeshOutcome outcomeWith(const TriangleMesh& mesh) {
   return outcome;
 }
 
-// Two cubes, which are repaired by a lattice, for they cross.
-io::Part crossed(double size) {
-  const TriangleMesh cube = shapes::cube(2);
-  TriangleMesh mesh = soups::joined({cube, soups::moved(cube, {0.31, 0.42, 0.53})});
+// A turned cube.
+io::Part turnedCube(double size) {
+  TriangleMesh mesh = shapes::cube(12);
+  const Eigen::AngleAxisd turn(0.4, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : mesh.positions) p = turn * p / 6;
   for (Vec3& p : mesh.positions) p *= size;
   return {"", mesh, {Transform::Identity()}};
 }
@@ -62,7 +63,7 @@ bool saysThatPartsMeet(const Report& report) {
 }
 
 std::size_t trianglesOfFirst(const std::vector<io::Part>& parts, RemeshOptions options) {
-  options.repair = Repair::Solid;
+  options.repair = Repair::Wrap;  // by a lattice
   return repairParts(parts, options, {}).parts.front().mesh.triangleCount();
 }
 
@@ -97,33 +98,33 @@ TEST_CASE("part repair: what rounding makes meet itself becomes the sound origin
 
 TEST_CASE("part repair: a part has the lattice of the scene, and a part alone its own") {
   RemeshOptions options;
-  options.vertices = 20000;  // nothing is left out afterwards
+  options.vertices = 8400;
   const auto trianglesOf = [&](const std::vector<io::Part>& parts) {
     return trianglesOfFirst(parts, options);
   };
-  const std::size_t alone = trianglesOf({crossed(1)});
-  CHECK(trianglesOf({crossed(100)}) == alone);
-  const std::size_t beside = trianglesOf({crossed(1), crossed(100)});
-  // Spacings of 1/128 of its diagonal instead of 1/161.
+  const std::size_t alone = trianglesOf({turnedCube(1)});
+  CHECK(trianglesOf({turnedCube(128)}) == alone);
+  const std::size_t beside = trianglesOf({turnedCube(1), turnedCube(128)});
+  // The coarsest spacing there is instead of one for that number.
   CHECK(double(beside) < 0.75 * double(alone));
   CHECK(double(beside) > 0.5 * double(alone));
-  io::Part large = crossed(1);
-  large.instances.front().linear() *= 100;
-  CHECK(trianglesOf({large, crossed(100)}) == trianglesOf({crossed(100), large}));
+  io::Part large = turnedCube(1);
+  large.instances.front().linear() *= 128;
+  CHECK(trianglesOf({large, turnedCube(128)}) == trianglesOf({turnedCube(128), large}));
 }
 
 TEST_CASE("part repair: an edge length is one of the world, in any unit") {
   RemeshOptions options;
   options.edgeLength = 0.05;
-  const std::size_t wanted = trianglesOfFirst({crossed(1)}, options);
+  const std::size_t wanted = trianglesOfFirst({turnedCube(1)}, options);
   options.edgeLength = 0.064;
-  CHECK(double(trianglesOfFirst({crossed(1)}, options)) < 0.75 * double(wanted));
+  CHECK(double(trianglesOfFirst({turnedCube(1)}, options)) < 0.75 * double(wanted));
   options.edgeLength = 0.05;
-  io::Part placed = crossed(std::ldexp(1.0, 5));
+  io::Part placed = turnedCube(std::ldexp(1.0, 5));
   placed.instances.front().linear() *= std::ldexp(1.0, -5);
   CHECK(trianglesOfFirst({placed}, options) == wanted);
   options.edgeLength = std::ldexp(0.05, -60);
-  CHECK(trianglesOfFirst({crossed(std::ldexp(1.0, -60))}, options) == wanted);
+  CHECK(trianglesOfFirst({turnedCube(std::ldexp(1.0, -60))}, options) == wanted);
 }
 
 TEST_CASE("part repair: a thickness that rounding makes is joined before repair, not after it") {
@@ -131,7 +132,7 @@ TEST_CASE("part repair: a thickness that rounding makes is joined before repair,
   flat.isSingle = true;
   for (Vec3& p : flat.positions) p = inSingle({1e-8 * p.x(), p.y(), p.z()}, 1);
   RemeshOptions options;
-  options.repair = Repair::Auto;
+  options.repair = Repair::Wrap;
   std::vector<io::Part> parts = {{"", flat, {}}};
   repairOnly(parts, options, {});
   CHECK(inspectMesh(parts.front().mesh).nonManifoldEdges == 0);
@@ -175,7 +176,7 @@ TEST_CASE("part repair: a shape that is preferred is one of the repaired surface
   options.repair = Repair::Solid;
   options.prefer = Prefer::Shape;
   options.vertices = 40;
-  const RemeshResult united = remesh(crossed(1).mesh, options);
+  const RemeshResult united = remesh(turnedCube(1).mesh, options);
   CHECK(united.report.prefer == std::vector{Prefer::Shape});
   CHECK(inspectMesh(united.mesh).vertices == 40);
   CHECK(isSound(united.mesh));

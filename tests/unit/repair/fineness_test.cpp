@@ -31,7 +31,7 @@ TriangleMesh largeTriangles(std::size_t count) {
 }  // namespace
 
 TEST_CASE("fineness: half the edge length that is asked for, within bounds") {
-  const TriangleMesh ball = shapes::icosphere(6);
+  const TriangleMesh ball = shapes::icosphere(40);
   const double diagonal = diagonalOf(ball);
   RemeshOptions options;
   options.edgeLength = diagonal / 80;
@@ -43,7 +43,7 @@ TEST_CASE("fineness: half the edge length that is asked for, within bounds") {
 }
 
 TEST_CASE("fineness: a finer lattice takes more memory and time, and a wrap more than a solid") {
-  const TriangleMesh ball = shapes::icosphere(6);
+  const TriangleMesh ball = shapes::icosphere(40);
   RemeshOptions fine = asked(Repair::Solid);
   fine.edgeLength = diagonalOf(ball) / 400;
   const RepairNeeds holes = needsOf(ball, asked(Repair::Holes));
@@ -71,7 +71,7 @@ TEST_CASE("fineness: what a surface of many walls becomes counts, not only the l
 }
 
 TEST_CASE("fineness: the lattice is coarser where memory asks for it, down to the coarsest") {
-  const TriangleMesh few = largeTriangles(10), many = largeTriangles(3000);
+  const TriangleMesh few = shapes::icosphere(60), many = largeTriangles(3000);
   RemeshOptions options = asked(Repair::Wrap);
   options.edgeLength = diagonalOf(few) / 1e6;
   const double finest = ruleFor(few, options, InsideBy::Reach).spacing;
@@ -79,6 +79,15 @@ TEST_CASE("fineness: the lattice is coarser where memory asks for it, down to th
   CHECK(finest == doctest::Approx(diagonalOf(few) / 400));
   CHECK(coarser > 1.2 * finest * diagonalOf(many) / diagonalOf(few));
   CHECK(coarser <= doctest::Approx(diagonalOf(many) / 128));
+}
+
+TEST_CASE("fineness: few triangles do not get a surface of very many") {
+  RemeshOptions options = asked(Repair::Wrap);
+  options.edgeLength = 1e-6;
+  const TriangleMesh few = largeTriangles(10), more = largeTriangles(400);
+  CHECK(ruleFor(few, options, InsideBy::Reach).spacing > 1.5 * diagonalOf(few) / 400);
+  CHECK(ruleFor(few, options, InsideBy::Reach).mostPoints <
+        ruleFor(more, options, InsideBy::Reach).mostPoints);
 }
 
 TEST_CASE("fineness: what no memory can hold is refused in a sentence, before the work") {

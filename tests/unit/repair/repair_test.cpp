@@ -80,13 +80,23 @@ TEST_CASE("repair: what is only inside out is turned over, and nothing else") {
   }
 }
 
-TEST_CASE("repair: auto wraps a sheet, and loose triangles") {
-  for (const TriangleMesh& mesh : {shapes::grid(3, 2), soups::randomSoup(40, 0.3, 3)}) {
+TEST_CASE("repair: auto wraps loose triangles") {
+  for (const TriangleMesh& mesh : {soups::randomSoup(40, 0.3, 3)}) {
     const RepairedMesh result = mended(mesh);
     CHECK(result.report.mode == "wrap");
     CHECK(result.report.selfIntersections[1] == 0);
     CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
   }
+}
+
+TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
+  const TriangleMesh sheet = shapes::grid(9, 7);
+  const RepairedMesh result = mended(sheet);
+  CHECK(result.report.reason == "sheets");
+  CHECK(result.mesh.indices == sheet.indices);
+  REQUIRE(result.warnings.size() == 1);
+  CHECK(result.warnings.front().warning.code == "SHEETS_LEFT");
+  CHECK(result.warnings.front().at);
 }
 
 TEST_CASE("repair: faults are none where nothing is broken") {
@@ -141,8 +151,11 @@ TEST_CASE("repair: auto says why it does what it does") {
   const TriangleMesh ball = shapes::icosphere(4);
   CHECK(mended(ball).report.reason == "sound");
   const TriangleMesh two = soups::joined({ball, soups::moved(ball, {0.7, 0.1, 0.2})});
-  CHECK(mended(two).report.reason == "enclosed");
-  CHECK(mended(shapes::grid(9, 7)).report.reason == "open");
+  CHECK(mended(two).report.reason == "united");
+  CHECK(mended(soups::randomSoup(40, 0.3, 3)).report.reason == "open");
+  TriangleMesh open = ball;
+  open.indices.resize(open.indices.size() - 9);
+  CHECK(mended(open).report.reason == "closed");
 }
 
 TEST_CASE("repair: only sheets, all to be dropped, are nothing") {
@@ -157,7 +170,7 @@ TEST_CASE("repair: auto does what faults say would mend") {
   const TriangleMesh ball = shapes::icosphere(4);
   TriangleMesh open = ball;
   open.indices.resize(open.indices.size() - 9);
-  for (const TriangleMesh& mesh : {open, shapes::turnedOver(ball), shapes::grid(9, 7)}) {
+  for (const TriangleMesh& mesh : {open, shapes::turnedOver(ball), soups::randomSoup(40, 0.3, 3)}) {
     const Repair repair = faultsOf(mesh).repair;
     const std::string mode = mended(mesh).report.mode;
     CHECK(mode == (repair == Repair::Holes ? "holes" : repair == Repair::Solid ? "solid" : "wrap"));

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "repair/solid/solid.h"
+#include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 

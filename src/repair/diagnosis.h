@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with a surface, decided exactly on its triangles. Repair and inspection share it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "mesh/mesh_builder.h"
+#include "repair/pieces.h"
+
+namespace remesher {
+
+struct Diagnosis {
+  BuiltMesh built;
+  Pieces pieces;
+  std::vector<Index> crossings;  // triangles of the mesh that intersect others, ascending
+  std::size_t unbalanced = 0;    // edges, see countUnbalancedEdges
+};
+
+// Throws Error as buildMesh does.
+Diagnosis diagnose(const TriangleMesh& mesh);
+
+// Whether the mesh is closed, without self-intersections, and faces outwards all over: cavities
+// face into the volume, and no shell lies hidden in a body.
+bool isSound(const Diagnosis& diagnosis);
+
+// The share of the area in open pieces.
+double openShare(const Diagnosis& diagnosis);
+
+// Per kind of fault of the pieces, a corner of each piece that has it.
+std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));
+bool isShell(const Piece& piece);
+bool isInsideOut(const Piece& piece);
+
+// The triangles of the mesh in pieces with a fault, ascending.
+std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));
+
+}  // namespace remesher

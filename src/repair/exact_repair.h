@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Repair without a lattice: what is sound stays bit for bit. Vertices are welded, T-junctions
+// stitched, loops closed and pieces turned outwards; then bodies that intersect are united exactly.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "base/triangle_mesh.h"
+#include "repair/holes/close_holes.h"
+
+namespace remesher {
+
+// An open piece whose disks would have a larger share of its area than this encloses nothing: half
+// a sphere has 1/2, a flat card 1.
+inline constexpr double kMostDisk = 0.6;
+
+struct ExactRepair {
+  enum class Way {
+    Unchanged,  // the input was sound
+    Closed,     // closing and turning made it so
+    United,     // bodies were united
+  };
+  Way way = Way::Unchanged;
+  TriangleMesh mesh;
+  std::size_t holes = 0, turned = 0, islands = 0, trianglesRemoved = 0;
+  double lost = 0;  // percent of the area: of small open pieces, and at pinches
+  // Corners of: loops left open, triangles removed, sheets left, bodies removed as hidden.
+  std::vector<Vec3> openAt, removedAt, sheetsAt, hiddenAt;
+  std::vector<Vec3> filledAt;    // a corner of each cavity filled
+  std::vector<Index> crossings;  // triangles of the result that intersect others
+};
+
+// None where the surface has no exact outside: where most of it is sheets, or where the result of
+// uniting would not be sound. Throws Error as buildMesh does.
+std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const LoopRule& rule);
+
+// Only closes loops, and turns closed pieces that are inside out. Throws the Errors of closeHoles.
+ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule);
+
+// The mesh as it is; its open pieces count as sheets.
+ExactRepair leftAlone(const TriangleMesh& input);
+
+// Removes the walls of cavities.
+void fillCavities(ExactRepair& repair);
+
+}  // namespace remesher

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "repair/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/disjoint_sets.h"
+#include "geometry/ray_crossings.h"
+
+namespace remesher {
+
+namespace {
+
+std::vector<Index> numbered(const BuiltMesh& built) {
+  DisjointSets sets(built.mesh.faceCapacity());
+  for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = HalfedgeMesh::halfedge(Face(f), k);
+      if (!built.mesh.isBoundary(h)) sets.unite(f, HalfedgeMesh::face(built.mesh.twin(h)).index);
+    }
+  std::vector<Index> pieces(built.mesh.faceCapacity(), 0), numbers(pieces.size(), kNone);
+  Index count = 0;
+  for (Index f = 0; f < pieces.size(); ++f) {
+    Index& number = numbers[sets.find(f)];
+    if (number == kNone) number = count++;
+    pieces[f] = number;
+  }
+  return pieces;
+}
+
+// Six times the volume of the tetrahedron of the triangle and `apex`.
+double sixfoldVolume(const Triangle& t, const Vec3& apex) {
+  return (t[0] - apex).dot((t[1] - apex).cross(t[2] - apex));
+}
+
+class PieceFinder {
+ public:
+  PieceFinder(const BuiltMesh& built, std::span<const char> isCrossed)
+      : built_(built), corners_(built.mesh.triangles()), result_{numbered(built), {}} {
+    measure();
+    for (Index f = 0; f < result_.ofFace.size(); ++f)
+      if (isCrossed[built.triangles[Face(f)]]) isCrossed_[result_.ofFace[f]] = 1;
+  }
+
+  Pieces run() {
+    const TriangleTree tree(built_.positions.values(), corners_);
+    const std::size_t count = result_.pieces.size();
+    parents_.assign(count, kNone);
+    for (Index p = 0; p < count; ++p)
+      if (isClosed(p) && !isCrossed_[p]) parents_[p] = innermostAround(p, tree);
+    // Parents first: a parent's volume is larger.
+    std::vector<Index> order;
+    for (Index p = 0; p < count; ++p)
+      if (isClosed(p)) order.push_back(p);
+    std::stable_sort(order.begin(), order.end(), [&](Index p, Index q) {
+      return std::abs(result_.pieces[p].volume) > std::abs(result_.pieces[q].volume);
+    });
+    for (const Index p : order) classify(p);
+    return std::move(result_);
+  }
+
+ private:
+  Triangle triangle(Index f) const {
+    const Index* v = &corners_[3 * std::size_t{f}];
+    return {built_.positions[Vertex(v[0])], built_.positions[Vertex(v[1])],
+            built_.positions[Vertex(v[2])]};
+  }
+
+  bool isClosed(Index piece) const { return result_.pieces[piece].kind != Piece::Kind::Open; }
+
+  void measure() {
+    const std::vector<Index>& ofFace = result_.ofFace;
+    const std::size_t count =
+        ofFace.empty() ? 0 : 1 + *std::max_element(ofFace.begin(), ofFace.end());
+    result_.pieces.assign(count, {});
+    isCrossed_.assign(count, 0), seeds_.assign(count, kNone);
+    for (Piece& piece : result_.pieces) piece.kind = Piece::Kind::Solid;
+    for (Index f = 0; f < ofFace.size(); ++f) {
+      Piece& piece = result_.pieces[ofFace[f]];
+      Index& seed = seeds_[ofFace[f]];
+      if (seed == kNone) seed = f;
+      const Triangle t = triangle(f);
+      for (const Vec3& p : t) piece.box.extend(p);
+      ++piece.faces;
+      piece.area += area(t[0], t[1], t[2]);
+      piece.volume += sixfoldVolume(t, triangle(seed)[0]) / 6;
+      for (int k = 0; k < 3; ++k)
+        if (built_.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k)))
+          piece.kind = Piece::Kind::Open;
+    }
+  }
+
+  // Of the closed pieces around this one, the smallest.
+  Index innermostAround(Index piece, const TriangleTree& tree) const {
+    std::map<Index, int> windings;
+    forEachRayCrossing(tree, triangle(seeds_[piece])[0],
+                       [&](Index f, int crossing) { windings[result_.ofFace[f]] += crossing; });
+    Index innermost = kNone;
+    const auto size = [&](Index p) { return std::abs(result_.pieces[p].volume); };
+    for (const auto& [other, winding] : windings) {
+      if (winding == 0 || other == piece || !isClosed(other) || size(other) <= size(piece))
+        continue;
+      if (innermost == kNone || size(other) < size(innermost)) innermost = other;
+    }
+    return innermost;
+  }
+
+  // A piece that faces against the solid that it lies in bounds a cavity. Facing as the solid does,
+  // it is a shell that shows nothing.
+  void classify(Index p) {
+    Piece& piece = result_.pieces[p];
+    const Index parent = parents_[p];
+    const bool facesOutwards = piece.volume >= 0;
+    if (parent == kNone || result_.pieces[parent].kind == Piece::Kind::Cavity) {
+      piece.isInsideOut = !facesOutwards;
+      return;
+    }
+    const Piece& around = result_.pieces[parent];
+    const bool isOpposed = facesOutwards != (around.volume >= 0);
+    const bool isCavity = isOpposed && around.kind == Piece::Kind::Solid;
+    piece.kind = isCavity ? Piece::Kind::Cavity : Piece::Kind::Shell;
+    piece.isInsideOut = around.isInsideOut;
+  }
+
+  const BuiltMesh& built_;
+  const std::vector<Index> corners_;
+  Pieces result_;
+  std::vector<char> isCrossed_;  // per piece
+  std::vector<Index> seeds_;     // per piece its first face
+  std::vector<Index> parents_;   // per piece the closed piece that it lies in
+};
+
+}  // namespace
+
+Pieces piecesOf(const BuiltMesh& built, std::span<const char> isCrossed) {
+  return PieceFinder(built, isCrossed).run();
+}
+
+}  // namespace remesher

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "repair/united.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "arrangement/arrangement.h"
+#include "base/place.h"
+#include "geometry/triangle_meeting.h"
+#include "mesh/attribute_mix.h"
+#include "repair/holes/turn_over.h"
+#include "repair/holes/used_vertices.h"
+
+namespace remesher {
+
+namespace {
+
+// The bodies with one vertex at each position, as the arrangement takes them.
+struct Welded {
+  ArrangementInput input;
+  std::vector<Index> triangles;  // per triangle of the input that of the bodies
+  std::vector<Index> vertices;   // per position of the input a vertex of the bodies there
+};
+
+Welded weldedOf(const TriangleMesh& bodies) {
+  Welded welded;
+  const std::vector<Index> first = weld(bodies.positions);
+  std::vector<Index> numbers(first.size(), kNone);
+  const auto numberOf = [&](Index vertex) {
+    Index& number = numbers[first[vertex]];
+    if (number == kNone) {
+      number = Index(welded.input.positions.size());
+      welded.input.positions.push_back(bodies.positions[first[vertex]]);
+      welded.vertices.push_back(first[vertex]);
+    }
+    return number;
+  };
+  for (Index t = 0; t < bodies.triangleCount(); ++t) {
+    const Index* v = &bodies.indices[3 * std::size_t{t}];
+    const auto at = [&](int k) { return bodies.positions[first[v[k]]]; };
+    if (!hasArea({at(0), at(1), at(2)})) continue;
+    for (int k = 0; k < 3; ++k) welded.input.indices.push_back(numberOf(v[k]));
+    welded.triangles.push_back(t);
+  }
+  welded.input.operands.assign(welded.triangles.size(), 0);
+  // Attributes are linear in one triangle only, so facets of different ones stay apart.
+  if (!bodies.attributes.empty()) {
+    welded.input.classes.resize(welded.triangles.size());
+    std::iota(welded.input.classes.begin(), welded.input.classes.end(), Index{0});
+  } else if (!bodies.groups.empty()) {
+    for (const Index t : welded.triangles) welded.input.classes.push_back(bodies.groups[t]);
+  }
+  return welded;
+}
+
+// The arranged triangles as a mesh with the bodies' attributes.
+class Assembly {
+ public:
+  Assembly(const TriangleMesh& bodies, const Welded& welded, const ArrangementResult& arranged)
+      : bodies_(bodies),
+        welded_(welded),
+        arranged_(arranged),
+        mix_(bodies),
+        made_(arranged.positions.size(), kNone) {
+    mesh_ = bodies;
+    mesh_.indices.clear(), mesh_.groups.clear();
+    mesh_.isQuads = false;
+  }
+
+  TriangleMesh run() {
+    std::vector<Index> turned;
+    for (Index i = 0; i < arranged_.triangles.size(); ++i) {
+      const ArrangedTriangle& triangle = arranged_.triangles[i];
+      const Index parent = welded_.triangles[triangle.parent];
+      std::array<Index, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] =
+            cornerAt(arranged_.indices[3 * std::size_t{i} + k], parent, triangle.weights[k]);
+      // Turned back, so that turnOver() may turn normals with it.
+      if (triangle.isTurned) std::swap(corners[1], corners[2]), turned.push_back(i);
+      mesh_.indices.insert(mesh_.indices.end(), corners.begin(), corners.end());
+      if (!bodies_.groups.empty()) mesh_.groups.push_back(bodies_.groups[parent]);
+    }
+    turnOver(mesh_, turned);
+    keepUsedVertices(mesh_);
+    return std::move(mesh_);
+  }
+
+ private:
+  // The parent's own vertex at one of its corners; else a new one, which triangles share if their
+  // attributes agree there.
+  Index cornerAt(Index point, Index parent, const Vec3& weights) {
+    const Index* v = &bodies_.indices[3 * std::size_t{parent}];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (weights == Vec3::Unit(Eigen::Index(k))) return v[k];
+    if (bodies_.attributes.empty() && point < welded_.vertices.size())
+      return welded_.vertices[point];
+    const auto at = [&](int k) { return bodies_.positions[v[k]]; };
+    mesh_.positions.push_back(arranged_.positions[point]);
+    if (!bodies_.attributes.empty())
+      mix_.append({{v[0], v[1], v[2]}, weights, areaVector(at(0), at(1), at(2))}, mesh_.attributes);
+    const Index made = Index(mesh_.positions.size() - 1);
+    Index* last = &made_[point];
+    while (*last != kNone) {
+      if (haveSameAttributes(mesh_, *last, made)) {
+        dropLastVertex(mesh_);
+        return *last;
+      }
+      last = &next_[*last - bodies_.positions.size()];
+    }
+    *last = made;
+    next_.push_back(kNone);
+    return made;
+  }
+
+  const TriangleMesh& bodies_;
+  const Welded& welded_;
+  const ArrangementResult& arranged_;
+  const AttributeMix mix_;
+  TriangleMesh mesh_;
+  std::vector<Index> made_;  // per point the first new vertex there
+  std::vector<Index> next_;  // per new vertex the next at its point
+};
+
+}  // namespace
+
+std::optional<United> united(const TriangleMesh& bodies) {
+  const Welded welded = weldedOf(bodies);
+  ArrangementOptions options;
+  options.isSingle = bodies.isSingle, options.scale = bodies.scale;
+  const ArrangementResult arranged = arrange(welded.input, options);
+  if (arranged.outcome != ArrangementResult::Outcome::Done || arranged.triangles.empty())
+    return std::nullopt;
+  United result{Assembly(bodies, welded, arranged).run(),
+                std::vector<char>(bodies.triangleCount(), 0), arranged.selfIntersections.size()};
+  for (const ArrangedTriangle& triangle : arranged.triangles)
+    result.isUsed[welded.triangles[triangle.parent]] = 1;
+  return result;
+}
+
+}  // namespace remesher

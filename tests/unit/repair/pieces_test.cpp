@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "repair/pieces.h"
+
+#include <doctest/doctest.h>
+
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+Pieces of(const TriangleMesh& mesh) {
+  return piecesOf(buildMesh(mesh), std::vector<char>(mesh.triangleCount(), 0));
+}
+
+TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  for (Vec3& p : mesh.positions) p *= factor;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("pieces: what faces into the solid around it is a cavity, what faces out a shell") {
+  const TriangleMesh ball = shapes::icosphere(3);
+  for (const bool isTurned : {false, true}) {
+    const auto as = [&](const TriangleMesh& mesh) {
+      return isTurned ? shapes::turnedOver(mesh) : mesh;
+    };
+    const Pieces hollow = of(soups::joined({as(ball), as(shapes::turnedOver(scaled(ball, 0.5)))}));
+    CHECK(hollow.pieces[0].kind == Piece::Kind::Solid);
+    CHECK(hollow.pieces[1].kind == Piece::Kind::Cavity);
+    CHECK(hollow.pieces[0].isInsideOut == isTurned);
+    CHECK(hollow.pieces[1].isInsideOut == isTurned);
+    const Pieces nested = of(soups::joined({as(scaled(ball, 0.5)), as(ball)}));
+    CHECK(nested.pieces[0].kind == Piece::Kind::Shell);
+    CHECK(nested.pieces[1].kind == Piece::Kind::Solid);
+  }
+}
+
+TEST_CASE("pieces: a body that lies loose in a cavity is a solid") {
+  const TriangleMesh ball = shapes::icosphere(3);
+  const Pieces pieces =
+      of(soups::joined({ball, shapes::turnedOver(scaled(ball, 0.6)), scaled(ball, 0.3)}));
+  CHECK(pieces.pieces[1].kind == Piece::Kind::Cavity);
+  CHECK(pieces.pieces[2].kind == Piece::Kind::Solid);
+  CHECK(!pieces.pieces[2].isInsideOut);
+}
+
+TEST_CASE("pieces: one with a boundary is open, and lies in nothing") {
+  TriangleMesh open = scaled(shapes::icosphere(3), 0.5);
+  open.indices.resize(open.indices.size() - 3);
+  const Pieces pieces = of(soups::joined({shapes::icosphere(3), open}));
+  CHECK(pieces.pieces[0].kind == Piece::Kind::Solid);
+  CHECK(pieces.pieces[1].kind == Piece::Kind::Open);
+}
