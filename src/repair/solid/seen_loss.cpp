@@ -27,7 +27,7 @@ class Survey {
       : lattice_(lattice),
         source_(source),
         tree_(result.points, result.corners),
-        squaredBeyond_(0.25 * lattice.spacing() * lattice.spacing()) {}
+        squaredBeyond_(lattice.spacing() * lattice.spacing()) {}
 
   // side: 0 for the first crossing of a line, 1 for the last.
   void add(const EdgeCrossing& c, std::size_t side) {

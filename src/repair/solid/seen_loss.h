@@ -15,7 +15,7 @@ struct SeenLoss {
 };
 
 // Seen are, along the three axes, the first and the last triangle on each line of the lattice.
-// Beyond half a cell, which no feature that the lattice resolves is off.
+// Beyond a cell: as thick as sheets are made, whose rims may end that much earlier.
 SeenLoss seenLoss(const Lattice& lattice, const SolidSource& source,
                   std::span<const EdgeCrossing> crossings, const Contour& result);
 
