@@ -27,13 +27,15 @@ double openShare(const Diagnosis& diagnosis) {
   double open = 0, all = 0;
   for (const Piece& piece : diagnosis.pieces.pieces) {
     all += piece.area;
-    if (piece.kind == Piece::Kind::Open) open += piece.area;
+    if (isSheet(piece)) open += piece.area;
   }
   return all > 0 ? open / all : 0;
 }
 
 bool isShell(const Piece& piece) { return piece.kind == Piece::Kind::Shell; }
 bool isInsideOut(const Piece& piece) { return piece.isInsideOut; }
+bool isCavity(const Piece& piece) { return piece.kind == Piece::Kind::Cavity; }
+bool isSheet(const Piece& piece) { return piece.kind == Piece::Kind::Open; }
 
 std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&)) {
   const auto& [ofFace, pieces] = diagnosis.pieces;

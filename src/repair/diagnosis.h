@@ -31,6 +31,8 @@ double openShare(const Diagnosis& diagnosis);
 std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));
 bool isShell(const Piece& piece);
 bool isInsideOut(const Piece& piece);
+bool isCavity(const Piece& piece);
+bool isSheet(const Piece& piece);  // open
 
 // The triangles of the mesh in pieces with a fault, ascending.
 std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));

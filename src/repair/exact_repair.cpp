@@ -49,18 +49,7 @@ std::size_t countTurned(const TriangleMesh& input, const ClosedHoles& closed) {
   return turned;
 }
 
-// Triangles of a piece that is inside out are turned. Those of quads change places with their
-// halves, so that each pair is cut from its quad's first corner again.
-void turnOutwards(TriangleMesh& mesh, const std::vector<Index>& triangles) {
-  turnOver(mesh, triangles);
-  if (!mesh.isQuads) return;
-  for (std::size_t i = 0; i + 1 < triangles.size(); i += 2)
-    std::swap_ranges(mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i]),
-                     mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i] + 3),
-                     mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
-}
-
-ExactRepair closed(const TriangleMesh& input, const LoopRule& rule) {
+ExactRepair withLoopsClosed(const TriangleMesh& input, const LoopRule& rule) {
   ClosedHoles holes = closeHoles(input, rule);
   ExactRepair result;
   result.way = ExactRepair::Way::Closed;
@@ -72,30 +61,44 @@ ExactRepair closed(const TriangleMesh& input, const LoopRule& rule) {
   const double before = areaOf(input, input.triangleCount());
   const double kept = areaOf(holes.mesh, holes.kept.size());
   result.lost = before > 0 ? std::max(0.0, 100 * (1 - kept / before)) : 0;
-  turnOutwards(holes.mesh, trianglesOf(diagnose(holes.mesh), isInsideOut));
   result.turned = countTurned(input, holes);
   result.mesh = std::move(holes.mesh);
   return result;
 }
 
-// The triangles of closed pieces, and those of open ones.
-std::array<TriangleMesh, 2> parted(const TriangleMesh& mesh, const Diagnosis& diagnosis) {
-  std::vector<char> isOpen(mesh.triangleCount(), 0);
-  for (const Index t :
-       trianglesOf(diagnosis, [](const Piece& piece) { return piece.kind == Piece::Kind::Open; }))
-    isOpen[t] = 1;
-  std::array<TriangleMesh, 2> parts = {mesh, mesh};
-  for (TriangleMesh& part : parts) {
-    part.indices.clear(), part.groups.clear();
-    part.isQuads = false;
-  }
+// Turns the pieces that are inside out.
+void faceOutwards(ExactRepair& repair, const Diagnosis& diagnosis) {
+  const std::vector<Index> triangles = trianglesOf(diagnosis, isInsideOut);
+  turnOver(repair.mesh, triangles);
+  repair.turned += triangles.size();
+  repair.way = ExactRepair::Way::Closed;
+  if (!repair.mesh.isQuads) return;
+  // The halves of a quad change places, so that they are cut from its first corner again.
+  for (std::size_t i = 0; i + 1 < triangles.size(); i += 2)
+    std::swap_ranges(repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i]),
+                     repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i] + 3),
+                     repair.mesh.indices.begin() + std::ptrdiff_t(3 * triangles[i + 1]));
+}
+
+// Some triangles of a mesh, with their numbers there.
+struct Selected {
+  TriangleMesh mesh;
+  std::vector<Index> triangles;
+};
+
+// The triangles that have this mark.
+Selected selected(const TriangleMesh& mesh, const std::vector<char>& marks, char mark) {
+  Selected part{mesh, {}};
+  part.mesh.indices.clear(), part.mesh.groups.clear();
+  part.mesh.isQuads = false;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    TriangleMesh& part = parts[std::size_t(isOpen[t])];
+    if (marks[t] != mark) continue;
     const Index* v = &mesh.indices[3 * std::size_t{t}];
-    part.indices.insert(part.indices.end(), v, v + 3);
-    if (!mesh.groups.empty()) part.groups.push_back(mesh.groups[t]);
+    part.mesh.indices.insert(part.mesh.indices.end(), v, v + 3);
+    part.triangles.push_back(t);
+    if (!mesh.groups.empty()) part.mesh.groups.push_back(mesh.groups[t]);
   }
-  return parts;
+  return part;
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& more) {
@@ -109,33 +112,41 @@ void append(TriangleMesh& mesh, const TriangleMesh& more) {
                                      more.attributes[a].values.end());
 }
 
-// A corner of each closed piece of which nothing is used. bodies: the triangles of closed pieces.
-std::vector<Vec3> hiddenAt(const TriangleMesh& bodies, const United& outside) {
-  const Diagnosis pieces = diagnose(bodies);
-  const auto& ofFace = pieces.pieces.ofFace;
-  std::vector<char> isUsed(pieces.pieces.pieces.size(), 0), isListed(isUsed.size(), 0);
+// A corner of each closed piece of which nothing is used.
+std::vector<Vec3> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& isUsed) {
+  const auto& [ofFace, pieces] = diagnosis.pieces;
+  std::vector<char> isListed(pieces.size(), 0);
   for (Index f = 0; f < ofFace.size(); ++f)
-    if (outside.isUsed[pieces.built.triangles[Face(f)]]) isUsed[ofFace[f]] = 1;
+    isListed[ofFace[f]] |=
+        pieces[ofFace[f]].kind == Piece::Kind::Open || isUsed[diagnosis.built.triangles[Face(f)]];
   std::vector<Vec3> corners;
   for (Index f = 0; f < ofFace.size(); ++f) {
-    if (isUsed[ofFace[f]] || isListed[ofFace[f]]) continue;
-    isListed[ofFace[f]] = 1;
-    corners.push_back(pieces.built.positions[pieces.built.mesh.vertices(Face(f))[0]]);
+    if (std::exchange(isListed[ofFace[f]], 1)) continue;
+    corners.push_back(diagnosis.built.positions[diagnosis.built.mesh.vertices(Face(f))[0]]);
   }
   return corners;
 }
 
 // The closed pieces as one outside; false if that is not sound.
 bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
-  const auto [bodies, sheets] = parted(repair.mesh, diagnosis);
-  std::optional<United> outside = united(bodies);
+  std::vector<char> isOpen(repair.mesh.triangleCount(), 0);
+  if (diagnosis.unbalanced > 0)
+    for (const Index t : trianglesOf(diagnosis, isSheet)) isOpen[t] = 1;
+  const Selected bodies = selected(repair.mesh, isOpen, 0),
+                 sheets = selected(repair.mesh, isOpen, 1);
+  std::optional<United> outside = united(bodies.mesh);
   if (!outside || countUnbalancedEdges(outside->mesh) > 0) return false;
-  if (double(outside->selfIntersections) > kMostCrossingsLeft * double(diagnosis.crossings.size()))
+  if (double(outside->crossings.size()) > kMostCrossingsLeft * double(diagnosis.crossings.size()))
     return false;
   repair.way = ExactRepair::Way::United;
-  repair.hiddenAt = hiddenAt(bodies, *outside);
+  std::vector<char> isUsed(repair.mesh.triangleCount(), 0);
+  for (std::size_t i = 0; i < bodies.triangles.size(); ++i)
+    isUsed[bodies.triangles[i]] = outside->isUsed[i];
+  repair.hiddenAt = hiddenAt(diagnosis, isUsed);
   repair.mesh = std::move(outside->mesh);
-  append(repair.mesh, sheets);
+  repair.crossings = std::move(outside->crossings);
+  if (sheets.triangles.empty()) return true;
+  append(repair.mesh, sheets.mesh);
   keepUsedVertices(repair.mesh);
   repair.crossings = selfIntersections(repair.mesh);
   return true;
@@ -144,35 +155,41 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
 }  // namespace
 
 ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule) {
-  const TriangleMesh mesh = atOnePosition(input);
   ExactRepair result;
-  result.mesh = mesh;
-  if (isSound(diagnose(mesh))) return result;
-  result = closed(mesh, rule);
-  keepUsedVertices(result.mesh);
-  result.crossings = selfIntersections(result.mesh);
+  result.mesh = atOnePosition(input);
+  Diagnosis diagnosis = diagnose(result.mesh);
+  const std::size_t before = diagnosis.crossings.size();
+  if (diagnosis.unbalanced > 0) {
+    result = withLoopsClosed(result.mesh, rule);
+    diagnosis = diagnose(result.mesh);
+  }
+  if (!trianglesOf(diagnosis, isInsideOut).empty()) faceOutwards(result, diagnosis);
+  if (result.way != ExactRepair::Way::Unchanged) keepUsedVertices(result.mesh);
+  result.crossingsBefore = before;
+  result.crossings = std::move(diagnosis.crossings);
   return result;
 }
 
 std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const LoopRule& rule) {
   ExactRepair result;
   result.mesh = atOnePosition(input);
-  const Diagnosis given = diagnose(result.mesh);
-  if (isSound(given)) return result;
-  if (given.unbalanced > 0) {
+  Diagnosis diagnosis = diagnose(result.mesh);
+  const std::size_t before = diagnosis.crossings.size();
+  if (isSound(diagnosis)) return result;
+  if (diagnosis.unbalanced > 0) {
     weldOpenVertices(result.mesh);
     stitchOpenEdges(result.mesh);
     if (result.mesh.indices.empty()) return std::nullopt;
+    result = withLoopsClosed(result.mesh, rule);
+    diagnosis = diagnose(result.mesh);
   }
-  result = closed(result.mesh, rule);
-  const Diagnosis diagnosis = diagnose(result.mesh);
   if (!result.sheetsAt.empty() && openShare(diagnosis) > kMostSheets) return std::nullopt;
+  faceOutwards(result, diagnosis);
   const bool hasShells = !cornersOf(diagnosis, isShell).empty();
-  if (diagnosis.crossings.empty() && !hasShells) {
-    keepUsedVertices(result.mesh);
-    return result;
-  }
-  if (!unite(result, diagnosis)) return std::nullopt;
+  result.crossings = diagnosis.crossings;
+  if ((!diagnosis.crossings.empty() || hasShells) && !unite(result, diagnosis)) return std::nullopt;
+  keepUsedVertices(result.mesh);
+  result.crossingsBefore = before;
   return result;
 }
 
@@ -180,30 +197,22 @@ ExactRepair leftAlone(const TriangleMesh& input) {
   ExactRepair result;
   result.mesh = input;
   const Diagnosis diagnosis = diagnose(input);
-  result.sheetsAt =
-      cornersOf(diagnosis, [](const Piece& piece) { return piece.kind == Piece::Kind::Open; });
+  result.sheetsAt = cornersOf(diagnosis, isSheet);
+  result.crossingsBefore = diagnosis.crossings.size();
   result.crossings = diagnosis.crossings;
   return result;
 }
 
 void fillCavities(ExactRepair& repair) {
   const Diagnosis diagnosis = diagnose(repair.mesh);
-  const auto isCavity = [](const Piece& piece) { return piece.kind == Piece::Kind::Cavity; };
   const std::vector<Index> walls = trianglesOf(diagnosis, isCavity);
   repair.filledAt = cornersOf(diagnosis, isCavity);
   if (walls.empty()) return;
   std::vector<char> isWall(repair.mesh.triangleCount(), 0);
   for (const Index t : walls) isWall[t] = 1;
-  TriangleMesh& mesh = repair.mesh;
-  std::vector<Index> indices, groups;
-  for (Index t = 0; t < isWall.size(); ++t) {
-    if (isWall[t]) continue;
-    indices.insert(indices.end(), &mesh.indices[3 * std::size_t{t}],
-                   &mesh.indices[3 * std::size_t{t}] + 3);
-    if (!mesh.groups.empty()) groups.push_back(mesh.groups[t]);
-  }
-  mesh.indices = std::move(indices), mesh.groups = std::move(groups);
-  keepUsedVertices(mesh);
+  repair.mesh = selected(repair.mesh, isWall, 0).mesh;
+  keepUsedVertices(repair.mesh);
+  repair.way = ExactRepair::Way::United;
 }
 
 }  // namespace remesher

@@ -28,8 +28,9 @@ struct ExactRepair {
   double lost = 0;  // percent of the area: of small open pieces, and at pinches
   // Corners of: loops left open, triangles removed, sheets left, bodies removed as hidden.
   std::vector<Vec3> openAt, removedAt, sheetsAt, hiddenAt;
-  std::vector<Vec3> filledAt;    // a corner of each cavity filled
-  std::vector<Index> crossings;  // triangles of the result that intersect others
+  std::vector<Vec3> filledAt;       // a corner of each cavity filled
+  std::size_t crossingsBefore = 0;  // triangles of the input that intersect others
+  std::vector<Index> crossings;     // and of the result
 };
 
 // None where the surface has no exact outside: where most of it is sheets, or where the result of

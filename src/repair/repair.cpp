@@ -71,6 +71,7 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   result.report.shells = exact.hiddenAt.size() + exact.filledAt.size();
   result.report.turned = exact.turned;
   result.report.lost = exact.lost;
+  result.report.selfIntersections[0] = exact.crossingsBefore;
   warn(result,
        {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
         exact.openAt.size()},
@@ -265,9 +266,8 @@ FaultReport faultsOf(const TriangleMesh& input) {
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
-  const std::size_t before = selfIntersections(input).size();
   RepairedMesh result = repaired(input, options);
-  result.report.selfIntersections[0] = before;
+  if (result.isRemade) result.report.selfIntersections[0] = selfIntersections(input).size();
   return result;
 }
 

@@ -134,7 +134,7 @@ std::optional<United> united(const TriangleMesh& bodies) {
   if (arranged.outcome != ArrangementResult::Outcome::Done || arranged.triangles.empty())
     return std::nullopt;
   United result{Assembly(bodies, welded, arranged).run(),
-                std::vector<char>(bodies.triangleCount(), 0), arranged.selfIntersections.size()};
+                std::vector<char>(bodies.triangleCount(), 0), arranged.selfIntersections};
   for (const ArrangedTriangle& triangle : arranged.triangles)
     result.isUsed[welded.triangles[triangle.parent]] = 1;
   return result;

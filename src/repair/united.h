@@ -14,8 +14,8 @@ namespace remesher {
 
 struct United {
   TriangleMesh mesh;
-  std::vector<char> isUsed;           // per triangle of the bodies, whether a part of it is left
-  std::size_t selfIntersections = 0;  // triangles that rounding left crossing others
+  std::vector<char> isUsed;      // per triangle of the bodies, whether a part of it is left
+  std::vector<Index> crossings;  // triangles of the mesh that rounding left intersecting others
 };
 
 // bodies: closed, facing outwards; triangles without an area are left out. None if the triangles do
