@@ -227,11 +227,13 @@ std::vector<File> passLibrariesOn(const ObjSource& source, const std::string& ou
 
 WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const ObjSource*>(model.source.get());
-  ObjWriter writer(model.isExact ? Digits::OfDoubles : Digits::Fewest);
+  const std::vector<Part> bodies = bakeInstances(model);
+  std::vector<const TriangleMesh*> meshes;
+  for (const Part& body : bodies) meshes.push_back(&body.mesh);
+  ObjWriter writer(digitsFor(meshes, model.isExact ? Digits::OfDoubles : Digits::Fewest));
   std::vector<File> libraries;
   if (source != nullptr) libraries = passLibrariesOn(*source, outputName, writer);
-  for (const Part& part : bakeInstances(model))
-    writer.writePart({&part.mesh, groupsFor(part, source)});
+  for (const Part& part : bodies) writer.writePart({&part.mesh, groupsFor(part, source)});
   WrittenFiles written;
   written.files.push_back({outputName, writer.bytes()});
   written.files.insert(written.files.end(), libraries.begin(), libraries.end());

@@ -333,8 +333,9 @@ Model readOff(const File& file, const std::vector<File>&) {
 }
 
 WrittenFiles writeOff(const Model& model, const std::string& outputName) {
-  return {{{outputName, offBytes(mergeParts(bakeInstances(model)),
-                                 model.isExact ? Digits::OfDoubles : Digits::Fewest)}},
+  const TriangleMesh merged = mergeParts(bakeInstances(model));
+  const Digits wanted = model.isExact ? Digits::OfDoubles : Digits::Fewest;
+  return {{{outputName, offBytes(merged, digitsFor({&merged}, wanted))}},
           droppedAttributes(model, {"NORMAL", "COLOR_0", "TEXCOORD_0"}, "OFF")};
 }
 

@@ -58,6 +58,13 @@ TextWriter& TextWriter::coordinates(const Vec3& values) {
   return *this;
 }
 
+Digits digitsFor(const std::vector<const TriangleMesh*>& meshes, Digits wanted) {
+  for (const TriangleMesh* mesh : meshes)
+    for (const Vec3& p : mesh->positions)
+      if (inSingle(p, 1) != p) return Digits::OfDoubles;
+  return wanted;
+}
+
 double singleWrittenAs(double value) {
   std::array<char, 64> buffer{};
   const auto single = static_cast<float>(value);

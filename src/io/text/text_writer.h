@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/triangle_mesh.h"
 #include "base/types.h"
 
 namespace remesher::io {
@@ -33,6 +34,10 @@ class TextWriter {
   Digits digits_;
   std::string text_;
 };
+
+// The digits for a file of these meshes: those of doubles where a coordinate of any mesh is no
+// float, so that all vertices of the file have the same precision, or where the caller wants them.
+Digits digitsFor(const std::vector<const TriangleMesh*>& meshes, Digits wanted);
 
 // The float that TextWriter writes as this number; the number itself if there is none.
 double singleWrittenAs(double value);

@@ -161,6 +161,19 @@ TEST_CASE("obj, off: written exactly, floats are the same numbers to a reader of
   }
 }
 
+TEST_CASE("obj, off: where any coordinate is no float, all have the digits of doubles") {
+  TriangleMesh mesh = objMesh(objSquare("f 1 2 3 4"));
+  mesh.positions[0].x() = 45938.46875;  // a float, whose fewest digits are 45938.47
+  mesh.positions[1].y() = 45938.4778947830;
+  io::Model model;
+  model.parts = {{"", mesh, {Transform::Identity()}}};
+  for (const char* name : {"a.obj", "a.off"}) {
+    CAPTURE(name);
+    const File file = io::write(model, name).files.front();
+    CHECK(asText(file).find("45938.46875 ") != std::string_view::npos);
+  }
+}
+
 TEST_CASE("obj: vertices that differ in attributes only share a v") {
   const std::string text =
       textOf(io::write(io::read(textFile("t.obj", kTwoMaterials)), "o.obj").files[0]);
