@@ -44,8 +44,10 @@ test('folders, patterns and files are planned; results keep their way below a fo
     { 'scans/z.glb': 'out/z.glb', 'scans/x.obj': 'out/x.obj', 'scans/y.obj': 'out/y.obj' });
   assert.deepEqual(planned(['models/**/b.obj']), { 'models/deep/b.obj': 'out/b.obj' });
   assert.deepEqual(planned(['scan.stl.gz'], ''), { 'scan.stl.gz': 'out/scan.stl' });
-  assert.throws(() => planned(['scans/*.off']), /there is no model/);
-  assert.throws(() => planned(['models/.hidden/er*']), /there is no model/);
+  for (const nothing of ['scans/*.off', 'models/.hidden/er*']) {
+    const [{ error }] = plan([at(nothing)], at('out/'), '');
+    assert.match(error.message, /there is no model/);
+  }
 });
 
 test('two inputs with one result are found', () => {
@@ -132,7 +134,7 @@ test('words that do not go together are refused', () => {
     'is for many files': ['scans/x.obj', '-o', 'x.glb', '--jobs', '2'],
     'whole number': ['scans/x.obj', '-o', 'x/', '--jobs', 'all'],
     'end in /': ['scans/x.obj', 'scans/y.obj', '-o', 'x.glb'],
-    'no such file': ['scans/x.obj', 'nothere/', '-o', 'x/'],
+    'no such file': ['nothere/', '-o', 'x/'],
   };
   for (const [words, line] of Object.entries(cases)) {
     const { status, stderr } = run(top, ...line);

@@ -10,36 +10,82 @@ import { formats, withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { reason } from '../files/reasons.js';
 
-/** @typedef {{ input: string, output: string }} Step */
+/**
+ * What the user named, and where its result goes. With an error nothing can be read there.
+ * @typedef {{ input: string, output: string, error?: RemeshError }} Step
+ */
+
+/** @typedef {{ input: string, way: string, error?: RemeshError }} Found way: below the output */
 
 // The files that are taken from folders; other files there are no error.
 const readable = new RegExp(`\\.(${formats.join('|')})(\\.gz)?$`, 'i');
 
-/** @param {string} path */
+/** Undefined: it is not there, or may not be looked at. @param {string} path */
 function statsOf(path) {
-  return statSync(path, { throwIfNoEntry: false });
+  try {
+    return statSync(path, { throwIfNoEntry: false });
+  } catch {
+    return undefined;
+  }
 }
 
-/** @param {string} path @param {string} why */
-function unreadable(path, why) {
-  return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`,
-    'Check the name.');
+/** @param {string} path @param {string} why @param {string} [hint] */
+function unreadable(path, why, hint = 'Check the name.') {
+  return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`, hint);
+}
+
+/** @param {string} path @param {unknown} error @returns {Found} */
+function failed(path, error) {
+  return { input: path, way: basename(path), error: unreadable(path, reason(error), '') };
 }
 
 /**
- * The files below a folder, in the order of their names: none that is hidden or in a folder behind
- * a link.
+ * The names in a folder, sorted; `plain` is false where the name is not UTF-8, and its other bytes
+ * are written like \xe9.
  * @param {string} folder
- * @returns {string[]}
  */
-function filesBelow(folder) {
-  const entries = readdirSync(folder, { withFileTypes: true })
-    .filter(({ name }) => !name.startsWith('.'))
-    .sort((a, b) => (a.name < b.name ? -1 : 1));
-  return entries.flatMap((entry) => {
-    const path = join(folder, entry.name);
-    return entry.isDirectory() ? filesBelow(path) : statsOf(path)?.isFile() ? [path] : [];
-  });
+function entriesOf(folder) {
+  return readdirSync(folder || '.', { withFileTypes: true, encoding: 'buffer' }).map((entry) => {
+    const bytes = /** @type {Buffer} */ (/** @type {unknown} */ (entry.name));
+    const name = bytes.toString();
+    const plain = Buffer.from(name).equals(bytes);
+    return { name: plain ? name : spelled(bytes), plain, isFolder: entry.isDirectory() };
+  }).sort((a, b) => (a.name < b.name ? -1 : 1));
+}
+
+/** @param {{ name: string }} entry */
+const isShown = ({ name }) => !name.startsWith('.');
+
+/** @param {Buffer} bytes */
+function spelled(bytes) {
+  return bytes.toString('latin1').replace(/[\x80-\xff]/g, (byte) =>
+    `\\x${byte.charCodeAt(0).toString(16)}`);
+}
+
+/**
+ * The models below a folder, in the order of their names: none that is hidden or in a folder behind
+ * a link. Whatever has the name of a model is there, a pipe or a link that leads nowhere, too.
+ * @param {string} folder
+ * @returns {Found[]}
+ */
+function modelsBelow(folder) {
+  try {
+    return entriesOf(folder).filter(isShown).flatMap(({ name, plain, isFolder: isInner }) => {
+      const path = join(folder, name);
+      if (isInner) return plain ? modelsBelow(path) : [unspellable(path)];
+      if (!readable.test(name)) return [];
+      if (!plain) return [unspellable(path)];
+      return statsOf(path)?.isDirectory() ? [] : [{ input: path, way: path }];
+    });
+  } catch (error) {
+    return [failed(folder, error)];
+  }
+}
+
+/** @param {string} path @returns {Found} */
+function unspellable(path) {
+  return { input: path, way: basename(path),
+    error: unreadable(path, 'its name is not UTF-8', 'Rename it.') };
 }
 
 /** Of one part of a path: * and ? @param {string} pattern */
@@ -49,57 +95,67 @@ function expressionFor(pattern) {
 }
 
 /**
- * The names in a folder that fit a part of a pattern.
+ * What fits a part of a pattern in a folder.
  * @param {string} folder @param {string} part
+ * @returns {Found[]}
  */
 function fitting(folder, part) {
   const expression = expressionFor(part);
-  return readdirSync(folder === '' ? '.' : folder)
-    .filter((name) => expression.test(name) && name.startsWith('.') === part.startsWith('.'))
-    .sort()
-    .map((name) => join(folder, name));
+  try {
+    return entriesOf(folder).filter(({ name }) =>
+      expression.test(name) && name.startsWith('.') === part.startsWith('.'))
+      .map(({ name, plain }) => (plain ? named : unspellable)(join(folder, name)));
+  } catch (error) {
+    return [failed(folder, error)];
+  }
 }
+
+/** @param {string} path @returns {Found} */
+const named = (path) => ({ input: path, way: basename(path) });
 
 /**
  * `scans/*.stl`: the files that fit; ** is any number of folders.
  * @param {string} pattern
- * @returns {string[]}
+ * @returns {Found[]}
  */
 function expand(pattern) {
-  /** @type {string[]} */
-  let paths = [pattern.startsWith('/') ? '/' : ''];
+  /** @type {Found[]} */
+  let found = [named(pattern.startsWith('/') ? '/' : '')];
   for (const part of pattern.split(/[/\\]/).filter(Boolean)) {
-    paths = paths.flatMap((path) => {
-      if (part === '**') return [path, ...foldersBelow(path)];
-      if (!/[*?]/.test(part)) return statsOf(join(path, part)) ? [join(path, part)] : [];
-      return statsOf(path || '.')?.isDirectory() ? fitting(path, part) : [];
+    found = found.flatMap((one) => {
+      if (one.error) return [one];
+      if (part === '**') return [one, ...foldersBelow(one.input)];
+      const path = join(one.input, part);
+      if (!/[*?]/.test(part)) return statsOf(path) ? [named(path)] : [];
+      return statsOf(one.input || '.')?.isDirectory() ? fitting(one.input, part) : [];
     });
   }
-  return [...new Set(paths)].filter((path) => statsOf(path)?.isFile());
+  return found.filter(({ input, error }) => error || !statsOf(input)?.isDirectory());
 }
 
-/** @param {string} folder @returns {string[]} */
+/** @param {string} folder @returns {Found[]} */
 function foldersBelow(folder) {
-  return readdirSync(folder || '.', { withFileTypes: true })
-    .filter((entry) => entry.isDirectory() && !entry.name.startsWith('.'))
-    .map(({ name }) => join(folder, name)).sort()
-    .flatMap((path) => [path, ...foldersBelow(path)]);
+  try {
+    return entriesOf(folder).filter((entry) => entry.isFolder && entry.plain && isShown(entry))
+      .flatMap(({ name }) => [named(join(folder, name)), ...foldersBelow(join(folder, name))]);
+  } catch (error) {
+    return [failed(folder, error)];
+  }
 }
 
 /**
  * Each file with its path below the output: for files of a folder, their path from that folder.
+ * What cannot be looked at is a file here: whoever reads it says why it cannot be read.
  * @param {string} name
- * @returns {{ input: string, way: string }[]}
+ * @returns {Found[]}
  */
 function namedBy(name) {
   const stats = statsOf(name);
   if (stats?.isDirectory()) {
-    return filesBelow(name).filter((path) => readable.test(path))
-      .map((path) => ({ input: path, way: relative(name, path) }));
+    return modelsBelow(name).map((found) =>
+      (found.error ? found : { ...found, way: relative(name, found.input) }));
   }
-  if (!stats && !/[*?]/.test(name)) throw unreadable(name, 'there is no such file or folder');
-  const paths = stats ? [name] : expand(name);
-  return paths.map((path) => ({ input: path, way: basename(path) }));
+  return stats || !/[*?]/.test(name) ? [named(name)] : expand(name);
 }
 
 /**
@@ -113,7 +169,7 @@ function resultName(way, format) {
 }
 
 /**
- * Throws if a name leads to nothing.
+ * A name that leads to nothing is a step with an error.
  * @param {readonly string[]} names
  * @param {string} folder of the outputs
  * @param {string} format
@@ -123,16 +179,13 @@ export function plan(names, folder, format) {
   /** @type {Map<string, Step>} */
   const steps = new Map();
   for (const name of names) {
-    let found;
-    try {
-      found = namedBy(name);
-    } catch (error) {
-      throw error instanceof RemeshError ? error : unreadable(name, reason(error));
+    const found = namedBy(name);
+    if (found.length === 0) {
+      found.push({ ...named(name), error: unreadable(name, 'there is no model') });
     }
-    if (found.length === 0) throw unreadable(name, 'there is no model');
-    for (const { input, way } of found) {
-      if (steps.has(input)) continue;
-      steps.set(input, { input, output: join(folder, resultName(way, format)) });
+    for (const { input, way, error } of found) {
+      const step = { input, output: join(folder, resultName(way, format)) };
+      if (!steps.has(input)) steps.set(input, error ? { ...step, error } : step);
     }
   }
   return [...steps.values()];
@@ -149,7 +202,8 @@ export function isFolder(output) {
  */
 export function clashes(steps) {
   const taken = new Set();
-  return new Set(steps.filter(({ output }) => {
+  return new Set(steps.filter(({ output, error }) => {
+    if (error) return false;
     const key = output.toLowerCase();
     const isTaken = taken.has(key);
     taken.add(key);

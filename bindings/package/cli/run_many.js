@@ -97,6 +97,7 @@ class Batch {
   async #step(step, number, api) {
     const { input, output } = step;
     const { command, root, force, skipExisting, options } = this.line;
+    if (step.error) throw step.error;
     if (this.clashing.has(step)) {
       throw unwritable(output, 'another input’s result has this name',
         'Give them to different folders.');

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The file that the user names, wherever it is. A pipe will do; a device that never ends will not.
+// Nothing waits for ever: a pipe is opened without waiting for a program at its other end.
 
-import { open, stat } from 'node:fs/promises';
+import { constants } from 'node:fs';
+import { lstat, open, stat } from 'node:fs/promises';
+import { setTimeout as sleep } from 'node:timers/promises';
 
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
@@ -10,9 +13,29 @@ import { codeOf, kindOf, reason } from './reasons.js';
 // Bytes: more than a run can use of WebAssembly's memory.
 const largest = 2 ** 31 - 1;
 
+// Milliseconds: a shell that redirects into a pipe has opened it long before.
+const patience = 2_000;
+const step = 20;
+
 /** @param {string} path @param {string} why @param {string} [hint] */
 function unreadable(path, why, hint = 'Check the name.') {
   return new RemeshError('INPUT_UNREADABLE', `${legible(path)} cannot be read: ${why}.`, hint);
+}
+
+/**
+ * A piece of what comes through a pipe. Empty: no program writes into it, or none does any longer;
+ * undefined: one does, and nothing is there yet.
+ * @param {import('node:fs/promises').FileHandle} handle
+ */
+async function pieceOf(handle) {
+  const buffer = Buffer.allocUnsafe(2 ** 16);
+  try {
+    const { bytesRead } = await handle.read(buffer, 0, buffer.length, null);
+    return buffer.subarray(0, bytesRead);
+  } catch (error) {
+    if (codeOf(error) === 'EAGAIN') return undefined;
+    throw error;
+  }
 }
 
 /**
@@ -23,12 +46,23 @@ function unreadable(path, why, hint = 'Check the name.') {
 async function drain(handle, path) {
   const chunks = [];
   let length = 0;
-  for await (const chunk of handle.createReadStream({ autoClose: false, highWaterMark: 2 ** 20 })) {
-    length += chunk.length;
-    if (length > largest) throw tooLarge(path);
-    chunks.push(chunk);
+  for (let isJoined = false, waited = 0; ;) {
+    const piece = await pieceOf(handle);
+    isJoined ||= piece?.length !== 0;
+    if (piece?.length) {
+      length += piece.length;
+      if (length > largest) throw tooLarge(path);
+      chunks.push(piece);
+      continue;
+    }
+    if (piece && isJoined) return Buffer.concat(chunks, length);
+    if (!isJoined && waited >= patience) {
+      throw unreadable(path, 'it is a pipe, and no program writes into it',
+        'Start that program first.');
+    }
+    waited += step;
+    await sleep(step);
   }
-  return Buffer.concat(chunks, length);
 }
 
 /** @param {string} path */
@@ -36,23 +70,46 @@ function tooLarge(path) {
   return unreadable(path, `it has more than ${largest} bytes (2 GiB)`, 'Give the model in parts.');
 }
 
+/**
+ * Opening a device may do something; opening a pipe would wait.
+ * @param {import('node:fs').Stats} stats @param {string} path
+ */
+function requireReadable(stats, path) {
+  if (!(stats.isFile() || stats.isFIFO())) {
+    throw unreadable(path, `it is ${kindOf(stats)}`, stats.isDirectory()
+      ? 'For all models in it, let the output end in /.' : undefined);
+  }
+  if (stats.size > largest) throw tooLarge(path);
+}
+
+/** Node shows bytes of a name that are not UTF-8 as U+FFFD. @param {string} path */
+const isMisread = (path) => path.includes('\ufffd');
+
+/** @param {string} path @param {unknown} error */
+async function failureOf(path, error) {
+  if (error instanceof RemeshError) return error;
+  const code = codeOf(error);
+  const link = code === 'ENOENT' ? await lstat(path).catch(() => undefined) : undefined;
+  if (link) return unreadable(path, 'it is a link that leads nowhere', 'Mend the link.');
+  if (code === 'ENOENT' && isMisread(path)) {
+    return unreadable(path, 'its name is not UTF-8', 'Rename it.');
+  }
+  return unreadable(path, reason(error), code === 'EACCES' ? '' : undefined);
+}
+
 /** @param {string} path @returns {Promise<Uint8Array>} */
 export async function readInput(path) {
   try {
-    const stats = await stat(path);
-    if (!(stats.isFile() || stats.isFIFO())) {
-      throw unreadable(path, `it is ${kindOf(stats)}`, stats.isDirectory()
-        ? 'For all models in it, let the output end in /.' : undefined);
-    }
-    if (stats.size > largest) throw tooLarge(path);
-    const handle = await open(path);
+    requireReadable(await stat(path), path);
+    const handle = await open(path, constants.O_RDONLY | (constants.O_NONBLOCK ?? 0));
     try {
+      const stats = await handle.stat(); // it may have been exchanged
+      requireReadable(stats, path);
       return stats.isFile() ? await handle.readFile() : await drain(handle, path);
     } finally {
       await handle.close();
     }
   } catch (error) {
-    throw error instanceof RemeshError ? error : unreadable(path, reason(error),
-      codeOf(error) === 'EACCES' ? '' : undefined);
+    throw await failureOf(path, error);
   }
 }

@@ -34,7 +34,9 @@ export function isAlive(pid) {
 /** The lock's owner; undefined: the lock was released meanwhile. @param {string} path */
 function ownerOf(path) {
   try {
-    return { text: readFileSync(path, 'utf8'), age: Date.now() - statSync(path).mtimeMs };
+    const stats = statSync(path);
+    if (!stats.isFile()) return { text: 'not ours', age: 0 }; // reading a pipe would wait
+    return { text: readFileSync(path, 'utf8'), age: Date.now() - stats.mtimeMs };
   } catch {
     return undefined;
   }

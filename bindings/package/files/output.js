@@ -3,7 +3,9 @@
 // nowhere else. Nothing is written over a file that was read, nor over a companion that is there
 // already with other contents, unless the user forces it.
 
-import { accessSync, constants, readFileSync, realpathSync, statSync } from 'node:fs';
+import {
+  accessSync, constants, lstatSync, readFileSync, realpathSync, statSync,
+} from 'node:fs';
 import { basename, dirname, isAbsolute, join, relative, sep } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
@@ -38,6 +40,13 @@ function lookAt(path) {
   }
 }
 
+/** A link would be replaced, and what it means is not there. @param {string} path */
+function refuseLostLink(path) {
+  if (lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink()) {
+    throw unwritable(path, 'it is a link that leads nowhere', 'Remove the link.');
+  }
+}
+
 /** @param {string} path @param {Output} output */
 function refuseInputs(path, { inputs }) {
   const there = lookAt(path);
@@ -54,6 +63,8 @@ function refuseInputs(path, { inputs }) {
  */
 export function requireOutput(output) {
   const { path } = output;
+  // Node shows bytes of a name that are not UTF-8 so: the file would get another name.
+  if (path.includes('\ufffd')) throw unwritable(path, 'its name is not UTF-8');
   try {
     accessSync(dirname(path), constants.W_OK);
   } catch (error) {
@@ -62,6 +73,7 @@ export function requireOutput(output) {
   const folder = lookAt(dirname(path));
   if (!folder?.isDirectory()) throw unwritable(path, 'a part of its path is not a folder');
   const there = lookAt(path);
+  if (!there) refuseLostLink(path);
   if (there && !there.isFile()) throw unwritable(path, `it is ${kindOf(there)}`);
   refuseInputs(path, output);
 }
@@ -99,7 +111,10 @@ function isOwnData(path, place) {
  */
 function isThere({ place, bytes }, output) {
   const there = lookAt(place);
-  if (!there) return false;
+  if (!there) {
+    refuseLostLink(place);
+    return false;
+  }
   if (!there.isFile()) throw unwritable(place, `it is ${kindOf(there)}`);
   if (there.size === bytes.length && readFileSync(place).equals(bytes)) return true;
   refuseInputs(place, output);
