@@ -41,7 +41,7 @@ io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
 void requireRoomForLevels(const std::string& outputName, const RemeshOptions& options) {
   if (options.lods.empty() || options.lodFiles || io::canHold(outputName, io::kHoldsScenes)) return;
   throw Error(ErrorCode::InvalidOption, legible(outputName) + " cannot hold levels of detail.",
-              "Name the output .glb or .gltf, or ask for a file each: --lod-files, lodFiles.");
+              "Name the output .glb or .gltf, or ask for a file each: --lod-files.");
 }
 
 io::WrittenFiles writeLevels(io::Model model, std::vector<SceneRun>& runs,

@@ -132,7 +132,7 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
   if (!result.mesh.indices.empty()) return result;
   if (rule.sheets == Sheets::Drop)
     throw Error(ErrorCode::NoTriangles, "There are only sheets, which were to be left out.",
-                "Thicken them: --sheets thicken, sheets.");
+                "Thicken them: --sheets thicken.");
   throw Error(
       ErrorCode::NoTriangles, "The triangles are too small to be wrapped.",
       "Was the mesh scaled to zero in one direction, or does it lie too far from the origin?");

@@ -55,7 +55,7 @@ test('loose triangles are joined by the tolerance that is named', async () => {
   const bytes = new TextEncoder().encode(text);
   const { warnings } = await inspect(bytes, { name: 'loose.off' });
   const { message } = warnings.find(({ code }) => code === 'TRIANGLES_NOT_JOINED');
-  const weld = Number(/--weld ([\d.e-]+)/.exec(message)[1]);
+  const weld = Number(/ weld: ([\d.e-]+)/.exec(message)[1]);
   const { report } = await remeshFile(bytes, { name: 'loose.off', vertices: 200, weld });
   assert.equal(report.output.vertices, 200);
   assert.equal(report.output.boundaryEdges, 0);
@@ -155,13 +155,13 @@ const advice = [
     inFile(sheetFile(), mesh(painted))],
   ['INVALID_OPTION', inArrays({ featureEdges: [[0, 40]], vertices: 80 }), /that an edge of a tri/,
     inArrays({ featureEdges: [[0, 1]], vertices: 80 })],
-  ['INVALID_OPTION', inFile(sheetFile(), mesh({ lodFiles: true })), /--lods, lods/,
+  ['INVALID_OPTION', inFile(sheetFile(), mesh({ lodFiles: true })), /: lods\.$/,
     inFile(sheetFile(), mesh({ lodFiles: true, lods: [0.5] }))],
   ['INVALID_OPTION', inFile(sheetFile(), mesh({ lods: [0.5], output: 'a.obj' })),
-    /Name the output \.glb or \.gltf, or .* --lod-files, lodFiles/,
+    /Name the output \.glb or \.gltf, or .* lodFiles\./,
     inFile(sheetFile(), mesh({ lods: [0.5], output: 'b.glb' })),
     inFile(sheetFile(), mesh({ lods: [0.5], output: 'a.obj', lodFiles: true }))],
-  ['INVALID_OPTION', inFile(sheetFile(), mesh({ ...painted, lods: [0.5] })), /one of them: --tex/,
+  ['INVALID_OPTION', inFile(sheetFile(), mesh({ ...painted, lods: [0.5] })), /one of them: textures, lods\.$/,
     inFile(sheetFile(), mesh(painted)), inFile(sheetFile(), mesh({ lods: [0.5] }))],
   ['UNKNOWN_OPTION', inArrays({ vertexes: 80 }), /Did you mean (\w+)/,
     ([, name]) => remesh(ball, { [name]: 80 })],

@@ -5,11 +5,14 @@ import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 
 import { remesh } from 'remesher';
-import { checkOptions, defaultOf, nearest, optionTable } from 'remesher/options';
+import {
+  checkOptions, defaultOf, inJavaScript, nearest, optionTable,
+} from 'remesher/options';
 
 import { helpText, parseCommandLine } from '../../dist/cli/cli_arguments.js';
 import { instantiate } from '../../dist/worker/engine.js';
 import { drilledTorus } from '../support/shapes.js';
+import { filesUnder, readText } from '../support/tree.js';
 
 const refused = (options, code, pattern) => assert.throws(() => checkOptions(options), (error) => {
   assert.equal(error.code, code);
@@ -135,4 +138,47 @@ test('flags take their value as the next word or after =', () => {
   assert.equal(parseCommandLine(['a', '-o', 'b.off', '--ratio=0.5']).options.ratio, 0.5);
   const { options } = parseCommandLine(['a', '-o', 'b.off', '--feature-angle', 'off']);
   assert.equal(options.featureAngle, 'off');
+});
+
+test('sentences name options as programs do in JavaScript, by flags on the command line', () => {
+  const sentences = {
+    'Thicken them: --sheets thicken.': "Thicken them: sheets: 'thicken'.",
+    'Near: --weld 0.001 joins them.': 'Near: weld: 0.001 joins them.',
+    'Ask for one of them: --textures, --lods.': 'Ask for one of them: textures, lods.',
+    'Ask for a file each: --lod-files.': 'Ask for a file each: lodFiles.',
+    'With --prefer shape, or --prefer otherwise.': "With prefer: 'shape', or prefer otherwise.",
+    'my--weld 3.obj and --nothing': 'my--weld 3.obj and --nothing',
+  };
+  for (const [flags, names] of Object.entries(sentences)) assert.equal(inJavaScript(flags), names);
+  const cases = [{ holesUpTo: 5, repair: 'solid' }, { lodFiles: true },
+    { sheets: 'drop', repair: 'holes' }, { cavities: true, repair: 'wrap' }];
+  for (const options of cases) {
+    assert.throws(() => checkOptions(options), ({ hint }) => /: \w+/.test(hint)
+      && !hint.includes('--'));
+    const words = Object.entries(options).flatMap(([name, value]) => {
+      const flag = optionTable.find((option) => option.name === name).flag.split(' ')[0];
+      return value === true ? [flag] : [flag, String(value)];
+    });
+    assert.throws(() => parseCommandLine(['a.glb', '-o', 'b.glb', ...words]), ({ hint }) =>
+      /: --[a-z-]+( [a-z]+)?\.$/.test(hint));
+  }
+});
+
+test('a flag in a sentence of the core is one of the table, so that JavaScript can say its name',
+  () => {
+    const flags = new Set(optionTable.map(({ flag }) => flag?.split(' ')[0]));
+    for (const path of filesUnder('src', /\.cpp$/)) {
+      for (const [text] of readText(path).matchAll(/"(?:[^"\\\n]|\\.)*"/g)) {
+        for (const [, flag] of text.matchAll(/(?<=^"|[\s(])(--[a-z][a-z-]*)/g)) {
+          assert.ok(flags.has(flag), `${path}: ${text}`);
+        }
+      }
+    }
+  });
+
+test('npm finds the package by what it does', () => {
+  const { keywords } = JSON.parse(readText('package.json'));
+  for (const word of ['simplify', 'decimate', 'retopology', 'quad', 'repair', 'watertight', 'lod',
+    'bake', '3d-printing', 'three']) assert.ok(keywords.includes(word), word);
+  assert.equal(new Set(keywords).size, keywords.length);
 });

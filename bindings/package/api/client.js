@@ -6,6 +6,7 @@
 // settles.
 
 import { RemeshError, abortError, errorFrom } from '../base/errors.js';
+import { inJavaScript } from '../base/options.js';
 import { Modules, neededBy } from './modules.js';
 
 /** @import { EngineName, FromWorker, Job, ProgressEvent, ToWorker } from '../base/messages.js' */
@@ -36,6 +37,8 @@ import { Modules, neededBy } from './modules.js';
  * @property {() => number} cores how many workers can be busy at once
  * @property {(path: string) => Promise<WebAssembly.Module>} [compileCodec] a file of another
  *   package; without it, its own code finds it
+ * @property {(text: string) => string} [words] how the caller knows the options that the core's
+ *   sentences name by flags: as JavaScript does, if not given
  */
 
 /**
@@ -66,6 +69,17 @@ export function checkRun({ signal, onProgress, worker }) {
   }
   if (typeof (onProgress ?? refuse) !== 'function') refuse('onProgress must be a function.');
   if (worker !== undefined && typeof worker !== 'boolean') refuse('worker must be true or false.');
+}
+
+/** @typedef {{ warnings?: { message: string }[], lods?: Told[] }} Told */
+
+/**
+ * Puts the options in warnings into the caller's words.
+ * @param {Told} told @param {(text: string) => string} words
+ */
+function settleWords({ warnings = [], lods = [] }, words) {
+  for (const warning of warnings) warning.message = words(warning.message);
+  for (const lod of lods) settleWords(lod, words);
 }
 
 // Workers that a worker may have for images: of a material's five maps it does one itself.
@@ -105,6 +119,26 @@ export class Client {
    */
   async run(job, transfer, options) {
     checkRun(options);
+    const { words = inJavaScript } = this.#platform;
+    try {
+      const result = await this.#run(job, transfer, options);
+      settleWords(result.report ?? result, words);
+      return result;
+    } catch (error) {
+      if (!(error instanceof RemeshError)) throw error;
+      const [message, hint] = [error.message, error.hint].map(words);
+      if (message === error.message && hint === error.hint) throw error;
+      throw new RemeshError(error.code, message, hint, { cause: error });
+    }
+  }
+
+  /**
+   * @param {Job} job
+   * @param {ArrayBuffer[]} transfer
+   * @param {RunOptions} options
+   * @returns {Promise<any>}
+   */
+  async #run(job, transfer, options) {
     const { signal, onProgress, worker = true } = options;
     if (signal?.aborted) throw abortError();
     if (!worker) return this.#runHere(job, { signal, onProgress });

@@ -271,6 +271,35 @@ function canonical(option, value) {
   return option.type === 'pairs' ? flattened(value) : value;
 }
 
+/** What stands behind a flag in our sentences: a value of the option, or other words.
+ * @param {Option} option @param {string} word */
+function isValueOf(option, word) {
+  if (option.choices) return option.choices.includes(word);
+  return ['integer', 'number'].includes(option.type) && word !== '' && Number.isFinite(Number(word));
+}
+
+/**
+ * A sentence for programs: our sentences name options as the command line does, `--sheets drop`;
+ * this makes it `sheets: 'drop'`.
+ * @param {string} text
+ */
+export function inJavaScript(text) {
+  const named = /(?<=^|[\s(])(--[a-z][a-z-]*)(?: ([\w.+-]*\w))?/g;
+  return text.replace(named, (whole, flag, word = '') => {
+    const option = optionTable.find((one) => one.flag?.split(' ')[0] === flag);
+    if (!option) return whole;
+    const rest = word === '' ? '' : ` ${word}`;
+    if (!isValueOf(option, word)) return option.name + rest;
+    return `${option.name}: ${option.choices ? `'${word}'` : word}`;
+  });
+}
+
+/** A sentence of ours in the caller's words. @param {string} text @param {typeof nameOf} label */
+const inWordsOf = (text, label) => (label === nameOf ? inJavaScript(text) : text);
+
+/** How programs know an option. @param {Option} option @returns {string} */
+const nameOf = ({ name }) => name;
+
 /** Options that mean nothing without certain repairs; `auto` may choose each of these, too. */
 const ofRepairs = {
   holesUpTo: { repairs: ['holes'], fault: 'No holes are closed, long or short.' },
@@ -278,13 +307,14 @@ const ofRepairs = {
   sheets: { repairs: ['wrap', 'solid'], fault: 'Nothing is wrapped, sheets neither.' },
 };
 
-/** @param {Record<string, unknown>} given */
-function checkTogetherWithRepair(given) {
+/** @param {Record<string, unknown>} given @param {typeof nameOf} label */
+function checkTogetherWithRepair(given, label) {
   const asked = String(given.repair ?? 'off');
   for (const [name, { repairs, fault }] of Object.entries(ofRepairs)) {
     const isSaid = given[name] !== undefined && given[name] !== byName.get(name)?.default;
     if (!isSaid || asked === 'auto' || repairs.includes(asked)) continue;
-    throw new RemeshError('INVALID_OPTION', fault, `Ask for it: --repair ${repairs[0]}, repair.`);
+    throw new RemeshError('INVALID_OPTION', fault,
+      inWordsOf(`Ask for it: --repair ${repairs[0]}.`, label));
   }
 }
 
@@ -312,9 +342,9 @@ function checkTogether(given, label) {
     given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
   if (given.lodFiles && !given.lods) {
     throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
-      'Give their shares of the vertices: --lods, lods.');
+      inWordsOf('Give their shares of the vertices: --lods.', label));
   }
-  checkTogetherWithRepair(given);
+  checkTogetherWithRepair(given, label);
   checkTogetherWithShape(given, label);
   if (targets.length < 2) return;
   throw new RemeshError('INVALID_OPTION',
@@ -324,6 +354,8 @@ function checkTogether(given, label) {
 /** The names of the options for repair. */
 export const repairNames =
   /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'weld']);
+
+/** @typedef {typeof repairNames[number]} RepairName */
 
 /**
  * The options of a repair, checked as checkOptions does; no others belong there.
@@ -368,7 +400,7 @@ export function refuseLods(options = {}) {
  * @param {(option: Option) => string} [context.label] how the caller knows an option
  * @returns {Record<string, unknown>}
  */
-export function checkOptions(given, { others = [], label = ({ name }) => name } = {}) {
+export function checkOptions(given, { others = [], label = nameOf } = {}) {
   requireObject(given);
   /** @type {Record<string, unknown>} */
   const result = {};

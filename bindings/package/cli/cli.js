@@ -5,11 +5,12 @@
 import { readFile } from 'node:fs/promises';
 import { basename, extname } from 'node:path';
 
+import { Api } from '../api/api.js';
 import { helpText, parseCommandLine } from './cli_arguments.js';
 import { RemeshError } from '../base/errors.js';
 import { withoutGz } from '../base/formats.js';
-import * as api from '../node.js';
 import { isFolder } from './plan.js';
+import { platform } from './platform.js';
 import { reportInWords } from './report_in_words.js';
 import { runFile } from './run_file.js';
 import { runMany } from './run_many.js';
@@ -36,7 +37,7 @@ async function runOne(line) {
   const { onProgress, clear } = progressBar(quiet || !['remesh', 'repair'].includes(command));
   const result = await runFile(
     { command, input, output: isPiped ? '' : output, outputName, root, force, options },
-    api, { worker: false, onProgress }).finally(clear);
+    new Api(platform), { worker: false, onProgress }).finally(clear);
   if (isPiped && result.files.length > 1) {
     throw new RemeshError('INVALID_OPTION',
       `${format} is ${result.files.length} files here, and - is one.`,

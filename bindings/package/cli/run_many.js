@@ -12,8 +12,8 @@ import { legible } from '../base/legible.js';
 import { makeFolders, removeEmptyFolders } from '../files/folders.js';
 import { undoneIfInterrupted } from '../files/interruptions.js';
 import { reason } from '../files/reasons.js';
-import * as platform from '../platform_node.js';
 import { clashes, plan } from './plan.js';
+import { platform } from './platform.js';
 import { runFile } from './run_file.js';
 import {
   errorInWords, exitStatusOf, failureFrom, print, progressOfMany, say,

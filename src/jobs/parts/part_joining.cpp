@@ -30,7 +30,7 @@ std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<
   std::string message = "No triangle shares an edge with another: each is a surface of its own.";
   if (percent)
     message += " Their corners are near to each other: --weld " + inDigits(*percent, 6) +
-               " (weld) joins them.";
+               " joins them.";
   return {{"TRIANGLES_NOT_JOINED", message, report.triangles}};
 }
 
