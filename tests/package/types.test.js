@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a person sees who hovers over the package's functions and options in an editor.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, describe, test } from 'node:test';
 
-import { defaultOf, optionTable, rangeInWords } from 'remesher/options';
+import { defaultOf, optionTable, rangeInWords, repairNames } from 'remesher/options';
 
 import { Editor } from '../support/editor.js';
 import { readText, root } from '../support/tree.js';
@@ -39,6 +40,41 @@ const program = [
   '});',
   '',
 ].join('\n');
+
+/** A value of an option, as TypeScript. */
+function valueOf({ type, choices, min, above }) {
+  if (choices) return `'${choices[0]}'`;
+  const values = { boolean: 'true', shares: '[0.5]', floats: 'new Float32Array(3)',
+    pairs: '[[0, 1]]' };
+  return values[type] ?? String(min ?? above + 1);
+}
+
+const mesh = '{ positions: new Float32Array(9), indices: new Uint32Array(3) }';
+const bytes = 'new Uint8Array(9)';
+const ofRun = { signal: 'new AbortController().signal', onProgress: '({ phase, fraction }) => '
+  + '{ phase.trim(); fraction.toFixed(); }', worker: 'false' };
+const ofFile = { name: "'a.obj'", resources: `{ 'a.mtl': ${bytes} }` };
+const ofOutput = { output: "'glb'" };
+const ofTable = Object.fromEntries(optionTable.map((option) => [option.name, valueOf(option)]));
+const ofRepair = Object.fromEntries(repairNames.map((name) => [name, ofTable[name]]));
+const source = { wasmUrl: "'a.wasm'", wasmBinary: 'new ArrayBuffer(8)' };
+
+/** Per function what it takes before its options, and each option with a value. */
+const takes = {
+  init: ['', { ...source, arrays: "{ wasmUrl: 'b.wasm' }" }],
+  remesh: [mesh, { ...ofTable, ...ofRun }],
+  remeshScene: [`[{ mesh: ${mesh} }]`, { ...ofTable, ...ofRun }],
+  remeshFile: [bytes, { ...ofTable, ...ofRun, ...ofFile, ...ofOutput }],
+  repair: [mesh, { ...ofRepair, ...ofRun }],
+  repairFile: [bytes, { ...ofRepair, ...ofRun, ...ofFile, ...ofOutput }],
+  convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput }],
+  inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
+};
+
+/** A call with each option of each function. */
+const calls = Object.entries(takes).flatMap(([name, [first, options]]) =>
+  Object.entries(options).flatMap(([option, value]) => ['', 'pool.'].map((owner) =>
+    `${owner}${name}(${first}${first && ', '}{ ${option}: ${value} });`)));
 
 /** Where a line of the program begins with these characters. */
 function placeOf(beginning) {
@@ -111,6 +147,20 @@ for (const [name, options] of Object.entries(settings)) {
           else assert.match(shown, new RegExp(`@default.*${value}`));
         }
       }
+    });
+
+    test('each option of each function compiles, in a call of its own, and no other', () => {
+      const lines = [`import { ${Object.keys(functions).join(', ')} } from 'remesher';`,
+        "import { Pool } from 'remesher/pool';", 'const pool = new Pool();', ...calls];
+      const compile = () => spawnSync(process.execPath,
+        [join(root, 'node_modules/typescript-7/bin/tsc'), '--noEmit', '-p', folder],
+        { encoding: 'utf8', timeout: 120_000 });
+      writeFileSync(file, lines.join('\n'));
+      const { status, stdout } = compile();
+      assert.equal(status, 0, stdout);
+      writeFileSync(file, [...lines, `repair(${mesh}, { vertices: 9 });`].join('\n'));
+      assert.match(compile().stdout, /'vertices' does not exist/);
+      writeFileSync(file, program);
     });
 
     test('what belongs to the call shows its text', async () => {

@@ -26,7 +26,8 @@ import { checkOptions, checkRepair } from '../base/options.js';
  *   decoded and encoded by what the bundler has put beside the worker.
  */
 
-/** @typedef {Pick<RemeshOptions, 'repair' | 'holesUpTo' | 'gap'>} RepairOptions */
+/** @typedef {import('../base/options.js').RepairName} RepairName */
+/** @typedef {Pick<RemeshOptions, RepairName>} RepairOptions */
 
 /**
  * @typedef {object} InspectOptions
