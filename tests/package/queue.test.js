@@ -5,7 +5,9 @@
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync,
+} from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -121,6 +123,74 @@ test('thirty jobs are done once each, though a worker dies in the middle of one'
     for (const { child } of others) child.kill('SIGTERM');
     for (const { ended } of others) assert.deepEqual(await ended, [0, null]);
   });
+
+/** @param {string} place @param {string[]} names */
+const mtimes = (place, names) => names.map((name) => statSync(join(folder, place, name)).mtimeMs);
+
+test('a job is one file with one wish: what changed is done again, and nothing else',
+  { timeout: limit }, async () => {
+    const environment = { REDIS_URL: await startRedis(), LOCK_MILLISECONDS: '2000' };
+    const run = (/** @type {string} */ name, /** @type {string[]} */ ...words) =>
+      start(process.execPath, [join(root, 'examples/queue', name), ...words], environment);
+    writeModels(3, 'changing');
+    writeFileSync(join(folder, 'changing/torus0.obj'), 'f 1 2 3\n');
+    const worker = run('worker.js');
+    const all = ['torus0.off.glb', 'torus1.glb', 'torus2.glb'];
+    const produce = async (/** @type {string} */ vertices) => {
+      const { ended, lines } = run('producer.js', 'changing', 'changed', vertices);
+      const [status] = await ended;
+      const begun = linesOf(worker, 'begins').length;
+      return { status, last: lines.at(-1), begun, lines };
+    };
+    const first = await produce('60');
+    assert.deepEqual([first.status, first.last, first.begun],
+      [2, '3 of 4 files are in changed/', 4]);
+    assert.deepEqual(readdirSync(join(folder, 'changed')).sort(), all);
+    const before = mtimes('changed', all);
+
+    const again = await produce('60');
+    assert.deepEqual([again.status, again.last, again.begun],
+      [2, '3 of 4 files are in changed/', 4], 'nothing is done twice, nor tried twice');
+    assert.deepEqual(mtimes('changed', all), before);
+
+    const mesh = torus({ columns: 12, rows: 8 });
+    const obj = [...Array(mesh.positions.length / 3).keys()].map((i) =>
+      `v ${mesh.positions.slice(3 * i, 3 * i + 3).join(' ')}`);
+    for (let i = 0; i < mesh.indices.length; i += 3) {
+      obj.push(`f ${Array.from(mesh.indices.slice(i, i + 3), (v) => v + 1).join(' ')}`);
+    }
+    writeFileSync(join(folder, 'changing/torus0.obj'), obj.join('\n'));
+    rmSync(join(folder, 'changed/torus1.glb'));
+    writeFileSync(join(folder, 'changed/torus2.glb'), 'not what was written');
+    const mended = await produce('60');
+    assert.deepEqual([mended.status, mended.last, mended.begun],
+      [0, '4 of 4 files are in changed/', 7], 'the file that was mended, and two lost results');
+    assert.deepEqual(mtimes('changed', all.slice(0, 1)), before.slice(0, 1));
+
+    const fewer = await produce('50');
+    assert.deepEqual([fewer.status, fewer.begun], [0, 11], 'other options are other jobs');
+    const { input } = await inspect(readFileSync(join(folder, 'changed/torus1.glb')),
+      { name: 'torus1.glb' });
+    assert.equal(input.vertices, 50);
+    const back = await produce('60');
+    assert.deepEqual([back.status, back.begun], [0, 15], 'their results took the place');
+
+    worker.child.kill('SIGTERM');
+    assert.deepEqual(await worker.ended, [0, null]);
+  });
+
+test('a job that takes longer than it may is ended', { timeout: limit }, async () => {
+  const environment = { REDIS_URL: await startRedis(), JOB_SECONDS: '0.01' };
+  writeModels(1, 'slow');
+  const worker = start(process.execPath, [join(root, 'examples/queue/worker.js')], environment);
+  const producer = start(process.execPath,
+    [join(root, 'examples/queue/producer.js'), 'slow', 'late', '200000'], environment);
+  assert.deepEqual(await producer.ended, [2, null]);
+  assert.equal(producer.lines.at(-1), '0 of 1 files are in late/');
+  assert.deepEqual(readdirSync(join(folder, 'late')), []);
+  worker.child.kill('SIGTERM');
+  assert.deepEqual(await worker.ended, [0, null]);
+});
 
 test('GNU parallel spreads files over processes, and over machines with --sshlogin', () => {
   writeModels(6, 'scans');
