@@ -27,10 +27,12 @@ constexpr double kBytesPerVertex = 600, kBytesPerInputVertex = 1200;
 // Digits of numbers in messages.
 constexpr int kDigits = 6;
 
-double mostVertices(const BuiltMesh& built) {
-  constexpr double kAddresses = double(std::numeric_limits<std::size_t>::max());
-  const double left = kAddresses - kBytesPerInputVertex * double(built.mesh.vertexCount());
-  return std::clamp(left / kBytesPerVertex, 0.0, double(kNone) / 6);
+// `10.2 M`, or all digits of a small number.
+std::string inMillions(double count) {
+  constexpr double kMillion = 1e6;
+  constexpr int kMillionDigits = 3;
+  if (count < kMillion) return std::to_string(std::size_t(count));
+  return inDigits(count / kMillion, kMillionDigits) + " M";
 }
 
 void require(bool holds, const std::string& message, const std::string& hint) {
@@ -125,6 +127,24 @@ double surfaceArea(const BuiltMesh& built) {
               "Was the mesh scaled to zero in one direction, or rounded too coarsely?");
 }
 
+void requireRoom(const ModelSize& model, double target, double addresses) {
+  const double room = addresses / kBytesPerInputVertex;  // vertices of a model
+  if (model.vertices + kFewestVertices > room)
+    throw Error(ErrorCode::OutOfMemory,
+                "This model has " + inMillions(model.triangles) +
+                    " triangles; this build has memory for about " +
+                    inMillions(room / model.vertices * model.triangles) + ".",
+                "Give it in parts, or remesh it with the native library.");
+  const double left = addresses - kBytesPerInputVertex * model.vertices;
+  const double most = std::min(left / kBytesPerVertex, double(kNone) / 6);
+  if (target <= most) return;
+  throw Error(ErrorCode::OutOfMemory,
+              "The target is " + inMillions(target) + " vertices; beside this model of " +
+                  inMillions(model.vertices) + " this build has memory for about " +
+                  inMillions(most) + ".",
+              "Ask for fewer, or give the model in parts.");
+}
+
 std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options) {
   const double own = double(countPlaces(built));
   double target = own;
@@ -132,13 +152,8 @@ std::size_t targetVertices(const BuiltMesh& built, const RemeshOptions& options)
   if (options.ratio) target = std::round(*options.ratio * own);
   if (options.edgeLength)
     target = std::round(verticesForEdgeLength(surfaceArea(built), *options.edgeLength));
-  const double most = mostVertices(built);
-  if (!(target <= most))
-    throw Error(ErrorCode::OutOfMemory,
-                "The target is above " + std::to_string(std::size_t(most)) +
-                    " vertices, for which there is no memory.",
-                "Ask for " + std::to_string(std::size_t(most)) +
-                    " vertices or fewer, or give the model in parts.");
+  requireRoom({double(built.mesh.vertexCount()), double(built.mesh.faceCount())}, target,
+              double(std::numeric_limits<std::size_t>::max()));
   const Fewest fewest = fewestVertices(built.mesh);
   if (target < double(fewest.needed) && options.tooFew == TooFew::Raise) return fewest.needed;
   if (target < double(fewest.needed))

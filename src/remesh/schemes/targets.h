@@ -32,6 +32,14 @@ void checkOptions(const RemeshOptions& options, std::size_t inputVertices);
 // Throws NO_TRIANGLES when there is none.
 double surfaceArea(const BuiltMesh& built);
 
+struct ModelSize {
+  double vertices, triangles;
+};
+
+// Throws OUT_OF_MEMORY for a model, or a target in vertices, for which `addresses` bytes have no
+// room, with the numbers that they would have room for.
+void requireRoom(const ModelSize& model, double target, double addresses);
+
 // From vertices, ratio or edgeLength, else the input's own number. A target below the surface's
 // need is raised or refused with TARGET_TOO_SMALL, as the options say. Throws OUT_OF_MEMORY for a
 // target that no memory could hold.

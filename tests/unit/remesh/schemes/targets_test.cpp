@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "remesh/schemes/best.h"
 #include "remesh/schemes/remesh.h"
@@ -88,4 +89,25 @@ TEST_CASE("targets: triangles that are all lines are no surface") {
       CHECK(error.code == ErrorCode::NoTriangles);
     }
   }
+}
+
+TEST_CASE("targets: what there is no memory for is told in numbers that are true") {
+  constexpr double kAddresses = 4294967296.0;
+  const auto failure = [](const ModelSize& model, double target) -> std::string {
+    try {
+      requireRoom(model, target, kAddresses);
+    } catch (const Error& error) {
+      CHECK(error.code == ErrorCode::OutOfMemory);
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(failure({5.1e6, 10.2e6}, 1000) ==
+        "This model has 10.2 M triangles; this build has memory for about 7.16 M.");
+  CHECK(failure({3.5e6, 7e6}, 1000).empty());
+  CHECK(failure({1e6, 2e6}, 20e6) ==
+        "The target is 20 M vertices; beside this model of 1 M this build has memory for about "
+        "5.16 M.");
+  CHECK(failure({1e6, 2e6}, 5e6).empty());
+  CHECK(failure({100, 200}, 1e300).find(" 0 ") == std::string::npos);
 }
