@@ -57,11 +57,13 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     parts.back().finer = std::move(placed.finer);
   }
   parts = joinedPlaces(std::move(parts), options.weld);
+  const std::vector<Warning> settled = settleAttributes(parts);
   const Progress whole = progress.timedBy(clock);
   const double mended = mendShare(options);
   const Mending mending(parts, options, whole.part(0, mended));
   std::vector<SceneRun> runs = remeshLevels(parts, mending.chosen(options), whole.part(mended, 1));
   mending.note(runs.front().report);
+  runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
   for (SceneRun& run : runs) {
     levels.emplace_back();
@@ -77,7 +79,9 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
   PhaseClock clock;
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
+  const std::vector<Warning> settled = settleAttributes(parts);
   RepairedParts repaired = repairOnly(parts, options, progress.timedBy(clock));
+  repaired.report.warnings = joined(settled, repaired.report.warnings);
   return {std::move(parts.front().mesh), timed(std::move(repaired.report), clock)};
 }
 
@@ -130,9 +134,10 @@ Report inspect(const TriangleMesh& mesh) {
   PhaseClock clock;
   clock.enter("inspect");
   Report report;
-  const std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
+  std::vector<io::Part> parts = joinedPlaces({io::Part{"", mesh, {}}}, {});
+  const std::vector<Warning> settled = settleAttributes(parts);
   report.input = inspectScaled(parts);
-  report.warnings = looseTriangles(report.input, parts);
+  report.warnings = joined(settled, looseTriangles(report.input, parts));
   return timed(std::move(report), clock);
 }
 

@@ -32,6 +32,7 @@ add_executable(unit_tests
   tests/unit/io/model/near_origin_test.cpp
   tests/unit/io/model/polygon_test.cpp
   tests/unit/io/model/resources_test.cpp
+  tests/unit/io/model/wedges_test.cpp
   tests/unit/io/ply/ply_test.cpp
   tests/unit/io/stl/stl_test.cpp
   tests/unit/io/text/mtl_test.cpp

@@ -3,8 +3,10 @@
 // successor KHR_meshopt_compression) and KHR_draco_mesh_compression. The decoders are loaded when
 // the first file needs them. The result is a GLB whatever the file was: all its buffers in one.
 
+import { requireDistinct, requireHolds, requireLength } from './claims.js';
 import { settleAccessors } from './decoded_accessors.js';
 import { decodeDracoPrimitives, dracoExtension } from './draco.js';
+import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { openContainer, packGlb } from './gltf_container.js';
@@ -27,12 +29,24 @@ function percentDecoded(uri) {
   }
 }
 
-/** @param {NamedBytes[]} resources @param {string} uri */
-function findResource(resources, uri) {
-  const decoded = percentDecoded(uri);
-  const exact = resources.find(({ name }) => name === uri || name === decoded);
-  const alike = resources.filter(({ name }) => baseName(name) === baseName(decoded));
-  return exact ?? (alike.length === 1 ? alike[0] : undefined);
+/**
+ * A function that finds what a URI means among the files given: a file may name thousands.
+ * @param {NamedBytes[]} resources
+ */
+function finderAmong(resources) {
+  /** @type {Map<string, NamedBytes>} */
+  const exact = new Map();
+  /** @type {Map<string, NamedBytes | undefined>} */
+  const alike = new Map();
+  for (const file of resources) {
+    if (!exact.has(file.name)) exact.set(file.name, file);
+    const base = baseName(file.name);
+    alike.set(base, alike.has(base) ? undefined : file);
+  }
+  return (/** @type {string} */ uri) => {
+    const decoded = percentDecoded(uri);
+    return exact.get(uri) ?? exact.get(decoded) ?? alike.get(baseName(decoded));
+  };
 }
 
 /** @param {string} uri */
@@ -50,10 +64,11 @@ function decodeDataUri(uri) {
  * @returns {Uint8Array[]}
  */
 function loadBuffers(tree, chunk, file) {
+  const find = finderAmong(file.resources);
   return (tree.buffers ?? []).map((/** @type {any} */ { uri }, /** @type {number} */ i) => {
     if (uri === undefined) return i === 0 && chunk ? chunk : new Uint8Array();
     if (uri.startsWith('data:')) return decodeDataUri(uri);
-    const resource = findResource(file.resources, uri);
+    const resource = find(uri);
     if (!resource) {
       throw new RemeshError('MISSING_RESOURCE',
         `${legible(file.name)}: it needs ${legible(uri)}, which was not given.`,
@@ -105,6 +120,8 @@ function checkLayout({ count, byteStride, mode, filter }) {
  */
 async function loadBufferViews(tree, buffers) {
   const decoded = [];
+  const given = buffers.reduce((sum, { length }) => sum + length, 0);
+  let used = 0;
   for (const view of tree.bufferViews ?? []) {
     const name = meshoptExtensions.find((extension) => view.extensions?.[extension]);
     if (!name) {
@@ -113,11 +130,14 @@ async function loadBufferViews(tree, buffers) {
     }
     const { buffer, count, byteStride, mode, filter = 'NONE', ...range } = view.extensions[name];
     checkLayout({ count, byteStride, mode, filter });
+    const packed = slice(buffers[buffer], range);
+    requireHolds({ count, byteStride, mode }, packed.length);
+    used += packed.length;
+    requireDistinct(used, given);
     const { MeshoptDecoder } = await import('../meshopt_decoder.mjs');
     await MeshoptDecoder.ready;
     const target = new Uint8Array(count * byteStride);
-    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, slice(buffers[buffer], range),
-      mode, filter);
+    MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, packed, mode, filter);
     decoded.push(target);
     removeExtension(view, name);
   }
@@ -193,6 +213,8 @@ async function decompressTree(tree, chunk, file) {
     settleAccessors(tree, contents, decoded);
     await decodeDracoPrimitives(tree, contents);
     forgetCompressions(tree);
+    requireLength(contents.reduce((sum, { length }) => sum + length, 0),
+      buffers.reduce((sum, { length }) => sum + length, 0));
     return packGlb(tree, joinBuffers(tree, contents));
   } catch (error) {
     if (error instanceof RemeshError) throw error;
@@ -233,7 +255,7 @@ function parseTree(text, { name }) {
  * @returns {Promise<FileRequest>}
  */
 export async function decompress(file) {
-  if (!/\.gl(b|tf)$/i.test(file.name)) return file;
+  if (!isGltf(file.bytes)) return file;
   const { text, chunk } = openContainer(file.bytes);
   if (!compressions.some((name) => text.includes(`"${name}"`))) return file;
   let tree;

@@ -2,6 +2,8 @@
 // KHR_draco_mesh_compression: each compressed primitive gets plain accessors. A primitive of
 // triangle strips comes out as triangles.
 
+import { requireDracoHolds } from './claims.js';
+
 const dracoExtension = 'KHR_draco_mesh_compression';
 
 /** @type {Record<string, number>} */
@@ -87,6 +89,7 @@ class PrimitiveDecoder {
   decode(primitive) {
     const { bufferView, attributes } = primitive.extensions[dracoExtension];
     const bytes = this.compressed[bufferView];
+    requireDracoHolds(bytes);
     const decoder = new this.draco.Decoder();
     const mesh = new this.draco.Mesh();
     try {

@@ -48,9 +48,16 @@ function bytesOf(image, tree, chunk, file) {
   return whole?.subarray(begin, begin + view.byteLength);
 }
 
+/** The resources of a file by name: it may name thousands.
+ * @type {WeakMap<object, Map<string, Uint8Array>>} */
+const byName = new WeakMap();
+
 /** @param {string} uri @param {FileRequest} file */
 function resource(uri, { resources }) {
-  return resources.find(({ name }) => name === uri || name === decoded(uri))?.bytes;
+  const named = byName.get(resources)
+    ?? new Map([...resources].reverse().map(({ name, bytes }) => [name, bytes]));
+  byName.set(resources, named);
+  return named.get(uri) ?? named.get(decoded(uri));
 }
 
 /**

@@ -91,7 +91,25 @@ function typeOf({ name, bytes }) {
       `${name} has ${header.width} × ${header.height} texels; ${largestImage} are the most.`,
       'Scale it down first.');
   }
+  requireHolds(header, bytes.length, name);
   return header.type;
+}
+
+// Deflate makes at most so many bytes of one.
+const mostInflated = 1032;
+
+/**
+ * A few bytes may claim gigabytes of texels; room for these is made before they are read. In WebP
+ * a few bytes may truly say that all texels are alike.
+ * @param {import('./image_header.js').ImageHeader} header
+ * @param {number} length bytes @param {string} name
+ */
+function requireHolds({ type, width = 0, height = 0, fewestBits = 0 }, length, name) {
+  const bytes = width * height * fewestBits / 8;
+  if (bytes <= length * (type === 'image/png' ? mostInflated : 1)) return;
+  throw new RemeshError('PARSE_ERROR',
+    `${name} claims ${width} × ${height} texels, more than its ${length} bytes can hold.`,
+    'Was it copied completely?');
 }
 
 export class ImageCodecs {

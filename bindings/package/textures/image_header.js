@@ -6,6 +6,7 @@
  * @property {string} type A media type.
  * @property {number} [width] Texels; unknown where the header is cut short.
  * @property {number} [height] Texels.
+ * @property {number} [fewestBits] That a texel takes before compression, in PNG; in JPEG after it.
  * @property {boolean} [isAnimated] Shows nothing but in its frames.
  */
 
@@ -15,8 +16,11 @@ const says = (bytes, at, letters) =>
 
 /** @param {DataView} view @returns {Partial<ImageHeader>} */
 function pngSize(view) {
-  const end = 24;
-  return view.byteLength < end ? {} : { width: view.getUint32(16), height: view.getUint32(20) };
+  const end = 26;
+  if (view.byteLength < end) return {};
+  const channels = [1, 1, 3, 1, 2, 1, 4][view.getUint8(25)] ?? 1; // by the kind of colour
+  return { width: view.getUint32(16), height: view.getUint32(20),
+    fewestBits: channels * view.getUint8(24) };
 }
 
 /**
@@ -32,7 +36,9 @@ function jpegSize(view) {
   for (let at = 2; at + 9 <= view.byteLength;) {
     if (view.getUint8(at) !== 0xff) return {};
     const marker = view.getUint8(at + 1);
-    if (isFrame(marker)) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    if (isFrame(marker)) {
+      return { width: view.getUint16(at + 7), height: view.getUint16(at + 5), fewestBits: 1 / 64 };
+    }
     at += standalone(marker) ? (marker === 0xff ? 1 : 2) : 2 + view.getUint16(at + 2);
   }
   return {};

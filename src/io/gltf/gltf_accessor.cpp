@@ -235,9 +235,7 @@ std::size_t componentSize(int componentType) {
 // elements than the file has bytes.
 std::size_t accessorCount(const GltfDocument& document, int accessor) {
   const std::size_t count = accessorAt(document, accessor).count;
-  std::size_t bytes = 0;
-  for (const Bytes& buffer : document.buffers) bytes += buffer.size();
-  if (count > bytes)
+  if (count > document.bufferBytes)
     document.fail(ErrorCode::ParseError,
                   "accessor " + std::to_string(accessor) + " claims " + std::to_string(count) +
                       " elements, more than the file can hold.",

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "base/legible.h"
 #include "io/gltf/gltf_references.h"
@@ -145,6 +147,27 @@ tinygltf::Model typedView(const GltfDocument& document) {
   return model;
 }
 
+std::vector<std::size_t> jointCounts(const tinygltf::Model& model) {
+  std::vector<std::size_t> counts(model.meshes.size(), std::numeric_limits<std::size_t>::max());
+  for (const tinygltf::Node& node : model.nodes) {
+    const auto [mesh, skin] = std::pair(node.mesh, node.skin);
+    if (mesh < 0 || skin < 0 || static_cast<std::size_t>(mesh) >= counts.size() ||
+        static_cast<std::size_t>(skin) >= model.skins.size())
+      continue;
+    counts[mesh] = std::min(counts[mesh], model.skins[skin].joints.size());
+  }
+  return counts;
+}
+
+// A text may be called .glb.
+bool beginsAsJson(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kBeforeText = "\xEF\xBB\xBF \t\r\n";
+  const auto first = std::find_if(bytes.begin(), bytes.end(), [&](std::uint8_t byte) {
+    return kBeforeText.find(static_cast<char>(byte)) == kBeforeText.npos;
+  });
+  return first != bytes.end() && *first == '{';
+}
+
 bool isNamedGlb(std::string_view name) {
   constexpr std::string_view kEnd = ".glb";
   return name.size() >= kEnd.size() &&
@@ -153,7 +176,8 @@ bool isNamedGlb(std::string_view name) {
 }
 
 Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& buffer,
-                 const std::optional<std::span<const std::uint8_t>>& chunk) {
+                 const std::optional<std::span<const std::uint8_t>>& chunk,
+                 const Resources& resources) {
   const std::string where = "buffer " + std::to_string(number);
   Bytes bytes;
   if (!buffer.is_object() || !buffer.contains("uri")) {
@@ -167,7 +191,7 @@ Bytes loadBuffer(const GltfDocument& document, std::size_t number, const Json& b
       if (!decoded) document.fail(ErrorCode::ParseError, where + " has a malformed data URI.");
       bytes = std::move(*decoded);
     } else {
-      const File* const file = findResource(document.resources, uri);
+      const File* const file = resources.find(uri);
       if (file == nullptr)
         document.fail(ErrorCode::MissingResource,
                       "it needs " + legible(uri) + ", which was not given.",
@@ -214,8 +238,10 @@ void loadBuffers(GltfDocument& document,
   if (!document.tree.contains("buffers") || !document.tree["buffers"].is_array()) return;
   Json& list = document.tree["buffers"];
   document.isEmbedded = !document.isBinary && !list.empty();
+  const Resources resources(document.resources);
   for (Json& buffer : list) {
-    document.buffers.push_back(loadBuffer(document, document.buffers.size(), buffer, chunk));
+    document.buffers.push_back(
+        loadBuffer(document, document.buffers.size(), buffer, chunk, resources));
     const bool isInline =
         buffer.contains("uri") && isDataUri(buffer["uri"].get_ref<std::string&>());
     document.isEmbedded = document.isEmbedded && isInline;
@@ -246,7 +272,7 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   document->resources = resources;
   const std::span<const std::uint8_t> bytes = document->original.bytes;
   document->isBinary = bytes.size() >= 4 && littleEndian(bytes, 0) == kGlbMagic;
-  if (!document->isBinary && isNamedGlb(file.name))
+  if (!document->isBinary && isNamedGlb(file.name) && !beginsAsJson(bytes))
     document->fail(ErrorCode::ParseError, "the file does not begin as a binary glTF file does.",
                    "Is it of another format, or a .gltf?");
   const Chunks chunks = document->isBinary ? splitGlb(*document) : Chunks{bytes, std::nullopt};
@@ -254,7 +280,9 @@ std::shared_ptr<GltfDocument> openGltf(const File& file, const std::vector<File>
   refuseCompression(*document);
   requireReferences(*document);
   document->typed = typedView(*document);
+  document->jointCounts = jointCounts(document->typed);
   loadBuffers(*document, chunks.binary);
+  for (const Bytes& buffer : document->buffers) document->bufferBytes += buffer.size();
   checkBufferViews(*document);
   return document;
 }

@@ -28,6 +28,9 @@ struct GltfDocument : Source {
   std::vector<Bytes> buffers;
   std::vector<File> bufferFiles;  // buffers that were files of their own
   tinygltf::Model typed;          // accessors, bufferViews, meshes, nodes, scenes, skins
+  std::size_t bufferBytes = 0;    // of all buffers together
+  // Per mesh the number of joints of the smallest skin that it is shown with.
+  std::vector<std::size_t> jointCounts;
 
   // Throws an error with the message "name: what".
   [[noreturn]] void fail(ErrorCode code, const std::string& what, std::string hint = {}) const;

@@ -70,12 +70,33 @@ bool looksUp(const Json& value, const std::string& semantic) {
                      [&](const Json& member) { return looksUp(member, semantic); });
 }
 
+// The list without these elements.
+Json without(Json list, const std::set<std::size_t>& gone) {
+  if (gone.empty()) return list;
+  Json kept = Json::array();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (gone.count(i) == 0) kept.push_back(std::move(list[i]));
+  return kept;
+}
+
+// By mesh the nodes that show it with weights of their own.
+std::map<std::size_t, std::vector<std::size_t>> weightedNodes(const Json& tree) {
+  std::map<std::size_t, std::vector<std::size_t>> nodes;
+  for (std::size_t i = 0; tree.contains("nodes") && i < tree["nodes"].size(); ++i) {
+    const Json& node = tree["nodes"][i];
+    if (node.contains("weights") && node.contains("mesh") && isWholeNumber(node["mesh"]))
+      nodes[node["mesh"].get<std::size_t>()].push_back(i);
+  }
+  return nodes;
+}
+
 }  // namespace
 
 GltfEditor::GltfEditor(Json tree, const GltfDocument* document)
     : tree_(std::move(tree)),
       document_(document),
-      newBuffer_(document == nullptr ? 0 : document->buffers.size()) {}
+      newBuffer_(document == nullptr ? 0 : document->buffers.size()),
+      weightedNodes_(weightedNodes(tree_)) {}
 
 std::size_t GltfEditor::addBufferView(const EncodedAccessor& encoded, int target) {
   data_.resize((data_.size() + 3) / 4 * 4, 0);
@@ -189,16 +210,17 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
                                  const std::vector<VertexPool>& pools, Texcoords texcoords) {
   // Moved out, because additions to the document may reallocate its contents.
   Json primitives = std::move(tree_["meshes"][meshNumber]["primitives"]);
-  std::set<int> emptied;
+  std::set<std::size_t> emptied;
+  PoolEncoder encoder(mesh, document_);
   for (const VertexPool& pool : pools) {
-    const EncodedPool encoded = encodePool(mesh, pool, document_);
+    const EncodedPool encoded = encoder.encode(pool);
     const AccessorsBySemantic accessors = addAttributes(encoded, pool);
     for (const int number : pool.primitives) {
       Json& primitive = primitives[number];
       abandon(primitive);
       const auto triangles = encoded.triangles.find(number);
       if (triangles == encoded.triangles.end()) {
-        emptied.insert(number);
+        emptied.insert(static_cast<std::size_t>(number));
         continue;
       }
       rewritePrimitive(primitive, accessors,
@@ -208,9 +230,7 @@ void GltfEditor::replaceGeometry(std::size_t meshNumber, const TriangleMesh& mes
       if (mesh.isQuads) primitive["extensions"][kPolygons] = Json::object();
     }
   }
-  for (auto number = emptied.rbegin(); number != emptied.rend(); ++number)
-    primitives.erase(*number);
-  tree_["meshes"][meshNumber]["primitives"] = std::move(primitives);
+  tree_["meshes"][meshNumber]["primitives"] = without(std::move(primitives), emptied);
   settleHolder(tree_["meshes"][meshNumber], lost_);
   Json& used = tree_["extensionsUsed"];
   if (mesh.isQuads && std::find(used.begin(), used.end(), kPolygons) == used.end())
@@ -230,9 +250,9 @@ void GltfEditor::dropForeignWeights(std::size_t meshNumber) {
     if (holder.contains("weights") && holder["weights"].size() != targets) holder.erase("weights");
   };
   drop(mesh);
-  if (!tree_.contains("nodes")) return;
-  for (Json& node : tree_["nodes"])
-    if (node.contains("mesh") && node["mesh"] == meshNumber) drop(node);
+  const auto weighted = weightedNodes_.find(meshNumber);
+  if (weighted == weightedNodes_.end()) return;
+  for (const std::size_t node : weighted->second) drop(tree_["nodes"][node]);
 }
 
 }  // namespace remesher::io

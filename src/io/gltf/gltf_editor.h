@@ -3,6 +3,7 @@
 // existing ones, so that every number in the tree keeps its meaning.
 #pragma once
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -53,6 +54,7 @@ class GltfEditor {
   const GltfDocument* document_;
   std::size_t newBuffer_;  // the number of the buffer that data_ will be
   Bytes data_;
+  std::map<std::size_t, std::vector<std::size_t>> weightedNodes_;  // by mesh, as the file came
   std::set<int> abandoned_;
   LostExtensions lost_;
 };

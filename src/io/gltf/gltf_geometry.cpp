@@ -71,16 +71,6 @@ AccessorsBySemantic carriedBy(const GltfDocument& document, const tinygltf::Prim
   return carried;
 }
 
-// The number of joints of the smallest skin that the mesh is shown with.
-std::size_t jointCount(const tinygltf::Model& model, int mesh) {
-  std::size_t count = std::numeric_limits<std::size_t>::max();
-  for (const tinygltf::Node& node : model.nodes)
-    if (node.mesh == mesh && node.skin >= 0 &&
-        static_cast<std::size_t>(node.skin) < model.skins.size())
-      count = std::min(count, model.skins[node.skin].joints.size());
-  return count;
-}
-
 // The integer steps of the positions, if all pools have the same.
 std::optional<WholeSteps> stepsOf(const GltfDocument& document,
                                   const std::vector<VertexPool>& pools) {
@@ -137,7 +127,7 @@ class GeometryReader {
       : document_(document),
         number_(static_cast<std::size_t>(mesh)),
         mesh_(document.typed.meshes[number_]),
-        jointCount_(jointCount(document.typed, mesh)),
+        jointCount_(document.jointCounts[number_]),
         restarts_(restartsPrimitives(document.tree)),
         where_("mesh " + std::to_string(mesh) + ", primitive "),
         warnings_(warnings) {}
@@ -378,19 +368,17 @@ TriangleMesh GeometryReader::read() {
 
 std::vector<VertexPool> vertexPools(const GltfDocument& document, std::size_t meshNumber) {
   const tinygltf::Mesh& mesh = document.typed.meshes[meshNumber];
-  std::vector<VertexPool> pools;
-  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-    if (!isTriangles(mesh.primitives[i])) continue;
-    AccessorsBySemantic accessors = carriedBy(document, mesh.primitives[i]);
-    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
-      return pool.accessors == accessors;
-    });
-    if (same == pools.end())
-      pools.push_back({std::move(accessors), {static_cast<int>(i)}});
-    else
-      same->primitives.push_back(static_cast<int>(i));
-  }
-  return pools;
+  PoolList pools;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
+    if (isTriangles(mesh.primitives[i]))
+      pools.add(carriedBy(document, mesh.primitives[i]), static_cast<int>(i));
+  return pools.take();
+}
+
+void PoolList::add(AccessorsBySemantic accessors, int primitive) {
+  const auto [entry, isNew] = numbers_.emplace(accessors, pools_.size());
+  if (isNew) pools_.push_back({std::move(accessors), {}});
+  pools_[entry->second].primitives.push_back(primitive);
 }
 
 TriangleMesh readGeometry(const GltfDocument& document, int mesh, std::vector<Warning>& warnings) {

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/report.h"
@@ -20,6 +21,17 @@ using AccessorsBySemantic = std::map<std::string, int>;
 struct VertexPool {
   AccessorsBySemantic accessors;
   std::vector<int> primitives;  // their numbers in the mesh
+};
+
+// Collects primitives that use the same accessors.
+class PoolList {
+ public:
+  void add(AccessorsBySemantic accessors, int primitive);
+  std::vector<VertexPool> take() { return std::move(pools_); }
+
+ private:
+  std::vector<VertexPool> pools_;
+  std::map<AccessorsBySemantic, std::size_t> numbers_;
 };
 
 // The pools of the primitives that are triangles, strips or fans and have positions. Left out are

@@ -30,29 +30,6 @@ Json nodeOfLevel(Json node, std::size_t mesh, std::size_t level) {
   return node;
 }
 
-// Makes animations of one node move the other as well.
-void moveAlike(Json& animations, std::size_t node, std::size_t other) {
-  for (Json& animation : animations) {
-    const Json channels = animation["channels"];
-    for (Json channel : channels) {
-      if (!channel["target"].contains("node") || channel["target"]["node"] != node) continue;
-      channel["target"]["node"] = other;
-      animation["channels"].push_back(std::move(channel));
-    }
-  }
-}
-
-void addNodes(Json& tree, std::size_t node, const std::vector<std::size_t>& meshes) {
-  Json numbers = Json::array();
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const std::size_t added = tree["nodes"].size();
-    tree["nodes"].push_back(nodeOfLevel(tree["nodes"][node], meshes[i], i + 1));
-    if (tree.contains("animations")) moveAlike(tree["animations"], node, added);
-    numbers.push_back(added);
-  }
-  tree["nodes"][node]["extensions"][kLevelsExtension] = {{"ids", std::move(numbers)}};
-}
-
 void declareExtension(Json& tree) {
   Json& used = tree["extensionsUsed"];
   if (std::find(used.begin(), used.end(), kLevelsExtension) == used.end())
@@ -61,21 +38,63 @@ void declareExtension(Json& tree) {
 
 }  // namespace
 
-void addLods(GltfEditor& editor, const FinestLevel& finest,
-             const std::vector<TriangleMesh>& levels) {
-  Json& tree = editor.tree();
+LodWriter::LodWriter(GltfEditor& editor) : editor_(editor) {}
+
+void LodWriter::index() {
+  if (std::exchange(isIndexed_, true)) return;
+  Json& tree = editor_.tree();
+  for (std::size_t i = 0; i < tree["nodes"].size(); ++i) {
+    const Json& node = tree["nodes"][i];
+    if (node.contains("mesh") && isWholeNumber(node["mesh"]))
+      nodesOf_[node["mesh"].get<std::size_t>()].push_back(i);
+  }
+  if (!tree.contains("animations")) return;
+  for (std::size_t i = 0; i < tree["animations"].size(); ++i) {
+    Json& channels = tree["animations"][i]["channels"];
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+      const Json& target = channels[k]["target"];
+      if (target.contains("node") && isWholeNumber(target["node"]))
+        channelsOf_[target["node"].get<std::size_t>()].push_back({i, k});
+    }
+  }
+}
+
+// Makes animations of one node move the other as well.
+void LodWriter::moveAlike(std::size_t node, std::size_t other) {
+  const auto found = channelsOf_.find(node);
+  if (found == channelsOf_.end()) return;
+  for (const auto& [animation, number] : found->second) {
+    Json& channels = editor_.tree()["animations"][animation]["channels"];
+    Json channel = channels[number];
+    channel["target"]["node"] = other;
+    channels.push_back(std::move(channel));
+  }
+}
+
+void LodWriter::addNodes(std::size_t node, const std::vector<std::size_t>& meshes) {
+  Json& nodes = editor_.tree()["nodes"];
+  Json numbers = Json::array();
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::size_t added = nodes.size();
+    nodes.push_back(nodeOfLevel(nodes[node], meshes[i], i + 1));
+    moveAlike(node, added);
+    numbers.push_back(added);
+  }
+  nodes[node]["extensions"][kLevelsExtension] = {{"ids", std::move(numbers)}};
+}
+
+void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels) {
+  Json& tree = editor_.tree();
   if (levels.empty() || !tree.contains("nodes")) return;
+  index();
   std::vector<std::size_t> meshes;
   for (const TriangleMesh& level : levels) {
     meshes.push_back(tree["meshes"].size());
     tree["meshes"].push_back(finest.mesh);
     rename(tree["meshes"].back(), meshes.size());
-    editor.replaceGeometry(meshes.back(), level, finest.pools);
+    editor_.replaceGeometry(meshes.back(), level, finest.pools);
   }
-  const std::size_t nodes = tree["nodes"].size();
-  for (std::size_t i = 0; i < nodes; ++i)
-    if (tree["nodes"][i].contains("mesh") && tree["nodes"][i]["mesh"] == finest.number)
-      addNodes(tree, i, meshes);
+  for (const std::size_t node : nodesOf_[finest.number]) addNodes(node, meshes);
   declareExtension(tree);
 }
 

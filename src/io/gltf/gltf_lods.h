@@ -3,6 +3,7 @@
 // of their own that use the same materials.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -18,10 +19,29 @@ struct FinestLevel {
   std::vector<VertexPool> pools;
 };
 
-// Each level becomes a copy of the mesh with the level's geometry. Each node that shows the mesh
-// gets level nodes, which have the same transform and animation and show the levels. levels: the
-// finest first.
-void addLods(GltfEditor& editor, const FinestLevel& finest,
-             const std::vector<TriangleMesh>& levels);
+class LodWriter {
+ public:
+  explicit LodWriter(GltfEditor& editor);
+
+  // Each level becomes a copy of the mesh with the level's geometry. Each node that shows the mesh
+  // gets level nodes, which have the same transform and animation and show the levels. levels: the
+  // finest first.
+  void add(const FinestLevel& finest, const std::vector<TriangleMesh>& levels);
+
+ private:
+  // A channel of an animation.
+  struct Channel {
+    std::size_t animation, number;
+  };
+
+  void index();
+  void addNodes(std::size_t node, const std::vector<std::size_t>& meshes);
+  void moveAlike(std::size_t node, std::size_t other);
+
+  GltfEditor& editor_;
+  bool isIndexed_ = false;
+  std::map<std::size_t, std::vector<std::size_t>> nodesOf_;  // by mesh, as the file came
+  std::map<std::size_t, std::vector<Channel>> channelsOf_;   // by node, as the file came
+};
 
 }  // namespace remesher::io

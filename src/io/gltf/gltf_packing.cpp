@@ -2,6 +2,7 @@
 #include "io/gltf/gltf_packing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/gltf/gltf_references.h"
 
@@ -59,13 +60,19 @@ std::size_t sizeMember(const Json& object, const char* key) {
   return object.contains(key) ? object[key].get<std::size_t>() : 0;
 }
 
-std::vector<Range> shownRanges(const Json& bufferViews, std::size_t buffer) {
-  std::vector<Range> ranges;
-  for (const Json& view : bufferViews)
-    if (sizeMember(view, "buffer") == buffer) {
-      const std::size_t begin = sizeMember(view, "byteOffset");
-      ranges.push_back({begin, begin + sizeMember(view, "byteLength"), 0});
-    }
+// Per buffer the ranges that buffer views show.
+std::vector<std::vector<Range>> shownRanges(const Json& bufferViews, std::size_t buffers) {
+  std::vector<std::vector<Range>> ranges(buffers);
+  for (const Json& view : bufferViews) {
+    const std::size_t begin = sizeMember(view, "byteOffset");
+    ranges.at(sizeMember(view, "buffer"))
+        .push_back({begin, begin + sizeMember(view, "byteLength"), 0});
+  }
+  return ranges;
+}
+
+// The ranges in order, those that touch as one.
+std::vector<Range> mergedRanges(std::vector<Range> ranges) {
   std::sort(ranges.begin(), ranges.end(),
             [](const Range& a, const Range& b) { return a.begin < b.begin; });
   std::vector<Range> merged;
@@ -100,14 +107,14 @@ Bytes mergeBuffers(Json& tree, const std::vector<Bytes>& buffers, bool keepsHidd
   Bytes data;
   if (!tree.contains("bufferViews")) return data;
   Json& bufferViews = tree["bufferViews"];
-  std::vector<std::vector<Range>> ranges;
+  std::vector<std::vector<Range>> ranges = shownRanges(bufferViews, buffers.size());
   std::size_t total = 0;
   for (const Bytes& buffer : buffers) total += buffer.size() + 8;
   data.reserve(total);
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    ranges.push_back(keepsHidden ? std::vector<Range>{{0, buffers[i].size(), 0}}
-                                 : shownRanges(bufferViews, i));
-    copyRanges(ranges.back(), buffers[i], data);
+    ranges[i] = keepsHidden ? std::vector<Range>{{0, buffers[i].size(), 0}}
+                            : mergedRanges(std::move(ranges[i]));
+    copyRanges(ranges[i], buffers[i], data);
   }
   for (Json& view : bufferViews) {
     const std::size_t offset =

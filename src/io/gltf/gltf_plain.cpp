@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf/gltf_plain.h"
 
-#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,35 +19,37 @@ namespace {
 // One primitive per group. Groups that lack the same attributes share a pool, whose accessors are
 // added later.
 std::vector<VertexPool> poolsOfGroups(const Part& part) {
-  std::vector<VertexPool> pools;
-  for (std::size_t group = 0; group < groupCount(part.mesh); ++group) {
+  PoolList pools;
+  const std::size_t count = groupCount(part.mesh);
+  for (std::size_t group = 0; group < count; ++group) {
     AccessorsBySemantic accessors = {{"POSITION", -1}};
     for (const Attribute& attribute : part.mesh.attributes) accessors[attribute.semantic] = -1;
     if (group < part.groups.size())
       for (const std::string& semantic : part.groups[group].lacks) accessors.erase(semantic);
-    const auto same = std::find_if(pools.begin(), pools.end(), [&](const VertexPool& pool) {
-      return pool.accessors == accessors;
-    });
-    if (same == pools.end())
-      pools.push_back({std::move(accessors), {static_cast<int>(group)}});
-    else
-      same->primitives.push_back(static_cast<int>(group));
+    pools.add(std::move(accessors), static_cast<int>(group));
   }
-  return pools;
+  return pools.take();
 }
 
-// The number of the material of this name; adds a new one if there is none.
-std::size_t materialNumber(Json& tree, const std::string& name) {
-  Json& materials = tree["materials"];
-  const auto same = std::find_if(materials.begin(), materials.end(),
-                                 [&](const Json& material) { return material["name"] == name; });
-  const auto number = static_cast<std::size_t>(same - materials.begin());
-  if (same == materials.end()) materials.push_back({{"name", name}});
-  return number;
-}
+// The materials of a new document, by name.
+class Materials {
+ public:
+  explicit Materials(Json& tree) : tree_(tree) {}
+
+  // The number of the material of this name; adds a new one if there is none.
+  std::size_t numberOf(const std::string& name) {
+    const auto [entry, isNew] = numbers_.emplace(name, numbers_.size());
+    if (isNew) tree_["materials"].push_back({{"name", name}});
+    return entry->second;
+  }
+
+ private:
+  Json& tree_;
+  std::map<std::string, std::size_t> numbers_;
+};
 
 // The part's mesh; its primitives have no accessors yet.
-Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pools) {
+Json plainMesh(Materials& materials, const Part& part, const std::vector<VertexPool>& pools) {
   Json primitives = Json::array();
   primitives.get_ref<Json::array_t&>().resize(groupCount(part.mesh));
   for (const VertexPool& pool : pools) {
@@ -58,7 +60,7 @@ Json plainMesh(Json& tree, const Part& part, const std::vector<VertexPool>& pool
       if (isKnown && part.groups[group].painted >= 0)
         primitives[group]["material"] = part.groups[group].painted;
       else if (isKnown && !part.groups[group].material.empty())
-        primitives[group]["material"] = materialNumber(tree, part.groups[group].material);
+        primitives[group]["material"] = materials.numberOf(part.groups[group].material);
     }
   }
   return {{"name", part.name}, {"primitives", primitives}};
@@ -89,19 +91,21 @@ PackedGltf plainGltf(const Model& model) {
   if (model.parts.empty()) throw Error(ErrorCode::NoTriangles, "There are no triangles to write.");
   GltfEditor editor(plainDocument(model), nullptr);
   if (!model.paintings.empty()) addPaintings(editor.tree(), model);
+  Materials materials(editor.tree());
   std::vector<FinestLevel> finest;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const std::vector<VertexPool> pools = poolsOfGroups(part);
-    finest.push_back({i, plainMesh(editor.tree(), part, pools), pools});
+    finest.push_back({i, plainMesh(materials, part, pools), pools});
     editor.tree()["meshes"].push_back(finest.back().mesh);
     editor.replaceGeometry(i, converted(part.mesh, model.conventions, Conventions::Gltf), pools);
   }
+  LodWriter levels(editor);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     std::vector<TriangleMesh> lods;
     for (const TriangleMesh& lod : model.parts[i].lods)
       lods.push_back(converted(lod, model.conventions, Conventions::Gltf));
-    addLods(editor, finest[i], lods);
+    levels.add(finest[i], lods);
   }
   return packGltf(std::move(editor.tree()), {editor.newData()}, {});
 }

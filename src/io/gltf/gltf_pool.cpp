@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -30,14 +31,14 @@ void keepApart(std::vector<Index>& list) {
   std::copy(std::begin(turned), std::end(turned), quad);
 }
 
-class PoolEncoder {
+class AttributesEncoder {
  public:
-  PoolEncoder(const TriangleMesh& mesh, const VertexPool& pool, const GltfDocument* document)
-      : mesh_(mesh), pool_(pool), document_(document) {}
-  EncodedPool encode();
+  AttributesEncoder(const TriangleMesh& mesh, const VertexPool& pool, const GltfDocument* document,
+                    const std::vector<Index>& vertices)
+      : mesh_(mesh), pool_(pool), document_(document), vertices_(vertices) {}
+  std::map<std::string, EncodedAttribute> encode();
 
  private:
-  void collectTriangles();
   Encoding encodingOf(const std::string& semantic, int itemSize) const;
   void encodePositions();
   void encodeAttribute(const std::string& semantic);
@@ -49,46 +50,20 @@ class PoolEncoder {
   const TriangleMesh& mesh_;
   const VertexPool& pool_;
   const GltfDocument* document_;
-  std::vector<Index> vertices_;       // numbers in the mesh, ascending
-  std::map<std::string, Lost> lost_;  // by the set's suffix: "_0"
-  EncodedPool result_;
+  const std::vector<Index>& vertices_;  // numbers in the mesh, ascending
+  std::map<std::string, Lost> lost_;    // by the set's suffix: "_0"
+  std::map<std::string, EncodedAttribute> result_;
 };
 
-void PoolEncoder::collectTriangles() {
-  std::vector<Index> numbers(mesh_.positions.size(), kNone);
-  const auto isOurs = [&](int group) {
-    return std::find(pool_.primitives.begin(), pool_.primitives.end(), group) !=
-           pool_.primitives.end();
-  };
-  for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
-    const int group = mesh_.groups.empty() ? 0 : static_cast<int>(mesh_.groups[t]);
-    if (!isOurs(group)) continue;
-    std::vector<Index>& list = result_.triangles[group];
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Index vertex = mesh_.indices[3 * t + corner];
-      numbers[vertex] = 0;
-      list.push_back(vertex);
-    }
-    if (mesh_.isQuads && t % 2 == 1) keepApart(list);
-  }
-  for (Index vertex = 0; vertex < numbers.size(); ++vertex) {
-    if (numbers[vertex] == kNone) continue;
-    numbers[vertex] = static_cast<Index>(vertices_.size());
-    vertices_.push_back(vertex);
-  }
-  for (auto& [primitive, list] : result_.triangles)
-    for (Index& vertex : list) vertex = numbers[vertex];
-  result_.vertexCount = vertices_.size();
-}
-
-Encoding PoolEncoder::encodingOf(const std::string& semantic, int itemSize) const {
+Encoding AttributesEncoder::encodingOf(const std::string& semantic, int itemSize) const {
   const int accessor = pool_.accessors.at(semantic);
   if (accessor >= 0) return accessorEncoding(*document_, accessor);
   return {TINYGLTF_COMPONENT_TYPE_FLOAT, false, itemSize};
 }
 
-void PoolEncoder::add(const std::string& semantic, const Table& table, const Encoding& encoding) {
-  result_.attributes[semantic] = {encoding, encodeRows(table, encoding)};
+void AttributesEncoder::add(const std::string& semantic, const Table& table,
+                            const Encoding& encoding) {
+  result_[semantic] = {encoding, encodeRows(table, encoding)};
 }
 
 float single(double coordinate) {
@@ -99,7 +74,7 @@ float single(double coordinate) {
               "Write OBJ or OFF, or scale the model down.");
 }
 
-void PoolEncoder::encodePositions() {
+void AttributesEncoder::encodePositions() {
   Table table{3, {}};
   table.values.reserve(3 * vertices_.size());
   for (const Index vertex : vertices_)
@@ -111,7 +86,7 @@ void PoolEncoder::encodePositions() {
 }
 
 // The first `width` numbers of each vertex; zeros where the attribute has fewer.
-Table PoolEncoder::tableOf(const Attribute& attribute, int width) const {
+Table AttributesEncoder::tableOf(const Attribute& attribute, int width) const {
   Table table{width, std::vector<float>(vertices_.size() * static_cast<std::size_t>(width), 0.0F)};
   const int common = std::min(width, attribute.itemSize);
   for (std::size_t i = 0; i < vertices_.size(); ++i)
@@ -130,7 +105,7 @@ Encoding fitForWeights(Encoding encoding) {
   return encoding;
 }
 
-void PoolEncoder::encodeWeights() {
+void AttributesEncoder::encodeWeights() {
   std::vector<std::string> semantics;
   std::vector<Table> sets;
   std::vector<Encoding> encodings;
@@ -154,18 +129,17 @@ void PoolEncoder::encodeWeights() {
 }
 
 // A joint whose weight was rounded to zero becomes joint 0.
-void PoolEncoder::releaseJoints(const std::string& semantic, Table& joints) const {
+void AttributesEncoder::releaseJoints(const std::string& semantic, Table& joints) const {
   const auto lost = lost_.find(semantic.substr(semantic.find('_')));
   if (lost == lost_.end() || lost->second.width != joints.width) return;
   for (std::size_t k = 0; k < joints.values.size(); ++k)
     if (lost->second.places[k]) joints.values[k] = 0;
 }
 
-void PoolEncoder::encodeAttribute(const std::string& semantic) {
+void AttributesEncoder::encodeAttribute(const std::string& semantic) {
   const Attribute* const attribute = findAttribute(mesh_, semantic);
   if (attribute == nullptr) {
-    if (semantic.starts_with("TARGET_"))
-      result_.attributes[semantic] = {encodingOf(semantic, 3), {}};
+    if (semantic.starts_with("TARGET_")) result_[semantic] = {encodingOf(semantic, 3), {}};
     return;
   }
   const Encoding encoding = encodingOf(semantic, attribute->itemSize);
@@ -178,9 +152,7 @@ void PoolEncoder::encodeAttribute(const std::string& semantic) {
   add(semantic, table, encoding);
 }
 
-EncodedPool PoolEncoder::encode() {
-  collectTriangles();
-  if (vertices_.empty()) return std::move(result_);
+std::map<std::string, EncodedAttribute> AttributesEncoder::encode() {
   encodeWeights();
   for (const auto& [semantic, accessor] : pool_.accessors) {
     if (semantic == "POSITION")
@@ -193,9 +165,57 @@ EncodedPool PoolEncoder::encode() {
 
 }  // namespace
 
-EncodedPool encodePool(const TriangleMesh& mesh, const VertexPool& pool,
-                       const GltfDocument* document) {
-  return PoolEncoder(mesh, pool, document).encode();
+PoolEncoder::PoolEncoder(const TriangleMesh& mesh, const GltfDocument* document)
+    : mesh_(mesh),
+      document_(document),
+      firsts_(groupCount(mesh) + 1, 0),
+      order_(mesh.triangleCount()),
+      numbers_(mesh.positions.size(), kNone) {
+  const auto groupOf = [&](std::size_t triangle) {
+    return mesh_.groups.empty() ? Index{0} : mesh_.groups[triangle];
+  };
+  for (std::size_t t = 0; t < order_.size(); ++t) ++firsts_[groupOf(t) + 1];
+  std::partial_sum(firsts_.begin(), firsts_.end(), firsts_.begin());
+  std::vector<std::size_t> next = firsts_;
+  for (std::size_t t = 0; t < order_.size(); ++t)
+    order_[next[groupOf(t)]++] = static_cast<Index>(t);
+}
+
+// The corners of a primitive's triangles, whose vertices join the pool.
+std::vector<Index> PoolEncoder::trianglesOf(int primitive) {
+  std::vector<Index> list;
+  const auto group = static_cast<std::size_t>(primitive);
+  if (group + 1 >= firsts_.size()) return list;
+  for (std::size_t i = firsts_[group]; i < firsts_[group + 1]; ++i) {
+    const std::size_t t = order_[i];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Index vertex = mesh_.indices[3 * t + corner];
+      list.push_back(vertex);
+      if (numbers_[vertex] != kNone) continue;
+      numbers_[vertex] = 0;
+      vertices_.push_back(vertex);
+    }
+    if (mesh_.isQuads && t % 2 == 1) keepApart(list);
+  }
+  return list;
+}
+
+EncodedPool PoolEncoder::encode(const VertexPool& pool) {
+  EncodedPool result;
+  vertices_.clear();
+  for (const int primitive : pool.primitives) {
+    std::vector<Index> list = trianglesOf(primitive);
+    if (!list.empty()) result.triangles[primitive] = std::move(list);
+  }
+  std::sort(vertices_.begin(), vertices_.end());
+  for (std::size_t i = 0; i < vertices_.size(); ++i) numbers_[vertices_[i]] = static_cast<Index>(i);
+  for (auto& [primitive, list] : result.triangles)
+    for (Index& vertex : list) vertex = numbers_[vertex];
+  for (const Index vertex : vertices_) numbers_[vertex] = kNone;
+  result.vertexCount = vertices_.size();
+  if (!vertices_.empty())
+    result.attributes = AttributesEncoder(mesh_, pool, document_, vertices_).encode();
+  return result;
 }
 
 }  // namespace remesher::io

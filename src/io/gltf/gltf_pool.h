@@ -24,10 +24,26 @@ struct EncodedPool {
   std::map<int, std::vector<Index>> triangles;         // per primitive that has any
 };
 
-// document: holds the pool's accessors; null if there are none and the pool names -1 for each.
-// Semantics that the mesh lacks are left out, except morph targets, which become zeros because
-// animations count them.
-EncodedPool encodePool(const TriangleMesh& mesh, const VertexPool& pool,
-                       const GltfDocument* document);
+// Encodes the pools of a mesh one by one, each in time proportional to its own size: a mesh may
+// have thousands. The mesh must outlive the encoder.
+class PoolEncoder {
+ public:
+  // document: holds the pools' accessors; null if there are none and the pools name -1 for each.
+  PoolEncoder(const TriangleMesh& mesh, const GltfDocument* document);
+
+  // Semantics that the mesh lacks are left out, except morph targets, which become zeros because
+  // animations count them.
+  EncodedPool encode(const VertexPool& pool);
+
+ private:
+  std::vector<Index> trianglesOf(int primitive);
+
+  const TriangleMesh& mesh_;
+  const GltfDocument* document_;
+  std::vector<std::size_t> firsts_;  // per group, and the end: its place in order_
+  std::vector<Index> order_;         // all triangles by their groups
+  std::vector<Index> numbers_;       // per vertex its number in the pool; kNone between calls
+  std::vector<Index> vertices_;      // of the pool
+};
 
 }  // namespace remesher::io

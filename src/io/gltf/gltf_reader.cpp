@@ -38,16 +38,18 @@ std::vector<GroupInfo> groupInfos(const GltfDocument& document, std::size_t numb
                                   const TriangleMesh& triangles) {
   const tinygltf::Mesh& mesh = document.typed.meshes[number];
   std::vector<GroupInfo> infos(mesh.primitives.size());
+  const auto& tree = document.tree;
+  const std::size_t materialCount = tree.contains("materials") ? tree["materials"].size() : 0;
   for (const VertexPool& pool : vertexPools(document, number)) {
     for (const int primitive : pool.primitives) {
       GroupInfo& info = infos[primitive];
       for (const Attribute& attribute : triangles.attributes)
         if (pool.accessors.count(attribute.semantic) == 0) info.lacks.push_back(attribute.semantic);
       const int material = mesh.primitives[primitive].material;
-      const Json materials = document.tree.value("materials", Json::array());
-      if (material >= 0 && static_cast<std::size_t>(material) < materials.size())
-        info.material = materials[material].value("name", "material " + std::to_string(material));
-      info.look = readMaterial(document.tree, material);
+      if (material >= 0 && static_cast<std::size_t>(material) < materialCount)
+        info.material =
+            tree["materials"][material].value("name", "material " + std::to_string(material));
+      info.look = readMaterial(tree, material);
     }
   }
   return infos;

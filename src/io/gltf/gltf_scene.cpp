@@ -2,6 +2,7 @@
 #include "io/gltf/gltf_scene.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -96,7 +97,8 @@ class SceneWalk {
       : document_(document),
         world_(document.typed.nodes.size()),
         visited_(world_.size(), 0),
-        hidden_(world_.size(), 0) {}
+        hidden_(world_.size(), 0),
+        jointed_(document.typed.meshes.size()) {}
   std::vector<MeshInstances> meshInstances();
 
  private:
@@ -104,12 +106,33 @@ class SceneWalk {
   void collect(const NodeInstances& own, std::size_t node, std::vector<MeshInstances>& instances);
   std::vector<int> roots() const;
   Transform skinTransform(const tinygltf::Skin& skin) const;
+  bool isJointed(int mesh);
+  void requirePlausible() const;
 
   const GltfDocument& document_;
   std::vector<Transform> world_;  // per node
   std::vector<char> visited_;     // per node
   std::vector<char> hidden_;      // per node
+  std::size_t placeCount_ = 0;
+  std::vector<std::optional<bool>> jointed_;  // per mesh, once asked: thousands may share one
 };
+
+// A node may show as many places as the file has bytes, and thousands of nodes may do so with the
+// same bytes. No real place takes less than a byte.
+void SceneWalk::requirePlausible() const {
+  constexpr std::size_t kFew = 65536;
+  const std::size_t bytes = document_.original.bytes.size() + document_.bufferBytes;
+  if (placeCount_ > kFew && placeCount_ > bytes)
+    document_.fail(ErrorCode::ParseError,
+                   "its nodes show meshes at more places than the file can hold.",
+                   "Export it again, with instances of its own for each node.");
+}
+
+bool SceneWalk::isJointed(int mesh) {
+  std::optional<bool>& known = jointed_[mesh];
+  if (!known) known = hasJoints(document_, static_cast<std::size_t>(mesh));
+  return *known;
+}
 
 // Visits parents before children, without recursion: a chain of nodes may be long.
 void SceneWalk::visitTree(int root) {
@@ -174,10 +197,13 @@ void SceneWalk::collect(const NodeInstances& own, std::size_t node,
   if (static_cast<std::size_t>(mesh) >= instances.size())
     document_.fail(ErrorCode::ParseError, "node " + std::to_string(node) + " shows mesh " +
                                               std::to_string(mesh) + ", which is not there.");
-  const bool isSkinned = skin >= 0 && static_cast<std::size_t>(skin) < model.skins.size() &&
-                         hasJoints(document_, static_cast<std::size_t>(mesh));
+  const bool isSkinned =
+      skin >= 0 && static_cast<std::size_t>(skin) < model.skins.size() && isJointed(mesh);
   const Transform place = isSkinned ? skinTransform(model.skins[skin]) : world_[node];
-  for (const Transform& instance : own.of(node)) {
+  const std::vector<Transform> placesInNode = own.of(node);
+  placeCount_ += placesInNode.size();
+  requirePlausible();
+  for (const Transform& instance : placesInNode) {
     instances[mesh].places.push_back(place * instance);
     if (hidden_[node]) ++instances[mesh].hidden;
   }

@@ -66,9 +66,9 @@ std::optional<std::string> imageType(const Bytes& bytes) {
   return std::nullopt;
 }
 
-std::optional<Bytes> imageBytes(const GltfDocument& document, const std::string& uri) {
+// file: where the image is, or null.
+std::optional<Bytes> imageBytes(const std::string& uri, const File* file) {
   if (isDataUri(uri)) return decodeDataUri(uri);
-  const File* const file = findResource(document.resources, uri);
   if (file == nullptr) return std::nullopt;
   return file->bytes;
 }
@@ -77,15 +77,16 @@ std::optional<Bytes> imageBytes(const GltfDocument& document, const std::string&
 // once.
 void embedImages(GltfEditor& editor, const GltfDocument& document) {
   if (!editor.tree().contains("images")) return;
+  const Resources resources(document.resources);
   std::map<const File*, std::size_t> views;
   for (std::size_t i = 0; i < editor.tree()["images"].size(); ++i) {
     const Json image = editor.tree()["images"][i];
     if (!image.contains("uri")) continue;
     const std::string uri = image["uri"].get<std::string>();
-    const std::optional<Bytes> bytes = imageBytes(document, uri);
+    const File* const file = resources.find(uri);
+    const std::optional<Bytes> bytes = imageBytes(uri, file);
     const std::optional<std::string> type = bytes ? imageType(*bytes) : std::nullopt;
     if (!type) continue;
-    const File* const file = findResource(document.resources, uri);
     const auto known = views.find(file);
     const std::size_t view =
         file != nullptr && known != views.end() ? known->second : editor.addFile(*bytes);
@@ -109,12 +110,13 @@ struct Companions {
 Companions takeImages(Json& tree, const std::vector<File>& resources, CompanionNames& names) {
   Companions companions;
   if (!tree.contains("images")) return companions;
+  const Resources given(resources);
   std::map<const File*, std::string> nameOf;
   for (Json& image : tree["images"]) {
     if (!image.contains("uri")) continue;
     const std::string uri = image["uri"].get<std::string>();
     if (isDataUri(uri) || uri.starts_with(kPainting)) continue;
-    const File* const file = findResource(resources, uri);
+    const File* const file = given.find(uri);
     if (file == nullptr) {
       companions.missing.push_back(uri);
       continue;
@@ -232,11 +234,13 @@ bool isSkinned(const Json& tree, std::size_t mesh) {
   });
 }
 
-// Removes the skin from nodes of a mesh that has lost its joints.
-void dropSkins(Json& tree, std::size_t mesh) {
-  if (!tree.contains("nodes")) return;
-  for (Json& node : tree["nodes"])
-    if (node.contains("mesh") && node["mesh"] == mesh) node.erase("skin");
+// Removes the skin from nodes of meshes that have lost their joints.
+void dropSkins(Json& tree, const std::set<std::size_t>& meshes) {
+  if (meshes.empty() || !tree.contains("nodes")) return;
+  for (Json& node : tree["nodes"]) {
+    if (!node.contains("mesh") || !isWholeNumber(node["mesh"])) continue;
+    if (meshes.count(node["mesh"].get<std::size_t>()) == 1) node.erase("skin");
+  }
 }
 
 // The accessors that replaced primitives used, and those that only a lost extension may have used.
@@ -262,6 +266,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   const bool isPainted = !model.paintings.empty();
   const std::size_t firstPainting = isPainted ? addPaintings(editor.tree(), model) : 0;
   std::size_t lostVariants = 0;
+  std::set<std::size_t> jointless;
   for (const std::size_t i : replaced) {
     const auto mesh = static_cast<std::size_t>(model.parts[i].source);
     std::vector<VertexPool> pools = vertexPools(document, mesh);
@@ -272,13 +277,15 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
     }
     editor.replaceGeometry(mesh, model.parts[i].mesh, pools,
                            isPainted ? Texcoords::Painted : Texcoords::Kept);
-    if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh))
-      dropSkins(editor.tree(), mesh);
+    if (isSkinned(document.tree, mesh) && !isSkinned(editor.tree(), mesh)) jointless.insert(mesh);
   }
+  dropSkins(editor.tree(), jointless);
+  LodWriter levels(editor);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const auto mesh = static_cast<std::size_t>(model.parts[i].source);
-    addLods(editor, {mesh, document.tree["meshes"][mesh], vertexPools(document, mesh)},
-            model.parts[i].lods);
+    if (!model.parts[i].lods.empty())
+      levels.add({mesh, document.tree["meshes"][mesh], vertexPools(document, mesh)},
+                 model.parts[i].lods);
   }
   editor.lost().accessors.merge(dropNodes(editor.tree(), oldLevels));
   settlePointers(document.tree, editor.tree(), editor.lost());

@@ -86,18 +86,25 @@ std::string percentEncoded(std::string_view text) {
   return result;
 }
 
-const File* findResource(const std::vector<File>& resources, std::string_view reference) {
+Resources::Resources(const std::vector<File>& files) {
+  for (const File& file : files) {
+    byName_.emplace(file.name, &file);
+    const auto [entry, isNew] = byBaseName_.emplace(baseName(file.name), &file);
+    if (!isNew) entry->second = nullptr;
+  }
+}
+
+const File* Resources::named(std::string_view name) const {
+  const auto found = byName_.find(name);
+  return found == byName_.end() ? nullptr : found->second;
+}
+
+const File* Resources::find(std::string_view reference) const {
   const std::string decoded = percentDecoded(reference);
   for (const std::string_view wanted : {reference, std::string_view(decoded)})
-    for (const File& file : resources)
-      if (file.name == wanted) return &file;
-  const File* found = nullptr;
-  for (const File& file : resources) {
-    if (baseName(file.name) != baseName(decoded)) continue;
-    if (found != nullptr) return nullptr;
-    found = &file;
-  }
-  return found;
+    if (const File* const file = named(wanted)) return file;
+  const auto found = byBaseName_.find(baseName(decoded));
+  return found == byBaseName_.end() ? nullptr : found->second;
 }
 
 bool isDataUri(std::string_view uri) { return uri.substr(0, 5) == "data:"; }

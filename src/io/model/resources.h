@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,9 +15,21 @@
 
 namespace remesher::io {
 
-// The file that `reference` means: the file of exactly this name, else of its percent-decoded form,
-// else the only file with the same last path component. Null if there is none.
-const File* findResource(const std::vector<File>& resources, std::string_view reference);
+// The given files by name: a file may name thousands of others. The files must outlive it.
+class Resources {
+ public:
+  explicit Resources(const std::vector<File>& files);
+
+  // The file that `reference` means: the file of exactly this name, else of its percent-decoded
+  // form, else the only file with the same last path component. Null if there is none.
+  const File* find(std::string_view reference) const;
+  // The first file of exactly this name, or null.
+  const File* named(std::string_view name) const;
+
+ private:
+  std::map<std::string_view, const File*> byName_;
+  std::map<std::string_view, const File*> byBaseName_;  // null: several could be meant
+};
 
 // The part behind the last slash or backslash.
 std::string_view baseName(std::string_view path);

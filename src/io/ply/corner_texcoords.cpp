@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "io/model/wedges.h"
+
 namespace remesher::io {
 namespace {
 
@@ -70,31 +72,20 @@ std::vector<Index> leaders(const TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh splitByTexcoord(const TriangleMesh& mesh, const std::vector<float>& perCorner) {
-  // The distinct corners of a vertex are a chain that starts at first[vertex] and continues by
-  // next.
-  std::vector<Index> first(mesh.positions.size(), kNone), next, ofCorner;
-  std::vector<Texcoord> found;
-  for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
-    const Index vertex = mesh.indices[corner];
-    const Texcoord texcoord = texcoordAt(perCorner, corner);
-    Index wedge = first[vertex];
-    while (wedge != kNone && found[wedge] != texcoord) wedge = next[wedge];
-    if (wedge == kNone) {
-      wedge = static_cast<Index>(found.size());
-      found.push_back(texcoord);
-      next.push_back(std::exchange(first[vertex], wedge));
-    }
-    ofCorner.push_back(wedge);
-  }
-  std::vector<Index> chosen, renumbered(found.size());
+  WedgeChains<Texcoord> chains(mesh.positions.size());
+  std::vector<Index> ofCorner;
+  for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner)
+    ofCorner.push_back(chains.wedgeAt(mesh.indices[corner], texcoordAt(perCorner, corner)));
+  std::vector<Index> chosen, renumbered(chains.count());
   Attribute texcoords{"TEXCOORD_0", 2, {}};
-  for (Index vertex = 0; vertex < first.size(); ++vertex) {
-    for (Index wedge = first[vertex]; wedge != kNone; wedge = next[wedge]) {
+  for (Index vertex = 0; vertex < mesh.positions.size(); ++vertex) {
+    for (Index wedge = chains.first(vertex); wedge != kNone; wedge = chains.next(wedge)) {
+      const Texcoord& texcoord = chains.value(wedge);
       renumbered[wedge] = static_cast<Index>(chosen.size());
       chosen.push_back(vertex);
-      texcoords.values.insert(texcoords.values.end(), found[wedge].begin(), found[wedge].end());
+      texcoords.values.insert(texcoords.values.end(), texcoord.begin(), texcoord.end());
     }
-    if (first[vertex] != kNone) continue;
+    if (chains.first(vertex) != kNone) continue;
     chosen.push_back(vertex);
     texcoords.values.insert(texcoords.values.end(), {0.0F, 0.0F});
   }

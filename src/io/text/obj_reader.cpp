@@ -3,6 +3,7 @@
 // each. Each combination that occurs becomes a mesh vertex, in the order of positions, so that a
 // file without vt and vn keeps its vertex numbers.
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,8 @@
 #include "base/legible.h"
 #include "io/model/conventions.h"
 #include "io/model/polygon.h"
+#include "io/model/resources.h"
+#include "io/model/wedges.h"
 #include "io/text/mtl.h"
 #include "io/text/obj.h"
 #include "io/text/text_scanner.h"
@@ -25,7 +28,7 @@ struct Corner {
   Index texcoord = kNone;
   Index normal = kNone;
 
-  bool operator==(const Corner&) const = default;
+  auto operator<=>(const Corner&) const = default;
 };
 using CornerField = Index Corner::*;
 
@@ -47,6 +50,7 @@ class ObjReader {
 
   ObjContent read();
   std::shared_ptr<ObjSource> source() { return source_; }
+  std::vector<Warning> warnings() const { return scanner_.warnings(); }
 
  private:
   void readStatement(std::string_view keyword);
@@ -74,7 +78,7 @@ void ObjReader::readPosition() {
   std::array<float, 4> extra{};
   std::size_t extras = 0;
   while (extras < extra.size() && !scanner_.atLineEnd())
-    extra[extras++] = scanner_.singleNumber("the colour of a vertex");
+    extra[extras++] = scanner_.attribute("the colour of a vertex");
   // A single extra number is the weight of a rational curve, which triangles do not need.
   if (extras < 3) return;
   content_.colors.resize(3 * (content_.positions.size() - 1), kUncolored);
@@ -84,7 +88,7 @@ void ObjReader::readPosition() {
 void ObjReader::readNumbers(std::vector<float>& list, int count, std::string_view what) {
   for (int i = 0; i < count; ++i) {
     const bool isOptional = i > 0 && scanner_.atLineEnd();
-    list.push_back(isOptional ? 0.0F : scanner_.singleNumber(what));
+    list.push_back(isOptional ? 0.0F : scanner_.attribute(what));
   }
 }
 
@@ -203,37 +207,26 @@ ObjContent ObjReader::read() {
   return std::move(content_);
 }
 
-// The distinct corners. Those of one position are a chain from first[position] on, by next.
 struct Wedges {
   std::vector<Corner> corners;
   std::vector<Index> ofCorner;  // per corner of the content: its wedge
 };
 
 Wedges distinctCorners(const ObjContent& content) {
-  std::vector<Index> first(content.positions.size(), kNone);
-  std::vector<Index> next;
-  std::vector<Corner> found;
+  WedgeChains<Corner> chains(content.positions.size());
   std::vector<Index> ofCorner;
   ofCorner.reserve(content.corners.size());
-  for (const Corner& corner : content.corners) {
-    Index wedge = first[corner.position];
-    while (wedge != kNone && found[wedge] != corner) wedge = next[wedge];
-    if (wedge == kNone) {
-      wedge = static_cast<Index>(found.size());
-      found.push_back(corner);
-      next.push_back(std::exchange(first[corner.position], wedge));
-    }
-    ofCorner.push_back(wedge);
-  }
+  for (const Corner& corner : content.corners)
+    ofCorner.push_back(chains.wedgeAt(corner.position, corner));
 
   // Renumbered in the order of positions; a position without a face gets a vertex, too.
   Wedges wedges;
-  std::vector<Index> renumbered(found.size());
-  for (Index position = 0; position < first.size(); ++position) {
-    if (first[position] == kNone) wedges.corners.push_back({position, kNone, kNone});
-    for (Index wedge = first[position]; wedge != kNone; wedge = next[wedge]) {
+  std::vector<Index> renumbered(chains.count());
+  for (Index position = 0; position < content.positions.size(); ++position) {
+    if (chains.first(position) == kNone) wedges.corners.push_back({position, kNone, kNone});
+    for (Index wedge = chains.first(position); wedge != kNone; wedge = chains.next(wedge)) {
       renumbered[wedge] = static_cast<Index>(wedges.corners.size());
-      wedges.corners.push_back(found[wedge]);
+      wedges.corners.push_back(chains.value(wedge));
     }
   }
   for (Index& wedge : ofCorner) wedge = renumbered[wedge];
@@ -319,11 +312,11 @@ void warnOfImages(const File& library, std::vector<Warning>& warnings) {
 void findLibraries(ObjSource& source, const std::vector<File>& resources,
                    std::vector<Warning>& warnings) {
   std::set<std::string> seen;
+  const Resources given(resources);
   for (const std::string& library : source.libraries) {
     if (!seen.insert(library).second) continue;
-    const auto found = std::find_if(resources.begin(), resources.end(),
-                                    [&](const File& file) { return file.name == library; });
-    if (found != resources.end()) {
+    const File* const found = given.named(library);
+    if (found != nullptr) {
       source.libraryFiles.push_back(*found);
       warnOfImages(*found, warnings);
     } else {
@@ -344,6 +337,7 @@ Model readObj(const File& file, const std::vector<File>& resources) {
 
   Model model;
   model.conventions = Conventions::Classic;
+  model.warnings = reader.warnings();
   findLibraries(*source, resources, model.warnings);
   if (content.skippedElements > 0)
     model.warnings.push_back({"NOT_TRIANGLES",

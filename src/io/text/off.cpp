@@ -54,6 +54,7 @@ class OffReader {
   OffReader(std::string_view text, const std::string& name) : scanner_(text, name) {}
   TriangleMesh read();
   std::size_t coloredFaces() const { return coloredFaces_; }
+  std::vector<Warning> warnings() const { return scanner_.warnings(); }
 
  private:
   void requireMore(std::string_view what);
@@ -187,7 +188,7 @@ void OffReader::readColor() {
   const int count = left == 3 + others ? 3 : 4;
   for (int i = 0; i < count; ++i) {
     requireMore("the colour of a vertex");
-    colors_.push_back(scanner_.singleNumber("the colour of a vertex"));
+    colors_.push_back(scanner_.attribute("the colour of a vertex"));
   }
   if (count == 3) colors_.push_back(kUncolored);
 }
@@ -197,7 +198,7 @@ void OffReader::readVertex() {
   const auto readInto = [&](std::vector<float>& list, int count, std::string_view what) {
     for (int i = 0; i < count; ++i) {
       requireMore(what);
-      list.push_back(scanner_.singleNumber(what));
+      list.push_back(scanner_.attribute(what));
     }
   };
   if (header_.hasNormals) readInto(normals_, 3, "the coordinate of a normal");
@@ -317,11 +318,17 @@ std::vector<std::uint8_t> offBytes(const TriangleMesh& mesh, Digits digits) {
 
 }  // namespace
 
+bool beginsAsOff(std::string_view text) {
+  TextScanner scanner(text, "");
+  return scanner.nextLine() && scanner.skipEmptyLines() && parseKeyword(scanner.word());
+}
+
 Model readOff(const File& file, const std::vector<File>&) {
   OffReader reader(asText(file), file.name);
   Model model;
   model.conventions = Conventions::Classic;
   TriangleMesh mesh = reader.read();
+  model.warnings = reader.warnings();
   if (mesh.triangleCount() == 0)
     throw Error(ErrorCode::NoTriangles, legible(file.name) + " has no faces.",
                 "Only surfaces can be remeshed, not points.");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file.h"
@@ -11,6 +12,9 @@
 #include "io/model/written_files.h"
 
 namespace remesher::io {
+
+// Whether the text begins with OFF's keyword, which files may lack.
+bool beginsAsOff(std::string_view text);
 
 Model readOff(const File& file, const std::vector<File>& resources);
 WrittenFiles writeOff(const Model& model, const std::string& outputName);

@@ -105,12 +105,21 @@ double TextScanner::number(std::string_view what) {
   return value;
 }
 
-float TextScanner::singleNumber(std::string_view what) {
-  const double value = number(what);
-  if (std::abs(value) > double(std::numeric_limits<float>::max()))
-    fail(ErrorCode::NonFinite, legible(what) + " is too large for a number of single precision.",
-         "Only the coordinates of vertices may be larger.");
-  return static_cast<float>(value);
+float TextScanner::attribute(std::string_view what) {
+  const double value = anyNumber(what);
+  if (std::abs(value) <= double(std::numeric_limits<float>::max()))
+    return static_cast<float>(value);
+  if (notFinite_++ == 0) firstNotFinite_ = line_;
+  return 0;
+}
+
+std::vector<Warning> TextScanner::warnings() const {
+  if (notFinite_ == 0) return {};
+  return {{"NON_FINITE_ATTRIBUTE",
+           "Values of normals, texture coordinates or colours that are not finite are read as 0, "
+           "the first in line " +
+               std::to_string(firstNotFinite_) + ".",
+           notFinite_}};
 }
 
 std::optional<double> TextScanner::numberIn(std::string_view text) {

@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
+#include "base/report.h"
 
 namespace remesher::io {
 
@@ -31,8 +33,10 @@ class TextScanner {
   double number(std::string_view what);
   // The same, but NaN and infinity are allowed.
   double anyNumber(std::string_view what);
-  // The same in single precision; also throws NON_FINITE for numbers too large for it.
-  float singleNumber(std::string_view what);
+  // The value of an attribute, in single precision: 0 for what is not finite there, which is noted.
+  float attribute(std::string_view what);
+  // NON_FINITE_ATTRIBUTE for such values; none if there were none.
+  std::vector<Warning> warnings() const;
 
   // Goes on to the next line with a word left; false at the end of the text.
   bool skipEmptyLines();
@@ -59,6 +63,8 @@ class TextScanner {
   const char* at_;
   const char* end_;
   std::size_t line_ = 0;
+  std::size_t notFinite_ = 0;       // values of attributes
+  std::size_t firstNotFinite_ = 0;  // its line
 };
 
 }  // namespace remesher::io

@@ -2,12 +2,32 @@
 #include "jobs/parts/part_joining.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 
 #include "base/legible.h"
 #include "mesh/joining.h"
 
 namespace remesher {
+
+std::vector<Warning> settleAttributes(std::vector<io::Part>& parts) {
+  std::map<std::string, std::size_t> settled;  // values, by semantic
+  for (io::Part& part : parts)
+    for (Attribute& attribute : part.mesh.attributes)
+      for (float& value : attribute.values) {
+        if (std::isfinite(value)) continue;
+        value = 0;
+        ++settled[attribute.semantic];
+      }
+  std::vector<Warning> warnings;
+  for (const auto& [semantic, count] : settled)
+    warnings.push_back({"NON_FINITE_ATTRIBUTE",
+                        "Values of " + legible(semantic) + " that are not finite are read as 0.",
+                        count});
+  return warnings;
+}
+
 std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent) {
   for (io::Part& part : parts) {
     requireValid(part.mesh);
@@ -29,8 +49,8 @@ std::vector<Warning> looseTriangles(const MeshReport& report, const std::vector<
       percent = std::max(percent.value_or(0), *needed);
   std::string message = "No triangle shares an edge with another: each is a surface of its own.";
   if (percent)
-    message += " Their corners are near to each other: --weld " + inDigits(*percent, 6) +
-               " joins them.";
+    message +=
+        " Their corners are near to each other: --weld " + inDigits(*percent, 6) + " joins them.";
   return {{"TRIANGLES_NOT_JOINED", message, report.triangles}};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joins vertices of a file's parts before any other step.
+// Joins vertices of parts before any other step, and settles the values of their attributes.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,10 @@ namespace remesher {
 // Removes noise around zero, and joins places nearer than `percent` of a part's diagonal. Throws
 // the Errors of requireValid.
 std::vector<io::Part> joinedPlaces(std::vector<io::Part> parts, std::optional<double> percent);
+
+// Makes values of attributes that are not finite 0, since they would spread over the result.
+// Returns NON_FINITE_ATTRIBUTE for each semantic that had any. Readers of files do so themselves.
+std::vector<Warning> settleAttributes(std::vector<io::Part>& parts);
 
 // TRIANGLES_NOT_JOINED if no triangle of any part shares an edge with another; says what would join
 // them.

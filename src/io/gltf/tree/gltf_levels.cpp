@@ -35,24 +35,36 @@ std::vector<std::size_t> levelsOf(const Json& node) {
   return numbersIn(node, Json::json_pointer("/extensions/MSFT_lod/ids"));
 }
 
-// A node and its descendants; a broken file may have cycles.
-std::set<std::size_t> family(const Json& tree, std::size_t root) {
-  std::set<std::size_t> found;
-  std::vector<std::size_t> open = {root};
-  while (!open.empty()) {
-    const std::size_t number = open.back();
-    open.pop_back();
-    const Json* const node = nodeAt(tree, number);
-    if (node == nullptr || !found.insert(number).second) continue;
-    for (const std::size_t child : numbersIn(*node, Json::json_pointer("/children")))
-      open.push_back(child);
+// Nodes with all their descendants; a broken file may have cycles.
+class Families {
+ public:
+  explicit Families(const Json& tree) : tree_(tree) {}
+
+  // Visits no node twice: a chain of n nodes, each added, takes n steps.
+  void add(std::size_t root) {
+    std::vector<std::size_t> open = {root};
+    while (!open.empty()) {
+      const std::size_t number = open.back();
+      open.pop_back();
+      const Json* const node = nodeAt(tree_, number);
+      if (node == nullptr || !nodes_.insert(number).second) continue;
+      for (const std::size_t child : numbersIn(*node, Json::json_pointer("/children")))
+        open.push_back(child);
+    }
   }
-  return found;
-}
+
+  const std::set<std::size_t>& nodes() const { return nodes_; }
+
+ private:
+  const Json& tree_;
+  std::set<std::size_t> nodes_;
+};
 
 std::set<int> meshesOf(const Json& tree, std::size_t root) {
   std::set<int> meshes;
-  for (const std::size_t number : family(tree, root)) {
+  Families family(tree);
+  family.add(root);
+  for (const std::size_t number : family.nodes()) {
     const Json mesh =
         nodeAt(tree, number)->is_object() ? nodeAt(tree, number)->value("mesh", Json()) : Json();
     if (isWholeNumber(mesh)) meshes.insert(mesh.get<int>());
@@ -256,7 +268,7 @@ std::map<int, std::set<int>> meshLevelsByName(const Json& tree) {
 }
 
 std::set<std::size_t> takeLevels(Json& tree) {
-  std::set<std::size_t> taken, named;
+  std::set<std::size_t> named;
   for (const NamedFamily& levels : namedFamilies(tree))
     for (auto level = std::next(levels.begin()); level != levels.end(); ++level)
       named.insert(level->second.begin(), level->second.end());
@@ -272,32 +284,34 @@ std::set<std::size_t> takeLevels(Json& tree) {
   };
   unhang("nodes", "children");
   unhang("scenes", "nodes");
-  for (const std::size_t node : named) taken.merge(family(tree, node));
+  Families taken(tree);
+  for (const std::size_t node : named) taken.add(node);
   visitMembers(tree, "nodes", [&](Json& node) {
-    for (const std::size_t level : levelsOf(node))
-      for (const std::size_t number : family(tree, level)) taken.insert(number);
+    for (const std::size_t level : levelsOf(node)) taken.add(level);
     if (!node.contains("extensions") || !node["extensions"].is_object()) return;
     if (node["extensions"].erase(kLevelsExtension) == 0) return;
     if (node.contains("extras") && node["extras"].is_object())
       node["extras"].erase("MSFT_screencoverage");  // a number for each level
     if (node["extensions"].empty()) node.erase("extensions");
   });
-  return taken;
+  return taken.nodes();
 }
 
 std::set<int> dropNodes(Json& tree, const std::set<std::size_t>& nodes) {
-  std::set<std::size_t> gone = nodes;
+  if (nodes.empty()) return {};
+  Families kept(tree);
   const auto keep = [&](const Json& number) {
-    if (!isWholeNumber(number)) return;
-    for (const std::size_t kept : family(tree, number.get<std::size_t>())) gone.erase(kept);
+    if (isWholeNumber(number)) kept.add(number.get<std::size_t>());
   };
   visitMembers(tree, "scenes", [&](Json& scene) { visitList(scene, "nodes", keep); });
   visitMembers(tree, "skins", [&](Json& skin) { visitList(skin, "joints", keep); });
   for (std::size_t i = 0; tree.contains("nodes") && i < tree["nodes"].size(); ++i)
     if (nodes.count(i) == 0) {
-      keep(i);
-      for (const std::size_t level : levelsOf(tree["nodes"][i])) keep(level);
+      kept.add(i);
+      for (const std::size_t level : levelsOf(tree["nodes"][i])) kept.add(level);
     }
+  std::set<std::size_t> gone = nodes;
+  for (const std::size_t node : kept.nodes()) gone.erase(node);
   if (gone.empty() || mayNameNodes(tree)) return {};
   stopAnimations(tree, gone);
   std::set<std::size_t> meshes;

@@ -9,12 +9,13 @@ using namespace remesher::io;
 TEST_CASE("resources: a file is found by its name, decoded or without its folder") {
   const std::vector<File> files = {
       {"a b.bin", {1}}, {"folder/c.png", {2}}, {"x/d", {3}}, {"y/d", {4}}};
-  CHECK(findResource(files, "a b.bin") == &files[0]);
-  CHECK(findResource(files, "a%20b.bin") == &files[0]);
-  CHECK(findResource(files, "textures\\c.png") == &files[1]);
-  CHECK(findResource(files, "y/d") == &files[3]);
-  CHECK(findResource(files, "z/d") == nullptr);  // two could be meant
-  CHECK(findResource(files, "e") == nullptr);
+  const Resources resources(files);
+  CHECK(resources.find("a b.bin") == &files[0]);
+  CHECK(resources.find("a%20b.bin") == &files[0]);
+  CHECK(resources.find("textures\\c.png") == &files[1]);
+  CHECK(resources.find("y/d") == &files[3]);
+  CHECK(resources.find("z/d") == nullptr);  // two could be meant
+  CHECK(resources.find("e") == nullptr);
 }
 
 TEST_CASE("resources: percent encoding and base64 are undone by decoding") {

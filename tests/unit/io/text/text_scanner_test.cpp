@@ -70,11 +70,9 @@ TEST_CASE("text_scanner: what no double holds is infinite or zero in all of fast
 
 TEST_CASE("text_scanner: names that a file gives are quoted legibly, to the end of the sentence") {
   using namespace std::string_view_literals;
-  TextScanner scanner("x 1e300", "t");
+  TextScanner scanner("x", "t");
   CHECK(scanner.nextLine());
   CHECK(failureOf([&] { scanner.number("a\0b"sv); }).find("a\\u{0}b is not a number: \"x\".") !=
-        std::string::npos);
-  CHECK(failureOf([&] { scanner.singleNumber("a\0b"sv); }).find("a\\u{0}b is too large") !=
         std::string::npos);
   CHECK(failureOf([&] { scanner.number("a\0b"sv); }).find("a\\u{0}b is missing.") !=
         std::string::npos);

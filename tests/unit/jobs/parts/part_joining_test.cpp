@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "jobs/inspected_parts.h"
 #include "support/shapes.h"
@@ -41,4 +43,22 @@ TEST_CASE("part joining: triangles that are apart are told of without advice; a 
   CHECK(warnings[0].message.find("weld") == std::string::npos);
   part.mesh.indices.resize(3);
   CHECK(looseTriangles(inspectScaled({part}), {part}).empty());
+}
+
+TEST_CASE("part joining: values of attributes that are not finite become 0, and are counted") {
+  io::Part part;
+  part.mesh = shapes::icosphere(1);
+  std::vector<float> values(3 * part.mesh.positions.size(), 1.0F);
+  values[4] = std::numeric_limits<float>::quiet_NaN();
+  values[7] = -std::numeric_limits<float>::infinity();
+  part.mesh.attributes = {{"NORMAL", 3, values}, {"COLOR_0", 3, std::vector<float>(values.size())}};
+  std::vector<io::Part> parts = {part};
+  const std::vector<Warning> warnings = settleAttributes(parts);
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].count == 2);
+  CHECK(warnings[0].message.find("NORMAL") != std::string::npos);
+  CHECK(parts[0].mesh.attributes[0].values[4] == 0);
+  CHECK(parts[0].mesh.attributes[0].values[7] == 0);
+  CHECK(parts[0].mesh.attributes[0].values[5] == 1);
+  CHECK(settleAttributes(parts).empty());
 }
