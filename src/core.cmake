@@ -82,6 +82,7 @@ set(small
   src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
   src/geometry/piecewise.cpp
+  src/io/contents.cpp
   src/io/formats.cpp
   src/io/gltf/gltf_accessor.cpp
   src/io/gltf/gltf_document.cpp

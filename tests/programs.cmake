@@ -20,6 +20,7 @@ add_executable(unit_tests
   tests/unit/geometry/triangle_grid_test.cpp
   tests/unit/geometry/triangle_test.cpp
   tests/unit/geometry/triangle_tree_test.cpp
+  tests/unit/io/contents_test.cpp
   tests/unit/io/gltf/gltf_encoder_test.cpp
   tests/unit/io/gltf/gltf_errors_test.cpp
   tests/unit/io/gltf/gltf_reader_test.cpp

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/legible.h"
+#include "io/contents.h"
 #include "io/gltf/gltf.h"
 #include "io/model/bake.h"
 #include "io/model/companions.h"
@@ -23,7 +24,7 @@ namespace {
 
 struct Format {
   std::string_view extension;
-  std::string_view magic;  // the first bytes of every such file; empty: none are fixed
+  std::string_view inWords;
   Model (*read)(const File& file, const std::vector<File>& resources);
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
   unsigned holds;
@@ -32,12 +33,12 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "glTF", readGltf, writeGlb, kHoldsParts | kHoldsScenes | kHoldsImages},
-    {".gltf", "{", readGltf, writeGltf, kHoldsParts | kHoldsScenes | kHoldsImages},
-    {".obj", "", readObj, writeObj, kHoldsParts | kHoldsDoubles},
-    {".off", "OFF", readOff, writeOff, kHoldsDoubles},
-    {".ply", "ply", readPly, writePly, kHoldsDoubles},
-    {".stl", "solid", readStl, writeStl, 0},
+    {".glb", "a GLB", readGltf, writeGlb, kHoldsParts | kHoldsScenes | kHoldsImages},
+    {".gltf", "a glTF", readGltf, writeGltf, kHoldsParts | kHoldsScenes | kHoldsImages},
+    {".obj", "an OBJ", readObj, writeObj, kHoldsParts | kHoldsDoubles},
+    {".off", "an OFF", readOff, writeOff, kHoldsDoubles},
+    {".ply", "a PLY", readPly, writePly, kHoldsDoubles},
+    {".stl", "an STL", readStl, writeStl, 0},
 };
 
 std::string listOfExtensions() {
@@ -47,7 +48,7 @@ std::string listOfExtensions() {
   return list;
 }
 
-const Format* findByExtension(const std::string& name) {
+const Format* findByExtension(std::string_view name) {
   const std::string lower = lowerCase(name);
   const auto found =
       std::find_if(std::begin(kFormats), std::end(kFormats),
@@ -55,13 +56,20 @@ const Format* findByExtension(const std::string& name) {
   return found == std::end(kFormats) ? nullptr : &*found;
 }
 
-const Format* findByMagic(const File& file) {
-  const std::string_view bytes = asText(file);
-  const auto found =
-      std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& format) {
-        return !format.magic.empty() && bytes.substr(0, format.magic.size()) == format.magic;
-      });
-  return found == std::end(kFormats) ? nullptr : &*found;
+std::string_view withoutGz(std::string_view name) {
+  constexpr std::string_view kGz = ".gz";
+  if (lowerCase(name).ends_with(kGz)) name.remove_suffix(kGz.size());
+  return name;
+}
+
+const Format* findByBytes(const Content& content) {
+  return content.extension.empty() ? nullptr : findByExtension(content.extension);
+}
+
+// Whether a file that is known to be no model may still be what its name says, only broken: what
+// is in JSON gets a better word from the reader of glTF.
+bool mayBe(const Format* named, const File& file) {
+  return named != nullptr && named->extension == ".gltf" && file.bytes[0] == '{';
 }
 
 // Text as Windows shells may write it: a mark, then two bytes per letter, one of which is zero.
@@ -93,12 +101,25 @@ Model read(const File& file, const std::vector<File>& resources) {
   if (isUtf16(file))
     throw Error(ErrorCode::Unsupported, legible(file.name) + " is text in UTF-16.",
                 "Save it as UTF-8.");
-  const Format* const byName = findByExtension(file.name);
-  const Format* const format = byName != nullptr ? byName : findByMagic(file);
+  const Content content = contentOf(file);
+  const Format* const named = findByExtension(withoutGz(file.name));
+  const Format* const found = findByBytes(content);
+  if (!content.what.empty() && !mayBe(named, file))
+    throw Error(ErrorCode::UnknownFormat,
+                legible(file.name) + " is " + std::string(content.what) + ", which is not read.",
+                std::string(content.advice));
+  const Format* const format = found != nullptr ? found : named;
   if (format == nullptr)
     throw Error(ErrorCode::UnknownFormat, legible(file.name) + " is of no format that can be read.",
                 "Give a file that ends in one of " + listOfExtensions() + ".");
-  return format->read(file, resources);
+  Model model = format->read(file, resources);
+  if (named != nullptr && named != format)
+    model.warnings.push_back({"NAME_CONTRADICTS",
+                              legible(file.name) + " is " + std::string(format->inWords) +
+                                  " by its bytes, though it is called " +
+                                  std::string(named->extension) + ": it is read as what it is.",
+                              1});
+  return model;
 }
 
 void requireWritable(const std::string& outputName) {

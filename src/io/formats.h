@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads and writes files through the one table of formats, by extension and by first bytes. To add
-// a format, write its pair of functions and add a row in formats.cpp.
+// Reads and writes files through the one table of formats: what the bytes of a file are decides how
+// it is read, and its name where they leave it open. To add a format, write its pair of functions and add a row in formats.cpp.
 #pragma once
 
 #include <string>
@@ -12,6 +12,7 @@
 
 namespace remesher::io {
 
+// A name that contradicts the bytes is reported as NAME_CONTRADICTS.
 // resources: the files that `file` refers to (a .bin, images, a .mtl), under the names that `file`
 // uses. Throws Error: EMPTY_FILE, UNKNOWN_FORMAT, PARSE_ERROR, MISSING_RESOURCE, UNSUPPORTED,
 // INDEX_OUT_OF_RANGE, NON_FINITE, NO_TRIANGLES. A scene without triangles is no error: its model

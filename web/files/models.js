@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the models among several files, and the files that a model refers to.
-import { formats, inWords, withoutGz } from 'remesher/formats';
+import { formats, inWords, isGltf, isObj, withoutGz } from 'remesher/formats';
 import { gunzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
@@ -19,19 +19,20 @@ async function read({ path, file }) {
   return gunzip({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) });
 }
 
-/** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ.
+/** The files named inside a model: buffers and images of a glTF, the libraries of an OBJ. What the
+ * bytes are decides, as in the package.
  * @param {string} extension @param {Uint8Array} bytes @returns {string[]} */
 export function referencesOf(extension, bytes) {
-  if (extension === 'obj' || extension === 'mtl') {
+  if (extension === 'mtl' || (!isGltf(bytes) && (extension === 'obj' || isObj(bytes)))) {
     const text = new TextDecoder().decode(bytes);
     // trim() is separate: matching blanks at both ends would take time quadratic in their number.
     const lines = text.matchAll(/^[ \t]*(?:mtllib|map_\w+|bump)[ \t](.*)$/gim);
     return Array.from(lines, ([, words]) => words.trim().split(/\s+/).pop() ?? '');
   }
-  if (extension !== 'gltf' && extension !== 'glb') return [];
+  if (!isGltf(bytes)) return [];
   try {
-    const gltf = extension === 'glb' ? openGlb(bytes).tree
-      : JSON.parse(new TextDecoder().decode(bytes));
+    const isBinary = bytes[0] === 'g'.charCodeAt(0);
+    const gltf = isBinary ? openGlb(bytes).tree : JSON.parse(new TextDecoder().decode(bytes));
     const uris = [...(gltf.buffers ?? []), ...(gltf.images ?? [])].map((item) => item?.uri);
     return uris.filter((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
   } catch {

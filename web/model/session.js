@@ -2,7 +2,7 @@
 // One model, its results, and at most one run: a new run ends the run before it. Uses the package,
 // not the page. Every method rejects with AbortError when it was overtaken.
 import { convertFile, inspect, RemeshError, remeshFile } from 'remesher';
-import { extensionOf } from '../files/files.js';
+import { isGltf } from 'remesher/formats';
 import { describe, resultOf } from './result.js';
 
 /** @typedef {import('../files/models.js').Model} Model */
@@ -95,7 +95,7 @@ export class Session {
   }
 
   get isGltf() {
-    return ['glb', 'gltf'].includes(extensionOf(this.#opened().name));
+    return isGltf(this.#opened().bytes);
   }
 
   /** The model in another format. @param {string} output */

@@ -357,6 +357,8 @@ export default {
     + 'weitergegeben werden.',
   'warning.MAX_ERROR_EXCEEDED': 'Das Ergebnis weicht weiter ab als verlangt: die Grenze gilt für '
     + 'die ausgebesserte Fläche.',
+  'warning.NAME_CONTRADICTS': 'Die Datei ist etwas anderes, als ihr Name sagt; sie wird als das '
+    + 'gelesen, was sie ist.',
   'warning.NON_FINITE_ATTRIBUTE': 'Unendliche Werte und solche, die keine Zahlen sind, gelten '
     + 'als 0.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Teile, die aufeinander liegen, teilen sich Kanten des '

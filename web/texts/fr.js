@@ -359,6 +359,8 @@ export default {
     + 'transmises.',
   'warning.MAX_ERROR_EXCEEDED': 'Le résultat s’écarte plus que demandé : la limite vaut pour la '
     + 'surface réparée.',
+  'warning.NAME_CONTRADICTS': 'Le fichier n’est pas ce que dit son nom ; il est lu comme ce qu’il '
+    + 'est.',
   'warning.NON_FINITE_ATTRIBUTE': 'Les valeurs infinies ou qui ne sont pas des nombres comptent '
     + 'pour 0.',
   'warning.NON_MANIFOLD_EDGES_MADE': 'Des parties posées l’une sur l’autre partagent des arêtes du '

@@ -2,6 +2,8 @@
 // The formats by their extensions, in and out: the same as in src/io/formats.cpp (a test compares
 // them). In a `.gz` each can be read too.
 
+export { isGltf, isObj } from './contents.js';
+
 export const formats = /** @type {const} */ ([
   'glb', 'gltf', 'obj', 'off', 'ply', 'stl',
 ]);

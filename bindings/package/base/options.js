@@ -275,7 +275,8 @@ function canonical(option, value) {
  * @param {Option} option @param {string} word */
 function isValueOf(option, word) {
   if (option.choices) return option.choices.includes(word);
-  return ['integer', 'number'].includes(option.type) && word !== '' && Number.isFinite(Number(word));
+  const isNumber = option.type === 'integer' || option.type === 'number';
+  return isNumber && word !== '' && Number.isFinite(Number(word));
 }
 
 /**

@@ -2,6 +2,7 @@
 // The names of the files that a file refers to: the command line reads these from beside its input.
 // Files that cannot be understood refer to none; the core says what is wrong.
 
+import { isGltf, isObj } from '../base/contents.js';
 import { openContainer } from './gltf_container.js';
 
 /** @param {Uint8Array} bytes @returns {string[]} */
@@ -62,15 +63,16 @@ function behindOptions(statement) {
 }
 
 /**
+ * What the bytes are decides, as in the core; libraries of materials are known by their names.
  * @param {string} name
  * @param {Uint8Array} bytes
  * @returns {string[]}
  */
 export function referencesOf(name, bytes) {
   try {
-    if (/\.gl(b|tf)$/i.test(name)) return gltfReferences(bytes);
-    if (/\.obj$/i.test(name)) return objReferences(bytes);
     if (/\.mtl$/i.test(name)) return mtlReferences(bytes);
+    if (isGltf(bytes)) return gltfReferences(bytes);
+    if (/\.obj$/i.test(name) || isObj(bytes)) return objReferences(bytes);
   } catch {
     return [];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Wraps a run that bakes textures: decodes images before it, and encodes images after it.
 
+import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
 import { referencesOf } from '../codecs/resources.js';
@@ -51,7 +52,7 @@ export class Bakery {
 
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
-    const images = /\.gl(b|tf)$/i.test(file.name) ? imagesOf(file) : imagesBeside(file);
+    const images = isGltf(file.bytes) ? imagesOf(file) : imagesBeside(file);
     const decoded = await this.#crew.run(
       images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
       (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));

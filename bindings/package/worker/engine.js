@@ -3,6 +3,7 @@
 // into plain objects and errors. An instance that has failed by itself, or whose memory has grown
 // large (it never shrinks), is dropped; the next call makes a new one from the compiled module.
 
+import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
 
 /** @typedef {import('../base/messages.js').Job} Job */
@@ -109,14 +110,12 @@ function call(instance, job, ask) {
 
 /** @typedef {Extract<Job, { kind: 'remeshFile' }>} FileJob */
 
-const isGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
-
 /** Whether textures are baked, or will be if repair makes another surface.
  * @param {FileJob} job */
 function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }) {
   const mayBeMadeAnew = ['solid', 'wrap', 'auto'].includes(String(repair));
   return textures === 'bake' || (textures === 'auto' && mayBeMadeAnew && !lods
-    && isGltf(file.name) && isGltf(file.output));
+    && isGltf(file.bytes) && /\.gl(b|tf)$/i.test(file.output));
 }
 
 /** Unless baking was asked for, images need not be readable: textures are kept then.

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Tells by its bytes alone what a file is.
+#pragma once
+
+#include <string_view>
+
+#include "base/file.h"
+
+namespace remesher::io {
+
+struct Content {
+  std::string_view extension;  // `.obj`: of a format that can be read; empty: of none
+  std::string_view what;       // `a web page (HTML)`: of what cannot be read; empty: unknown
+  std::string_view advice;     // how to come to a file that can be read
+};
+
+// Of a file that is too vague, as an OFF without its first word, nothing is told.
+Content contentOf(const File& file);
+
+}  // namespace remesher::io
