@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads and writes files through the one table of formats: what the bytes of a file are decides how
-// it is read, and its name where they leave it open. To add a format, write its pair of functions and add a row in formats.cpp.
+// it is read, and its name where they leave it open. To add a format, write its pair of functions
+// and add a row in formats.cpp.
 #pragma once
 
 #include <string>

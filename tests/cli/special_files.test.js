@@ -139,7 +139,7 @@ test('a folder that may not be read is one line, and the others are done', () =>
     assert.equal(status, 2, stderr);
     const lines = stderr.trim().split('\n');
     assert.equal(lines.length, words.length === 1 ? 1 : 2, stderr);
-    for (const line of lines) assert.match(line, /locked[^:]* cannot be read: permission is denied/);
+    for (const line of lines) assert.match(line, /locked[^:]* cannot be read: permission is/);
     assert.deepEqual(readdirSync(at('results')), ['good.glb']);
   }
   const { status, stderr } = asUser('shared/good.obj', '-o', 'shared/locked/');

@@ -76,6 +76,16 @@ const calls = Object.entries(takes).flatMap(([name, [first, options]]) =>
   Object.entries(options).flatMap(([option, value]) => ['', 'pool.'].map((owner) =>
     `${owner}${name}(${first}${first && ', '}{ ${option}: ${value} });`)));
 
+/** What the compiler says of these lines, in place of the program. */
+function compiled(folder, lines) {
+  writeFileSync(join(folder, 'program.ts'), [
+    `import { ${Object.keys(functions).join(', ')} } from 'remesher';`,
+    "import { Pool } from 'remesher/pool';", 'const pool = new Pool();', ...lines].join('\n'));
+  return spawnSync(process.execPath,
+    [join(root, 'node_modules/typescript-7/bin/tsc'), '--noEmit', '-p', folder],
+    { encoding: 'utf8', timeout: 120_000 });
+}
+
 /** Where a line of the program begins with these characters. */
 function placeOf(beginning) {
   const line = program.split('\n').findIndex((text) => text.trim().startsWith(beginning));
@@ -150,16 +160,10 @@ for (const [name, options] of Object.entries(settings)) {
     });
 
     test('each option of each function compiles, in a call of its own, and no other', () => {
-      const lines = [`import { ${Object.keys(functions).join(', ')} } from 'remesher';`,
-        "import { Pool } from 'remesher/pool';", 'const pool = new Pool();', ...calls];
-      const compile = () => spawnSync(process.execPath,
-        [join(root, 'node_modules/typescript-7/bin/tsc'), '--noEmit', '-p', folder],
-        { encoding: 'utf8', timeout: 120_000 });
-      writeFileSync(file, lines.join('\n'));
-      const { status, stdout } = compile();
+      const { status, stdout } = compiled(folder, calls);
       assert.equal(status, 0, stdout);
-      writeFileSync(file, [...lines, `repair(${mesh}, { vertices: 9 });`].join('\n'));
-      assert.match(compile().stdout, /'vertices' does not exist/);
+      assert.match(compiled(folder, [`repair(${mesh}, { vertices: 9 });`]).stdout,
+        /'vertices' does not exist/);
       writeFileSync(file, program);
     });
 
