@@ -152,6 +152,7 @@ set(small
   src/mesh/attribute_mix.cpp
   src/mesh/check.cpp
   src/mesh/fan_cut.cpp
+  src/mesh/coordinate_step.cpp
   src/mesh/hubs.cpp
   src/mesh/joining.cpp
   src/mesh/joints.cpp

@@ -59,6 +59,7 @@ add_executable(unit_tests
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
   tests/unit/mesh/edge_groups_test.cpp
+  tests/unit/mesh/coordinate_step_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp

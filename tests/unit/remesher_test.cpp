@@ -86,6 +86,23 @@ TEST_CASE("hostile: size and place do not matter") {
   CHECK(far.output->minAngle.worst > 30);
 }
 
+TEST_CASE("remesher: a surface is remeshed alike wherever it is and however its axes lie") {
+  const TriangleMesh given = shapes::globe(32, 16);
+  const Report own = remesh(given, toVertices(300)).report;
+  const auto isAlike = [&](const TriangleMesh& mesh) {
+    const Report report = remesh(mesh, toVertices(300)).report;
+    CHECK(report.prefer == own.prefer);
+    CHECK(report.output->minAngle.worst > own.output->minAngle.worst - 3);
+    CHECK(report.fidelity->hausdorff < 1.5 * own.fidelity->hausdorff);
+  };
+  for (const Vec3& by : {Vec3(0, 0, 40), Vec3(5e5, 5.4e6, 300), Vec3(1e7, -1e7, 1e7)})
+    isAlike(soups::moved(given, by));
+  for (const double by : {1e-3, 10.0, 1e4}) isAlike(shapes::scaled(given, by));
+  TriangleMesh turned = given;
+  for (Vec3& p : turned.positions) p = Vec3(p.y(), p.z(), p.x());
+  isAlike(turned);
+}
+
 TEST_CASE("hostile: a wild point takes nothing from the rest, and is said") {
   for (const double radii : {10.0, 1e6}) {
     CAPTURE(radii);

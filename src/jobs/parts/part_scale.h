@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Scales models of any size to about unit size, and back. Areas, their squares and single precision
-// numbers overflow or underflow long before lengths do. The factors are powers of two, which change
-// no digit of a coordinate.
+// Brings models of any size and at any place to about unit size near the origin, and back. Areas,
+// their squares and single precision numbers overflow or underflow long before lengths do; far from
+// the origin the rounding of coordinates seems larger than it is. The factors are powers of two and
+// the ways have few digits, so that no digit of a coordinate changes.
 #pragma once
 
 #include <vector>
@@ -15,10 +16,13 @@ class PartScale {
  public:
   explicit PartScale(const std::vector<io::Part>& parts);
 
-  // Whether a part, or all parts in the world, are so large or small that scaling is needed.
+  // Whether a part, or all parts in the world, are so large, so small or so far from the origin
+  // that they have to be scaled or moved.
   bool isNeeded() const;
 
-  // The parts and the options at about unit size: each part in its own space, and all in the world.
+  // The parts and the options at about unit size near the origin: each part in its own space, and
+  // all in the world. A part in single precision is not moved, for its coordinates are rounded
+  // where they are.
   std::vector<io::Part> applied(std::vector<io::Part> parts) const;
   RemeshOptions applied(RemeshOptions options) const;
 
@@ -32,7 +36,9 @@ class PartScale {
 
  private:
   std::vector<double> local_;  // per part
+  std::vector<Vec3> origins_;  // per part, what moves to the origin before it is scaled
   double world_ = 1;
+  Vec3 worldOrigin_ = Vec3::Zero();
 };
 
 }  // namespace remesher

@@ -6,6 +6,7 @@
 
 #include "base/options.h"
 #include "geometry/triangle.h"
+#include "mesh/coordinate_step.h"
 #include "original/curves/shape_angles.h"
 
 namespace remesher {
@@ -34,7 +35,7 @@ class RegionGrowth {
         positions_(positions),
         bearers_(bearingFaces(mesh, positions)),
         areas_(areaVectors(mesh, positions)),
-        tolerance_(coordinateStep(positions)),
+        tolerance_(coordinateStep(positions.values())),
         seen_(mesh.faceCapacity(), 0),
         of_(mesh.faceCapacity(), kNone) {}
 

@@ -8,6 +8,7 @@
 
 #include "geometry/fast_trigonometry.h"
 #include "geometry/triangle.h"
+#include "mesh/coordinate_step.h"
 
 namespace remesher {
 
@@ -29,14 +30,8 @@ Side longestSide(Face f, const Triangle& corners) {
 
 }  // namespace
 
-double coordinateStep(const VertexData<Vec3>& positions) {
-  double largest = 0;
-  for (const Vec3& p : positions.values()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return kSingleRoundOff * largest;
-}
-
 FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  const double step = coordinateStep(positions);
+  const double step = coordinateStep(positions.values());
   FaceData<Face> beyond(mesh.faceCapacity());
   std::vector<Face> flat;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
@@ -101,7 +96,7 @@ double missingAngle(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
 }
 
 double coplanarShare(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
-  const double step = coordinateStep(positions);
+  const double step = coordinateStep(positions.values());
   double coplanar = 0, all = 0;
   for (Index i = 0; i < mesh.faceCapacity(); ++i) {
     const auto [a, b, c] = mesh.vertices(Face(i));

@@ -7,9 +7,6 @@
 
 namespace remesher {
 
-// The rounding of coordinates in files: an edge or a height below this is noise.
-double coordinateStep(const VertexData<Vec3>& positions);
-
 // Per face the face whose normal it takes: itself or, if it has no area, the face beyond its
 // longest edge, or the next one beyond that.
 FaceData<Face> bearingFaces(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions);

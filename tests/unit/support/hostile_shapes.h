@@ -143,6 +143,31 @@ inline TriangleMesh book(int leaves, int m) {
   return mesh;
 }
 
+// The unit sphere in meridians and parallels; each pole is one vertex.
+inline TriangleMesh globe(int meridians, int parallels) {
+  TriangleMesh mesh;
+  addVertex(mesh, {0, 0, -1});
+  for (int row = 1; row < parallels; ++row) {
+    const double angle = std::numbers::pi * row / parallels;
+    for (int k = 0; k < meridians; ++k) {
+      const Vec3 p = std::sin(angle) * onCircle(k, meridians);
+      addVertex(mesh, {p.x(), p.y(), -std::cos(angle)});
+    }
+  }
+  const Index top = addVertex(mesh, {0, 0, 1});
+  const auto at = [&](int row, int k) {
+    if (row == 0) return Index{0};
+    return row == parallels ? top : Index(1 + (row - 1) * meridians + k % meridians);
+  };
+  for (int row = 0; row < parallels; ++row)
+    for (int k = 0; k < meridians; ++k) {
+      const Index a = at(row, k), b = at(row, k + 1), c = at(row + 1, k + 1), d = at(row + 1, k);
+      if (a != b) addTriangle(mesh, a, b, c);
+      if (c != d) addTriangle(mesh, a, c, d);
+    }
+  return mesh;
+}
+
 // A disk of n triangles at one vertex.
 inline TriangleMesh wheel(int n) {
   TriangleMesh mesh;

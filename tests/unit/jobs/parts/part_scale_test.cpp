@@ -76,6 +76,34 @@ TEST_CASE("part_scale: what was applied and undone is the same, digit by digit")
   }
 }
 
+TEST_CASE("part_scale: a part far from the origin comes near it, and goes back digit by digit") {
+  const TriangleMesh torus = shapes::torus(12, 8);
+  for (const Vec3& by : {Vec3(5e5, 5.4e6, 300), Vec3(-1e8, 0, 0), Vec3(0, 50.1, -7)}) {
+    io::Part part = placed(torus, 1);
+    for (Vec3& p : part.mesh.positions) p += by;
+    const PartScale scale({part});
+    REQUIRE(scale.isNeeded());
+    const std::vector<io::Part> near = scale.applied({part});
+    for (const Vec3& p : near[0].mesh.positions) {
+      CHECK(p.norm() < 30);
+      CHECK((near[0].instances[0] * p).norm() < 30);
+    }
+    CHECK(scale.inWorld(near[0], near[0].mesh.positions[0]) == part.mesh.positions[0]);
+    const std::vector<io::Part> back = scale.undone(near, {part});
+    CHECK(back[0].mesh.positions == part.mesh.positions);
+    CHECK(back[0].instances[0].matrix() == part.instances[0].matrix());
+    part.mesh.isSingle = true;  // rounded where it is
+    CHECK(PartScale({part}).applied({part})[0].mesh.positions == part.mesh.positions);
+  }
+}
+
+TEST_CASE("part_scale: parts near the origin whose place is far away are near each other") {
+  std::vector<io::Part> parts = {placed(shapes::torus(12, 8), 1), placed(shapes::cube(2), 1)};
+  for (io::Part& part : parts) part.instances[0].pretranslate(Vec3(1e7, 0, 0));
+  for (const io::Part& part : PartScale(parts).applied(parts))
+    CHECK(part.instances[0].translation().norm() < 30);
+}
+
 TEST_CASE("part_scale: a mesh of any size is remeshed as one of size one is") {
   const TriangleMesh torus = shapes::torus(12, 8);
   RemeshOptions options;
