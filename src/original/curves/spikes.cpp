@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
+#include "base/options.h"
 #include "geometry/triangle.h"
 #include "original/curves/shape_angles.h"
 
@@ -23,6 +25,9 @@ constexpr double kFewAround = 8;
 // Tips are vertices most of whose edges are kFar × as long as the median edge. With 2 distances of
 // the same cases are 1.18 times as large, with 8 all results are the same.
 constexpr double kFar = 4;
+// The skin of a spike turns: at most half of the edges at its tips bend by less than this. Fans in
+// planes, such as the sides of a box around holes, bend at few edges.
+const double kStraight = std::cos(radians(1));
 // On a boundary a spike must be this many times as long as all the rest is wide, because an outline
 // may come to a slender point. With 3 a test of outlines fails; with 30 all results
 // are the same.
@@ -123,6 +128,23 @@ class Search {
     return tips;
   }
 
+  // Whether the surface bends at most of the edges at the tips; at a boundary it need not.
+  bool turns(const std::vector<Vertex>& tips) const {
+    const auto normal = [&](Halfedge h) {
+      const auto [a, b, c] = mesh_.vertices(HalfedgeMesh::face(h));
+      return unitNormal(positions_[a], positions_[b], positions_[c]);
+    };
+    std::size_t all = 0, straight = 0;
+    for (const Vertex v : tips) {
+      if (mesh_.isBoundary(v)) return true;
+      mesh_.forEachOutgoing(v, [&](Halfedge h) {
+        ++all;
+        straight += normal(h).dot(normal(mesh_.twin(h))) > kStraight;
+      });
+    }
+    return 2 * straight <= all;
+  }
+
   // The shortest way from the foot to the tips; 0 if the tips are no spike.
   double lengthOf(const std::vector<Vertex>& tips) const {
     const std::set<Vertex> found(tips.begin(), tips.end());
@@ -134,6 +156,7 @@ class Search {
         if (!isTip(a)) shortest = std::min(shortest, distance(v, a));
         if (!isTip(a) && !isTip(b)) around += distance(a, b);
       });
+    if (!turns(tips)) return 0;
     const bool isOutline =
         std::any_of(tips.begin(), tips.end(), [&](Vertex v) { return mesh_.isBoundary(v); });
     const double least =

@@ -8,6 +8,7 @@
 
 #include "mesh/mesh_builder.h"
 #include "support/hostile_shapes.h"
+#include "support/parts.h"
 
 using namespace remesher;
 
@@ -35,6 +36,15 @@ TEST_CASE("spikes: sound shapes have none, pointed or not") {
   TriangleMesh spire = shapes::cone(32);
   for (Vec3& p : spire.positions) p.z() *= 10;
   CHECK(spikesOf(spire).empty());
+}
+
+TEST_CASE("spikes: a fan in a plane is none, however fine the hole that it ends at") {
+  for (const Index n : {Index{6}, Index{24}, Index{60}})
+    for (const double thickness : {0.02, 0.5, 4.0}) {
+      CAPTURE(n);
+      CAPTURE(thickness);
+      CHECK(spikesOf(shapes::drilledPlate(n, thickness)).empty());
+    }
 }
 
 TEST_CASE("spikes: one far vertex is one, its length the way out, its skin not counted") {
