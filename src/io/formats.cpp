@@ -142,7 +142,9 @@ void prepare(Model& model, const std::string& outputName) {
   const Format* const format = findByExtension(outputName);
   if (format == nullptr) return;
   if (!format->has(kHoldsScenes)) makeBodies(model);
-  if (format->has(kHoldsDoubles)) return;
+  const bool isSingle =
+      !format->has(kHoldsDoubles) || (format->write == writePly && becomesSingle(model));
+  if (!isSingle) return;
   for (Part& part : model.parts) {
     const bool wasExact = !std::exchange(part.mesh.isSingle, true);
     if (wasExact && format->has(kHoldsScenes) && isFarFromOrigin(part.mesh)) moveToOrigin(part);
@@ -151,8 +153,6 @@ void prepare(Model& model, const std::string& outputName) {
 
 void unite(Model& model, const std::string& outputName) {
   if (model.parts.size() < 2 || canHold(outputName, kHoldsParts)) return;
-  const bool isSingle = std::all_of(model.parts.begin(), model.parts.end(),
-                                    [](const Part& part) { return part.mesh.isSingle; });
   model.warnings.push_back({"PARTS_MERGED",
                             "A file of this format is one solid: parts are merged into it.",
                             model.parts.size()});
@@ -162,7 +162,6 @@ void unite(Model& model, const std::string& outputName) {
   std::erase_if(merged.attributes, [](const Attribute& attribute) {
     return attribute.semantic == "NORMAL" || attribute.semantic == "TANGENT";
   });
-  merged.isSingle = isSingle;
   model.parts.clear();
   model.parts.push_back({"", std::move(merged), {Transform::Identity()}});
 }

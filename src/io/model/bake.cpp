@@ -114,6 +114,8 @@ TriangleMesh mergeParts(const std::vector<Part>& parts) {
   if (parts.empty()) return merged;
   merged.isQuads =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isQuads; });
+  merged.isSingle =
+      std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.mesh.isSingle; });
   for (const Attribute& attribute : parts.front().mesh.attributes) {
     Attribute joined{attribute.semantic, attribute.itemSize, {}};
     const bool everywhere = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {

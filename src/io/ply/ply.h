@@ -18,6 +18,10 @@ namespace remesher::io {
 Model readPly(const File& file, const std::vector<File>& resources);
 WrittenFiles writePly(const Model& model, const std::string& outputName);
 
+// Whether a model of another format will be written in single precision. One that was read from PLY
+// is written in its own.
+bool becomesSingle(const Model& model);
+
 struct PlySource : Source {
   File original;
   PlyHeader header;

@@ -89,11 +89,12 @@ std::string customName(const std::string& semantic) {
   return name;
 }
 
-// Single precision, if it can hold the positions and their shape.
+// Single precision, if the positions are rounded to it, or if it can hold them and their shape.
 PlyType positionType(const TriangleMesh& mesh) {
   const bool areSmall = std::all_of(mesh.positions.begin(), mesh.positions.end(),
                                     [](const Vec3& p) { return p.cast<float>().allFinite(); });
-  return areSmall && !isFarFromOrigin(mesh) ? PlyType::Float32 : PlyType::Float64;
+  return areSmall && (mesh.isSingle || !isFarFromOrigin(mesh)) ? PlyType::Float32
+                                                               : PlyType::Float64;
 }
 
 void append(std::vector<PlyField>& fields, const KnownNames& known, PlyType type) {

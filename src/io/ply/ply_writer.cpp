@@ -131,7 +131,19 @@ std::vector<std::string> semanticsOf(const Layout& layout) {
   return semantics;
 }
 
+bool isSingleIn(const std::vector<PlyField>& fields) {
+  return std::none_of(fields.begin(), fields.end(), [](const PlyField& field) {
+    return field.semantic == "POSITION" && field.property.type == PlyType::Float64;
+  });
+}
+
 }  // namespace
+
+bool becomesSingle(const Model& model) {
+  if (model.parts.empty() || dynamic_cast<const PlySource*>(model.source.get()) != nullptr)
+    return false;
+  return isSingleIn(fieldsFor(mergeParts(model.parts)));
+}
 
 WrittenFiles writePly(const Model& model, const std::string& outputName) {
   const auto* const source = dynamic_cast<const PlySource*>(model.source.get());

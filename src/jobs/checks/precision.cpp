@@ -2,12 +2,24 @@
 #include "jobs/checks/precision.h"
 
 #include <utility>
+#include <vector>
 
 #include "base/place.h"
 #include "jobs/checks/whole_steps.h"
 #include "mesh/joining.h"
 
 namespace remesher {
+
+namespace {
+
+// What counts as one place (see base/place.h) has the same coordinates, so that every reader finds
+// the vertices joined.
+void unifyPlaces(std::vector<Vec3>& positions) {
+  const std::vector<Index> first = weld(positions);
+  for (Index v = 0; v < first.size(); ++v) positions[v] = positions[first[v]];
+}
+
+}  // namespace
 
 RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   const std::size_t places = countPlaces(result.positions);
@@ -19,6 +31,7 @@ RoundedMesh inPrecisionOf(const TriangleMesh& original, TriangleMesh result) {
   result.isSingle = original.isSingle;
   result.steps = original.steps;
   joinNoise(result);
+  unifyPlaces(result.positions);
   const std::size_t left = countPlaces(result.positions);
   return {std::move(result), places - left};
 }

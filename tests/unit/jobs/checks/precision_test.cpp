@@ -45,3 +45,13 @@ TEST_CASE("precision: places that become one are counted") {
   original.isSingle = true;
   CHECK(inPrecisionOf(original, triangleAt({1 + 1e-12, 0, 0})).coincident == 1);
 }
+
+TEST_CASE("precision: what counts as one place has the same coordinates") {
+  // The rounding of a full turn, in a small part of a large model.
+  TriangleMesh noisy = triangleAt({1, -2.4e-16, 0.5});
+  noisy.positions.emplace_back(1, 0, 0.5);
+  noisy.positions.emplace_back(2, 1, 0);
+  noisy.indices.insert(noisy.indices.end(), {3, 1, 4, 0, 3, 2});  // whose corners are one place
+  const TriangleMesh written = inPrecisionOf(noisy, noisy).mesh;
+  CHECK(written.positions[0] == written.positions[3]);
+}
