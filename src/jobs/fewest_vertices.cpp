@@ -43,11 +43,25 @@ class FewestSearch {
     options_.tooFew = asked_.tooFew;
     for (double next = drafted; next > 0 && next <= kStep * drafted; next *= kNearEnough) {
       RemeshOutcome outcome = runAt(next);
-      if (outcome.stopped == Stopped::Target) return outcome;
+      if (outcome.stopped == Stopped::Target) return fewer(std::move(outcome));
     }
     options_ = asked_;
     if (drafted > 0) options_.vertices = Index(drafted);
-    return runNext();
+    return fewer(runNext());
+  }
+
+  // The outcome, or the input's own triangles if these are fewer and may be taken.
+  RemeshOutcome fewer(RemeshOutcome outcome) {
+    const double own = ownVertices();
+    if (asked_.quads || asked_.prefer == Prefer::Even || double(outcome.vertices) <= own)
+      return outcome;
+    options_ = asked_;
+    options_.maxError.reset();
+    options_.tooFew = TooFew::Raise;
+    options_.prefer = Prefer::Shape;
+    RemeshOutcome kept = runAt(own);
+    const bool areOwn = kept.prefer == Prefer::Shape && double(kept.vertices) <= own;
+    return areOwn && isWithin(kept.mesh) ? std::move(kept) : std::move(outcome);
   }
 
   // The number asked for, or as few more as keep the bound.

@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "base/place.h"
+#include "geometry/triangle.h"
 #include "original/curves/flat_regions.h"
 #include "remesh/quads/quads.h"
 #include "simplify/divide.h"
@@ -23,6 +25,9 @@ constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
 // cases) have thinner triangles.
 constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
+// Up to so many times its own vertices a model with flat sides may keep its own triangles, divided;
+// with more, even triangles are worth more than the last dents.
+constexpr double kMostDivided = 4;
 
 // Whether nothing is drawn on the surface: there even triangles are worth more than half a pixel.
 bool isPlain(const TriangleMesh& input, Textures textures) {
@@ -33,6 +38,52 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
   return textures != Textures::Bake &&
          std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to()) == groups.end() &&
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
+}
+
+bool hasLines(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    if (flatness(at(0), at(1), at(2)) <= kFlattest) return true;
+  }
+  return false;
+}
+
+double meanAngle(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    sum += minAngle(at(0), at(1), at(2));
+  }
+  return 3 * sum / double(mesh.indices.size());
+}
+
+// Adds vertices to a mesh of so many places, all at once or a third at a time; then, edges flip
+// between where that widens angles. None where that is impossible, or where sheets that lie on each
+// other would grow together.
+std::optional<Followed> divided(Followed followed, std::size_t places, std::size_t vertices,
+                                std::optional<Textures> flips) {
+  while (places < vertices) {
+    const std::size_t more =
+        flips ? std::min(vertices - places, places / 3 + 1) : vertices - places;
+    if (!divideEdges(followed.mesh, more)) return {};
+    places += more;
+    if (countPlaces(followed.mesh.positions) != places || hasLines(followed.mesh)) return {};
+    if (!flips) return followed;
+    std::optional<Followed> widened =
+        follow(buildMesh(followed.mesh), followed.mesh, places, *flips);
+    if (!widened || hasLines(widened->mesh)) return {};
+    followed = std::move(*widened);
+  }
+  return followed;
+}
+
+// The better of both ways.
+std::optional<Followed> bestDivided(const Followed& followed, std::size_t places,
+                                    std::size_t vertices, Textures textures) {
+  std::optional<Followed> plain = divided(followed, places, vertices, {});
+  std::optional<Followed> flipped = divided(followed, places, vertices, textures);
+  if (!plain || !flipped) return plain ? std::move(plain) : std::move(flipped);
+  return meanAngle(plain->mesh) >= meanAngle(flipped->mesh) ? std::move(plain) : std::move(flipped);
 }
 
 }  // namespace
@@ -66,14 +117,24 @@ bool Rival::isOwn() {
   return *isOwn_;
 }
 
-// With about its own number of vertices a model with flat sides can do without any dent, however
+// Whether the target is about the original's own number of places, or more.
+bool Rival::hasEnough() {
+  if (hasEnough_) return *hasEnough_;
+  const BuiltMesh& built = original_.surface().built();
+  const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
+  hasEnough_ = isOwn() || vertices >= most ||
+               (2 * vertices >= most && vertices >= distinctPositions(built.mesh, built.positions));
+  return *hasEnough_;
+}
+
+// With its own number of vertices or more a model with flat sides can do without any dent, however
 // small: so the largest distances in both directions count. Otherwise a glimpse is exact enough if
 // muchNearer() times its distance is not seen.
 Away Rival::awayOf(const WorkingMesh& even) {
   const HalfedgeMesh& mesh = original_.surface().mesh();
   const VertexData<Vec3>& positions = original_.surface().positions();
   const MeshTree tree(even.mesh(), even.positions());
-  if (isOwn() && hasFlats()) {
+  if (hasEnough() && hasFlats()) {
     const Away lost = awayFrom(tree, mesh, positions);
     const Away made = awayFrom({mesh, positions}, even.mesh(), even.positions());
     return {lost.rms, std::max(lost.farthest, made.farthest)};
@@ -93,9 +154,10 @@ void Rival::look() {
   const BuiltMesh& built = original_.surface().built();
   const std::size_t own = distinctPositions(built.mesh, built.positions);
   const std::size_t vertices = original_.vertices(), more = vertices > own ? vertices - own : 0;
-  if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn())) return;
+  const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && hasFlats();
+  if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn)) return;
   followed_ = follow(built, input_, vertices - more, textures_);
-  if (followed_ && more > 0 && !divideEdges(followed_->mesh, more)) followed_.reset();
+  if (followed_ && more > 0) followed_ = bestDivided(*followed_, own, vertices, textures_);
 }
 
 bool Rival::hasWon(const WorkingMesh& even) {
@@ -110,7 +172,10 @@ bool Rival::mayMiss() {
   return original_.vertices() > original_.surface().built().mesh.vertexCount() && hasFlats();
 }
 
-bool Rival::isMissedBy(const WorkingMesh& even) { return awayOf(even).rms > kFinishing * seen_; }
+bool Rival::isMissedBy(const WorkingMesh& even) {
+  const Away away = awayOf(even);
+  return away.rms > seen_ || away.farthest > unseen_;
+}
 
 std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
   if (isSettled_ && isReached) return std::move(followed_);

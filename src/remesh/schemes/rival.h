@@ -36,6 +36,7 @@ class Rival {
 
  private:
   bool isOwn();
+  bool hasEnough();
   bool hasFlats();
   Away awayOf(const WorkingMesh& even);
   double muchNearer();  // how many times nearer the rival must be
@@ -47,7 +48,7 @@ class Rival {
   bool isPlain_;   // no textures, no colours, no second group
   double unseen_;  // the largest distance at any one place that is not seen, model units
   double seen_;    // the largest RMS distance that is not seen
-  std::optional<bool> isOwn_, hasFlats_;
+  std::optional<bool> isOwn_, hasEnough_, hasFlats_;
   bool isSettled_ = false, hasLooked_ = false;
   std::optional<Followed> followed_;
 };

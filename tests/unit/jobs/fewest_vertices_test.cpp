@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "measure/hausdorff.h"
+#include "support/parts.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -37,6 +38,15 @@ TEST_CASE("fewest vertices: of what is flat few, however many there are") {
   const RemeshOutcome made = withinOnly(shapes::grid(24, 24), 0.5);
   CHECK(made.stopped == Stopped::Target);
   CHECK(made.vertices <= 24);
+}
+
+TEST_CASE("fewest vertices: no more than the input has, which keeps every bound itself") {
+  for (const TriangleMesh& part : {shapes::filletedBar(12), shapes::drilledPlate(12, 0.5)}) {
+    const RemeshOutcome made = withinOnly(part, 0.05);
+    CHECK(made.stopped == Stopped::Target);
+    CHECK(made.vertices <= part.positions.size());
+    CHECK(measureFidelity(part, made.mesh).hausdorff <= 0.05);
+  }
 }
 
 TEST_CASE("fewest vertices: of the smallest surfaces too the search ends") {

@@ -10,6 +10,7 @@
 #include "measure/mesh_report.h"
 #include "mesh/mesh_builder.h"
 #include "remesh/schemes/remesh.h"
+#include "support/parts.h"
 #include "support/shapes.h"
 
 using namespace remesher;
@@ -190,6 +191,21 @@ TEST_CASE("follow: taken for pleats that even triangles lose, not for what is ro
   CHECK(preferred(shapes::icosphere(12), 1, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Auto) == Prefer::Even);
   CHECK(preferred(shapes::icosphere(12), 0.25, Prefer::Shape) == Prefer::Shape);
+}
+
+TEST_CASE("follow: more vertices than its own take a body of flat sides no farther away") {
+  for (const TriangleMesh& input : {coin(64), shapes::filletedBar(6)}) {
+    const double own = double(inspectMesh(input).vertices);
+    for (const double times : {1.0, 1.02, 1.1, 1.3, 2.0, 4.0}) {
+      CAPTURE(times);
+      RemeshOptions options;
+      options.vertices = Index(std::lround(times * own));
+      const RemeshOutcome outcome = remeshSurface(input, options, {});
+      CHECK(inspectMesh(outcome.mesh).vertices == *options.vertices);
+      const DeviationBothWays d = measureDeviation(input, outcome.mesh, Maximum::Sampled);
+      CHECK(std::max(d.toResult.maximum, d.toOriginal.maximum) <= 5.1e-4 * d.diagonal);
+    }
+  }
 }
 
 TEST_CASE("follow: with about its own number of vertices a body of flat sides stays itself") {
