@@ -129,6 +129,7 @@ set(small
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
   src/jobs/baking.cpp
+  src/jobs/checks/crossing_check.cpp
   src/jobs/checks/precision.cpp
   src/jobs/checks/result_check.cpp
   src/jobs/fewest_vertices.cpp
@@ -151,8 +152,8 @@ set(small
   src/measure/salient_vertices.cpp
   src/mesh/attribute_mix.cpp
   src/mesh/check.cpp
-  src/mesh/fan_cut.cpp
   src/mesh/coordinate_step.cpp
+  src/mesh/fan_cut.cpp
   src/mesh/hubs.cpp
   src/mesh/joining.cpp
   src/mesh/joints.cpp

@@ -40,6 +40,7 @@ add_executable(unit_tests
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/jobs/checks/crossing_check_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
@@ -58,8 +59,8 @@ add_executable(unit_tests
   tests/unit/measure/quad_report_test.cpp
   tests/unit/measure/self_intersections_test.cpp
   tests/unit/mesh/check_test.cpp
-  tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/coordinate_step_test.cpp
+  tests/unit/mesh/edge_groups_test.cpp
   tests/unit/mesh/euler_operators_test.cpp
   tests/unit/mesh/halfedge_mesh_test.cpp
   tests/unit/mesh/handles_test.cpp

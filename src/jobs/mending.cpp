@@ -8,6 +8,7 @@
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/inspected_parts.h"
+#include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
@@ -80,6 +81,10 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
   Report report;
   report.output = inspectScaled(parts);
   mending.note(report);
+  for (const io::Part& part : parts)
+    if (parts.size() > 1 && !isSurface(part.mesh))
+      report.warnings =
+          joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
   const bool isUnchanged =
       std::equal(parts.begin(), parts.end(), given.begin(),
                  [](const io::Part& a, const io::Part& b) { return io::isSame(a.mesh, b.mesh); });

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "io/model/bake.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/part_run.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/parts/part_scale.h"
@@ -131,14 +132,6 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
        merged.positions[corner]});
 }
 
-// The places of the mesh's own corners on the mesh itself.
-std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
-  std::vector<InputPlace> places;
-  for (Index i = 0; i < mesh.indices.size(); ++i)
-    places.push_back({i / 3, Vec3::Unit(Eigen::Index(i % 3))});
-  return places;
-}
-
 }  // namespace
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
@@ -157,7 +150,11 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     own.spacing = spacings[i];
     progress.at(total > 0 ? done / total : 0);
     const std::size_t triangles = part.mesh.triangleCount();
+    if (result.parts.size() > 1 && !isSurface(part.mesh)) continue;
+    // Vertices that repair makes are single, so that they are the same in every format of file.
+    const bool isSingle = std::exchange(part.mesh.isSingle, true);
     RepairedMesh repaired = repairSurface(part.mesh, own);
+    repaired.mesh.isSingle = isSingle;
     repaired.mesh.steps = part.mesh.steps;
     part.mesh = std::move(repaired.mesh);
     result.isRemade |= repaired.isRemade;

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "jobs/part_run.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "base/legible.h"
+#include "geometry/triangle.h"
+#include "jobs/checks/crossing_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/part_repair.h"
+#include "measure/hausdorff.h"
+#include "measure/mesh_report.h"
+#include "measure/self_intersections.h"
+#include "remesh/schemes/rival.h"
 
 namespace remesher {
 
@@ -15,10 +23,10 @@ bool isCrossedShape(const RemeshOutcome& outcome, const RemeshOptions& options) 
   return outcome.prefer == Prefer::Shape && options.repair != Repair::Off && !isSound(outcome.mesh);
 }
 
-RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
-  using Run =
-      RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
-  const Run remeshed = asksForFewest(options) ? Run(remeshToFewest) : Run(remeshSurface);
+using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
+
+RemeshOutcome runOn(PartInput part, Run remeshed, const RemeshOptions& options,
+                    const Progress& progress) {
   const auto stretch = stretchAt(part.place.toWorld);
   if (!stretch) return remeshed(part.mesh, std::move(part.welding), options, progress);
   RemeshOutcome outcome =
@@ -26,6 +34,37 @@ RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Pro
   outcome.mesh = relaxed(std::move(outcome.mesh), *stretch, part.mesh);
   outcome.tree.reset();
   return outcome;
+}
+
+RemeshOutcome remeshPart(PartInput part, const RemeshOptions& options, const Progress& progress) {
+  const Run remeshed = asksForFewest(options) ? Run(remeshToFewest) : Run(remeshSurface);
+  return runOn(std::move(part), remeshed, options, progress);
+}
+
+std::vector<Index> crossingsOf(const TriangleMesh& original, const RemeshOutcome& outcome) {
+  return crossingsMade(original, inPrecisionOf(original, outcome.mesh).mesh);
+}
+
+// Whether a result without self-intersections may replace one that has some: it has as many
+// vertices, is hardly farther away, and its triangles are of another kind or hardly worse.
+bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
+                const RemeshOutcome& other) {
+  constexpr double kFarther = 1.5, kWorse = 5;  // times as far, degrees on average
+  if (other.vertices != crossed.vertices || other.stopped != crossed.stopped) return false;
+  if (!crossingsOf(original, other).empty()) return false;
+  const auto measured = [&](const RemeshOutcome& outcome) {
+    return measureDeviation(original, outcome.mesh, Maximum::Sampled);
+  };
+  const DeviationBothWays before = measured(crossed), after = measured(other);
+  const auto isNear = [&](const Deviation& then, const Deviation& now) {
+    const double unseen = kSeen * after.diagonal;
+    return now.maximum <= std::max(kFarther * then.maximum, unseen) &&
+           now.rms <= std::max(kFarther * then.rms, unseen);
+  };
+  if (!isNear(before.toResult, after.toResult) || !isNear(before.toOriginal, after.toOriginal))
+    return false;
+  return other.prefer != crossed.prefer ||
+         inspectMesh(other.mesh).minAngle.mean >= inspectMesh(crossed.mesh).minAngle.mean - kWorse;
 }
 
 }  // namespace
@@ -43,9 +82,52 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
   }
 }
 
+UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
+                                  RemeshOutcome made, const Progress& progress) {
+  std::vector<Index> crossings = crossingsOf(part.mesh, made);
+  RemeshOptions options =
+      target.unions.optionsOf(target.surface, target.targets.of(target.surface));
+  const bool mayMend = !crossings.empty() && options.repair == Repair::Off && !options.quads &&
+                       !asksForFewest(options) && selfIntersections(part.mesh).empty();
+  if (!mayMend) return {std::move(made), std::move(crossings)};
+  const auto another = [&](Run run) {
+    return runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);
+  };
+  if (options.prefer != Prefer::Shape) {
+    RemeshOutcome mended = another(remeshUncrossed);
+    if (mayReplace(part.mesh, made, mended)) return {std::move(mended), {}};
+  }
+  if (options.prefer == Prefer::Auto && made.prefer == Prefer::Even) {
+    options.prefer = Prefer::Shape;
+    RemeshOutcome simplified = another(remeshSurface);
+    if (mayReplace(part.mesh, made, simplified)) return {std::move(simplified), {}};
+  }
+  return {std::move(made), std::move(crossings)};
+}
+
 RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair) {
   if (repair != Repair::Off) return inSoundPrecisionOf(original, outcome);
   return inPrecisionOf(original, std::move(outcome.mesh));
+}
+
+bool isSurface(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    if (flatness(at(0), at(1), at(2)) > kFlattest) return true;
+  }
+  return false;
+}
+
+Warning passedOn(const io::Part& part, const std::string& reason) {
+  const std::string name = part.name.empty() ? "A mesh" : legible(part.name);
+  return {"PASSED_ON", name + " is passed on as it came: " + reason, 1};
+}
+
+std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
+  std::vector<InputPlace> places;
+  for (Index i = 0; i < mesh.indices.size(); ++i)
+    places.push_back({i / 3, Vec3::Unit(Eigen::Index(i % 3))});
+  return places;
 }
 
 io::Part withoutMesh(const io::Part& part) {

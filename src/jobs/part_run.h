@@ -2,6 +2,9 @@
 // Remeshes parts as they look where the file shows them, and rounds the results.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
@@ -32,8 +35,32 @@ struct PartTarget {
 // place.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress);
 
+struct ShownMesh {
+  const TriangleMesh& mesh;
+  const PartPlace& place;
+};
+
+struct UncrossedOutcome {
+  RemeshOutcome outcome;
+  std::vector<Index> crossings;  // see crossingsMade
+};
+
+// The outcome of remeshing a part, or another with as many vertices if the part intersects itself
+// nowhere and the outcome does: with the crossings mended, or of the other kind of triangles.
+UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& target,
+                                  RemeshOutcome made, const Progress& progress);
+
 // The outcome's mesh in the original's precision; kept sound if the original was repaired.
 RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair);
+
+// Whether any triangle has an area. Among several parts one that is no surface is passed on.
+bool isSurface(const TriangleMesh& mesh);
+
+// PASSED_ON, with the part's name.
+Warning passedOn(const io::Part& part, const std::string& reason);
+
+// The places of the mesh's own corners on the mesh itself.
+std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh);
 
 // A copy of the part without its mesh.
 io::Part withoutMesh(const io::Part& part);

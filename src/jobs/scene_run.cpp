@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "jobs/checks/crossing_check.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/inspected_parts.h"
@@ -28,6 +29,7 @@ SceneRun begun(const InspectedParts& originals) {
   SceneRun run;
   for (const io::Part& part : originals.parts()) run.parts.push_back(withoutMesh(part));
   run.places.resize(run.parts.size());
+  run.crossings.resize(run.parts.size());
   run.report.prefer.assign(run.parts.size(), Prefer::Even);
   run.report.input = originals.report();
   run.report.warnings = looseTriangles(run.report.input, originals.parts());
@@ -48,35 +50,83 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   run.mirrors += outcome.mirrors;
 }
 
-// Remeshes each part, and parts with coincident borders as one. Returns the last part's tree.
-std::optional<ListedTree> remeshSurfaces(SceneRun& run, const InspectedParts& originals,
-                                         const RemeshOptions& options, const Progress& progress) {
-  const PartUnions unions(originals.parts(), options);
-  const std::vector<io::Part>& surfaces = unions.surfaces();
-  const std::vector<PartPlace> places = placesOf(surfaces);
-  PartTargets targets(surfaces, places, options);
-  double total = 0;
-  for (const io::Part& part : surfaces)
-    total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
-  double done = 0;
-  std::optional<ListedTree> tree;
-  for (const std::size_t i : targets.order()) {
-    const std::vector<std::size_t>& members = unions.membersOf(i);
-    const TriangleMesh& mesh = surfaces[i].mesh;
-    const double share = double(mesh.triangleCount()) / total;
-    Welding welding = members.size() > 1 ? Welding(mesh) : originals.weldings()[members.front()];
-    RemeshOutcome outcome = remeshAsShown({mesh, std::move(welding), places[i]},
-                                          {targets, unions, i}, progress.part(done, done + share));
-    targets.given(i, outcome.vertices);
-    tree = std::move(outcome.tree);
-    std::vector<RemeshOutcome> parted = unions.parted(i, std::move(outcome));
-    for (std::size_t k = 0; k < parted.size(); ++k)
-      take(run, members[k], parted[k],
-           roundedOutcome(originals.parts()[members[k]].mesh, parted[k], options.repair));
-    done += share;
-  }
-  return tree;
+// Keeps a part that is no surface.
+void passOn(SceneRun& run, std::size_t number, const io::Part& original, const Error& reason) {
+  run.parts[number].mesh = original.mesh;
+  run.places[number] = ownPlaces(original.mesh);
+  run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
+
+// Remeshes the surfaces of a scene one by one.
+class SurfaceRuns {
+ public:
+  SurfaceRuns(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options)
+      : run_(run),
+        originals_(originals),
+        options_(options),
+        unions_(originals.parts(), options),
+        places_(placesOf(unions_.surfaces())),
+        targets_(unions_.surfaces(), places_, options) {}
+
+  // Returns the last surface's tree.
+  std::optional<ListedTree> all(const Progress& progress) {
+    double total = 0, done = 0;
+    for (const io::Part& part : unions_.surfaces())
+      total += double(part.mesh.triangleCount()) / (1 - kMeasureShare);
+    for (const std::size_t i : targets_.order()) {
+      const double share = double(unions_.surfaces()[i].mesh.triangleCount()) / total;
+      tree_.reset();
+      remeshIfPossible(i, progress.part(done, done + share));
+      done += share;
+    }
+    return std::move(tree_);
+  }
+
+ private:
+  // What is no surface does not keep others from being remeshed.
+  void remeshIfPossible(std::size_t surface, const Progress& progress) {
+    try {
+      one(surface, progress);
+      isAny_ = true;
+    } catch (const Error& error) {
+      const bool isLast = surface == targets_.order().back();
+      if (error.code != ErrorCode::NoTriangles || (isLast && !isAny_)) throw;
+      for (const std::size_t m : unions_.membersOf(surface))
+        passOn(run_, m, originals_.parts()[m], error);
+      targets_.given(surface, 0);
+    }
+  }
+
+  void one(std::size_t surface, const Progress& progress) {
+    const std::vector<std::size_t>& members = unions_.membersOf(surface);
+    const TriangleMesh& mesh = unions_.surfaces()[surface].mesh;
+    const PartTarget target = {targets_, unions_, surface};
+    Welding welding = members.size() > 1 ? Welding(mesh) : originals_.weldings()[members.front()];
+    RemeshOutcome outcome =
+        remeshAsShown({mesh, std::move(welding), places_[surface]}, target, progress);
+    UncrossedOutcome made =
+        uncrossedAsShown({mesh, places_[surface]}, target, std::move(outcome), progress);
+    targets_.given(surface, made.outcome.vertices);
+    tree_ = std::move(made.outcome.tree);
+    std::vector<RemeshOutcome> parted = unions_.parted(surface, std::move(made.outcome));
+    for (std::size_t k = 0; k < parted.size(); ++k) {
+      const TriangleMesh& original = originals_.parts()[members[k]].mesh;
+      take(run_, members[k], parted[k], roundedOutcome(original, parted[k], options_.repair));
+      const bool isKnown = parted.size() == 1 && options_.repair == Repair::Off;
+      run_.crossings[members[k]] = isKnown ? std::move(made.crossings)
+                                           : crossingsMade(original, run_.parts[members[k]].mesh);
+    }
+  }
+
+  SceneRun& run_;
+  const InspectedParts& originals_;
+  const RemeshOptions& options_;
+  const PartUnions unions_;
+  const std::vector<PartPlace> places_;  // per surface
+  PartTargets targets_;
+  bool isAny_ = false;  // whether a surface has been remeshed
+  std::optional<ListedTree> tree_;
+};
 
 void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options,
              std::optional<ListedTree> tree) {
@@ -94,10 +144,13 @@ SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& w
                          const Progress& progress) {
   const RemeshOptions options = originals.scaled(wanted);
   SceneRun run = begun(originals);
-  std::optional<ListedTree> tree = remeshSurfaces(run, originals, options, progress);
+  std::optional<ListedTree> tree = SurfaceRuns(run, originals, options).all(progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   measure(run, originals, options, std::move(tree));
+  const MadeCrossings crossings =
+      crossingsMade({originals.parts(), run.parts, originals.places()}, run.crossings);
   run.parts = originals.unscaled(std::move(run.parts));
+  run.report.warnings = joined(std::move(run.report.warnings), warningsOf(crossings, run.parts));
   run.report.warnings =
       joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, wanted));
   return run;

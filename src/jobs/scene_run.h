@@ -16,6 +16,7 @@ namespace remesher {
 struct SceneRun {
   std::vector<io::Part> parts;
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
+  std::vector<std::vector<Index>> crossings;    // per part, see crossingsMade
   Report report;
   std::size_t mirrors = 0;  // of all parts; see RemeshOutcome
 };

@@ -195,6 +195,26 @@ TEST_CASE("hostile: an error bound finer than any mesh keeps the original, split
   CHECK(report.fidelity->hausdorff <= 1e-9);
 }
 
+TEST_CASE("remesher: a mesh without area keeps no other from being remeshed, and is named") {
+  TriangleMesh line;
+  line.positions = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}};
+  line.indices = {0, 1, 2, 1, 2, 3};
+  const TriangleMesh ball = shapes::icosphere(6);
+  RemeshOptions triangles = toVertices(100), quads = toVertices(200), mended = toVertices(300);
+  quads.quads = true;
+  mended.repair = Repair::Holes;
+  for (const RemeshOptions& options : {triangles, quads, mended}) {
+    const RemeshSceneResult result = remeshScene({{line, {}}, {ball, {}}, {line, {}}}, options);
+    CHECK(result.meshes[0].positions == line.positions);
+    CHECK(result.meshes[0].indices == line.indices);
+    CHECK(result.meshes[2].indices == line.indices);
+    CHECK(result.meshes[1].positions != ball.positions);
+    CHECK(codesOf(result.report).count("PASSED_ON") == 1);
+  }
+  CHECK_THROWS_WITH_AS(remeshScene({{line, {}}, {line, {}}}, triangles),
+                       doctest::Contains("No triangle has an area"), Error);
+}
+
 TEST_CASE("remesher: the report is of the coordinates of the format that is written") {
   const std::string obj =  // two triangles that single precision makes one
       "v 1e6 0 0\nv 1e6 1 0\nv 1e6 0 1\nv 1000000.000001 0 0\nv 1000000.000001 0 1\n"
@@ -209,6 +229,34 @@ TEST_CASE("remesher: the report is of the coordinates of the format that is writ
     const MeshReport found = inspectFile({result.files[0], {}}).input;
     CHECK(found.vertices == result.report.output->vertices);
     CHECK(found.boundaryEdges == result.report.output->boundaryEdges);
+  }
+}
+
+TEST_CASE("remesher: a mesh is the same in every format of file") {
+  std::string obj;
+  const TriangleMesh boxes = soups::joined({soups::cube(0.1, 2.3), soups::cube(1.2, 3.7)});
+  for (const Vec3& p : boxes.positions)
+    obj += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+           std::to_string(p.z() + 0.1 * p.x()) + "\n";
+  for (std::size_t i = 0; i < boxes.indices.size(); i += 3)
+    obj += "f " + std::to_string(boxes.indices[i] + 1) + " " +
+           std::to_string(boxes.indices[i + 1] + 1) + " " +
+           std::to_string(boxes.indices[i + 2] + 1) + "\n";
+  FileBundle input;
+  input.file = {"boxes.obj", {obj.begin(), obj.end()}};
+  RemeshOptions options = toVertices(300);
+  for (const Repair repair : {Repair::Off, Repair::Auto}) {
+    options.repair = repair;
+    const Report own = remeshFile(input, "boxes.obj", options).report;
+    for (const std::string name : {"boxes.off", "boxes.ply", "boxes.stl", "boxes.glb"}) {
+      CAPTURE(name);
+      const Report other = remeshFile(input, name, options).report;
+      CHECK(other.output->triangles == own.output->triangles);
+      CHECK(other.output->minAngle.worst ==
+            doctest::Approx(own.output->minAngle.worst).epsilon(1e-4));
+      CHECK(other.output->minAngle.mean ==
+            doctest::Approx(own.output->minAngle.mean).epsilon(1e-4));
+    }
   }
 }
 

@@ -373,6 +373,7 @@ export default {
     + 'beieinander und sind nicht neu vernetzt.',
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
     + 'Materialien gehen darin auf.',
+  'warning.PASSED_ON': 'Netze ohne Fläche wurden weitergegeben, wie sie sind.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
     + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
@@ -383,6 +384,8 @@ export default {
   'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',
+  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses durchdringen andere, wo das Original '
+    + 'sich nicht durchdringt.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '

@@ -382,6 +382,9 @@ export default {
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
+  'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',
+  'warning.SELF_INTERSECTIONS_MADE': 'Des triangles du résultat en traversent d’autres là où '
+    + 'l’original ne se traverse pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '

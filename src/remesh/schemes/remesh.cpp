@@ -50,6 +50,13 @@ struct Remeshed {
   std::size_t coincident;  // see moveApart
 };
 
+// Whether a result may intersect itself.
+enum class Crossings { Left, Mended };
+
+Crossings crossingsAfter(const RemeshOptions& options) {
+  return options.repair == Repair::Off ? Crossings::Left : Crossings::Mended;
+}
+
 // The settings of a run besides its original.
 struct Manner {
   const RemeshOptions& options;
@@ -58,10 +65,12 @@ struct Manner {
   Rival* rival;  // a mesh that may be taken instead, or null
   OriginalTree& tree;
   const Bodies& bodies;
+  Crossings crossings = Crossings::Left;
 };
 
+// Results in double precision are made as if they had to be single: a mesh is the same in every
+// format of file, up to its last digits.
 Grain grainOf(const TriangleMesh& input) {
-  if (!input.isSingle) return {};
   constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
   double farthest = 0;
   for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
@@ -154,7 +163,7 @@ Made makeMesh(Run& run, const Prepared& original, const Manner& manner, const Pr
           ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
           : runScheme(run, vertices, manner, progress);
   const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
-  if (options.repair == Repair::Off || isGivenUp) return {isReached};
+  if (manner.crossings == Crossings::Left || isGivenUp) return {isReached};
   Uncrossed uncrossed = keepUncrossed(run, vertices);
   const bool isStillReached = isReached && uncrossed.isReached;
   return {isStillReached, std::move(uncrossed)};
@@ -256,7 +265,7 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
     OriginalTree tree(originals.back()->surface(), &input);
     const Bodies bodies(input, options.bodies);
-    const Manner manner{options, 0, grainOf(input), nullptr, tree, bodies};
+    const Manner manner{options, 0, grainOf(input), nullptr, tree, bodies, crossingsAfter(options)};
     Remeshed remeshed = remeshOriginal(*originals.back(), manner, stretch);
     remeshed.mesh.compact();
     stretch.phase("quads", 1, 1);
@@ -324,7 +333,7 @@ RemeshOptions withOwnShape(RemeshOptions options) {
 }
 
 RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const RemeshOptions& asked,
-                            const Progress& progress) {
+                            Crossings crossings, const Progress& progress) {
   Plan plan = planRun(input, std::move(welding), asked, progress);
   if (asked.quads) return remeshToQuads(std::move(plan), input, asked, progress);
   const bool isWished = asked.prefer == Prefer::Shape;
@@ -348,7 +357,8 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
   const Bodies bodies(input, options.bodies);
   const Manner manner{options,        input.attributes.empty() ? 0 : kStagger,
                       grainOf(input), isRivalled ? &rival : nullptr,
-                      tree,           bodies};
+                      tree,           bodies,
+                      crossings};
   const Remeshed remeshed =
       remeshOriginal(original, manner, mayMiss ? progress.part(0, 0.5) : progress);
   if (isRivalled)
@@ -358,7 +368,8 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
   if (mayMiss && rival.isMissedBy(remeshed.mesh)) {
     RemeshOptions nearer = options;
     nearer.prefer = Prefer::Shape;
-    RemeshOutcome outcome = remeshPlanned(input, Welding(input), nearer, progress.part(0.5, 1));
+    RemeshOutcome outcome =
+        remeshPlanned(input, Welding(input), nearer, crossings, progress.part(0.5, 1));
     if (outcome.stopped == Stopped::Target) return outcome;
   }
   progress.phase("extract", 1, 1);
@@ -382,18 +393,25 @@ RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   checkOptions(options, input.positions.size());
   const auto remeshHalf = [&](const TriangleMesh& half, const RemeshOptions& own) {
-    return remeshPlanned(half, Welding(half), own, progress);
+    return remeshPlanned(half, Welding(half), own, crossingsAfter(own), progress);
   };
   if (options.quads)
     if (std::optional<RemeshOutcome> mirrored = remeshIfMirrored(input, options, remeshHalf))
       return std::move(*mirrored);
   try {
-    return remeshPlanned(input, std::move(welding), options, progress);
+    return remeshPlanned(input, std::move(welding), options, crossingsAfter(options), progress);
   } catch (const TooFewVertices& error) {
     if (error.code != ErrorCode::TargetBelowCurves) throw;
     const std::size_t enough = enoughForCurves(input, options, error.needed);
     throw TooFewVertices(error.code, {error.target, enough, enough});
   }
+}
+
+RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
+                              const RemeshOptions& options, const Progress& progress) {
+  RemeshOptions even = options;
+  even.prefer = Prefer::Even;
+  return remeshPlanned(input, std::move(welding), even, Crossings::Mended, progress);
 }
 
 }  // namespace remesher

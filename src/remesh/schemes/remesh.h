@@ -32,6 +32,10 @@ struct RemeshOutcome {
 // TARGET_BELOW_CURVES, OUT_OF_MEMORY, CANCELLED.
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress);
+// The same for an input that intersects itself nowhere, without the triangles of its original: what
+// intersects itself in the result is mended, as far as possible.
+RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
+                              const RemeshOptions& options, const Progress& progress);
 inline RemeshOutcome remeshSurface(const TriangleMesh& input, const RemeshOptions& options,
                                    const Progress& progress) {
   requireValid(input);
