@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// All figures of a written file, by its bytes alone. A mesh that several nodes show counts once, in
+// its own space, as reports count it; crossings are also counted in the world, across all parts.
+import { angleFigures, borderOf, crossingsOf, diagonalOf, edgesOf, piecesOf, surfaceOf } from './surface.js';
+
+/** The parts of each mesh, joined; of other formats the only part.
+ * @param {any[]} parts @returns {any[][]} */
+function meshesOf(parts) {
+  const meshes = new Map();
+  for (const part of parts) {
+    const key = part.mesh ?? 0;
+    const nodes = meshes.get(key) ?? new Map();
+    nodes.set(part.node ?? 0, [...nodes.get(part.node ?? 0) ?? [], part]);
+    meshes.set(key, nodes);
+  }
+  return [...meshes.values()].map((nodes) => nodes.values().next().value);
+}
+
+/** A surface in its own space, whose numbers are the written ones. */
+const ownSurface = (parts) => surfaceOf(parts.map((part) =>
+  ({ ...part, positions: part.local ?? part.positions })));
+
+/** @param {any[]} parts of one mesh */
+function figuresOfMesh(parts) {
+  const own = ownSurface(parts);
+  const edges = edgesOf(own);
+  const { open, nonManifold } = borderOf(own, edges);
+  const angles = angleFigures(surfaceOf(parts));
+  return { vertices: own.positions.length / 3, triangles: own.triangles.length / 3,
+    quads: own.quads, components: piecesOf(own, edges).length, boundaryEdges: open.length,
+    nonManifoldEdges: nonManifold, crossings: crossingsOf(own).size, angles };
+}
+
+const counts = ['vertices', 'triangles', 'quads', 'components', 'boundaryEdges',
+  'nonManifoldEdges', 'crossings'];
+
+function angles(meshes, triangles) {
+  const all = meshes.filter((mesh) => mesh.triangles > 0);
+  if (all.length === 0) return { minAngle: { worst: 0, mean: 0 }, maxAngle: 0 };
+  const mean = all.reduce((sum, mesh) => sum + mesh.angles.mean * mesh.triangles, 0) / triangles;
+  return {
+    minAngle: { worst: Math.min(...all.map((mesh) => mesh.angles.least)), mean },
+    maxAngle: Math.max(...all.map((mesh) => mesh.angles.largest)),
+  };
+}
+
+/** Triangles that meet those of other meshes or nodes. The world's coordinates are rounded, so that
+ * borders that were equal are so again: to the precision of coordinates that were moved.
+ * @param {any[]} parts */
+function crossingsAcross(parts) {
+  const groupOf = ({ mesh = 0, node = 0 }) => `${node} ${mesh}`;
+  if (new Set(parts.map(groupOf)).size < 2) return 0;
+  const step = 2 ** (Math.ceil(Math.log2(diagonalOf(surfaceOf(parts)) || 1)) - 40);
+  const isMoved = parts.some((part) => part.isMoved);
+  const rounded = parts.map((part) => ({ ...part, positions: isMoved
+    ? part.positions.map((x) => Math.round(x / step) * step) : part.positions }));
+  const groups = parts.flatMap((part) =>
+    Array.from({ length: part.triangles.length / 3 }, () => groupOf(part)));
+  return crossingsOf(surfaceOf(rounded), groups).size;
+}
+
+/**
+ * The figures of parts that were read: `vertices` … under the report's names, `crossings`
+ * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and the
+ * `surface` of all parts in the world.
+ * @param {{ parts: any[] }} file
+ */
+export function figuresOf({ parts }) {
+  const meshes = meshesOf(parts).map(figuresOfMesh);
+  const sums = Object.fromEntries(counts.map((name) =>
+    [name, meshes.reduce((sum, mesh) => sum + mesh[name], 0)]));
+  const surface = surfaceOf(parts);
+  return { ...sums, ...angles(meshes, sums.triangles), crossingsAcross: crossingsAcross(parts),
+    shown: new Set(parts.map(({ node }) => node)).size, surface };
+}
