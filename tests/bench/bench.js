@@ -9,6 +9,7 @@
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
+//   npm run bench -- trust --models FOLDER [FOLDER…]  files under the laws of trust, by their bytes
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
 // only the models from npm packages are run. The status is 1 if a limit is broken.
@@ -24,6 +25,7 @@ import { runQuads } from './quads.js';
 import { runRepair } from './repair.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
+import { runTrust } from './trust.js';
 import { runWait } from './wait.js';
 
 const limits = JSON.parse(readFileSync(new URL('limits.json', import.meta.url), 'utf8'));
@@ -56,6 +58,7 @@ function run() {
     case 'repair':
       return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json,
         wrap: values.wrap });
+    case 'trust': return runTrust([values.models, ...rest].filter(Boolean));
     case 'wait':
       return runWait(limits.wait,
         { folder: values.models, names: rest, runs: Number(values.runs) });

@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Runs cases by their seeds, and prints the cases that break a law:
-//   npm run laws -- [--seed first] [--cases number] [--every nth] [--quads] [--repair]
-// With --quads, the same surfaces become quads. With --repair, other cases are run under the laws
-// of repair.
-// The same seed is the same case: --seed with --cases 1 runs a printed case again. Processor time
-// only ends runs that do not end, and tells which cases took longest for their size.
+//   npm run laws -- [--law name] [--seed first] [--cases number] [--every nth]
+// Laws of every run: runs (if not given), quads (--quads), repair (--repair). Laws of trust, judged
+// by the written bytes: said, harm, invariance, continuity, proportion; trust is all five in turn.
+// The same seed is the same case: --seed with --cases 1 runs a printed case again, and with --keep
+// FOLDER writes its file there. Processor time only ends runs that do not end, tells which cases
+// took longest for their size, and is what proportion is about.
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 
+import { watch } from '../support/watch.js';
 import { makeCase } from './cases.js';
+import { makeContinuityCase, runContinuityCase } from './continuity_case.js';
+import { makeInvarianceCase, runInvarianceCase } from './invariance_case.js';
 import { firstWithScenes } from './made_scenes.js';
+import { makeProportionCase, runProportionCase } from './proportion_case.js';
 import { makeQuadsCase } from './quads_case.js';
 import { makeRepairCase, runRepairCase } from './repair_case.js';
 import { runCase } from './run_case.js';
+import { commandOf, makeHarmCase, makeSaidCase, runTrustCase } from './trust_case.js';
 
-const longestRun = 60; // seconds of processor time
 const everyRepeated = 8;
 const timedAgain = 8;
-
-/** A signal that aborts after `longestRun` of processor time; `stop` ends the watch. */
-function watch() {
-  const controller = new AbortController();
-  const begin = process.cpuUsage();
-  const seconds = () => {
-    const { user, system } = process.cpuUsage(begin);
-    return (user + system) / 1e6;
-  };
-  const timer = setInterval(() => {
-    if (seconds() > longestRun) controller.abort();
-  }, 1000);
-  return { signal: controller.signal, seconds, stop: () => clearInterval(timer) };
-}
 
 /** @typedef {{ seed: number, size: number, seconds: number }} Timing */
 
@@ -60,63 +53,98 @@ async function timeAgain({ seed, size, seconds }, caseOf) {
   return { seed, size, seconds: Math.min(seconds, again()) };
 }
 
-/** @param {number} seed @param {CaseMaker} caseOf */
-async function runSeed(seed, caseOf) {
-  const input = caseOf(seed);
-  const { signal, seconds, stop } = watch();
-  const { broken, size, code = 'done' } =
-    await runCase(input, { how: { signal }, repeats: seed % everyRepeated === 0 });
+const asked = (/** @type {any} */ { options, output }) =>
+  `${JSON.stringify(options)}${output ? ` to ${output}` : ''}`;
+
+/** Ten runs in one case. */
+const continuityLimit = 300;
+
+/**
+ * For each law: makes a case, runs it, and says it in words.
+ * @type {Record<string, { make: (seed: number) => any, words?: (input: any) => string,
+ *   limit?: number, run: (input: any, how: object, seed: number) => Promise<any> }>}
+ */
+const laws = {
+  runs: { make: makeCase,
+    run: (input, how, seed) => runCase(input, { how, repeats: seed % everyRepeated === 0 }) },
+  quads: { make: makeQuadsCase,
+    run: (input, how, seed) => runCase(input, { how, repeats: seed % everyRepeated === 0 }) },
+  repair: { make: makeRepairCase, run: runRepairCase,
+    words: ({ options, count }) => `${JSON.stringify(options)}, ${count} vertices` },
+  said: { make: makeSaidCase, run: (input, how) => runTrustCase(input, 'said', how),
+    words: commandOf },
+  harm: { make: makeHarmCase, run: (input, how) => runTrustCase(input, 'harm', how),
+    words: commandOf },
+  invariance: { make: makeInvarianceCase, run: runInvarianceCase },
+  continuity: { make: makeContinuityCase, run: runContinuityCase, limit: continuityLimit,
+    words: ({ options, counts }) => `${JSON.stringify(options)}, ${counts} vertices` },
+  proportion: { make: makeProportionCase, run: runProportionCase },
+};
+const ofTrust = ['said', 'harm', 'invariance', 'continuity', 'proportion'];
+
+/** @param {string} name of a law @param {number} seed @param {string} [folder] to keep the file */
+async function runSeed(name, seed, folder) {
+  const { make, run, words = asked, limit } = laws[name];
+  const input = make(seed);
+  if (folder && input.file) writeFileSync(join(folder, input.file.name), input.file.bytes);
+  const { signal, seconds, stop } = watch(limit);
+  const { broken, size, code = 'done' } = await run(input, { signal }, seed);
   stop();
   if (broken.length > 0) {
-    console.log(`${seed} (${input.description}; ${JSON.stringify(input.options)}`
-      + `${input.output ? ` to ${input.output}` : ''})\n  ${broken.join('\n  ')}`);
+    console.log(`${name} ${seed} (${input.description}; ${words(input)})\n  `
+      + broken.join('\n  '));
   }
   return { seed, broken, size, code, seconds: seconds() };
 }
 
-/** @param {number} seed */
-async function repairSeed(seed) {
-  const input = makeRepairCase(seed);
-  const { signal, seconds, stop } = watch();
-  const { broken, size, code = 'done' } = await runRepairCase(input, { signal });
-  stop();
-  if (broken.length > 0) {
-    console.log(`${seed} (${input.description}; ${JSON.stringify(input.options)}, `
-      + `${input.count} vertices)\n  ${broken.join('\n  ')}`);
-  }
-  return { seed, broken, size, code, seconds: seconds() };
-}
-
-/** @returns {Promise<number>} the exit status */
-async function runLaws() {
-  const { values } = parseArgs({ options: {
-    seed: { type: 'string', default: String(firstWithScenes) },
-    cases: { type: 'string', default: '1000' },
-    every: { type: 'string', default: '1' },
-    quads: { type: 'boolean', default: false },
-    repair: { type: 'boolean', default: false },
-  } });
-  const [first, count, step] = [values.seed, values.cases, values.every].map(Number);
-  const outcomes = [];
-  const caseOf = values.quads ? makeQuadsCase : makeCase;
-  const run = values.repair ? repairSeed : runSeed;
-  for (let i = 0; i < count; i += 1) outcomes.push(await run(first + i * step, caseOf));
-  /** @type {Record<string, number>} */
-  const codes = {};
-  for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
-  const failures = outcomes.filter(({ broken }) => broken.length > 0).length;
-  console.log(`${count} cases, ${failures} break a law; ${JSON.stringify(codes)}`);
-  if (values.repair) return failures > 0 ? 1 : 0;
+/** @param {any[]} outcomes @param {CaseMaker} caseOf */
+async function printSlowest(outcomes, caseOf) {
   const timed = outcomes.filter(({ size }) => size > 0);
   for (const { seed } of slowest(timed)) {
     const at = timed.findIndex((timing) => timing.seed === seed);
     timed[at] = await timeAgain(timed[at], caseOf);
   }
   const [worst] = slowest(timed);
-  if (worst) {
-    console.log(`slowest for its size: ${worst.seed}, ${worst.size} vertices, `
-      + `${worst.seconds.toFixed(2)} s, ${worst.ratio.toFixed(1)} × the median`);
+  if (!worst) return;
+  console.log(`slowest for its size: ${worst.seed}, ${worst.size} vertices, `
+    + `${worst.seconds.toFixed(2)} s, ${worst.ratio.toFixed(1)} × the median`);
+}
+
+/** @param {string} name of a law @param {number[]} seeds @param {string} [folder]
+ * @returns {Promise<number>} the number of cases that break it */
+async function runLaw(name, seeds, folder) {
+  const outcomes = [];
+  for (const seed of seeds) outcomes.push(await runSeed(name, seed, folder));
+  /** @type {Record<string, number>} */
+  const codes = {};
+  for (const { code } of outcomes) codes[code] = (codes[code] ?? 0) + 1;
+  const failures = outcomes.filter(({ broken }) => broken.length > 0).length;
+  console.log(`${name}: ${seeds.length} cases, ${failures} break a law; ${JSON.stringify(codes)}`);
+  if (['runs', 'quads'].includes(name)) await printSlowest(outcomes, laws[name].make);
+  return failures;
+}
+
+/** @returns {Promise<number>} the exit status */
+async function runLaws() {
+  const { values } = parseArgs({ options: {
+    law: { type: 'string' },
+    seed: { type: 'string', default: String(firstWithScenes) },
+    cases: { type: 'string', default: '1000' },
+    every: { type: 'string', default: '1' },
+    keep: { type: 'string' },
+    quads: { type: 'boolean', default: false },
+    repair: { type: 'boolean', default: false },
+  } });
+  const name = values.law ?? (values.repair ? 'repair' : values.quads ? 'quads' : 'runs');
+  const names = name === 'trust' ? ofTrust : [name];
+  if (!names.every((one) => one in laws)) {
+    console.error(`No law is called ${name}: ${[...Object.keys(laws), 'trust'].join(', ')}.`);
+    return 2;
   }
+  const [first, count, step] = [values.seed, values.cases, values.every].map(Number);
+  const seeds = Array.from({ length: count }, (_, i) => first + i * step);
+  let failures = 0;
+  for (const one of names) failures += await runLaw(one, seeds, values.keep);
   return failures > 0 ? 1 : 0;
 }
 

@@ -128,7 +128,8 @@ function hollow(dice, isFilled) {
   return joined(...shells, ...(isFilled ? [fitted(soundBody(dice).shape, 0.3, [0, 0, 0])] : []));
 }
 
-/** Boxes that share an edge, a corner or a part of a side. @param {Dice} dice @param {number[]} by */
+/** Boxes that share an edge, a corner or a part of a side.
+ * @param {Dice} dice @param {number[]} by */
 const touching = (dice, by) => {
   const n = dice.whole(1, 3);
   return welded(joined(shapes.box(n), moved(shapes.box(n), by)));

@@ -34,7 +34,8 @@ test('every format gives the same figures of the same surface', () => {
   for (const [kind, write] of once) {
     const figures = figuresOf(read(write(ball)));
     const { vertices, triangles, components, boundaryEdges, nonManifoldEdges, crossings } = figures;
-    assert.deepEqual({ vertices, triangles, components, boundaryEdges, nonManifoldEdges, crossings },
+    assert.deepEqual(
+      { vertices, triangles, components, boundaryEdges, nonManifoldEdges, crossings },
       { vertices: 56, triangles: 108, components: 1, boundaryEdges: 0, nonManifoldEdges: 0,
         crossings: 0 }, kind);
     near(figures.minAngle.mean, figuresOf(read(files.obj(ball))).minAngle.mean, 0.01);
@@ -51,7 +52,8 @@ test('polygons, negative numbers and materials of OBJ are read', () => {
   assert.deepEqual([...part.triangles], [0, 1, 2, 0, 2, 3, 1, 4, 2]);
   assert.equal(part.quads, 1);
   assert.deepEqual([...materials], ['red paint']);
-  assert.throws(() => read({ name: 'a.obj', bytes: encode('v 0 0 0\nf 1 2 3\n') }), /vertex 2 of 1/);
+  assert.throws(() => read({ name: 'a.obj', bytes: encode('v 0 0 0\nf 1 2 3\n') }),
+    /vertex 2 of 1/);
 });
 
 test('quads of glTF, levels of detail and mirrored nodes are read', () => {

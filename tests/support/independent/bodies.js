@@ -28,7 +28,8 @@ function turnAt({ triangles }, t, [low, high]) {
   return k >= 0 ? 1 : -1;
 }
 
-/** A tree of some triangles. @param {import('./surface.js').Surface} surface @param {number[]} own */
+/** A tree of some triangles.
+ * @param {import('./surface.js').Surface} surface @param {number[]} own */
 export function treeOf(surface, own) {
   const corners = cornersOf(surface);
   const some = new Float64Array(9 * own.length);

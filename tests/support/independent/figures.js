@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // All figures of a written file, by its bytes alone. A mesh that several nodes show counts once, in
 // its own space, as reports count it; crossings are also counted in the world, across all parts.
-import { angleFigures, borderOf, crossingsOf, diagonalOf, edgesOf, piecesOf, surfaceOf } from './surface.js';
+import { angleFigures, borderOf, crossingsOf, diagonalOf, edgesOf, piecesOf, surfaceOf }
+  from './surface.js';
 
 /** The parts of each mesh, joined; of other formats the only part.
  * @param {any[]} parts @returns {any[][]} */
@@ -25,10 +26,10 @@ function figuresOfMesh(parts) {
   const own = ownSurface(parts);
   const edges = edgesOf(own);
   const { open, nonManifold } = borderOf(own, edges);
-  const angles = angleFigures(surfaceOf(parts));
   return { vertices: own.positions.length / 3, triangles: own.triangles.length / 3,
     quads: own.quads, components: piecesOf(own, edges).length, boundaryEdges: open.length,
-    nonManifoldEdges: nonManifold, crossings: crossingsOf(own).size, angles };
+    nonManifoldEdges: nonManifold, crossings: crossingsOf(own).size,
+    angles: angleFigures(surfaceOf(parts)) };
 }
 
 const counts = ['vertices', 'triangles', 'quads', 'components', 'boundaryEdges',
@@ -61,8 +62,8 @@ function crossingsAcross(parts) {
 
 /**
  * The figures of parts that were read: `vertices` … under the report's names, `crossings`
- * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and the
- * `surface` of all parts in the world.
+ * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and
+ * the `surface` of all parts in the world.
  * @param {{ parts: any[] }} file
  */
 export function figuresOf({ parts }) {

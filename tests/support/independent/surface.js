@@ -19,22 +19,21 @@ const keyOf = (x, y, z) => `${x + 0},${y + 0},${z + 0}`;
 export function surfaceOf(parts) {
   const numbers = new Map();
   const positions = [];
-  const triangles = [];
-  for (const part of parts) {
-    const places = new Map();
-    for (const v of part.triangles) {
-      if (!places.has(v)) {
-        const [x, y, z] = part.positions.subarray(3 * v, 3 * v + 3);
-        const key = keyOf(x, y, z);
-        if (!numbers.has(key)) {
-          numbers.set(key, numbers.size);
-          positions.push(x, y, z);
-        }
-        places.set(v, numbers.get(key));
-      }
-      triangles.push(places.get(v));
+  const numberOf = (x, y, z) => {
+    const key = keyOf(x, y, z);
+    if (!numbers.has(key)) {
+      numbers.set(key, numbers.size);
+      positions.push(x, y, z);
     }
-  }
+    return numbers.get(key);
+  };
+  const triangles = parts.flatMap((part) => {
+    const places = new Map();
+    return Array.from(part.triangles, (v) => {
+      if (!places.has(v)) places.set(v, numberOf(...part.positions.subarray(3 * v, 3 * v + 3)));
+      return places.get(v);
+    });
+  });
   return { positions: Float64Array.from(positions), triangles: Uint32Array.from(triangles),
     quads: parts.reduce((sum, { quads }) => sum + quads, 0) };
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The law "continuity": of neighbouring numbers of vertices no error is several times that of its
+// neighbour without a reason in the report.
+
+const most = 3; // times the neighbour's
+const floor = 0.05; // % of the diagonal: what nobody sees
+
+/** Codes of warnings that give a reason for a larger error. */
+const reasons = ['TOO_FEW_VERTICES', 'MAX_ERROR_EXCEEDED', 'SHAPE_LOST_TO_ROUNDING',
+  'SPIKES_LEFT_COARSE', 'JOINTS_RELEASED', 'SHAPE_SIMPLIFIED'];
+
+/**
+ * The broken laws. @param {{ asked: number, report: any }[]} runs of neighbouring numbers
+ */
+export function lawsOfNeighbours(runs) {
+  const broken = [];
+  for (let i = 1; i < runs.length; i += 1) {
+    const pair = [runs[i - 1], runs[i]]
+      .sort((a, b) => a.report.fidelity.hausdorff - b.report.fidelity.hausdorff);
+    const [low, high] = pair.map(({ report }) => report.fidelity.hausdorff);
+    const isSaid = pair[1].report.stopped !== 'target' || pair[1].report.warnings.some(
+      (/** @type {any} */ { code }) => reasons.includes(code));
+    if (high > most * low && high - low > floor && !isSaid) {
+      broken.push(`${high.toFixed(3)} % at ${pair[1].asked} vertices, ${low.toFixed(3)} % at ${
+        pair[0].asked}`);
+    }
+  }
+  return broken;
+}
