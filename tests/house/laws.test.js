@@ -7,9 +7,11 @@ import { test } from 'node:test';
 import { remesh } from 'remesher';
 
 import { makeCase } from '../fuzz/cases.js';
+import { makeInvarianceCase, runInvarianceCase } from '../fuzz/invariance_case.js';
 import { makeQuadsCase } from '../fuzz/quads_case.js';
 import { makeRepairCase, runRepairCase } from '../fuzz/repair_case.js';
 import { runCase } from '../fuzz/run_case.js';
+import { commandOf, makeHarmCase, makeSaidCase, runTrustCase } from '../fuzz/trust_case.js';
 import { lawsOfErrors, lawsOfFiles, lawsOfMeshes, lawsOfQuads, lawsOfReports }
   from '../support/laws.js';
 import { files } from '../fuzz/made_files.js';
@@ -141,5 +143,24 @@ for (const seed of repairCases) {
   const input = makeRepairCase(seed);
   test(`repair, case ${seed}: ${input.description}`, async () => {
     assert.deepEqual((await runRepairCase(input)).broken, []);
+  });
+}
+
+/** Of the laws of trust: short cases. npm run laws -- --law trust tries others. */
+const trustCases = { said: [1, 3, 4, 6, 7], harm: [2, 4, 7, 8, 9, 10] };
+
+for (const [law, make] of [['said', makeSaidCase], ['harm', makeHarmCase]]) {
+  for (const seed of trustCases[law]) {
+    const input = make(seed);
+    test(`${law}, case ${seed}: ${input.description}, ${commandOf(input)}`, async () => {
+      assert.deepEqual((await runTrustCase(input, law)).broken, []);
+    });
+  }
+}
+
+for (const seed of [1, 2, 3]) {
+  const input = makeInvarianceCase(seed);
+  test(`invariance, case ${seed}: ${input.description}`, async () => {
+    assert.deepEqual((await runInvarianceCase(input)).broken, []);
   });
 }

@@ -37,6 +37,16 @@ class Grid {
   }
 }
 
+/** The distance to the nearest place, however far. */
+function nearestOf({ positions }, p) {
+  let best = Infinity;
+  for (let i = 0; i < positions.length; i += 3) {
+    best = Math.min(best, Math.hypot(positions[i] - p[0], positions[i + 1] - p[1],
+      positions[i + 2] - p[2]));
+  }
+  return best;
+}
+
 /** A triangle's corners, its smallest first, in its turn. */
 function turned([a, b, c]) {
   if (a <= b && a <= c) return [a, b, c];
@@ -64,8 +74,12 @@ export function differences(one, other, rounding) {
       other.positions.length / 3} and ${other.triangles.length / 3}`];
   }
   const numbers = Array.from({ length: count }, (_, v) => grid.nearest(placeOf(other, v)));
-  const missing = numbers.filter((v) => v < 0).length;
-  if (missing > 0) return [`${missing} of ${count} vertices are elsewhere`];
+  const missing = numbers.flatMap((v, i) => (v < 0 ? [i] : []));
+  if (missing.length > 0) {
+    const far = Math.max(...missing.map((v) => nearestOf(one, placeOf(other, v))));
+    return [`${missing.length} of ${count} vertices are elsewhere, by up to ${
+      (100 * far / diagonalOf(one)).toPrecision(3)} % of the diagonal`];
+  }
   const keys = keysOf(one);
   const others = [...keysOf(other, (v) => numbers[v])]
     .filter(([key, times]) => keys.get(key) !== times).length;
