@@ -13,7 +13,7 @@ const neighbours = 10;
 export function makeContinuityCase(seed) {
   const dice = new Dice(seed);
   const { name, shape } = dice.pick([soundBody, soundBody, openSheet])(dice);
-  const first = Math.round(Math.max(30, Math.min(800,
+  const first = Math.round(Math.max(30, Math.min(400,
     shape.positions.length * dice.pick([0.5, 1, 1, 2, 3]))) * dice.number(0.97, 1));
   const apart = dice.pick([1, 1, Math.max(1, Math.round(0.01 * first))]);
   const options = dice.pick([{}, {}, { quads: true }, { prefer: 'shape' }]);

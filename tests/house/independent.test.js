@@ -15,7 +15,8 @@ import { orient2, orient3 } from '../support/independent/exact.js';
 import { figuresOf } from '../support/independent/figures.js';
 import { trianglesMeet } from '../support/independent/meeting.js';
 import { readFile } from '../support/independent/read.js';
-import { borderOf, crossingsOf, loopsOf, piecesOf, surfaceOf, volumeOf }
+import { borderOf, chordLength, crossingsOf, loopsOf, orderedLoop, piecesOf, placeOf, surfaceOf,
+  volumeOf }
   from '../support/independent/surface.js';
 
 const encode = (text) => new TextEncoder().encode(text);
@@ -93,6 +94,11 @@ test('open edges, edges of more triangles, pieces, loops and volumes are counted
   assert.equal(borderOf(sheet).open.length, 16);
   const [loop] = loopsOf(sheet, borderOf(sheet).open);
   near(loop.length, 4);
+  const around = orderedLoop(loop.edges).map((v) => placeOf(sheet, v));
+  assert.equal(around.length, 16);
+  near(chordLength(around, 16), 4);
+  near(chordLength(around, 4), 4);
+  assert.ok(chordLength(around, 3) < 3.6);
   const boxes = surface(shapes['two boxes that touch along an edge'](1));
   assert.deepEqual([borderOf(boxes).open.length, borderOf(boxes).nonManifold], [0, 1]);
   near(volumeOf(boxes, allTriangles(boxes)), 2);

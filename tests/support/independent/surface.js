@@ -215,6 +215,44 @@ export function borderOf(surface, edges = edgesOf(surface)) {
   return { open, nonManifold };
 }
 
+/** The places of a loop in their order around it. @param {number[][]} edges @returns {number[]} */
+export function orderedLoop(edges) {
+  const next = new Map();
+  for (const [a, b] of edges) {
+    next.set(a, [...next.get(a) ?? [], b]);
+    next.set(b, [...next.get(b) ?? [], a]);
+  }
+  const order = [edges[0][0]];
+  const seen = new Set(order);
+  for (let v = order[0]; v !== undefined;) {
+    v = next.get(v).find((w) => !seen.has(w));
+    if (v === undefined) break;
+    order.push(v);
+    seen.add(v);
+  }
+  return order;
+}
+
+/** The length of a closed polygon with `count` corners, evenly along a loop of straight edges.
+ * @param {ArrayLike<number>[]} places around the loop @param {number} count */
+export function chordLength(places, count) {
+  const far = (p, q) => Math.hypot(...difference(p, q));
+  const ends = places.map((p, i) => far(p, places[(i + 1) % places.length]));
+  const whole = ends.reduce((sum, length) => sum + length, 0);
+  let [i, passed] = [0, 0];
+  const corners = Array.from({ length: count }, (_, k) => {
+    const along = whole * (k / count);
+    while (i + 1 < ends.length && passed + ends[i] <= along) {
+      passed += ends[i];
+      i += 1;
+    }
+    const share = ends[i] > 0 ? Math.min(1, (along - passed) / ends[i]) : 0;
+    const to = places[(i + 1) % places.length];
+    return [0, 1, 2].map((x) => places[i][x] + share * (to[x] - places[i][x]));
+  });
+  return corners.reduce((sum, p, k) => sum + far(p, corners[(k + 1) % count]), 0);
+}
+
 /** Pieces of the boundary: open edges joined at their ends, each with its length.
  * @param {Surface} surface @param {number[][]} open */
 export function loopsOf(surface, open) {

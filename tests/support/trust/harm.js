@@ -5,7 +5,8 @@
 import { Dice } from '../../fuzz/dice.js';
 import { closedPieces, isSound, pointsIn, treeOf, windingAt } from '../independent/bodies.js';
 import { BoxTree } from '../independent/box_tree.js';
-import { borderOf, diagonalOf, loopsOf, placeOf } from '../independent/surface.js';
+import { borderOf, chordLength, diagonalOf, loopsOf, orderedLoop, placeOf }
+  from '../independent/surface.js';
 import { warningOf } from './said.js';
 
 const mostBodies = 40;
@@ -56,19 +57,24 @@ function lawsOfPlaces(before, open, after, border) {
       [...placeOf(after, v)].join(', ')})`];
 }
 
-/** Shortening of a loop by its chords, as of a circle, with room for other curves. */
-const leastShare = (/** @type {number} */ edges) =>
-  1 - 1.5 * (1 - Math.sin(Math.PI / edges) / (Math.PI / edges)) - 0.005;
+/** Share of a loop's length that may be lost or added beyond its chords. */
+const lengthRounding = 0.005;
 
-function lawsOfLengths(loopsBefore, loops) {
+/** The least length of a loop of so many edges: as much shorter again as even chords are. */
+function leastLength(surface, { edges, length }, count) {
+  const places = orderedLoop(edges).map((v) => placeOf(surface, v));
+  return 2 * chordLength(places, count) - (1 + lengthRounding) * length;
+}
+
+function lawsOfLengths(before, loopsBefore, loops) {
   if (loopsBefore.length !== loops.length) {
     return [`${loopsBefore.length} boundary loops before, ${loops.length} written`];
   }
   const inOrder = (list) => [...list].sort((a, b) => b.length - a.length);
   const [was, is] = [inOrder(loopsBefore), inOrder(loops)];
   return is.flatMap(({ length, edges }, i) => {
-    const share = length / was[i].length;
-    if (share <= 1.005 && share >= leastShare(edges.length)) return [];
+    if (length <= (1 + lengthRounding) * was[i].length
+      && length >= leastLength(before, was[i], edges.length)) return [];
     return [`a boundary loop of ${was[i].length} is ${length} long, of ${edges.length} edges`];
   });
 }
@@ -82,7 +88,8 @@ function lawsOfBoundaries(before, written, report) {
   const border = borderOf(written.surface).open;
   if (border.length === 0) return ['all boundary loops are closed'];
   return [...lawsOfPlaces(before.surface, open, written.surface, border),
-    ...lawsOfLengths(loopsOf(before.surface, open), loopsOf(written.surface, border))];
+    ...lawsOfLengths(before.surface, loopsOf(before.surface, open),
+      loopsOf(written.surface, border))];
 }
 
 /**
