@@ -48,7 +48,7 @@ function runsOf(path, before) {
   const same = extname(path).slice(1).toLowerCase();
   const vertices = Math.max(fewest, Math.min(most, before.vertices));
   const runs = [['repair', repairFile, { repair: 'auto' }, same],
-    ['quads', remeshFile, { quads: true, vertices }, 'obj'],
+    ['quads', remeshFile, { quads: true, vertices }, same === 'stl' ? 'obj' : same],
     ['plain', remeshFile, { vertices }, same],
     ['repair and remesh', remeshFile, { repair: 'auto', vertices }, 'stl']];
   if (/gl(b|tf)$/.test(same)) {

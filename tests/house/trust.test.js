@@ -49,6 +49,17 @@ test('a report that is wrong in one figure is noticed', () => {
   }
 });
 
+test('a material that the input does not have is noticed', () => {
+  const [before, written] = ['red', 'red\nusemtl \u0001'].map((name) => {
+    const file = fileOf(shapes.ball(1));
+    const text = new TextDecoder().decode(file.bytes).replace('f ', `usemtl ${name}\nf `);
+    return figures({ ...file, bytes: encode(text) });
+  });
+  const file = { name: 'made.obj', before };
+  assert.deepEqual(lawsOfWriting(before, truth(before), file), []);
+  assert.match(lawsOfWriting(written, truth(written), file).join(), /material "\\u0001"/);
+});
+
 test('an open edge that only rounding hides is noticed in the file', () => {
   const noisy = shapes.ball(2);
   noisy.positions.push(noisy.positions[0].map((x) => x + 1e-17 + Math.abs(x) * 2e-16));

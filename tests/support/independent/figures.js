@@ -63,14 +63,14 @@ function crossingsAcross(parts) {
 /**
  * The figures of parts that were read: `vertices` … under the report's names, `crossings`
  * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and
- * the `surface` of all parts in the world.
- * @param {{ parts: any[] }} file
+ * the `surface` of all parts in the world. OBJ also has the `materials` that its faces name.
+ * @param {{ parts: any[], materials?: Set<string> }} file
  */
-export function figuresOf({ parts }) {
+export function figuresOf({ parts, materials }) {
   const meshes = meshesOf(parts).map(figuresOfMesh);
   const sums = Object.fromEntries(counts.map((name) =>
     [name, meshes.reduce((sum, mesh) => sum + mesh[name], 0)]));
   const surface = surfaceOf(parts);
   return { ...sums, ...angles(meshes, sums.triangles), crossingsAcross: crossingsAcross(parts),
-    shown: new Set(parts.map(({ node }) => node)).size, surface };
+    shown: new Set(parts.map(({ node }) => node)).size, surface, materials };
 }

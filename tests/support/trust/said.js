@@ -39,6 +39,13 @@ function lawsOfQuads(written, said, name) {
   return broken;
 }
 
+/** Only the file's own materials. */
+function lawsOfMaterials(written, before) {
+  if (!written.materials || !before.materials) return [];
+  return [...written.materials].filter((name) => !before.materials.has(name))
+    .map((name) => `a material ${JSON.stringify(name)} that the input does not have is written`);
+}
+
 /** Crossings within meshes and across them: counted by repair, or by a warning. */
 function lawsOfCrossings(written, report) {
   const within = report.repair?.selfIntersections[1];
@@ -78,6 +85,7 @@ export function lawsOfWriting(written, report, { name, before }) {
   const said = report.output;
   const isCrossed = !report.repair && before.crossings + before.crossingsAcross > 0;
   return [...lawsOfCounts(written, said), ...lawsOfAngles(written, said),
-    ...lawsOfQuads(written, said, name), ...(isCrossed ? [] : lawsOfCrossings(written, report)),
+    ...lawsOfQuads(written, said, name), ...lawsOfMaterials(written, before),
+    ...(isCrossed ? [] : lawsOfCrossings(written, report)),
     ...(report.repair ? [] : lawsOfDistance(before, written, report))];
 }
