@@ -155,6 +155,10 @@ test('a jump of the error is noticed unless it is said', () => {
   assert.deepEqual(lawsOfNeighbours(runs(0, 0.04, 0.1, 0.14)), []);
   assert.match(lawsOfNeighbours(runs(0, 0.907, 0.611))[0], /0.907 % at 101 .* 0.000 % at 100/);
   assert.equal(lawsOfNeighbours(runs(0.5, 0.1, 0.5)).length, 2);
+  const around = (first) => runs(0.8, 0, 0.9).map((run) =>
+    ({ ...run, report: { ...run.report, input: { vertices: first } } }));
+  assert.match(lawsOfNeighbours(around(101)).join(), /^0.900 % at 102 .* at 101$/);
+  assert.equal(lawsOfNeighbours(around(400)).length, 2);
   const said = runs(0, 0.9);
   said[1].report.warnings = [{ code: 'TOO_FEW_VERTICES' }];
   assert.deepEqual(lawsOfNeighbours(said), []);
