@@ -169,7 +169,7 @@ export function faultyBody(dice) {
     'a common side': () => touching(dice, [0, 0, 1]),
     'a scan': () => scan(dice),
     cards: () => cards(dice),
-    soup: () => listsOf(looseTriangles(dice.whole(4, 60))),
+    soup: () => listsOf(looseTriangles(Math.round(4 + 396 * dice.number() ** 3))),
     'sides that do not match': () => listsOf(tJunctions()),
     'inside out': () => inside(soundBody(dice).shape),
     'a sound body': () => soundBody(dice).shape,
