@@ -102,6 +102,7 @@ test('a repair that loses a body, opens a surface or remakes a sound one is noti
   assert.match(repaired(edge, shapes.box(1))[0], /% of the volume of a body of 24 triangles/);
   const two = shapes['two balls'](4);
   assert.match(repaired(two, shapes.ball(4)).join(), /100 % of the volume.*another: /s);
+  assert.match(repaired(two, two).join(), /^nothing was wrong, and the same mesh/);
   const warned = { warnings: [{ code: 'SCRAPS_REMOVED', count: 1 }] };
   assert.doesNotMatch(repaired(two, shapes.ball(4), warned).join(), /volume/);
   const holed = { ...shapes.ball(4), triangles: shapes.ball(4).triangles.slice(2) };
