@@ -51,10 +51,10 @@ struct Remeshed {
 };
 
 // Whether a result may intersect itself.
-enum class Crossings { Left, Mended };
+enum class CrossingRule { Leave, Mend };
 
-Crossings crossingsAfter(const RemeshOptions& options) {
-  return options.repair == Repair::Off ? Crossings::Left : Crossings::Mended;
+CrossingRule crossingsAfter(const RemeshOptions& options) {
+  return options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::Mend;
 }
 
 // The settings of a run besides its original.
@@ -65,7 +65,7 @@ struct Manner {
   Rival* rival;  // a mesh that may be taken instead, or null
   OriginalTree& tree;
   const Bodies& bodies;
-  Crossings crossings = Crossings::Left;
+  CrossingRule crossings = CrossingRule::Leave;
 };
 
 // Results in double precision are made as if they had to be single: a mesh is the same in every
@@ -163,7 +163,7 @@ Made makeMesh(Run& run, const Prepared& original, const Manner& manner, const Pr
           ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
           : runScheme(run, vertices, manner, progress);
   const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
-  if (manner.crossings == Crossings::Left || isGivenUp) return {isReached};
+  if (manner.crossings == CrossingRule::Leave || isGivenUp) return {isReached};
   Uncrossed uncrossed = keepUncrossed(run, vertices);
   const bool isStillReached = isReached && uncrossed.isReached;
   return {isStillReached, std::move(uncrossed)};
@@ -333,7 +333,7 @@ RemeshOptions withOwnShape(RemeshOptions options) {
 }
 
 RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const RemeshOptions& asked,
-                            Crossings crossings, const Progress& progress) {
+                            CrossingRule crossings, const Progress& progress) {
   Plan plan = planRun(input, std::move(welding), asked, progress);
   if (asked.quads) return remeshToQuads(std::move(plan), input, asked, progress);
   const bool isWished = asked.prefer == Prefer::Shape;
@@ -411,7 +411,7 @@ RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
                               const RemeshOptions& options, const Progress& progress) {
   RemeshOptions even = options;
   even.prefer = Prefer::Even;
-  return remeshPlanned(input, std::move(welding), even, Crossings::Mended, progress);
+  return remeshPlanned(input, std::move(welding), even, CrossingRule::Mend, progress);
 }
 
 }  // namespace remesher
