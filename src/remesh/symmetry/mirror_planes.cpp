@@ -3,12 +3,16 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "geometry/triangle.h"
 #include "geometry/triangle_tree.h"
+#include "mesh/welding.h"
 
 namespace remesher {
 
@@ -49,6 +53,46 @@ Moments momentsOf(const TriangleMesh& mesh) {
   return moments;
 }
 
+// Faces of four corners come as two triangles each, and files do not cut mirrored faces along
+// mirrored diagonals: where the corners are mirrored, these are the same surface to those who made
+// it.
+class Diagonals {
+ public:
+  explicit Diagonals(const TriangleMesh& mesh) : first_(Welding(mesh).first) {
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+      const std::size_t t = i / 3 * 3;
+      const Index a = first_[mesh.indices[i]], b = first_[mesh.indices[t + (i + 1) % 3]];
+      across_[std::minmax(a, b)].push_back(first_[mesh.indices[t + (i + 2) % 3]]);
+    }
+  }
+
+  Index first(Index v) const { return first_[v]; }
+
+  // Whether the triangle and a neighbour have a mirror image that is cut along the other diagonal.
+  // image(v): the vertex at the mirrored place of v, or kNone.
+  template <class ImageOf>
+  bool areTurned(const std::array<Index, 3>& triangle, ImageOf imageOf) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = triangle[k], b = triangle[(k + 1) % 3], own = triangle[(k + 2) % 3];
+      const std::vector<Index>& beside = across_.at(std::minmax(a, b));
+      if (beside.size() != 2) continue;
+      const Index other = beside[0] == own ? beside[1] : beside[0];
+      const auto cut = across_.find(std::minmax(imageOf(own), imageOf(other)));
+      if (cut == across_.end()) continue;
+      const auto has = [&](Index v) {
+        return std::find(cut->second.begin(), cut->second.end(), v) != cut->second.end();
+      };
+      if (has(imageOf(a)) && has(imageOf(b))) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::vector<Index> first_;  // per vertex the first one at its place
+  // Per edge the corners opposite to it.
+  std::map<std::pair<Index, Index>, std::vector<Index>> across_;
+};
+
 class PlaneSearch {
  public:
   PlaneSearch(const TriangleMesh& mesh, double tolerance)
@@ -75,7 +119,10 @@ class PlaneSearch {
       high = std::max(high, normal.dot(mesh_.positions[v]));
     }
     const double middle = (low + high) / 2;
-    if (std::abs(middle - normal.dot(moments_.center)) > tolerance_) return;
+    // The center of the area moves a little with the diagonals of bent faces.
+    constexpr double kOfWidth = 0.01;
+    const double off = std::abs(middle - normal.dot(moments_.center));
+    if (off > std::max(tolerance_, kOfWidth * (high - low))) return;
     // A model that was made has its plane through the origin, exactly.
     const MirrorPlane plane{normal, std::abs(middle) < kSingleRoundOff * (high - low) ? 0 : middle};
     if (isMirror(plane)) planes_.push_back(plane);
@@ -99,16 +146,34 @@ class PlaneSearch {
         // From an opening the middle of a triangle would be a third of its height away.
         const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
         const double height = 2 * area(a, b, c) / longest;
-        if (!isOnSurface((a + b + c) / 3, std::max(tolerance_, height / 6))) return false;
+        if (!isOnSurface((a + b + c) / 3, std::max(tolerance_, height / 6)) &&
+            !isCutOtherwise(plane, t))
+          return false;
       }
     }
     return true;
+  }
+
+  bool isCutOtherwise(const MirrorPlane& plane, std::size_t t) {
+    if (!diagonals_) diagonals_.emplace(mesh_);
+    std::array<Index, 3> triangle{};
+    for (std::size_t k = 0; k < 3; ++k) triangle[k] = diagonals_->first(mesh_.indices[3 * t + k]);
+    return diagonals_->areTurned(triangle, [&](Index v) {
+      const Vec3 p = plane.mirrored(mesh_.positions[v]);
+      const Index near = tree_->nearest(p).triangle;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const Index w = mesh_.indices[3 * near + k];
+            distance(mesh_.positions[w], p) <= tolerance_)
+          return diagonals_->first(w);
+      return kNone;
+    });
   }
 
   const TriangleMesh& mesh_;
   const double tolerance_;
   const Moments moments_;
   std::optional<TriangleTree> tree_;
+  std::optional<Diagonals> diagonals_;
   std::vector<MirrorPlane> planes_;
 };
 

@@ -11,7 +11,8 @@ namespace remesher {
 
 // Up to three planes, each at right angles to the others: of those through the middle whose normals
 // are coordinate axes or principal axes of the surface. Mirrored, no vertex is farther from the
-// surface than `tolerance`; triangles may differ, but none is missing.
+// surface than `tolerance`; triangles may differ, but none is missing. Two triangles that are one
+// face of four corners may be mirrored as two cut along the other diagonal, however bent the face.
 std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace remesher

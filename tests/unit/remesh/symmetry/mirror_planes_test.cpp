@@ -44,3 +44,20 @@ TEST_CASE("mirror planes: a model without any has none") {
     p += p.x() * p.x() * Vec3(0.02, 0.05, 0.03) + p.y() * Vec3(0.3, 0, 0.1);
   CHECK(findMirrorPlanes(box, 1e-3).empty());
 }
+
+TEST_CASE("mirror planes: bent faces of four corners may be cut along either diagonal") {
+  // Each face is cut from the same corner on both sides, so that no diagonal is mirrored.
+  for (const int n : {4, 7}) {
+    TriangleMesh saddle;
+    shapes::addSheet(saddle, 2 * n, n, [&](int x, int y) {
+      const double u = double(x - n) / n, v = double(y) / n;
+      return Vec3(u, v + 0.1 * v * v, 1.5 * u * u * v + 0.4 * v * v * v);
+    });
+    const std::vector<MirrorPlane> planes = findMirrorPlanes(saddle, 1e-6);
+    REQUIRE(planes.size() == 1);
+    CHECK(planes[0].normal == Vec3::UnitX());
+    TriangleMesh bumped = saddle;
+    bumped.positions[bumped.indices[0]].z() += 0.01;
+    CHECK(findMirrorPlanes(bumped, 1e-6).empty());
+  }
+}
