@@ -3,6 +3,7 @@
 // are in the whole one. Whoever calls a module by way of the package gets the engine that the job
 // needs.
 #include "base/error.h"
+#include "jobs/checks/quad_checks.h"
 #include "jobs/checks/whole_steps.h"
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
@@ -26,6 +27,10 @@ PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progr
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 bool isSound(const TriangleMesh&) { refuse("Repair"); }
+
+std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::vector<io::Part>&) {
+  return {};
+}
 
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 

@@ -189,6 +189,7 @@ set(small
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
   src/remesh/quads/base_meshes.cpp
+  src/remesh/quads/counting.cpp
   src/remesh/quads/extract/closing.cpp
   src/remesh/quads/extract/extraction.cpp
   src/remesh/quads/extract/holes.cpp
@@ -208,6 +209,7 @@ set(small
   src/remesh/quads/map/spacing.cpp
   src/remesh/quads/map/untangle.cpp
   src/remesh/quads/mapped.cpp
+  src/remesh/quads/mesh/quad_borders.cpp
   src/remesh/quads/mesh/quad_check.cpp
   src/remesh/quads/mesh/quad_parts.cpp
   src/remesh/quads/mesh/quad_sides.cpp
@@ -296,6 +298,7 @@ set(small
   src/textures/repaint.cpp
 )
 set(doors
+  src/jobs/checks/quad_checks.cpp
   src/jobs/checks/whole_steps.cpp
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp

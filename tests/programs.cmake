@@ -42,6 +42,7 @@ add_executable(unit_tests
   tests/unit/io/text/text_scanner_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
+  tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
@@ -113,6 +114,7 @@ add_executable(unit_tests
   tests/unit/remesh/operators/smoothing_test.cpp
   tests/unit/remesh/operators/working_mesh_test.cpp
   tests/unit/remesh/quads/base_meshes_test.cpp
+  tests/unit/remesh/quads/counting_test.cpp
   tests/unit/remesh/quads/extract/extraction_test.cpp
   tests/unit/remesh/quads/extract/holes_test.cpp
   tests/unit/remesh/quads/extract/opening_test.cpp
@@ -123,6 +125,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/map/seamless_map_test.cpp
   tests/unit/remesh/quads/map/seamless_system_test.cpp
   tests/unit/remesh/quads/map/untangle_test.cpp
+  tests/unit/remesh/quads/mesh/quad_borders_test.cpp
   tests/unit/remesh/quads/mesh/quad_check_test.cpp
   tests/unit/remesh/quads/mesh/triangulated_test.cpp
   tests/unit/remesh/quads/pair/pairing_test.cpp

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jobs/checks/crossing_check.h"
+#include "jobs/checks/quad_checks.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/inspected_parts.h"
@@ -153,6 +154,8 @@ SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& w
   run.report.warnings = joined(std::move(run.report.warnings), warningsOf(crossings, run.parts));
   run.report.warnings =
       joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, wanted));
+  run.report.warnings =
+      joined(std::move(run.report.warnings), bordersOffGiven(originals.parts(), run.parts));
   return run;
 }
 

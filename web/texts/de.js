@@ -374,6 +374,9 @@ export default {
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
     + 'Materialien gehen darin auf.',
   'warning.PASSED_ON': 'Netze ohne Fläche wurden weitergegeben, wie sie sind.',
+  'warning.QUADS_NUMBER_MISSED': 'Die Zahl der Punkte ist verfehlt: nähere Zahlen kosten unregelmäßige '
+    + 'Punkte oder waren nicht möglich.',
+  'warning.QUADS_OFF_BORDER': 'Der Rand der Vierecke liegt nicht überall auf dem gegebenen.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
     + 'sind geteilte Paare von Dreiecken.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',

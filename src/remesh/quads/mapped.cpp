@@ -10,6 +10,7 @@
 #include "remesh/quads/extract/holes.h"
 #include "remesh/quads/extract/opening.h"
 #include "remesh/quads/field/singularities.h"
+#include "remesh/quads/mesh/quad_borders.h"
 #include "remesh/quads/mesh/quad_check.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/quad_sizes.h"
@@ -43,12 +44,14 @@ constexpr double kTooMany = 4;
 struct Domain {
   const WorkingMesh& part;
   const Simpler& simpler;
+  Tears tears;
 };
 
 struct Extracted {
   QuadMesh quads;
-  double faults = 0;     // curves that are not followed, and unsound quads
-  std::size_t lost = 1;  // by how much χ differs, and 1 if the kind of surface does
+  double faults = 0;  // curves that are not followed, and unsound quads
+  // By how much χ differs, and 1 if the kind of surface does, and 1 if the border is torn.
+  std::size_t lost = 1;
 };
 // The quads of a map.
 Extracted extracted(const Domain& domain, const SeamlessMap& map) {
@@ -60,6 +63,7 @@ Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   keepLargestPiece(quads);
   fillHoles(quads, part);
   openAgain(quads, part, domain.simpler);
+  if (domain.tears == Tears::Closed) closeToBorder(quads, part);
   made.faults = double(followCurves(quads, part));
   removeDoublets(quads);
   dropUnusedVertices(quads);
@@ -69,7 +73,8 @@ Extracted extracted(const Domain& domain, const SeamlessMap& map) {
   const SurfaceKind kind = kindOf(quads), wanted = kindOf(part.mesh());
   made.lost = std::size_t(std::abs(kind.eulerCharacteristic - wanted.eulerCharacteristic));
   made.lost += kind != wanted;
-  if (kind == wanted) growLimbs(quads, part);
+  made.lost += !sidesOffBorder(quads, part.surface()).empty();
+  if (made.lost == 0) growLimbs(quads, part);
   return made;
 }
 
@@ -160,7 +165,7 @@ QuadMesh quadsOf(const Domain& domain, double vertices, SizeMaker& sizesOn) {
 // A loop whose length rounds to four sides or fewer is a missing quad, and a handle as thin has no
 // room for lines of quads along it. Near holes of two to four quads may become one in a map: where
 // it fails, they are closed as well.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn) {
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn, Tears tears) {
   const double side = std::sqrt(areaOf(part) / vertices), small = 4.5 * side;
   Index faces = 0;
   for (const double most : {small, 2 * small}) {
@@ -168,7 +173,7 @@ QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn
     const auto now = Index(simpler.mesh.mesh().faceCount());
     if (now == faces) break;
     faces = now;
-    QuadMesh quads = quadsOf({part, simpler}, vertices, sizesOn);
+    QuadMesh quads = quadsOf({part, simpler, tears}, vertices, sizesOn);
     if (!quads.quads.empty()) return quads;
   }
   return {};

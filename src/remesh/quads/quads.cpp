@@ -6,17 +6,16 @@
 #include <cmath>
 #include <optional>
 
+#include "mesh/topology.h"
 #include "remesh/quads/base_meshes.h"
+#include "remesh/quads/counting.h"
 #include "remesh/quads/field/sectors.h"
 #include "remesh/quads/field/singularities.h"
 #include "remesh/quads/mesh/quad_parts.h"
 #include "remesh/quads/pair/pairing.h"
 #include "remesh/quads/quad_sizes.h"
-#include "remesh/quads/shape/chords.h"
-#include "remesh/quads/shape/collapse.h"
 #include "remesh/quads/shape/finish.h"
 #include "remesh/quads/shape/quad_tips.h"
-#include "remesh/quads/shape/rewiring.h"
 #include "remesh/quads/shape/smoothing.h"
 
 namespace remesher {
@@ -30,62 +29,12 @@ constexpr double kOfQuads = 0.7;
 // But no fewer than this: fields and maps need so many to be smooth. With 2500 the bunny at 2000
 // has a mean deviation of 7.9° and a distance of 1.38 %, not 6.1 and 0.91, medians of 7 counts.
 constexpr std::size_t kLeastForMap = 5000;
-
-// The mesh's own number of vertices that makes so many of the whole, if what is added or removed is
-// on no plane.
-std::size_t ownCount(std::size_t whole, const QuadMesh& mesh, const Mirrors& mirrors) {
-  const std::size_t now = wholeCount(mesh, mirrors), own = mesh.vertices.size();
-  const std::size_t images = std::size_t{1} << mirrors.planes.size();
-  if (whole >= now) return own + (whole - now) / images;
-  return own - std::min(own, (now - whole + images - 1) / images);
-}
-
-// Removes single quads. Of a half this takes several rounds, for not all vertices have the same
-// number of images. To reach an exact number quads may fold; if it is missed all the same, the mesh
-// is restored, and quads go without folds.
-std::size_t removeQuads(QuadMesh& mesh, const QuadGoal& goal, const WorkingMesh& ground) {
-  std::optional<QuadMesh> before;
-  if (goal.isExact) before = mesh;
-  std::size_t removed = 0, now = 1;
-  while (now > 0 && (removed == 0 || wholeCount(mesh, goal.mirrors) > goal.vertices)) {
-    const std::size_t own = ownCount(goal.vertices, mesh, goal.mirrors);
-    now = collapseTo(mesh, ground, {std::max<std::size_t>(own, 8), goal.isExact});
-    removed += now;
-  }
-  if (before && wholeCount(mesh, goal.mirrors) != goal.vertices) {
-    mesh = std::move(*before);
-    return removeQuads(mesh, {goal.vertices, false, goal.mirrors}, ground);
-  }
-  return removed;
-}
-
-// Brings the count to the goal, or as near as allowed. Adding whole rows of quads makes no vertex
-// irregular; removing single quads does.
-void matchCount(MadeQuads& made, const QuadGoal& goal, const WorkingMesh& ground) {
-  const double slack = goal.isExact ? 0 : kCountTolerance;
-  const auto most = std::size_t(double(goal.vertices) * (1 + slack));
-  const auto least = std::size_t(std::ceil(double(goal.vertices) * (1 - slack)));
-  QuadMesh& mesh = made.mesh;
-  const std::size_t before = mesh.vertices.size();
-  const auto count = [&] { return wholeCount(mesh, goal.mirrors); };
-  const auto own = [&](std::size_t whole) { return ownCount(whole, mesh, goal.mirrors); };
-  if (count() < least) divideChords(mesh, ground, own(goal.vertices));
-  if (count() < least) divideShortestChord(mesh, ground, own(least) - mesh.vertices.size());
-  // Leaves room for vertices that rewiring may add.
-  const std::size_t enough = count() > most ? (goal.vertices + most) / 2 : most;
-  made.collapsed = removeQuads(mesh, {enough, goal.isExact, goal.mirrors}, ground);
-  if (mesh.vertices.size() == before && made.collapsed == 0) return;
-  settle(mesh, ground);
-  const double faults = faultsOf(mesh, ground);
-  if (faults == 0) return;
-  MadeQuads rewired = made;
-  rewire(rewired.mesh, ground);
-  rewired.collapsed += removeQuads(rewired.mesh, {most, false, goal.mirrors}, ground);
-  settle(rewired.mesh, ground);
-  const std::size_t reached = wholeCount(rewired.mesh, goal.mirrors);
-  if (reached < least || reached > most) return;
-  if (faultsOf(rewired.mesh, ground) < faults) made = std::move(rewired);
-}
+// And no more than so many per vertex of the quads, so that work stays in proportion: of few quads
+// each has a hundred triangles then.
+constexpr std::size_t kMostForMap = 50;
+// A part that is not the last may miss its share by this much before single quads go: the parts
+// after it make up for it.
+constexpr double kFreeOfPart = 0.25;
 
 // The share of a part in the vertices, by area or, where triangles are graded, by their number.
 struct PartShare {
@@ -127,16 +76,29 @@ double ownVertices(const WorkingMesh& mesh, const QuadGoal& goal) {
   return double(goal.vertices) / images + onPlanes / 2;
 }
 
-// The quads of a part, mapped on the first mesh from `level` on that has a map; no quads if no mesh
-// has one. `level` becomes the mesh used, or the last mesh tried.
-QuadMesh mapOn(BaseMeshes& bases, std::size_t& level, const PartShare& share, bool isGraded) {
-  for (;; ++level) {
-    const WorkingMesh* part = bases.part(level, share.number);
-    if (!part) break;
-    QuadMesh quads = mapToQuads(*part, share.vertices, isGraded ? gradedSizes : evenSizes);
-    if (!quads.quads.empty()) return quads;
+// The meshes that maps of a part are tried on, from `level` on, and then again with torn borders
+// closed.
+struct MapStart {
+  std::size_t level = 0;
+  Tears tears = Tears::Refused;
+};
+
+// The quads of a part, mapped on the first mesh that has a map; no quads if no mesh has one.
+// `start` becomes the one used, or the last one tried.
+QuadMesh mapOn(BaseMeshes& bases, MapStart& start, const PartShare& share, bool isGraded) {
+  for (;;) {
+    bool isOpen = false;
+    while (const WorkingMesh* part = bases.part(start.level, share.number)) {
+      QuadMesh quads =
+          mapToQuads(*part, share.vertices, isGraded ? gradedSizes : evenSizes, start.tears);
+      if (!quads.quads.empty()) return quads;
+      isOpen = isOpen || boundaryLoopCount(part->mesh()) > 0;
+      ++start.level;
+    }
+    if (start.tears == Tears::Closed || !isOpen) break;
+    start = {0, Tears::Closed};
   }
-  if (level > 0) --level;
+  if (start.level > 0) --start.level;
   return {};
 }
 
@@ -200,6 +162,135 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
   return quads;
 }
 
+// The quads of a whole, part by part.
+class QuadMaking {
+ public:
+  QuadMaking(const QuadGoal& goal, const TriangleMaker& triangles)
+      : goal_(goal),
+        triangles_(triangles),
+        bases_(triangles, firstCount(goal), goal.vertices >> goal.mirrors.planes.size()),
+        expected_(ownVertices(bases_.first(), goal)),
+        starts_(bases_.parts().size()) {}
+
+  // An exact number is reached by adding rows to a slightly smaller one, else by removing quads
+  // from a slightly larger one. Of a half fewer numbers can be had: rows are added to several.
+  MadeQuads run() {
+    std::vector<double> shares = {1};
+    if (goal_.isExact) shares = {1 - kCountTolerance, 1 + kCountTolerance};
+    const bool isHalf = !goal_.mirrors.planes.empty();
+    for (int i = 1; i < 4 && isHalf; ++i) shares.push_back(1 - 3 * i * kCountTolerance);
+    // Where rows are too long to be added, a larger number can be lessened quad by quad.
+    const double above = 1 + 2 * kCountTolerance;
+    if (!isHalf) shares.push_back(above);
+    std::optional<MadeQuads> best;
+    for (const double share : shares) {
+      // A part without a map at one share has none at others. The whole may, where its half has
+      // none.
+      const bool isLast = best && share == above && goal_.isExact;
+      const bool isMet = best && missedBy(*best) <= (goal_.isExact ? 0 : kCountTolerance);
+      if (isMet && (isLast || best->paired > 0 || best->collapsed == 0)) break;
+      if (best && best->paired > 0 && (share == above || (isHalf && best->paired == best->parts)))
+        break;
+      MadeQuads one = made(share);
+      if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
+    }
+    if (!goal_.isDraft) reachTips(best->mesh, bases_.first(), kSmoothingSweeps);
+    return std::move(*best);
+  }
+
+ private:
+  struct Mapped {
+    PartShare share;
+    QuadMesh quads;
+  };
+
+  static std::size_t firstCount(const QuadGoal& goal) {
+    const std::size_t dense = goal.vertices >> goal.mirrors.planes.size();
+    const std::size_t least =
+        std::min(kLeastForMap >> goal.mirrors.planes.size(), kMostForMap * dense);
+    return std::max(std::size_t(double(dense) * (goal.isDraft ? 0.5 : kOfQuads)), least);
+  }
+
+  // The share by which the number is missed.
+  double missedBy(const MadeQuads& made) const {
+    const auto count = double(wholeCount(made.mesh, goal_.mirrors));
+    return std::abs(count / double(goal_.vertices) - 1);
+  }
+
+  // A number that is too far off is worse than any pairs, these than any number of quads taken out,
+  // and these than a number that is nearly met.
+  std::array<double, 4> lackOf(const MadeQuads& made) const {
+    const double missed = missedBy(made);
+    const bool isFar = missed > (goal_.isExact ? 0 : kFreeTolerance);
+    return {double(isFar), double(made.paired), double(made.collapsed),
+            std::max(missed, kCountTolerance)};
+  }
+
+  // Parts that get too few vertices for a map, and those that have none, come first: how many
+  // vertices their pairs take is known only then, and the others share the rest.
+  MadeQuads made(double share) {
+    std::vector<PartShare> shares = sharesOf(bases_.parts(), share * expected_, goal_.isGraded);
+    MadeQuads result{pairTiny(shares, bases_.parts()), bases_.parts().size()};
+    shape(result.mesh, bases_.first());
+    std::vector<PartShare> failed;
+    std::vector<Mapped> mapped;
+    for (const PartShare& one : shares) {
+      QuadMesh quads = mapOn(bases_, starts_[one.part], one, goal_.isGraded);
+      if (quads.quads.empty())
+        failed.push_back(one);
+      else
+        mapped.push_back({one, std::move(quads)});
+    }
+    result.paired = result.parts - mapped.size();
+    if (!failed.empty()) {
+      const auto vertices = std::size_t(std::ceil(share * expected_));
+      QuadMesh pairs = pairParts(failed, vertices, triangles_);
+      shape(pairs, bases_.first());
+      append(result.mesh, pairs);
+    }
+    if (mapped.empty()) {
+      const CountGoal count{goal_.vertices, goal_.isExact, goal_.mirrors, 0};
+      result.collapsed = matchCount(result.mesh, count, bases_.first());
+    }
+    addMapped(result, std::move(mapped), share);
+    return result;
+  }
+
+  // Each part is brought to its own share of the vertices that are left, the smallest first: where
+  // a part misses its share, the larger ones make up for it, in which rows are a smaller step.
+  void addMapped(MadeQuads& result, std::vector<Mapped> mapped, double share) {
+    const auto isLess = [](const Mapped& a, const Mapped& b) {
+      return a.share.vertices < b.share.vertices;
+    };
+    std::stable_sort(mapped.begin(), mapped.end(), isLess);
+    double rest = 0;
+    for (const Mapped& one : mapped) rest += one.share.vertices;
+    for (Mapped& one : mapped) {
+      const double part = one.share.vertices / rest, own = one.share.vertices;
+      rest -= own;
+      const bool isLast = &one == &mapped.back();
+      const double fair = own / (share * expected_) * double(goal_.vertices);
+      const double left = double(goal_.vertices) - double(wholeCount(result.mesh, goal_.mirrors));
+      const double whole = std::max(left * part, fair / 2);
+      if (std::abs(whole / fair - 1) > kCountTolerance / 2) {
+        one.share.vertices = own * whole / fair;
+        QuadMesh again = mapOn(bases_, starts_[one.share.part], one.share, goal_.isGraded);
+        if (!again.quads.empty()) one.quads = std::move(again);
+      }
+      const CountGoal count{std::size_t(std::lround(whole)), goal_.isExact && isLast, goal_.mirrors,
+                            isLast ? kFreeTolerance : kFreeOfPart};
+      result.collapsed += matchCount(one.quads, count, bases_.first());
+      append(result.mesh, one.quads);
+    }
+  }
+
+  const QuadGoal& goal_;
+  const TriangleMaker& triangles_;
+  BaseMeshes bases_;
+  const double expected_;         // vertices of the mesh itself, which may be a half
+  std::vector<MapStart> starts_;  // of each part: the mesh that its map is made on
+};
+
 }  // namespace
 
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length) {
@@ -221,61 +312,7 @@ std::size_t wholeCount(const QuadMesh& mesh, const Mirrors& mirrors) {
 }
 
 MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles) {
-  const std::size_t least = kLeastForMap >> goal.mirrors.planes.size();
-  const double dense = double(goal.vertices >> goal.mirrors.planes.size());
-  BaseMeshes bases(triangles, std::max(std::size_t(dense * (goal.isDraft ? 0.5 : kOfQuads)), least),
-                   std::size_t(dense));
-  const double expected = ownVertices(bases.first(), goal);
-  // Of each part: the mesh that its map is made on.
-  std::vector<std::size_t> levels(bases.parts().size(), 0);
-  const auto made = [&](double share) {
-    const double vertices = share * expected;
-    std::vector<PartShare> shares = sharesOf(bases.parts(), vertices, goal.isGraded), failed;
-    MadeQuads result{pairTiny(shares, bases.parts()), bases.parts().size()};
-    shape(result.mesh, bases.first());
-    result.paired = result.parts - shares.size();
-    for (const PartShare& one : shares) {
-      const QuadMesh quads = mapOn(bases, levels[one.part], one, goal.isGraded);
-      quads.quads.empty() ? failed.push_back(one) : append(result.mesh, quads);
-    }
-    result.paired += failed.size();
-    if (!failed.empty()) {
-      QuadMesh pairs = pairParts(failed, std::size_t(std::ceil(vertices)), triangles);
-      shape(pairs, bases.first());
-      append(result.mesh, pairs);
-    }
-    matchCount(result, goal, bases.first());
-    return result;
-  };
-  // An exact number is reached by adding rows to a slightly smaller one, else by removing quads
-  // from a slightly larger one. Of a half fewer numbers can be had: rows are added to several.
-  std::vector<double> shares = {1};
-  if (goal.isExact) shares = {1 - kCountTolerance, 1 + kCountTolerance};
-  for (int i = 1; i < 4 && !goal.mirrors.planes.empty(); ++i)
-    shares.push_back(1 - 3 * i * kCountTolerance);
-  // Where rows are too long to be added, a larger number can be lessened quad by quad.
-  const double above = 1 + 2 * kCountTolerance;
-  if (goal.mirrors.planes.empty()) shares.push_back(above);
-  const double slack = goal.isExact ? 0 : kCountTolerance * double(goal.vertices);
-  const auto isOff = [&](const MadeQuads& one) {
-    return std::abs(double(wholeCount(one.mesh, goal.mirrors)) - double(goal.vertices)) > slack;
-  };
-  // A missed number is worse than any pairs, and these than any number of quads taken out.
-  const auto lackOf = [&](const MadeQuads& one) {
-    return std::array{std::size_t{isOff(one)}, one.paired, one.collapsed};
-  };
-  std::optional<MadeQuads> best;
-  for (const double share : shares) {
-    // A part without a map at one share has none at others. The whole may, where its half has none.
-    const bool isMet = best && !isOff(*best);
-    if (isMet && (share == above || best->paired > 0 || best->collapsed == 0)) break;
-    if (best && best->paired == best->parts && !goal.mirrors.planes.empty()) break;
-    if (best && share == above && best->paired > 0) break;
-    MadeQuads one = made(share);
-    if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
-  }
-  if (!goal.isDraft) reachTips(best->mesh, bases.first(), kSmoothingSweeps);
-  return std::move(*best);
+  return QuadMaking(goal, triangles).run();
 }
 
 }  // namespace remesher

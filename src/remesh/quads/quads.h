@@ -25,10 +25,13 @@ using TriangleMaker = std::function<WorkingMesh(std::size_t vertices)>;
 // neighboring counts, have 2 and 3 irregular vertices fewer, and distances are .99 and 1.18 times
 // as large, means of medians.
 constexpr double kCountTolerance = 0.01;
+// By up to this share it is missed rather than met with more irregular vertices: whole rows of
+// quads make none, but only some numbers.
+constexpr double kFreeTolerance = 0.04;
 
 struct QuadGoal {
   std::size_t vertices = 0;  // of the whole
-  bool isExact = false;      // else within kCountTolerance
+  bool isExact = false;      // else within kCountTolerance, or kFreeTolerance
   Mirrors mirrors = {};      // the mesh is a half of the whole, cut off along these planes
   bool isGraded = false;     // sizes of quads vary as those of the triangles
   bool isDraft = false;      // on fewer triangles, and lost tips stay lost
@@ -43,8 +46,13 @@ MadeQuads makeQuads(const QuadGoal& goal, const TriangleMaker& triangles);
 // Per face of a mesh the side length of quads wanted there beside the others.
 using SizeMaker = FaceData<double>(const WorkingMesh& mesh);
 
+// Where quads are missing along the border, a map fails, or the quads beside are drawn to the
+// border.
+enum class Tears { Refused, Closed };
+
 // Quads by the map, for one connected part; no quads if the map fails.
-QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn);
+QuadMesh mapToQuads(const WorkingMesh& part, double vertices, SizeMaker& sizesOn,
+                    Tears tears = Tears::Refused);
 
 // Quads by pairs, with about four times as many vertices as the mesh. length: of the quads' sides.
 QuadMesh pairToQuads(const WorkingMesh& mesh, double length);

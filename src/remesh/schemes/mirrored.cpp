@@ -11,6 +11,7 @@
 #include "remesh/operators/projection.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/curve_choice.h"
+#include "remesh/schemes/number_note.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/symmetry/joined.h"
 #include "remesh/symmetry/mirror_planes.h"
@@ -64,6 +65,7 @@ std::optional<RemeshOutcome> mirroredBy(const Mirrors& mirrors, const InputAttri
   made.places.clear();
   if (options.textures == Textures::Bake) made.places = std::move(joined->places);
   made.vertices = countPlaces(made.mesh.positions);
+  noteNumber(made, {mirrors.vertices, options.exact});
   made.mirrors = mirrors.planes.size();
   return made;
 }
@@ -92,9 +94,15 @@ std::optional<RemeshOutcome> remeshMirrored(const TriangleMesh& input, const Rem
     chartless = std::move(candidates.seams.chartless);
   }
   const InputAttributes whole(input, std::move(built), std::move(chartless));
-  for (; !mirrors.planes.empty(); mirrors.planes.pop_back())
-    if (auto outcome = mirroredBy(mirrors, whole, options, remeshHalf)) return outcome;
-  return {};
+  // Fewer planes may come nearer to the number; else as many as can be are kept.
+  std::optional<RemeshOutcome> best;
+  for (; !mirrors.planes.empty(); mirrors.planes.pop_back()) {
+    std::optional<RemeshOutcome> outcome = mirroredBy(mirrors, whole, options, remeshHalf);
+    if (!outcome) continue;
+    if (isMet(outcome->vertices, {mirrors.vertices, options.exact})) return outcome;
+    if (!best) best = std::move(outcome);
+  }
+  return best;
 }
 
 }  // namespace remesher

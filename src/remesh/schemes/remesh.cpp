@@ -21,6 +21,7 @@
 #include "remesh/schemes/bodies.h"
 #include "remesh/schemes/follow.h"
 #include "remesh/schemes/mirror_door.h"
+#include "remesh/schemes/number_note.h"
 #include "remesh/schemes/plan.h"
 #include "remesh/schemes/rival.h"
 #include "remesh/schemes/rounds.h"
@@ -292,9 +293,12 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   // Quads removed from a half are missing in all its images, so that the whole is better made.
   const bool isReached =
       wanted.exact ? off == 0
-                   : off / kCountTolerance <= double(aim) && !(isHalf && quads.collapsed > 0);
-  return {std::move(result), std::move(places), isReached ? Stopped::Target : Stopped::Fidelity,
-          vertices, std::move(warnings)};
+                   : off <= kFreeTolerance * double(aim) && !(isHalf && quads.collapsed > 0);
+  RemeshOutcome outcome{std::move(result), std::move(places),
+                        isReached ? Stopped::Target : Stopped::Fidelity, vertices,
+                        std::move(warnings)};
+  if (!isHalf) noteNumber(outcome, {aim, wanted.exact});
+  return outcome;
 }
 
 RemeshOutcome outcomeOf(Followed followed, std::size_t vertices, std::vector<Warning> warnings) {

@@ -173,10 +173,13 @@ std::size_t followCurves(QuadMesh& quads, const WorkingMesh& mesh) {
     for (std::size_t i = 0; i + 1 < on.size(); ++i)
       isWhole &= sides.contains(std::minmax(on[i].second, on[i + 1].second));
     left += isWhole ? 0 : 1;
-    for (std::size_t i = 0; isWhole && i + 1 < on.size(); ++i)
-      for (const Index side : sides[std::minmax(on[i].second, on[i + 1].second)])
-        quads.curves[side / 4][side % 4] = c;
-    if (!isWhole)
+    // A border is where the quads end: its vertices stay on it even where the chain has gaps.
+    const bool isBorder = mesh.surface().curves().chains()[c].boundary;
+    for (std::size_t i = 0; (isWhole || isBorder) && i + 1 < on.size(); ++i)
+      if (const auto found = sides.find(std::minmax(on[i].second, on[i + 1].second));
+          found != sides.end())
+        for (const Index side : found->second) quads.curves[side / 4][side % 4] = c;
+    if (!isWhole && !isBorder)
       for (const auto& [arc, v] : on) {
         Placement& place = quads.vertices[v];
         if (place.kind == VertexKind::Curve)

@@ -2,6 +2,7 @@
 #include "remesh/quads/extract/opening.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,15 +17,72 @@ namespace {
 
 using Loop = std::vector<Halfedge>;
 
+// The places along a boundary loop of a mesh, by arc length from its first vertex on.
+class LoopPlaces {
+ public:
+  LoopPlaces(const WorkingMesh& mesh, const Loop& loop) : mesh_(mesh), loop_(loop), arcs_{0} {
+    for (const Halfedge h : loop)
+      arcs_.push_back(arcs_.back() +
+                      (mesh.position(mesh.mesh().tip(h)) - mesh.position(origin(h))).norm());
+  }
+
+  double length() const { return arcs_.back(); }
+
+  std::vector<double> corners() const {
+    std::vector<double> found;
+    for (std::size_t i = 0; i < loop_.size(); ++i)
+      if (mesh_.kind(origin(loop_[i])) == VertexKind::Corner) found.push_back(arcs_[i]);
+    return found;
+  }
+
+  // arc: from 0 to the length, or once around more.
+  Placement at(double arc) const {
+    if (arc >= length()) arc -= length();
+    const auto after = std::upper_bound(arcs_.begin() + 1, arcs_.end() - 1, arc);
+    const Halfedge h = loop_[std::size_t(after - arcs_.begin()) - 1];
+    const Vertex a = origin(h), b = mesh_.mesh().tip(h);
+    const double from = *(after - 1), share = (arc - from) / (*after - from);
+    if (share == 0) return mesh_.placement(a);
+    const Index chain = mesh_.curve(h);
+    const double first = mesh_.onChain(a, chain).arc, last = mesh_.onChain(b, chain).arc;
+    return mesh_.onCurve({chain, first + share * (last - first)});
+  }
+
+  // None if the place is not on the loop.
+  std::optional<double> arcOf(const Placement& place) const {
+    if (place.kind == VertexKind::Interior) return {};
+    for (std::size_t i = 0; i < loop_.size(); ++i) {
+      const Vertex a = origin(loop_[i]);
+      if (place.kind == VertexKind::Corner) {
+        if (mesh_.kind(a) == VertexKind::Corner &&
+            mesh_.originalCorner(mesh_.at(a)) == mesh_.originalCorner(place.at))
+          return arcs_[i];
+        continue;
+      }
+      const Index chain = mesh_.curve(loop_[i]);
+      if (chain != place.on.chain) continue;
+      const double from = mesh_.onChain(a, chain).arc,
+                   to = mesh_.onChain(mesh_.mesh().tip(loop_[i]), chain).arc;
+      const double share = (place.on.arc - from) / (to - from);
+      if (share >= 0 && share <= 1) return arcs_[i] + share * (arcs_[i + 1] - arcs_[i]);
+    }
+    return {};
+  }
+
+ private:
+  Vertex origin(Halfedge h) const { return mesh_.mesh().origin(h); }
+
+  const WorkingMesh& mesh_;
+  const Loop& loop_;
+  std::vector<double> arcs_;  // from the loop's start to each of its vertices, and all around
+};
+
 // Four places on a loop for the corners of its quad: the loop's own corners, at most four, then the
 // middles of the widest gaps.
 class FourOnLoop {
  public:
-  FourOnLoop(const WorkingMesh& mesh, const Loop& loop) : mesh_(mesh), loop_(loop), arcs_{0} {
-    for (const Halfedge h : loop)
-      arcs_.push_back(arcs_.back() + (mesh.position(mesh.mesh().tip(h)) - position(h)).norm());
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      if (mesh.kind(mesh.mesh().origin(loop[i])) == VertexKind::Corner) at_.push_back(arcs_[i]);
+  FourOnLoop(const WorkingMesh& mesh, const Loop& loop)
+      : places_(mesh, loop), at_(places_.corners()) {
     if (at_.empty()) at_.push_back(0);
     while (at_.size() > 4) dropNearest();
     while (at_.size() < 4) divideWidest();
@@ -32,14 +90,12 @@ class FourOnLoop {
 
   // In the order of the loop.
   Four<Placement> places() const {
-    return {placeAt(at_[0]), placeAt(at_[1]), placeAt(at_[2]), placeAt(at_[3])};
+    return {places_.at(at_[0]), places_.at(at_[1]), places_.at(at_[2]), places_.at(at_[3])};
   }
 
  private:
-  Vec3 position(Halfedge h) const { return mesh_.position(mesh_.mesh().origin(h)); }
-
   double gapAfter(std::size_t i) const {
-    return i + 1 < at_.size() ? at_[i + 1] - at_[i] : at_[0] + arcs_.back() - at_[i];
+    return i + 1 < at_.size() ? at_[i + 1] - at_[i] : at_[0] + places_.length() - at_[i];
   }
 
   void divideWidest() {
@@ -47,7 +103,7 @@ class FourOnLoop {
     for (std::size_t i = 1; i < at_.size(); ++i)
       if (gapAfter(i) > gapAfter(widest)) widest = i;
     const double middle = at_[widest] + gapAfter(widest) / 2;
-    at_.push_back(middle < arcs_.back() ? middle : middle - arcs_.back());
+    at_.push_back(middle < places_.length() ? middle : middle - places_.length());
     std::sort(at_.begin(), at_.end());
   }
 
@@ -58,21 +114,63 @@ class FourOnLoop {
     at_.erase(at_.begin() + std::ptrdiff_t(nearest));
   }
 
-  Placement placeAt(double arc) const {
-    const auto after = std::upper_bound(arcs_.begin() + 1, arcs_.end() - 1, arc);
-    const Halfedge h = loop_[std::size_t(after - arcs_.begin()) - 1];
-    const Vertex a = mesh_.mesh().origin(h), b = mesh_.mesh().tip(h);
-    const double from = *(after - 1), share = (arc - from) / (*after - from);
-    if (share == 0) return mesh_.placement(a);
-    const Index chain = mesh_.curve(h);
-    const double first = mesh_.onChain(a, chain).arc, last = mesh_.onChain(b, chain).arc;
-    return mesh_.onCurve({chain, first + share * (last - first)});
+  const LoopPlaces places_;
+  std::vector<double> at_;
+};
+
+// Where quads at the border are missing, others end off the border: their vertices move onto it, in
+// their order between the nearest ones that are on it.
+class BorderClosing {
+ public:
+  BorderClosing(QuadMesh& quads, const WorkingMesh& mesh)
+      : quads_(quads), sides_(quads.vertices.size(), quads.quads) {
+    for (const Loop& loop : loops_ = boundaryLoops(mesh.mesh()))
+      if (std::all_of(loop.begin(), loop.end(), [&](Halfedge h) { return mesh.isCurve(h); }))
+        places_.emplace_back(mesh, loop);
   }
 
-  const WorkingMesh& mesh_;
-  const Loop& loop_;
-  std::vector<double> arcs_;  // from the loop's start to each of its vertices, and all around
-  std::vector<double> at_;
+  void run() {
+    std::vector<char> seen(sides_.size(), 0);
+    for (Index i = 0; i < sides_.size(); ++i) {
+      if (sides_.across(i) != kNone || seen[i]) continue;
+      std::vector<Index> loop;
+      for (Index side = i; !seen[side]; side = sides_.outgoing(sides_.tip(side))) {
+        seen[side] = 1;
+        loop.push_back(sides_.origin(side));
+      }
+      for (const LoopPlaces& places : places_)
+        if (close(loop, places)) break;
+    }
+  }
+
+ private:
+  // False if the quads' loop is not beside the loop of these places.
+  bool close(const std::vector<Index>& loop, const LoopPlaces& places) {
+    std::vector<std::optional<double>> arcs;
+    for (const Index v : loop) arcs.push_back(places.arcOf(quads_.vertices[v]));
+    const auto first = std::find_if(arcs.begin(), arcs.end(), [](auto& arc) { return bool(arc); });
+    if (first == arcs.end()) return false;
+    const auto begin = std::size_t(first - arcs.begin()), count = loop.size();
+    for (std::size_t i = begin; i < begin + count;) {
+      std::size_t next = i + 1;
+      while (!arcs[next % count]) ++next;
+      double span = *arcs[next % count] - *arcs[i % count];
+      if (span <= 0) span += places.length();
+      // Ends in the wrong order would be joined the long way round.
+      if (next > i + 1 && 2 * span < places.length())
+        for (std::size_t k = i + 1; k < next; ++k) {
+          const double share = double(k - i) / double(next - i);
+          quads_.vertices[loop[k % count]] = places.at(*arcs[i % count] + share * span);
+        }
+      i = next;
+    }
+    return true;
+  }
+
+  QuadMesh& quads_;
+  const QuadSides sides_;
+  std::vector<Loop> loops_;
+  std::vector<LoopPlaces> places_;
 };
 
 class Opening {
@@ -212,5 +310,7 @@ class Opening {
 void openAgain(QuadMesh& quads, const WorkingMesh& mesh, const Simpler& simpler) {
   Opening(quads, mesh).run(simpler);
 }
+
+void closeToBorder(QuadMesh& quads, const WorkingMesh& mesh) { BorderClosing(quads, mesh).run(); }
 
 }  // namespace remesher

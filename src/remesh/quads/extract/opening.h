@@ -22,4 +22,8 @@ namespace remesher {
 //     o-------o        o-------o
 void openAgain(QuadMesh& quads, const WorkingMesh& mesh, const Simpler& simpler);
 
+// Moves vertices of open sides that are off the mesh's border onto it: there a fold of the map has
+// cost quads. The quads must be a manifold.
+void closeToBorder(QuadMesh& quads, const WorkingMesh& mesh);
+
 }  // namespace remesher

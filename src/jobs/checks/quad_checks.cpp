@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/checks/quad_checks.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "geometry/extent.h"
+#include "geometry/triangle_tree.h"
+#include "jobs/checks/result_check.h"
+#include "mesh/welding.h"
+
+namespace remesher {
+
+namespace {
+
+// A border farther off than this share of the diagonal shows.
+constexpr double kOffBorder = 5e-4;
+
+// The open edges of a mesh, as triangles without area, and the number of loops that they make.
+struct Border {
+  std::vector<Index> lines;
+  std::size_t loops = 0;
+};
+
+Border borderOf(const TriangleMesh& mesh) {
+  Border border;
+  const Welding welding(mesh);
+  DisjointSets pieces(mesh.positions.size());
+  std::vector<char> isOn(mesh.positions.size(), 0);
+  welding.forEachEdge([&](std::span<const Index> edge) {
+    if (edge.size() != 1) return;
+    const Index a = welding.corners[edge[0]], b = welding.corners[nextCorner(edge[0])];
+    border.lines.insert(border.lines.end(), {a, b, b});
+    for (const Index v : {a, b}) border.loops += std::exchange(isOn[v], 1) == 0;
+    border.loops -= pieces.unite(a, b);
+  });
+  return border;
+}
+
+// What is off in one part.
+struct OffBorder {
+  std::size_t corners = 0, closed = 0;
+  std::optional<Vec3> first;
+};
+
+OffBorder offBorder(const TriangleMesh& given, const TriangleMesh& result) {
+  OffBorder off;
+  const Border before = borderOf(given), after = borderOf(result);
+  if (before.lines.empty()) return off;
+  off.closed = before.loops - std::min(before.loops, after.loops);
+  const TriangleTree tree(given.positions, before.lines);
+  const double most = kOffBorder * extentOf(given).diagonal();
+  std::vector<Index> corners = after.lines;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  for (const Index v : corners) {
+    const Vec3& p = result.positions[v];
+    if (tree.nearest(p).squaredDistance <= most * most) continue;
+    ++off.corners;
+    if (!off.first) off.first = p;
+  }
+  if (off.closed > 0 && !off.first) off.first = given.positions[before.lines.front()];
+  return off;
+}
+
+}  // namespace
+
+std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
+                                     const std::vector<io::Part>& result) {
+  OffBorder all;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!result[i].mesh.isQuads) continue;
+    const OffBorder off = offBorder(given[i].mesh, result[i].mesh);
+    all.corners += off.corners;
+    all.closed += off.closed;
+    if (!all.first) all.first = off.first;
+  }
+  if (!all.first) return {};
+  std::string text;
+  if (all.corners > 0)
+    text = std::to_string(all.corners) + " open corners of the quads are not on the border given";
+  if (all.closed > 0)
+    text += (text.empty() ? "" : ", and ") + std::to_string(all.closed) +
+            " of its open loops are closed";
+  text.append(", the first near (").append(placeInWords(*all.first, result)).append(").");
+  return {{"QUADS_OFF_BORDER", text, all.corners + all.closed}};
+}
+
+}  // namespace remesher

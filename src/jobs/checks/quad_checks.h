@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Finds faults of finished quads that no step before looks for; warnings say where they are.
+#pragma once
+
+#include <vector>
+
+#include "base/report.h"
+#include "io/model/model.h"
+
+namespace remesher {
+
+// QUADS_OFF_BORDER for parts of quads whose open edges do not lie on the open edges given, or that
+// have fewer open loops. The parts given come in the order of the result's.
+std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
+                                     const std::vector<io::Part>& result);
+
+}  // namespace remesher

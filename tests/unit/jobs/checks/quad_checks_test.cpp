@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/checks/quad_checks.h"
+
+#include <doctest/doctest.h>
+
+#include "support/shapes.h"
+
+using namespace remesher;
+
+TEST_CASE("quad checks: a border that is not the one given is said, with the place") {
+  const auto part = [](const TriangleMesh& mesh) {
+    return std::vector<io::Part>{io::Part{"", mesh, {}}};
+  };
+  TriangleMesh quads = shapes::grid(4, 4);
+  quads.isQuads = true;
+  CHECK(bordersOffGiven(part(shapes::grid(8, 8)), part(quads)).size() == 1);
+  CHECK(bordersOffGiven(part(shapes::grid(4, 4)), part(quads)).empty());
+  TriangleMesh notched = quads;  // without the quad at the origin
+  notched.indices.erase(notched.indices.begin(), notched.indices.begin() + 6);
+  const std::vector<Warning> warnings = bordersOffGiven(part(quads), part(notched));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].code == "QUADS_OFF_BORDER");
+  CHECK(warnings[0].count == 1);
+  CHECK(warnings[0].message.find("near (1, 1, 0)") != std::string::npos);
+  TriangleMesh opened = quads;  // one inner quad is missing, which the result fills
+  opened.indices.erase(opened.indices.begin() + 30, opened.indices.begin() + 36);
+  const std::vector<Warning> closed = bordersOffGiven(part(opened), part(quads));
+  REQUIRE(closed.size() == 1);
+  CHECK(closed[0].message.find("1 of its open loops are closed") != std::string::npos);
+  CHECK(bordersOffGiven(part(opened), part(opened)).empty());
+}
