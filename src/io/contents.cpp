@@ -89,7 +89,7 @@ constexpr Magic kMarkup[] = {
     {0, "<model", {{}, "the inside of a 3MF file", kExport}},
 };
 
-constexpr std::size_t kLooked = 4096;  // bytes in which a file has said what it is
+constexpr std::size_t kBytesLooked = 4096;  // bytes in which a file has said what it is
 
 bool holdsAt(std::string_view bytes, const Magic& magic) {
   return bytes.size() >= magic.at && bytes.substr(magic.at).starts_with(magic.bytes);
@@ -109,12 +109,12 @@ bool isBinaryStl(std::string_view bytes) {
 }
 
 bool isTextStl(std::string_view text) {
-  const std::string begin = lowerCase(text.substr(0, kLooked));
+  const std::string begin = lowerCase(text.substr(0, kBytesLooked));
   return begin.starts_with("solid") && begin.find('\0') == begin.npos &&
          (begin.find("facet") != begin.npos || begin.find("endsolid") != begin.npos);
 }
 
-bool beginsNumber(std::string_view word) {
+bool isNumberWord(std::string_view word) {
   return !word.empty() && "+-.0123456789"sv.find(word[0]) != std::string_view::npos;
 }
 
@@ -128,8 +128,8 @@ bool isObj(std::string_view text) {
     if (scanner.atLineEnd()) continue;
     const std::string_view keyword = scanner.word();
     if (keyword == "v")
-      return beginsNumber(scanner.word()) && beginsNumber(scanner.word()) &&
-             beginsNumber(scanner.word());
+      return isNumberWord(scanner.word()) && isNumberWord(scanner.word()) &&
+             isNumberWord(scanner.word());
     if (std::find(kOthers.begin(), kOthers.end(), keyword) == kOthers.end()) return false;
     ++i;
   }
@@ -160,7 +160,7 @@ Content contentOfZip(std::string_view bytes) {
 }
 
 Content contentOfMarkup(std::string_view text) {
-  const std::string begin = lowerCase(text.substr(0, kLooked));
+  const std::string begin = lowerCase(text.substr(0, kBytesLooked));
   for (const Magic& magic : kMarkup)
     if (begin.find(magic.bytes) != begin.npos) return magic.content;
   return {{}, "a text in XML, as servers answer with", kDownload};
