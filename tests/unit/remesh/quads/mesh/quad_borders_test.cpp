@@ -20,10 +20,10 @@ namespace {
 // A square of side 2 with a round hole of so many edges.
 TriangleMesh plate(const Vec3& middle, double radius, int edges) {
   TriangleMesh mesh;
-  constexpr int kRows = 10;
-  shapes::addSheet(mesh, edges, kRows, [&](int x, int y) {
+  constexpr int kRings = 10;
+  shapes::addSheet(mesh, edges, kRings, [&](int x, int y) {
     const Vec3 way = shapes::onCircle(x, edges);
-    const double t = double(y) / kRows;
+    const double t = double(y) / kRings;
     return Vec3((1 - t) * (middle + radius * way) + t * way / way.cwiseAbs().maxCoeff());
   });
   return mesh;
