@@ -18,26 +18,27 @@ Diagnosis diagnose(const TriangleMesh& mesh) {
 
 bool isSound(const Diagnosis& diagnosis) {
   if (diagnosis.unbalanced > 0 || !diagnosis.crossings.empty()) return false;
-  const std::vector<Piece>& pieces = diagnosis.pieces.pieces;
-  return std::none_of(pieces.begin(), pieces.end(),
-                      [](const Piece& piece) { return isShell(piece) || isInsideOut(piece); });
+  const std::vector<SurfacePiece>& pieces = diagnosis.pieces.pieces;
+  return std::none_of(pieces.begin(), pieces.end(), [](const SurfacePiece& piece) {
+    return isShell(piece) || isInsideOut(piece);
+  });
 }
 
 double openShare(const Diagnosis& diagnosis) {
   double open = 0, all = 0;
-  for (const Piece& piece : diagnosis.pieces.pieces) {
+  for (const SurfacePiece& piece : diagnosis.pieces.pieces) {
     all += piece.area;
     if (isSheet(piece)) open += piece.area;
   }
   return all > 0 ? open / all : 0;
 }
 
-bool isShell(const Piece& piece) { return piece.kind == Piece::Kind::Shell; }
-bool isInsideOut(const Piece& piece) { return piece.isInsideOut; }
-bool isCavity(const Piece& piece) { return piece.kind == Piece::Kind::Cavity; }
-bool isSheet(const Piece& piece) { return piece.kind == Piece::Kind::Open; }
+bool isShell(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kind::Shell; }
+bool isInsideOut(const SurfacePiece& piece) { return piece.isInsideOut; }
+bool isCavity(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kind::Cavity; }
+bool isSheet(const SurfacePiece& piece) { return piece.kind == SurfacePiece::Kind::Open; }
 
-std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&)) {
+std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&)) {
   const auto& [ofFace, pieces] = diagnosis.pieces;
   std::vector<char> isListed(pieces.size(), 0);
   std::vector<Vec3> corners;
@@ -49,7 +50,7 @@ std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const P
   return corners;
 }
 
-std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&)) {
+std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&)) {
   const auto& [ofFace, pieces] = diagnosis.pieces;
   std::vector<Index> triangles;
   for (Index f = 0; f < ofFace.size(); ++f)

@@ -28,13 +28,13 @@ bool isSound(const Diagnosis& diagnosis);
 double openShare(const Diagnosis& diagnosis);
 
 // Per kind of fault of the pieces, a corner of each piece that has it.
-std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));
-bool isShell(const Piece& piece);
-bool isInsideOut(const Piece& piece);
-bool isCavity(const Piece& piece);
-bool isSheet(const Piece& piece);  // open
+std::vector<Vec3> cornersOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&));
+bool isShell(const SurfacePiece& piece);
+bool isInsideOut(const SurfacePiece& piece);
+bool isCavity(const SurfacePiece& piece);
+bool isSheet(const SurfacePiece& piece);  // open
 
 // The triangles of the mesh in pieces with a fault, ascending.
-std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const Piece&));
+std::vector<Index> trianglesOf(const Diagnosis& diagnosis, bool (*hasFault)(const SurfacePiece&));
 
 }  // namespace remesher

@@ -117,8 +117,8 @@ std::vector<Vec3> hiddenAt(const Diagnosis& diagnosis, const std::vector<char>& 
   const auto& [ofFace, pieces] = diagnosis.pieces;
   std::vector<char> isListed(pieces.size(), 0);
   for (Index f = 0; f < ofFace.size(); ++f)
-    isListed[ofFace[f]] |=
-        pieces[ofFace[f]].kind == Piece::Kind::Open || isUsed[diagnosis.built.triangles[Face(f)]];
+    isListed[ofFace[f]] |= pieces[ofFace[f]].kind == SurfacePiece::Kind::Open ||
+                           isUsed[diagnosis.built.triangles[Face(f)]];
   std::vector<Vec3> corners;
   for (Index f = 0; f < ofFace.size(); ++f) {
     if (std::exchange(isListed[ofFace[f]], 1)) continue;

@@ -67,7 +67,9 @@ class PieceFinder {
             built_.positions[Vertex(v[2])]};
   }
 
-  bool isClosed(Index piece) const { return result_.pieces[piece].kind != Piece::Kind::Open; }
+  bool isClosed(Index piece) const {
+    return result_.pieces[piece].kind != SurfacePiece::Kind::Open;
+  }
 
   void measure() {
     const std::vector<Index>& ofFace = result_.ofFace;
@@ -75,9 +77,9 @@ class PieceFinder {
         ofFace.empty() ? 0 : 1 + *std::max_element(ofFace.begin(), ofFace.end());
     result_.pieces.assign(count, {});
     isCrossed_.assign(count, 0), seeds_.assign(count, kNone);
-    for (Piece& piece : result_.pieces) piece.kind = Piece::Kind::Solid;
+    for (SurfacePiece& piece : result_.pieces) piece.kind = SurfacePiece::Kind::Solid;
     for (Index f = 0; f < ofFace.size(); ++f) {
-      Piece& piece = result_.pieces[ofFace[f]];
+      SurfacePiece& piece = result_.pieces[ofFace[f]];
       Index& seed = seeds_[ofFace[f]];
       if (seed == kNone) seed = f;
       const Triangle t = triangle(f);
@@ -87,7 +89,7 @@ class PieceFinder {
       piece.volume += sixfoldVolume(t, triangle(seed)[0]) / 6;
       for (int k = 0; k < 3; ++k)
         if (built_.mesh.isBoundary(HalfedgeMesh::halfedge(Face(f), k)))
-          piece.kind = Piece::Kind::Open;
+          piece.kind = SurfacePiece::Kind::Open;
     }
   }
 
@@ -109,17 +111,17 @@ class PieceFinder {
   // A piece that faces against the solid that it lies in bounds a cavity. Facing as the solid does,
   // it is a shell that shows nothing.
   void classify(Index p) {
-    Piece& piece = result_.pieces[p];
+    SurfacePiece& piece = result_.pieces[p];
     const Index parent = parents_[p];
     const bool facesOutwards = piece.volume >= 0;
-    if (parent == kNone || result_.pieces[parent].kind == Piece::Kind::Cavity) {
+    if (parent == kNone || result_.pieces[parent].kind == SurfacePiece::Kind::Cavity) {
       piece.isInsideOut = !facesOutwards;
       return;
     }
-    const Piece& around = result_.pieces[parent];
+    const SurfacePiece& around = result_.pieces[parent];
     const bool isOpposed = facesOutwards != (around.volume >= 0);
-    const bool isCavity = isOpposed && around.kind == Piece::Kind::Solid;
-    piece.kind = isCavity ? Piece::Kind::Cavity : Piece::Kind::Shell;
+    const bool isCavity = isOpposed && around.kind == SurfacePiece::Kind::Solid;
+    piece.kind = isCavity ? SurfacePiece::Kind::Cavity : SurfacePiece::Kind::Shell;
     piece.isInsideOut = around.isInsideOut;
   }
 

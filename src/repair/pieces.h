@@ -11,7 +11,7 @@
 
 namespace remesher {
 
-struct Piece {
+struct SurfacePiece {
   // A shell lies inside a solid and faces the way the solid does: nobody sees it, and no cavity is
   // behind it.
   enum class Kind { Open, Solid, Cavity, Shell };
@@ -24,8 +24,8 @@ struct Piece {
 };
 
 struct Pieces {
-  std::vector<Index> ofFace;  // per face of the built mesh its piece
-  std::vector<Piece> pieces;  // in the order of their first faces
+  std::vector<Index> ofFace;         // per face of the built mesh its piece
+  std::vector<SurfacePiece> pieces;  // in the order of their first faces
 };
 
 // isCrossed: per triangle of the built mesh's input whether it intersects others. A piece with such

@@ -29,13 +29,13 @@ TEST_CASE("pieces: what faces into the solid around it is a cavity, what faces o
       return isTurned ? shapes::turnedOver(mesh) : mesh;
     };
     const Pieces hollow = of(soups::joined({as(ball), as(shapes::turnedOver(scaled(ball, 0.5)))}));
-    CHECK(hollow.pieces[0].kind == Piece::Kind::Solid);
-    CHECK(hollow.pieces[1].kind == Piece::Kind::Cavity);
+    CHECK(hollow.pieces[0].kind == SurfacePiece::Kind::Solid);
+    CHECK(hollow.pieces[1].kind == SurfacePiece::Kind::Cavity);
     CHECK(hollow.pieces[0].isInsideOut == isTurned);
     CHECK(hollow.pieces[1].isInsideOut == isTurned);
     const Pieces nested = of(soups::joined({as(scaled(ball, 0.5)), as(ball)}));
-    CHECK(nested.pieces[0].kind == Piece::Kind::Shell);
-    CHECK(nested.pieces[1].kind == Piece::Kind::Solid);
+    CHECK(nested.pieces[0].kind == SurfacePiece::Kind::Shell);
+    CHECK(nested.pieces[1].kind == SurfacePiece::Kind::Solid);
   }
 }
 
@@ -43,8 +43,8 @@ TEST_CASE("pieces: a body that lies loose in a cavity is a solid") {
   const TriangleMesh ball = shapes::icosphere(3);
   const Pieces pieces =
       of(soups::joined({ball, shapes::turnedOver(scaled(ball, 0.6)), scaled(ball, 0.3)}));
-  CHECK(pieces.pieces[1].kind == Piece::Kind::Cavity);
-  CHECK(pieces.pieces[2].kind == Piece::Kind::Solid);
+  CHECK(pieces.pieces[1].kind == SurfacePiece::Kind::Cavity);
+  CHECK(pieces.pieces[2].kind == SurfacePiece::Kind::Solid);
   CHECK(!pieces.pieces[2].isInsideOut);
 }
 
@@ -52,6 +52,6 @@ TEST_CASE("pieces: one with a boundary is open, and lies in nothing") {
   TriangleMesh open = scaled(shapes::icosphere(3), 0.5);
   open.indices.resize(open.indices.size() - 3);
   const Pieces pieces = of(soups::joined({shapes::icosphere(3), open}));
-  CHECK(pieces.pieces[0].kind == Piece::Kind::Solid);
-  CHECK(pieces.pieces[1].kind == Piece::Kind::Open);
+  CHECK(pieces.pieces[0].kind == SurfacePiece::Kind::Solid);
+  CHECK(pieces.pieces[1].kind == SurfacePiece::Kind::Open);
 }

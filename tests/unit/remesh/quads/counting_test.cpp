@@ -25,8 +25,8 @@ TriangleMesh polarBall(int columns, int rows, const Vec3& radii) {
   shapes::addSheet(mesh, columns, rows, [&](int x, int y) {
     const double angle = std::numbers::pi * y / rows;
     const double r = y % rows == 0 ? 0 : std::sin(angle);
-    return Vec3(r * shapes::onCircle(x, columns) - std::cos(angle) * Vec3::UnitZ())
-        .cwiseProduct(radii);
+    const Vec3 way = r * shapes::onCircle(x, columns) - std::cos(angle) * Vec3::UnitZ();
+    return Vec3(way.cwiseProduct(radii));
   });
   return mesh;
 }

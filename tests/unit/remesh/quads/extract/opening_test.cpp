@@ -140,7 +140,7 @@ TEST_CASE("opening: a small hole beside a boundary is opened in the quad it lies
   const WorkingMesh ground(surface);
   REQUIRE(kindOf(ground.mesh()).boundaryLoops == 2);
   for (const double vertices : {120., 140., 160., 180.}) {
-    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes);
+    const QuadMesh quads = mapToQuads(ground, vertices, evenSizes, Tears::Closed);
     REQUIRE(check(quads) == "");
     CHECK(kindOf(quads) == kindOf(ground.mesh()));
     const auto isOfHole = [&](Index v) {
