@@ -139,14 +139,18 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   if (double(outside->crossings.size()) > kMostCrossingsLeft * double(diagnosis.crossings.size()))
     return false;
   repair.way = ExactRepair::Way::United;
-  std::vector<char> isUsed(repair.mesh.triangleCount(), 0);
-  for (std::size_t i = 0; i < bodies.triangles.size(); ++i)
-    isUsed[bodies.triangles[i]] = outside->isUsed[i];
+  std::vector<char> isUsed(repair.mesh.triangleCount(), 0), isWall(isUsed);
+  for (const Index t : trianglesOf(diagnosis, isCavity)) isWall[t] = 1;
+  for (const Index parent : outside->parents) {
+    isUsed[bodies.triangles[parent]] = 1;
+    repair.isOfCavity.push_back(isWall[bodies.triangles[parent]]);
+  }
   repair.hiddenAt = hiddenAt(diagnosis, isUsed);
   repair.mesh = std::move(outside->mesh);
   repair.crossings = std::move(outside->crossings);
   if (sheets.triangles.empty()) return true;
   append(repair.mesh, sheets.mesh);
+  repair.isOfCavity.resize(repair.mesh.triangleCount(), 0);
   keepUsedVertices(repair.mesh);
   repair.crossings = selfIntersections(repair.mesh);
   return true;
@@ -203,16 +207,27 @@ ExactRepair leftAlone(const TriangleMesh& input) {
   return result;
 }
 
-void fillCavities(ExactRepair& repair) {
-  const Diagnosis diagnosis = diagnose(repair.mesh);
-  const std::vector<Index> walls = trianglesOf(diagnosis, isCavity);
-  repair.filledAt = cornersOf(diagnosis, isCavity);
-  if (walls.empty()) return;
-  std::vector<char> isWall(repair.mesh.triangleCount(), 0);
-  for (const Index t : walls) isWall[t] = 1;
+void fillCavities(ExactRepair& repair, Filled filled) {
+  if (filled == Filled::Made && repair.isOfCavity.empty()) return;
+  const BuiltMesh built = buildMesh(repair.mesh);
+  const std::vector<char> isCrossed(repair.mesh.triangleCount(), 0);
+  const auto [ofFace, pieces] = piecesOf(built, isCrossed);
+  std::vector<char> isFilled(pieces.size(), 0), isWall(repair.mesh.triangleCount(), 0);
+  for (std::size_t p = 0; p < pieces.size(); ++p) isFilled[p] = isCavity(pieces[p]);
+  for (Index f = 0; f < ofFace.size() && filled == Filled::Made; ++f)
+    if (repair.isOfCavity[built.triangles[Face(f)]]) isFilled[ofFace[f]] = 0;
+  std::vector<char> isListed(pieces.size(), 0);
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    if (!isFilled[ofFace[f]]) continue;
+    isWall[built.triangles[Face(f)]] = 1;
+    if (!std::exchange(isListed[ofFace[f]], 1))
+      repair.filledAt.push_back(built.positions[built.mesh.vertices(Face(f))[0]]);
+  }
+  if (repair.filledAt.empty()) return;
   repair.mesh = selected(repair.mesh, isWall, 0).mesh;
   keepUsedVertices(repair.mesh);
   repair.way = ExactRepair::Way::United;
+  if (!repair.crossings.empty()) repair.crossings = selfIntersections(repair.mesh);
 }
 
 }  // namespace remesher

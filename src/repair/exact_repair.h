@@ -31,6 +31,8 @@ struct ExactRepair {
   std::vector<Vec3> filledAt;       // a corner of each cavity filled
   std::size_t crossingsBefore = 0;  // triangles of the input that intersect others
   std::vector<Index> crossings;     // and of the result
+  // Per triangle of the result, if bodies were united: whether it bounded a cavity before.
+  std::vector<char> isOfCavity;
 };
 
 // None where the surface has no exact outside: where most of it is sheets, or where the result of
@@ -43,7 +45,10 @@ ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule);
 // The mesh as it is; its open pieces count as sheets.
 ExactRepair leftAlone(const TriangleMesh& input);
 
+// Which cavities are filled: all, or only those that uniting bodies has made.
+enum class Filled { All, Made };
+
 // Removes the walls of cavities.
-void fillCavities(ExactRepair& repair);
+void fillCavities(ExactRepair& repair, Filled filled);
 
 }  // namespace remesher

@@ -201,13 +201,14 @@ RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) 
   std::optional<ExactRepair> exact =
       exactlyRepaired(input, {longestLoop(input, options), kMostDisk});
   if (!exact) return remade(input, options);
+  if (!options.cavities) fillCavities(*exact, Filled::Made);
   return because(reasonOf(*exact), asRepaired(std::move(*exact), modeOf(*exact)));
 }
 
 RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
   if (std::optional<ExactRepair> exact = exactlyRepaired(input, {kInfinity, kMostDisk})) {
     if (exact->sheetsAt.empty()) {
-      if (!options.cavities) fillCavities(*exact);
+      if (!options.cavities) fillCavities(*exact, Filled::All);
       return asRepaired(std::move(*exact), "solid");
     }
   }

@@ -133,10 +133,9 @@ std::optional<United> united(const TriangleMesh& bodies) {
   const ArrangementResult arranged = arrange(welded.input, options);
   if (arranged.outcome != ArrangementResult::Outcome::Done || arranged.triangles.empty())
     return std::nullopt;
-  United result{Assembly(bodies, welded, arranged).run(),
-                std::vector<char>(bodies.triangleCount(), 0), arranged.selfIntersections};
+  United result{Assembly(bodies, welded, arranged).run(), {}, arranged.selfIntersections};
   for (const ArrangedTriangle& triangle : arranged.triangles)
-    result.isUsed[welded.triangles[triangle.parent]] = 1;
+    result.parents.push_back(welded.triangles[triangle.parent]);
   return result;
 }
 

@@ -14,7 +14,7 @@ namespace remesher {
 
 struct United {
   TriangleMesh mesh;
-  std::vector<char> isUsed;      // per triangle of the bodies, whether a part of it is left
+  std::vector<Index> parents;    // per triangle of the mesh that of the bodies in whose plane it is
   std::vector<Index> crossings;  // triangles of the mesh that rounding left intersecting others
 };
 

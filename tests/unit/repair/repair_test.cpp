@@ -89,6 +89,33 @@ TEST_CASE("repair: auto wraps loose triangles") {
   }
 }
 
+TEST_CASE("repair: a cavity that was given stays, one that uniting makes is filled") {
+  // A room of six slabs, which intersect each other.
+  TriangleMesh room;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double at : {-1.0, 1.0}) {
+      TriangleMesh slab = shapes::cube(1);
+      for (Vec3& p : slab.positions) {
+        p = 2.6 * (p - Vec3::Constant(0.5)) + Vec3(0.01, 0.02, 0.03) * (axis + at);
+        p[axis] = at + 0.1 * p[axis];
+      }
+      room = soups::joined({room, slab});
+    }
+  const RepairedMesh filled = mended(room);
+  CHECK(filled.report.reason == "united");
+  CHECK(inspectMesh(filled.mesh).components == 1);
+  CHECK(std::any_of(filled.warnings.begin(), filled.warnings.end(), [](const PlacedWarning& one) {
+    return one.warning.code == "CAVITIES_FILLED" && one.at;
+  }));
+  TriangleMesh wall = shapes::turnedOver(shapes::icosphere(3));
+  for (Vec3& p : wall.positions) p *= 0.5;
+  const TriangleMesh hollow = soups::joined(
+      {shapes::icosphere(4), wall, soups::moved(shapes::icosphere(3), {1.6, 0.1, 0.2})});
+  const RepairedMesh kept = mended(hollow);
+  CHECK(kept.report.reason == "united");
+  CHECK(inspectMesh(kept.mesh).components == 2);
+}
+
 TEST_CASE("repair: auto leaves sheets alone, with a warning that has a place") {
   const TriangleMesh sheet = shapes::grid(9, 7);
   const RepairedMesh result = mended(sheet);
