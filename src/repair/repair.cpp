@@ -126,7 +126,6 @@ RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule&
 }
 
 RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
-  requireMemory(input, options);
   const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
   RepairedMesh result = asRepaired(solidOf(input, rule), input, rule);
   if (!result.mesh.indices.empty()) return result;
@@ -187,7 +186,6 @@ const char* reasonOf(const ExactRepair& exact) {
 
 // The lattice, for what has no exact outside.
 RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
-  requireMemory(input, options);
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
   if (isClear(ground->enclosure()))
@@ -212,7 +210,6 @@ RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
       return asRepaired(std::move(*exact), "solid");
     }
   }
-  requireMemory(input, options);
   return solidified(solidOf(input, ruleFor(input, options, InsideBy::Enclosure)), input, options);
 }
 
@@ -267,6 +264,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {
   requireValid(input);
+  requireMemory(input, options);
   RepairedMesh result = repaired(input, options);
   if (result.isRemade) result.report.selfIntersections[0] = selfIntersections(input).size();
   return result;

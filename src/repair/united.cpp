@@ -17,6 +17,9 @@ namespace remesher {
 
 namespace {
 
+// Steps of the arrangement: more than bodies of few crossings take, far less than soups would.
+constexpr std::size_t kWorkBesides = 20'000'000, kWorkPerTriangle = 1000;
+
 // The bodies with one vertex at each position, as the arrangement takes them.
 struct Welded {
   ArrangementInput input;
@@ -130,6 +133,7 @@ std::optional<United> united(const TriangleMesh& bodies) {
   const Welded welded = weldedOf(bodies);
   ArrangementOptions options;
   options.isSingle = bodies.isSingle, options.scale = bodies.scale;
+  options.mostWork = kWorkBesides + kWorkPerTriangle * bodies.triangleCount();
   const ArrangementResult arranged = arrange(welded.input, options);
   if (arranged.outcome != ArrangementResult::Outcome::Done || arranged.triangles.empty())
     return std::nullopt;

@@ -51,7 +51,7 @@ RemeshOutcome quadsOf(const TriangleMesh& mesh, Index vertices) {
 }
 
 double missedBy(const RemeshOutcome& made, Index vertices) {
-  return std::abs(double(made.vertices) / double(vertices) - 1);
+  return std::abs(double(made.vertices) - double(vertices)) / double(vertices);
 }
 
 bool isSaid(const RemeshOutcome& made) {
