@@ -51,6 +51,6 @@ struct RepairedParts {
 
 // Repairs the parts in place. The report lacks only the times.
 RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
-                  const Progress& progress);
+                         const Progress& progress);
 
 }  // namespace remesher

@@ -374,7 +374,8 @@ export default {
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
     + 'Materialien gehen darin auf.',
   'warning.PASSED_ON': 'Netze ohne Fläche wurden weitergegeben, wie sie sind.',
-  'warning.QUADS_NUMBER_MISSED': 'Die Zahl der Punkte ist verfehlt: nähere Zahlen kosten unregelmäßige '
+  'warning.QUADS_NUMBER_MISSED': 'Die Zahl der Punkte ist verfehlt: nähere Zahlen kosten '
+    + 'unregelmäßige '
     + 'Punkte oder waren nicht möglich.',
   'warning.QUADS_OFF_BORDER': 'Der Rand der Vierecke liegt nicht überall auf dem gegebenen.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
@@ -382,12 +383,15 @@ export default {
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',
-  'warning.HIDDEN_BODIES_REMOVED': 'Körper wurden entfernt, die in anderen liegen und nicht zu sehen '
+  'warning.HIDDEN_BODIES_REMOVED': 'Körper wurden entfernt, die in anderen liegen und nicht zu '
+    + 'sehen '
     + 'sind.',
   'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
-  'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, wie '
+  'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
+    + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',
-  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses durchdringen andere, wo das Original '
+  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses durchdringen andere, wo das '
+    + 'Original '
     + 'sich nicht durchdringt.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',

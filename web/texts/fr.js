@@ -387,9 +387,11 @@ export default {
     + 'l’original ne se traverse pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
-  'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche coûterait des '
+  'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
+    + 'coûterait des '
     + 'points irréguliers ou n’était pas possible.',
-  'warning.QUADS_OFF_BORDER': 'Le bord des quadrilatères n’est pas partout sur celui qui a été donné.',
+  'warning.QUADS_OFF_BORDER': 'Le bord des quadrilatères n’est pas partout sur celui qui a été '
+    + 'donné.',
   'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
     + 'quadrilatères sont des paires de triangles divisées.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '

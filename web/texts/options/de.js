@@ -84,12 +84,12 @@ export default {
   'landmark.insideOut': '{count} Körper mit dem Inneren nach außen',
   'mend.needs': ' (etwa {seconds} s, {size})',
   'repair.far': '{share} der sichtbaren Fläche sind weiter als {distance} vom Ergebnis weg',
-  'reason.sound': 'Nichts war fehlerhaft: Das Netz ist unverändert.',
+  'reason.sound': 'Fehlerfrei: unverändert.',
   'reason.closed': 'Mit geschlossenen Rändern ist die Fläche fehlerfrei.',
-  'reason.united': 'Körper, die sich schneiden, wurden exakt vereinigt; der Rest ist unverändert.',
-  'reason.sheets': 'Blätter umschließen nichts und blieben, wie sie waren.',
-  'reason.enclosed': 'Eine Gitterfläche um die sichtbaren Körper ersetzt die Eingabe.',
-  'reason.open': 'Eine Gitterfläche um die Eingabe ersetzt sie.',
+  'reason.united': 'Körper, die sich schneiden, wurden exakt vereinigt.',
+  'reason.sheets': 'Blätter blieben, wie sie waren.',
+  'reason.enclosed': 'Mit einem Gitter um Körper neu gemacht.',
+  'reason.open': 'Mit einem Gitter neu gemacht.',
   'warning.SEEN_PARTS_LOST': 'Teile, die von außen zu sehen sind, fehlen dem Ergebnis: sie sind '
     + 'dünner, als es fein ist, oder liegen in Lücken, die es schließt.',
   'warning.SHEETS_THICKENED': 'Aus Blättern, die nichts umschließen, wurden dünne Körper hinter '

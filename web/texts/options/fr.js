@@ -86,12 +86,12 @@ export default {
   'landmark.insideOut': '{count} corps à l’envers',
   'mend.needs': ' (environ {seconds} s, {size})',
   'repair.far': '{share} de la surface visible sont à plus de {distance} du résultat',
-  'reason.sound': 'Rien n’était défectueux : le maillage est inchangé.',
+  'reason.sound': 'Sain : inchangé.',
   'reason.closed': 'Ses bords fermés, la surface est saine.',
-  'reason.united': 'Les corps qui se coupent ont été réunis exactement ; le reste est inchangé.',
-  'reason.sheets': 'Les feuilles n’enferment rien et sont restées telles quelles.',
-  'reason.enclosed': 'Une surface en grille autour des corps visibles remplace l’entrée.',
-  'reason.open': 'Une surface en grille autour de l’entrée la remplace.',
+  'reason.united': 'Les corps qui se coupent ont été réunis exactement.',
+  'reason.sheets': 'Les feuilles sont restées telles quelles.',
+  'reason.enclosed': 'Refaite par une grille autour des corps.',
+  'reason.open': 'Refaite par une grille.',
   'warning.SEEN_PARTS_LOST': 'Des parties visibles de l’extérieur manquent au résultat : elles '
     + 'sont plus minces que sa finesse, ou dans des passages qu’il ferme.',
   'warning.SHEETS_THICKENED': 'Des feuilles, qui n’enferment rien, sont devenues des solides '

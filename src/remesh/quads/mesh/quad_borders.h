@@ -7,8 +7,8 @@
 
 namespace remesher {
 
-// The sides of only one quad with an end that is on no boundary curve of the original. None if parts
-// of the original's border are no curves, which quads need not follow.
+// The sides of only one quad with an end that is on no boundary curve of the original. None if
+// parts of the original's border are no curves, which quads need not follow.
 std::vector<Index> sidesOffBorder(const QuadMesh& mesh, const OriginalSurface& surface);
 
 }  // namespace remesher
