@@ -34,7 +34,7 @@ import { legible } from './legible.js';
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
-    help: 'exact number of vertices of the result (distinct positions), of quads within 1 %; if '
+    help: 'exact number of vertices of the result (distinct positions), of quads within 4 %; if '
       + 'not given the input’s, or in the scheme best as few as keep --max-error' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     help: 'the number of vertices as a share of the input’s' },
@@ -82,7 +82,7 @@ export const optionTable = [
       + 'if not given' },
   { name: 'quads', flag: '--quads', type: 'boolean', default: false,
     help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
-      + 'within 1 %' },
+      + 'within 1 %, or within 4 % where a nearer one costs irregular vertices' },
   { name: 'exact', flag: '--exact', type: 'boolean', default: false,
     help: 'of quads: exactly the number of vertices' },
   { name: 'symmetry', flag: '--symmetry S', type: 'choice', choices: ['auto', 'off'],
