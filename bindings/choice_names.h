@@ -37,6 +37,10 @@ inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
                                                {"auto", Repair::Auto}}};
 inline constexpr Names<Sheets, 2> kSheets = {
     {{"thicken", Sheets::Thicken}, {"drop", Sheets::Drop}}};
+inline constexpr Names<BooleanOperation, 3> kBooleans = {
+    {{"union", BooleanOperation::Union},
+     {"subtract", BooleanOperation::Subtract},
+     {"intersect", BooleanOperation::Intersect}}};
 inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"fidelity", Stopped::Fidelity},
                                                 {"max-error", Stopped::MaxError},

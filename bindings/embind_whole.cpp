@@ -58,6 +58,48 @@ val repairBytes(const val& request, const val& options, const val& onProgress) {
   });
 }
 
+// The package has checked the name.
+BooleanOperation operationFrom(const val& request) {
+  const auto given = request["operation"].as<std::string>();
+  for (const auto& [name, operation] : kBooleans)
+    if (name == given) return operation;
+  throw Error(ErrorCode::InvalidOption, "There is no such operation.");
+}
+
+val objectFrom(const Report& report, const BooleanReport& made) {
+  val summary = val::object(), result = objectFrom(report);
+  summary.set("operation", std::string(nameOf(kBooleans, made.operation)));
+  summary.set("cut", double(made.cut));
+  summary.set("selfIntersections", double(made.selfIntersections));
+  result.set("boolean", summary);
+  return result;
+}
+
+// request: { a, b, operation }, two meshes
+val booleanOfArrays(const val& request, const val& onProgress) {
+  return guarded([&] {
+    const BooleanResult run = boolean(meshFrom(request["a"]), meshFrom(request["b"]),
+                                      operationFrom(request), progressFrom(onProgress));
+    val result = val::object();
+    result.set("meshes", objectFrom(std::vector<TriangleMesh>{run.mesh}));
+    result.set("report", objectFrom(run.report, run.boolean));
+    return result;
+  });
+}
+
+// request: { a, b, operation, output }, two of { name, bytes, resources }
+val booleanOfFiles(const val& request, const val& onProgress) {
+  return guarded([&] {
+    const BooleanFilesResult run =
+        booleanFiles(bundleFrom(request["a"]), bundleFrom(request["b"]), operationFrom(request),
+                     request["output"].as<std::string>(), progressFrom(onProgress));
+    val result = val::object();
+    result.set("files", objectFrom(run.files));
+    result.set("report", objectFrom(run.report, run.boolean));
+    return result;
+  });
+}
+
 // request: { name, bytes, resources, output }
 val convertBytes(const val& request) {
   return guarded([&] {
@@ -186,6 +228,8 @@ EMSCRIPTEN_BINDINGS(remesher_whole) {
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);
+  emscripten::function("boolean", &booleanOfArrays);
+  emscripten::function("booleanFiles", &booleanOfFiles);
   emscripten::function("convertFile", &convertBytes);
   emscripten::function("inspectClosely", &inspectClosely);
   emscripten::function("inspectFile", &inspectBytes);

@@ -78,6 +78,7 @@ set(small
   src/base/phase_clock.cpp
   src/base/place.cpp
   src/base/triangle_mesh.cpp
+  src/boolean.cpp
   src/find_faults.cpp
   src/geometry/extent.cpp
   src/geometry/mesh_tree.cpp
@@ -136,7 +137,10 @@ set(small
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
   src/jobs/mending.cpp
+  src/jobs/operands.cpp
+  src/jobs/part_boolean.cpp
   src/jobs/part_run.cpp
+  src/jobs/parts/appending.cpp
   src/jobs/parts/part_borders.cpp
   src/jobs/parts/part_joining.cpp
   src/jobs/parts/part_places.cpp
@@ -144,6 +148,7 @@ set(small
   src/jobs/parts/part_scale.cpp
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
+  src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
   src/measure/edge_report.cpp
@@ -254,6 +259,7 @@ set(small
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
   src/remesher.cpp
+  src/repair/boolean.cpp
   src/repair/diagnosis.cpp
   src/repair/exact_repair.cpp
   src/repair/fineness.cpp

@@ -19,6 +19,7 @@ install(TARGETS remesher EXPORT targets)
 install(EXPORT targets NAMESPACE remesher:: FILE targets.cmake DESTINATION ${place_of_package})
 install(FILES src/remesher.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/remesher)
 install(FILES
+  src/base/boolean.h
   src/base/error.h
   src/base/file.h
   src/base/options.h

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/boolean.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/options.h"
@@ -72,6 +73,30 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress = {});
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress = {});
+
+struct BooleanResult {
+  TriangleMesh mesh;
+  Report report;  // input: of both operands; without distances
+  BooleanReport boolean;
+};
+
+// The union, difference or intersection of two bodies, exactly, with the attributes of both. The
+// operands are made closed first, by the exact steps of repair. What nothing cuts stays as it is,
+// bit for bit. Throws Error as repair does, and INVALID_MESH if an operand stays open, NO_TRIANGLES
+// if nothing is left.
+BooleanResult boolean(const TriangleMesh& a, const TriangleMesh& b, BooleanOperation operation,
+                      const Progress& progress = {});
+
+struct BooleanFilesResult {
+  std::vector<File> files;  // as above
+  Report report;
+  BooleanReport boolean;
+};
+
+// The same of all bodies that each file shows, in the world.
+BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
+                                BooleanOperation operation, const std::string& outputName,
+                                const Progress& progress = {});
 
 struct ConvertFileResult {
   std::vector<File> files;  // as above

@@ -9,6 +9,7 @@ add_executable(unit_tests
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
   tests/unit/base/place_test.cpp
+  tests/unit/boolean_test.cpp
   tests/unit/geometry/extent_test.cpp
   tests/unit/geometry/fast_trigonometry_test.cpp
   tests/unit/geometry/mesh_tree_test.cpp
@@ -158,6 +159,7 @@ add_executable(unit_tests
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp
+  tests/unit/repair/boolean_test.cpp
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
   tests/unit/repair/holes/used_vertices_test.cpp

@@ -7,9 +7,12 @@ import * as platform from './platform_browser.js';
 
 /**
  * The types of all inputs and results.
+ * @typedef {import('./api/api.js').BooleanFilesResult} BooleanFilesResult
+ * @typedef {import('./api/api.js').BooleanResult} BooleanResult
  * @typedef {import('./api/api.js').ConvertFileResult} ConvertFileResult
  * @typedef {import('./api/api.js').InitOptions} InitOptions
  * @typedef {import('./api/api.js').InspectOptions} InspectOptions
+ * @typedef {import('./api/api.js').OperandOptions} OperandOptions
  * @typedef {import('./api/api.js').RemeshFileResult} RemeshFileResult
  * @typedef {import('./api/api.js').RepairFileResult} RepairFileResult
  * @typedef {import('./api/arrays_api.js').RemeshResult} RemeshResult
@@ -22,6 +25,9 @@ import * as platform from './platform_browser.js';
  * @typedef {import('./api/inputs.js').FileOptions} FileOptions
  * @typedef {import('./api/inputs.js').OutputOptions} OutputOptions
  * @typedef {import('./base/errors.js').ErrorCode} ErrorCode
+ * @typedef {import('./base/messages.js').BooleanOperation} BooleanOperation
+ * @typedef {import('./base/messages.js').BooleanReport} BooleanReport
+ * @typedef {import('./base/messages.js').BooleanSummary} BooleanSummary
  * @typedef {import('./base/messages.js').Distances} Distances
  * @typedef {import('./base/messages.js').EdgeSummary} EdgeSummary
  * @typedef {import('./base/messages.js').FaultSummary} FaultSummary
@@ -141,6 +147,44 @@ export function repair(mesh, options) {
  */
 export function repairFile(bytes, options) {
   return api.repairFile(bytes, options);
+}
+
+/**
+ * The union, difference or intersection of two bodies, exactly, with the attributes of both: what
+ * one mesh lacks is white for colours, flat for normals, else zero. Triangles that nothing cuts
+ * stay as they are. A mesh that is not closed, faces inwards or intersects itself counts as the
+ * bodies that `repair` finds in it without remaking it. The arrays are copied, and stay the
+ * caller's.
+ *
+ * @example
+ * const { mesh } = await boolean(block, drill, 'subtract');
+ *
+ * @param {Mesh} a The first mesh, as remesh takes it.
+ * @param {Mesh} b The second mesh, which `subtract` takes away from the first.
+ * @param {BooleanOperation} operation What to make of them.
+ * @param {RunOptions} [options] How to run.
+ * @returns {Promise<BooleanResult>} The new mesh and a report. Rejects with a {@link RemeshError}.
+ */
+export function boolean(a, b, operation, options) {
+  return api.boolean(a, b, operation, options);
+}
+
+/**
+ * The union, difference or intersection of all that two files show, given and returned as bytes.
+ *
+ * @example
+ * const { bytes } = await booleanFiles(block, drill, 'subtract', { output: 'part.glb' });
+ *
+ * @param {Bytes} a The first file.
+ * @param {Bytes} b The second file.
+ * @param {BooleanOperation} operation What to make of them.
+ * @param {OperandOptions & OutputOptions & RunOptions} [options] The files' names, the result's
+ *   name, and how to run.
+ * @returns {Promise<BooleanFilesResult>} The new file and a report. Rejects with a
+ *   {@link RemeshError}.
+ */
+export function booleanFiles(a, b, operation, options) {
+  return api.booleanFiles(a, b, operation, options);
 }
 
 /**

@@ -13,5 +13,7 @@ export const remeshScene = api.remeshScene.bind(api);
 export const remeshFile = api.remeshFile.bind(api);
 export const repair = api.repair.bind(api);
 export const repairFile = api.repairFile.bind(api);
+export const boolean = api.boolean.bind(api);
+export const booleanFiles = api.booleanFiles.bind(api);
 export const convertFile = api.convertFile.bind(api);
 export const inspect = api.inspect.bind(api);

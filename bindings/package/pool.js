@@ -109,6 +109,35 @@ export class Pool {
   }
 
   /**
+   * The union, difference or intersection of two bodies, as the package's function makes it.
+   *
+   * @param {Package.Mesh} a The first mesh.
+   * @param {Package.Mesh} b The second mesh.
+   * @param {Package.BooleanOperation} operation What to make of them.
+   * @param {Package.RunOptions} [options] How to run.
+   * @returns {Promise<Package.BooleanResult>} The new mesh and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  boolean(a, b, operation, options) {
+    return this.#pool.boolean(a, b, operation, options);
+  }
+
+  /**
+   * The union, difference or intersection of two files, as the package's function makes it.
+   *
+   * @param {Package.Bytes} a The first file.
+   * @param {Package.Bytes} b The second file.
+   * @param {Package.BooleanOperation} operation What to make of them.
+   * @param {Package.OperandOptions & Package.OutputOptions & Package.RunOptions} [options] The
+   *   files' names, the result's name, and how to run.
+   * @returns {Promise<Package.BooleanFilesResult>} The new file and a report. Rejects with a
+   *   `RemeshError`.
+   */
+  booleanFiles(a, b, operation, options) {
+    return this.#pool.booleanFiles(a, b, operation, options);
+  }
+
+  /**
    * Writes a file in another format, as the package's function does.
    *
    * @param {Package.Bytes} bytes The file.

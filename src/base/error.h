@@ -23,7 +23,7 @@ enum class ErrorCode {
   ParseError,         // the bytes are not what the format promises
   MissingResource,    // a file refers to another that was not given
   Unsupported,        // valid, but beyond what we read
-  InvalidMesh,        // arrays of the wrong type or length
+  InvalidMesh,        // arrays of the wrong type or length, or no closed body
   IndexOutOfRange,    // a triangle names a vertex that is not there
   NonFinite,          // NaN or infinity among the coordinates
   NoTriangles,        // nothing to remesh

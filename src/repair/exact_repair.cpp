@@ -31,16 +31,6 @@ double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
   return sum;
 }
 
-// Vertices that count as one get the same coordinates, so that every reader finds them to be one.
-TriangleMesh atOnePosition(const TriangleMesh& input) {
-  TriangleMesh mesh = input;
-  const std::vector<Index> first = weld(input.positions);
-  for (const Index v : input.indices)
-    if (mesh.positions[v] != input.positions[first[v]])
-      mesh.positions[v] = input.positions[first[v]];
-  return mesh;
-}
-
 std::size_t countTurned(const TriangleMesh& input, const ClosedHoles& closed) {
   std::size_t turned = 0;
   for (std::size_t i = 0; i < closed.kept.size(); ++i)
@@ -157,6 +147,15 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
 }
 
 }  // namespace
+
+TriangleMesh atOnePosition(const TriangleMesh& input) {
+  TriangleMesh mesh = input;
+  const std::vector<Index> first = weld(input.positions);
+  for (const Index v : input.indices)
+    if (mesh.positions[v] != input.positions[first[v]])
+      mesh.positions[v] = input.positions[first[v]];
+  return mesh;
+}
 
 ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule) {
   ExactRepair result;

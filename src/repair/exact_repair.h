@@ -45,6 +45,9 @@ ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule);
 // The mesh as it is; its open pieces count as sheets.
 ExactRepair leftAlone(const TriangleMesh& input);
 
+// Vertices that count as one get the same coordinates, so that every reader finds them to be one.
+TriangleMesh atOnePosition(const TriangleMesh& input);
+
 // Which cavities are filled: all, or only those that uniting bodies has made.
 enum class Filled { All, Made };
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/place.h"
 #include "geometry/triangle.h"
+#include "geometry/triangle_meeting.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
 #include "repair/diagnosis.h"
@@ -19,6 +20,7 @@
 #include "repair/holes/turn_over.h"
 #include "repair/holes/used_vertices.h"
 #include "repair/solid/solid.h"
+#include "repair/stitch.h"
 
 namespace remesher {
 
@@ -227,6 +229,22 @@ RepairedMesh repaired(const TriangleMesh& input, const RemeshOptions& options) {
   }
 }
 
+// Without cracks, and without triangles that have no area: they join nothing once they are cut.
+TriangleMesh stitched(const TriangleMesh& input) {
+  TriangleMesh mesh = atOnePosition(input);
+  if (countUnbalancedEdges(mesh) > 0) weldOpenVertices(mesh);
+  stitchOpenEdges(mesh);
+  return mesh;
+}
+
+bool haveAreas(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    if (!hasArea({mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                  mesh.positions[mesh.indices[i + 2]]}))
+      return false;
+  return true;
+}
+
 // Which repair mends it, without the work of the lattice's surface.
 Repair repairFor(const TriangleMesh& input) {
   if (const std::optional<ExactRepair> exact = exactlyRepaired(input, {kInfinity, kMostDisk}))
@@ -260,6 +278,21 @@ FaultReport faultsOf(const TriangleMesh& input) {
   alone.repair = faults.repair = repairFor(input);
   faults.needs = needsOf(input, alone);
   return faults;
+}
+
+std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
+  const TriangleMesh mesh = haveAreas(input) ? input : stitched(input);
+  if (mesh.indices.empty()) return std::nullopt;
+  std::optional<ExactRepair> exact = exactlyRepaired(mesh, {kInfinity, kMostDisk});
+  if (!exact || !exact->sheetsAt.empty() || countUnbalancedEdges(exact->mesh) > 0)
+    return std::nullopt;
+  const char* const reason = reasonOf(*exact);
+  return because(reason, asRepaired(std::move(*exact), "solid"));
+}
+
+std::vector<Vec3> openPieces(const TriangleMesh& input) {
+  const TriangleMesh mesh = stitched(input);
+  return mesh.indices.empty() ? std::vector<Vec3>{} : cornersOf(diagnose(mesh), isSheet);
 }
 
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options) {

@@ -28,6 +28,13 @@ struct RepairedMesh {
 // memory can hold it.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
+// The mesh as closed bodies that intersect nowhere, facing outwards, by the exact steps of repair
+// alone; nothing stays open and no lattice is made. None where that is not possible.
+std::optional<RepairedMesh> exactBodies(const TriangleMesh& input);
+
+// A corner of each piece of the mesh that stays open when its cracks are closed.
+std::vector<Vec3> openPieces(const TriangleMesh& input);
+
 // Finds what is broken; open loops are in no particular order. Throws the Errors of buildMesh, and
 // OUT_OF_MEMORY as above.
 FaultReport faultsOf(const TriangleMesh& input);

@@ -27,7 +27,7 @@ struct Welded {
   std::vector<Index> vertices;   // per position of the input a vertex of the bodies there
 };
 
-Welded weldedOf(const TriangleMesh& bodies) {
+Welded weldedOf(const TriangleMesh& bodies, std::span<const Index> operands) {
   Welded welded;
   const std::vector<Index> first = weld(bodies.positions);
   std::vector<Index> numbers(first.size(), kNone);
@@ -46,8 +46,8 @@ Welded weldedOf(const TriangleMesh& bodies) {
     if (!hasArea({at(0), at(1), at(2)})) continue;
     for (int k = 0; k < 3; ++k) welded.input.indices.push_back(numberOf(v[k]));
     welded.triangles.push_back(t);
+    welded.input.operands.push_back(operands[t]);
   }
-  welded.input.operands.assign(welded.triangles.size(), 0);
   // Attributes are linear in one triangle only, so facets of different ones stay apart.
   if (!bodies.attributes.empty()) {
     welded.input.classes.resize(welded.triangles.size());
@@ -129,17 +129,24 @@ class Assembly {
 
 }  // namespace
 
-std::optional<United> united(const TriangleMesh& bodies) {
-  const Welded welded = weldedOf(bodies);
+std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands) {
+  const Welded welded = weldedOf(bodies, operands.numbers);
   ArrangementOptions options;
+  options.isInside = operands.isInside;
   options.isSingle = bodies.isSingle, options.scale = bodies.scale;
   options.mostWork = kWorkBesides + kWorkPerTriangle * bodies.triangleCount();
-  const ArrangementResult arranged = arrange(welded.input, options);
-  if (arranged.outcome != ArrangementResult::Outcome::Done || arranged.triangles.empty())
-    return std::nullopt;
-  United result{Assembly(bodies, welded, arranged).run(), {}, arranged.selfIntersections};
-  for (const ArrangedTriangle& triangle : arranged.triangles)
+  const ArrangementResult found = arrange(welded.input, options);
+  if (found.outcome != ArrangementResult::Outcome::Done) return std::nullopt;
+  United result{Assembly(bodies, welded, found).run(), {}, found.selfIntersections, found.cut};
+  for (const ArrangedTriangle& triangle : found.triangles)
     result.parents.push_back(welded.triangles[triangle.parent]);
+  return result;
+}
+
+std::optional<United> united(const TriangleMesh& bodies) {
+  std::optional<United> result =
+      arranged(bodies, {std::vector<Index>(bodies.triangleCount(), 0), isWound});
+  if (result && result->mesh.indices.empty()) return std::nullopt;
   return result;
 }
 

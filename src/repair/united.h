@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The outside of closed bodies, exactly: where they intersect each other or themselves, their
-// triangles are cut along each other and what lies inside goes. All other triangles stay as they
-// are, bit for bit.
+// Closed bodies arranged exactly: where they intersect each other or themselves, their triangles
+// are cut along each other and only the boundary of the inside is kept. All other triangles stay as
+// they are, bit for bit.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/triangle_mesh.h"
@@ -13,13 +15,24 @@
 namespace remesher {
 
 struct United {
-  TriangleMesh mesh;
+  TriangleMesh mesh;             // without triangles where nothing is inside
   std::vector<Index> parents;    // per triangle of the mesh that of the bodies in whose plane it is
   std::vector<Index> crossings;  // triangles of the mesh that rounding left intersecting others
+  std::size_t cut = 0;           // triangles of the bodies that met others
 };
 
-// bodies: closed, facing outwards; triangles without an area are left out. None if the triangles do
-// not bound volumes, or if the work would be out of proportion.
+// Which operand each triangle of the bodies belongs to, and whether a place is inside by the
+// winding number of each operand there.
+struct Operands {
+  std::vector<Index> numbers;
+  std::function<bool(std::span<const int>)> isInside;
+};
+
+// The boundary of the inside. bodies: closed, facing outwards; triangles without an area are left
+// out. None if the triangles do not bound volumes, or if the work would be out of proportion.
+std::optional<United> arranged(const TriangleMesh& bodies, const Operands& operands);
+
+// The outside of the bodies, all of one operand. None as above, and if nothing is inside.
 std::optional<United> united(const TriangleMesh& bodies);
 
 }  // namespace remesher

@@ -50,6 +50,20 @@ test('a file is remeshed to the exact count; standard output stays empty', () =>
   assert.match(read('out.off'), /^OFF\s+700 1400/);
 });
 
+test('two bodies become one file; a file that was read is not written over', () => {
+  write('tetrahedron.off', tetrahedron);
+  const words = ['torus.off', 'tetrahedron.off', '-o', 'both.stl'];
+  const { status, stdout, stderr } = run('union', ...words);
+  assert.deepEqual([status, stdout], [0, ''], stderr);
+  assert.match(stderr, /union, both bodies as one: 0 triangles cut/);
+  assert.equal(readFileSync(inFolder('both.stl')).length, 84 + 50 * (4 + 2 * 48 * 24));
+  const { boolean, input } = JSON.parse(run('union', ...words, '--json').stdout);
+  assert.deepEqual([boolean.operation, input.components], ['union', 2]);
+  failsWith(2, /one of the files that were read/, 'union', 'torus.off', 'tetrahedron.off', '-o',
+    'tetrahedron.off');
+  failsWith(2, /have no volume in common/, 'intersect', ...words.slice(0, 3), 'none.stl');
+});
+
 test('--quiet says nothing', () => {
   const { status, stdout, stderr } = run('torus.off', '-o', 'out.off', '--ratio=.5', '--quiet');
   assert.deepEqual([status, stdout, stderr], [0, '', '']);

@@ -15,7 +15,7 @@ const { convertFile, init, inspect, remesh, remeshFile } = remesher;
 
 test('the package exports what it promises and nothing else', () => {
   assert.deepEqual(Object.keys(remesher).sort(),
-    ['RemeshError', 'convertFile', 'init', 'inspect', 'remesh', 'remeshFile', 'remeshScene',
+    ['RemeshError', 'boolean', 'booleanFiles', 'convertFile', 'init', 'inspect', 'remesh', 'remeshFile', 'remeshScene',
       'repair', 'repairFile']);
 });
 

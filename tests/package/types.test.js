@@ -23,6 +23,10 @@ const functions = {
   repair: 'repair(mesh: Mesh, options?: RepairOptions & RunOptions): Promise<RepairResult>',
   repairFile: 'repairFile(bytes: Bytes, options?: RepairOptions & FileOptions & OutputOptions '
     + '& RunOptions): Promise<RepairFileResult>',
+  boolean: 'boolean(a: Mesh, b: Mesh, operation: BooleanOperation, options?: RunOptions): '
+    + 'Promise<BooleanResult>',
+  booleanFiles: 'booleanFiles(a: Bytes, b: Bytes, operation: BooleanOperation, '
+    + 'options?: OperandOptions & OutputOptions & RunOptions): Promise<BooleanFilesResult>',
   convertFile: 'convertFile(bytes: Bytes, options?: FileOptions & OutputOptions & RunOptions): '
     + 'Promise<ConvertFileResult>',
   inspect: 'inspect(bytesOrMesh: Bytes | Mesh, options?: InspectOptions & FileOptions & '
@@ -67,6 +71,9 @@ const takes = {
   remeshFile: [bytes, { ...ofTable, ...ofRun, ...ofFile, ...ofOutput }],
   repair: [mesh, { ...ofRepair, ...ofRun }],
   repairFile: [bytes, { ...ofRepair, ...ofRun, ...ofFile, ...ofOutput }],
+  boolean: [`${mesh}, ${mesh}, 'union'`, ofRun],
+  booleanFiles: [`${bytes}, ${bytes}, 'subtract'`, { nameA: "'a.obj'", nameB: "'b.stl'",
+    resourcesA: `{ 'a.mtl': ${bytes} }`, resourcesB: '{}', ...ofRun, ...ofOutput }],
   convertFile: [bytes, { ...ofRun, ...ofFile, ...ofOutput }],
   inspect: [bytes, { faults: 'true', edges: 'false', ...ofRun, ...ofFile }],
 };

@@ -273,6 +273,7 @@ export default {
   'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
   'phase.quads': 'Vierecke bilden',
+  'phase.boolean': 'Körper aneinander schneiden',
   'phase.measure': 'Messen',
   'phase.paint': 'Texturen werden gemalt',
   'phase.write': 'Schreiben',
@@ -355,6 +356,7 @@ export default {
     + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
     + 'weitergegeben werden.',
+  'warning.MATERIALS_BY_NAME': 'Die Materialien behalten nur ihre Namen.',
   'warning.MAX_ERROR_EXCEEDED': 'Das Ergebnis weicht weiter ab als verlangt: die Grenze gilt für '
     + 'die ausgebesserte Fläche.',
   'warning.NAME_CONTRADICTS': 'Die Datei ist etwas anderes, als ihr Name sagt; sie wird als das '

@@ -272,6 +272,7 @@ export default {
   'phase.mend': 'Mending',
   'phase.coarsen': 'Coarsening',
   'phase.quads': 'Making quads',
+  'phase.boolean': 'Cutting the bodies along each other',
   'phase.measure': 'Measuring',
   'phase.paint': 'Painting textures',
   'phase.write': 'Writing',

@@ -274,6 +274,7 @@ export default {
   'phase.mend': 'Réparation',
   'phase.coarsen': 'Simplification',
   'phase.quads': 'Quadrilatères',
+  'phase.boolean': 'Découpe des corps',
   'phase.measure': 'Mesure',
   'phase.paint': 'Peinture des textures',
   'phase.write': 'Écriture',
@@ -357,6 +358,7 @@ export default {
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
     + 'transmises.',
+  'warning.MATERIALS_BY_NAME': 'Les matériaux ne gardent que leurs noms.',
   'warning.MAX_ERROR_EXCEEDED': 'Le résultat s’écarte plus que demandé : la limite vaut pour la '
     + 'surface réparée.',
   'warning.NAME_CONTRADICTS': 'Le fichier n’est pas ce que dit son nom ; il est lu comme ce qu’il '

@@ -4,10 +4,16 @@
 import { RemeshError } from '../base/errors.js';
 import { ArraysApi, compilerOf, refuseOthers, runNames, start } from './arrays_api.js';
 import { Client } from './client.js';
-import { buffersOf, copyMesh, fileBuffers, fileRequest, isBytes } from './inputs.js';
+import {
+  buffersOf, copyMesh, copyOperands, fileBuffers, fileRequest, isBytes,
+} from './inputs.js';
+import { legible } from '../base/legible.js';
 import { checkOptions, checkRepair } from '../base/options.js';
 
-/** @import { Inspection, Mesh, NamedBytes, RepairReport, Warning } from '../base/messages.js' */
+/**
+ * @import { BooleanOperation, BooleanReport, FileRequest, Inspection, Mesh, NamedBytes,
+ *   RepairReport, Warning } from '../base/messages.js'
+ */
 /** @import { RemeshOptions } from '../base/options.js' */
 /** @import { RemeshResult, Runner, WasmSource } from './arrays_api.js' */
 /** @import { Platform, RunOptions } from './client.js' */
@@ -59,6 +65,28 @@ import { checkOptions, checkRepair } from '../base/options.js';
 /**
  * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<RepairResult, 'report'>}
  *   RepairFileResult
+ */
+
+/**
+ * The files of a Boolean, as FileOptions are of one file.
+ * @typedef {object} OperandOptions
+ * @property {string} [nameA] The first file's name; its extension, before a .gz, tells the format.
+ * @property {string} [nameB] The second file's name.
+ * @property {Record<string, Bytes>} [resourcesA] Files that the first one refers to, by the names
+ *   it uses for them.
+ * @property {Record<string, Bytes>} [resourcesB] Files that the second one refers to.
+ */
+
+/**
+ * @typedef {object} BooleanResult
+ * @property {Mesh} mesh Arrays of the types of the first mesh; coordinates are doubles if either
+ *   mesh has doubles.
+ * @property {BooleanReport} report What went in, what was cut, what came out.
+ */
+
+/**
+ * @typedef {Omit<ConvertFileResult, 'warnings'> & Pick<BooleanResult, 'report'>}
+ *   BooleanFilesResult
  */
 
 /** @typedef {Platform & { compileWhole: Compile }} WholePlatform */
@@ -137,6 +165,41 @@ export class Api extends ArraysApi {
   }
 
   /**
+   * @param {Mesh} a
+   * @param {Mesh} b
+   * @param {BooleanOperation} operation
+   * @param {RunOptions} [options]
+   * @returns {Promise<BooleanResult>}
+   */
+  async boolean(a, b, operation, options = {}) {
+    refuseOthers(options, runNames);
+    const operands = copyOperands(a, b);
+    const { meshes, report } = await this.#client.run(
+      { kind: 'boolean', operands, operation: requireOperation(operation) },
+      operands.flatMap(buffersOf), options);
+    return { mesh: meshes[0], report };
+  }
+
+  /**
+   * @param {Bytes} a
+   * @param {Bytes} b
+   * @param {BooleanOperation} operation
+   * @param {OperandOptions & OutputOptions & RunOptions} [options]
+   * @returns {Promise<BooleanFilesResult>}
+   */
+  async booleanFiles(a, b, operation, options = {}) {
+    refuseOthers(options, [...runNames, 'nameA', 'nameB', 'resourcesA', 'resourcesB', 'output']);
+    const { nameA, nameB, resourcesA, resourcesB, output } = options;
+    /** @type {[FileRequest, FileRequest]} */
+    const files = [await fileRequest(a, { name: nameA, resources: resourcesA, output }),
+      await fileRequest(b, { name: nameB, resources: resourcesB })];
+    const { files: made, report } = await this.#client.run(
+      { kind: 'booleanFiles', files, operation: requireOperation(operation) },
+      files.flatMap(fileBuffers), options);
+    return { ...made[0], files: made, report };
+  }
+
+  /**
    * @param {Bytes} bytes
    * @param {FileOptions & OutputOptions & RunOptions} [options]
    * @returns {Promise<ConvertFileResult>}
@@ -169,6 +232,16 @@ export class Api extends ArraysApi {
     const job = { kind: /** @type {const} */ ('inspect'), mesh, closely: { faults, edges } };
     return this.#client.run(job, buffersOf(mesh), options);
   }
+}
+
+const operations = /** @type {const} */ (['union', 'subtract', 'intersect']);
+
+/** @param {unknown} operation @returns {BooleanOperation} */
+function requireOperation(operation) {
+  const known = operations.find((name) => name === operation);
+  if (known) return known;
+  throw new RemeshError('INVALID_OPTION',
+    `The operation must be 'union', 'subtract' or 'intersect', not ${legible(operation)}.`);
 }
 
 const edgesOfFile = () => new RemeshError('INVALID_OPTION',

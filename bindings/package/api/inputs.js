@@ -7,7 +7,7 @@ import { withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 
 /** @import {
- *   FileRequest, Indices, Mesh, MeshAttribute, PlacedMesh,
+ *   FileRequest, Indices, Mesh, MeshAttribute, NumberArray, PlacedMesh,
  * } from '../base/messages.js' */
 
 /**
@@ -149,6 +149,45 @@ function copyAttributes(attributes, vertexCount) {
     result[semantic] = { array: copyArray(array, label), itemSize };
   }
   return result;
+}
+
+/** The number that is white, or full, in colours of this type. @param {NumberArray} array */
+function whiteIn(array) {
+  if (array instanceof Uint8Array || array instanceof Uint8ClampedArray) return 255;
+  return array instanceof Uint16Array ? 65535 : 1;
+}
+
+/**
+ * Colours of both meshes in the first one's range, since bytes and fractions mean different things;
+ * white bytes for a mesh without colours beside one that has bytes.
+ * @param {Mesh} mesh @param {Mesh} other @returns {Mesh}
+ */
+function withColorsLike(mesh, other) {
+  const attributes = { ...mesh.attributes };
+  for (const [semantic, { array, itemSize }] of Object.entries(other.attributes ?? {})) {
+    if (!semantic.startsWith('COLOR_')) continue;
+    const own = attributes[semantic];
+    const white = whiteIn(array);
+    const colors = own ? Float32Array.from(own.array, (x) => (x * white) / whiteIn(own.array))
+      : new (/** @type {any} */ (array).constructor)((mesh.positions.length / 3) * itemSize)
+        .fill(white);
+    attributes[semantic] = { array: colors, itemSize: own?.itemSize ?? itemSize };
+  }
+  return { ...mesh, attributes };
+}
+
+/** Copies of both operands, which can become one mesh. @param {unknown} a @param {unknown} b
+ * @returns {[Mesh, Mesh]} */
+export function copyOperands(a, b) {
+  const [first, second] = [copyMesh(a), copyMesh(b)];
+  return [withColorsLike(first, { ...second, attributes: onlyIn(second, first) }),
+    withColorsLike(second, first)];
+}
+
+/** The attributes of a mesh that another lacks. @param {Mesh} mesh @param {Mesh} other */
+function onlyIn({ attributes = {} }, other) {
+  return Object.fromEntries(Object.entries(attributes).filter(([semantic]) =>
+    !other.attributes?.[semantic]));
 }
 
 /** @param {Mesh} mesh @returns {ArrayBuffer[]} */

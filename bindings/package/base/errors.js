@@ -13,7 +13,7 @@ export const errorCodes = /** @type {const} */ ([
   'PARSE_ERROR', // the bytes are not what the format promises
   'MISSING_RESOURCE', // a file refers to another that was not given
   'UNSUPPORTED', // valid, but beyond what we read
-  'INVALID_MESH', // arrays of the wrong type or length
+  'INVALID_MESH', // arrays of the wrong type or length, or no closed body
   'INDEX_OUT_OF_RANGE', // a triangle names a vertex that is not there
   'NON_FINITE', // NaN or infinity among the coordinates
   'NO_TRIANGLES', // nothing to remesh

@@ -60,9 +60,16 @@
  *   | { kind: 'remeshFile', file: FileRequest, options: Record<string, unknown> }
  *   | { kind: 'repair', parts: PlacedMesh[], options: Record<string, unknown> }
  *   | { kind: 'repairFile', file: FileRequest, options: Record<string, unknown> }
+ *   | { kind: 'boolean', operands: [Mesh, Mesh], operation: BooleanOperation }
+ *   | { kind: 'booleanFiles', files: [FileRequest, FileRequest], operation: BooleanOperation }
  *   | { kind: 'convertFile', file: FileRequest }
  *   | { kind: 'inspect', mesh: Mesh, closely?: { faults: boolean, edges: boolean } }
  *   | { kind: 'inspectFile', file: FileRequest, faults?: boolean }} Job
+ */
+
+/**
+ * Both bodies as one; the first without the second; what both have in common.
+ * @typedef {'union' | 'subtract' | 'intersect'} BooleanOperation
  */
 
 /**
@@ -272,6 +279,20 @@
  */
 
 /** @typedef {Inspection & { output: MeshReport, repair: RepairSummary }} RepairReport */
+
+/**
+ * How a Boolean came about.
+ * @typedef {object} BooleanSummary
+ * @property {BooleanOperation} operation What was asked for.
+ * @property {number} cut Triangles of both operands that met others.
+ * @property {number} selfIntersections Triangles of the result that meet others, by rounding.
+ */
+
+/**
+ * The input's figures are those of both operands. `repair` says what was mended first, if anything.
+ * @typedef {Inspection & { output: MeshReport, boolean: BooleanSummary, repair?: RepairSummary }}
+ *   BooleanReport
+ */
 
 /**
  * @typedef {Inspection & RunReport & { repair?: RepairSummary, lods?: RemeshReport[] }}

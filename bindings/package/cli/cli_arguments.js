@@ -11,12 +11,14 @@ import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
 
+/** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/options.js').Option} Option */
 
 /**
  * @typedef {object} CommandLine
- * @property {'remesh' | 'convert' | 'repair' | 'inspect' | 'help' | 'version'} command
- * @property {string[]} inputs one, unless the output is a folder
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect' | BooleanOperation | 'help' | 'version'}
+ *   command
+ * @property {string[]} inputs one, or the two of a Boolean, unless the output is a folder
  * @property {string} output
  * @property {string} format for output to '-' and to a folder
  * @property {string | undefined} root the folder below which a model may name other files
@@ -129,7 +131,13 @@ function setOwn(line, flag, value) {
   if (flag === '--version') line.command = 'version';
 }
 
-const commands = /** @type {const} */ (['convert', 'repair', 'inspect']);
+const commands = /** @type {const} */ (
+  ['convert', 'repair', 'inspect', 'union', 'subtract', 'intersect']);
+
+/** @param {string} command @returns {command is BooleanOperation} */
+export function isBoolean(command) {
+  return ['union', 'subtract', 'intersect'].includes(command);
+}
 
 /** @param {CommandLine} line @param {readonly string[]} names */
 function setNames(line, names) {
@@ -147,16 +155,37 @@ function setNames(line, names) {
 }
 
 /** @param {CommandLine} line */
-function checkInputs({ command, inputs: [first, second], output, skipExisting, jobs }) {
+function checkInputs({ command, inputs, output, skipExisting, jobs }) {
+  if (isBoolean(command)) {
+    checkOperands({ command, inputs, output });
+    return checkAlone({ skipExisting, jobs });
+  }
+  const [first, second] = inputs;
   if (command !== 'inspect' && isFolder(output)) return;
   if (second !== undefined) {
     throw wrongUse(`There are two input files, ${legible(first)} and ${legible(second)}.`,
       command === 'inspect' ? 'Inspect one after the other.'
         : 'Name the output with -o <output>; for many files let it end in /.');
   }
+  checkAlone({ skipExisting, jobs });
+}
+
+/** @param {Pick<CommandLine, 'skipExisting' | 'jobs'>} line */
+function checkAlone({ skipExisting, jobs }) {
   if (skipExisting || jobs > 0) {
     throw wrongUse(`${jobs > 0 ? '--jobs' : '--skip-existing'} is for many files.`,
       'Let the output end in /.');
+  }
+}
+
+/** @param {Pick<CommandLine, 'command' | 'inputs' | 'output'>} line */
+function checkOperands({ command, inputs, output }) {
+  const use = `Use: remesher ${command} <a> <b> -o <output>`;
+  if (inputs.length !== 2) {
+    throw wrongUse(`remesher ${command} takes two input files, not ${inputs.length}.`, use);
+  }
+  if (isFolder(output)) {
+    throw wrongUse(`remesher ${command} writes one file, and ${legible(output)} is a folder.`, use);
   }
 }
 
@@ -176,6 +205,10 @@ function checkName({ output, format }) {
 /** @param {CommandLine} line */
 function checkOutput(line) {
   const foreign = optionTable.find(({ name }) => line.options[name] !== undefined);
+  if (foreign && isBoolean(line.command)) {
+    throw wrongUse(`remesher ${line.command} does not remesh: ${flagOf(foreign)} does not belong `
+      + 'there.');
+  }
   if (foreign && (line.command === 'convert' || line.command === 'inspect')) {
     throw wrongUse(`remesher ${line.command} changes no triangles: ${flagOf(foreign)} does not `
       + 'belong there.');
@@ -188,7 +221,7 @@ function checkOutput(line) {
   if (line.command === 'inspect' && line.output + line.format !== '') {
     throw wrongUse('remesher inspect writes no file.', 'Leave out -o and --format.');
   }
-  if (!['remesh', 'convert', 'repair'].includes(line.command)) return;
+  if (['inspect', 'help', 'version'].includes(line.command)) return;
   if (line.output === '') throw wrongUse('No output file is given.', 'Add -o <output>.');
   if (line.output === '-' && line.format === '') {
     throw wrongUse('Output to - needs a format.', `Add --format ${inWords(formats)}.`);
@@ -261,6 +294,8 @@ export function helpText() {
     'remesher <input> -o <output> [options]     remesh a file',
     'remesher repair <input> -o <output>        only mend it, as --repair says',
     'remesher convert <input> -o <output>       only change the format',
+    'remesher union|subtract|intersect <a> <b> -o <output>',
+    '                                           both bodies, a without b, or their common part',
     'remesher <inputs> -o <folder>/ [options]   many files, folders, patterns like scans/*.obj',
     'remesher inspect <input> [--json]          report on a file, change nothing',
     '',

@@ -105,12 +105,25 @@ function faultsInWords(faults) {
   ].join('\n');
 }
 
+const operations = {
+  union: 'both bodies as one',
+  subtract: 'the first body without the second',
+  intersect: 'the common part of both bodies',
+};
+
+/** @param {import('../base/messages.js').BooleanSummary} boolean */
+function booleanInWords({ operation, cut, selfIntersections }) {
+  return `${operation}, ${operations[operation]}: ${counted(cut, 'triangle')} cut, `
+    + `${counted(selfIntersections, 'triangle')} of the result self-intersecting`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
   if (report.input) parts.push(meshInWords('input', report.input));
   if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.repair) parts.push(repairInWords(report.repair));
+  if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
   if ([report.prefer].flat().includes('shape')) {

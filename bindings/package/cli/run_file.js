@@ -11,19 +11,21 @@ import { Gate } from '../files/gate.js';
 import { readInput } from '../files/input.js';
 import { requireOutput, writeOutput } from '../files/output.js';
 
+/** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
 /** @typedef {import('../base/messages.js').ProgressEvent} ProgressEvent */
 /** @typedef {import('../base/messages.js').Warning} Warning */
 /**
  * @typedef {Pick<import('../api/api.js').Api, 'inspect' | 'convertFile' | 'repairFile'
- *   | 'remeshFile'>} Api
+ *   | 'remeshFile' | 'booleanFiles'>} Api
  */
 /** @typedef {import('../api/client.js').RunOptions} RunOptions */
 
 /**
  * @typedef {object} FileTask
- * @property {'remesh' | 'convert' | 'repair' | 'inspect'} command
+ * @property {'remesh' | 'convert' | 'repair' | 'inspect' | BooleanOperation} command
  * @property {string} input
+ * @property {string} [second] the other operand of a Boolean
  * @property {string} output empty: the caller takes the files
  * @property {string} outputName
  * @property {string | undefined} root
@@ -56,12 +58,12 @@ async function readResources({ name, bytes, isPainted }, gate) {
   return resources;
 }
 
-/** The refused files, with what would help. @param {Gate} gate @param {FileTask} task */
-function refusals(gate, { root }) {
+/** The refused files, with what would help. @param {Gate[]} gates @param {FileTask} task */
+function refusals(gates, { root }) {
   const help = root === undefined
     ? 'A model may name files in its own folder; with --root DIR, those below DIR.'
     : 'A model may name files below --root.';
-  return gate.refusals().map((sentence) => `${sentence} ${help}`);
+  return gates.flatMap((gate) => gate.refusals()).map((sentence) => `${sentence} ${help}`);
 }
 
 /** @param {unknown} error @param {string[]} refused */
@@ -72,25 +74,47 @@ function withRefusals(error, refused) {
 }
 
 /**
+ * A file that was read, with those that it refers to.
+ * @typedef {{ name: string, bytes: Uint8Array, resources: Record<string, Uint8Array>, gate: Gate }}
+ *   Opened
+ */
+
+/** @param {string} input @param {{ name: string, bytes: Uint8Array }} file @param {FileTask} task
+ * @returns {Promise<Opened>} */
+async function withResources(input, { name, bytes }, { root, options }) {
+  const gate = await Gate.of(input, root);
+  const isPainted = options.textures === 'bake';
+  return { name, bytes, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
+}
+
+/** @param {string} input */
+const read = async (input) => gunzip({ name: basename(input), bytes: await readInput(input) });
+
+/**
  * @param {FileTask} task
  * @param {Api} api
- * @param {Uint8Array} bytes
- * @param {RunOptions & { name: string, resources: Record<string, Uint8Array> }} about
+ * @param {Opened[]} opened
+ * @param {RunOptions} run
  * @returns {Promise<FileResult>}
  */
-async function work(task, api, bytes, about) {
-  if (task.command === 'inspect') {
-    return { files: [], report: { ...await api.inspect(bytes, { ...about, faults: true }) } };
+async function work({ command, outputName: output, options }, api, [file, second], run) {
+  const { name, bytes, resources } = file;
+  const about = { ...run, name, resources };
+  switch (command) {
+    case 'inspect':
+      return { files: [], report: { ...await api.inspect(bytes, { ...about, faults: true }) } };
+    case 'convert': {
+      const { files, warnings } = await api.convertFile(bytes, { ...about, output });
+      return { files, report: { warnings } };
+    }
+    case 'repair':
+      return api.repairFile(bytes, { ...options, ...about, output });
+    case 'remesh':
+      return api.remeshFile(bytes, { ...options, ...about, output });
+    default:
+      return api.booleanFiles(bytes, second.bytes, command, { ...run, output, nameA: name,
+        nameB: second.name, resourcesA: resources, resourcesB: second.resources });
   }
-  const output = task.outputName;
-  if (task.command === 'convert') {
-    const { files, warnings } = await api.convertFile(bytes, { ...about, output });
-    return { files, report: { warnings } };
-  }
-  const options = { ...task.options, ...about, output };
-  const { files, report } = task.command === 'repair'
-    ? await api.repairFile(bytes, options) : await api.remeshFile(bytes, options);
-  return { files, report: { ...report } };
 }
 
 /**
@@ -100,21 +124,25 @@ async function work(task, api, bytes, about) {
  * @returns {Promise<FileResult>}
  */
 export async function runFile(task, api, run) {
-  const { input, output, force } = task;
-  const { name, bytes } =
-    await gunzip({ name: basename(input), bytes: await readInput(input) });
-  if (output) requireOutput({ path: output, inputs: [input], force });
-  const gate = await Gate.of(input, task.root);
-  const isPainted = task.options.textures === 'bake';
-  const resources = await readResources({ name, bytes, isPainted }, gate);
-  const refused = refusals(gate, task);
-  const result = await work(task, api, bytes, { ...run, name, resources }).catch((error) => {
+  const { input, second, output, force } = task;
+  const inputs = second === undefined ? [input] : [input, second];
+  const files = [];
+  for (const path of inputs) files.push(await read(path));
+  if (output) requireOutput({ path: output, inputs, force });
+  const opened = [];
+  for (const [i, path] of inputs.entries()) {
+    opened.push(await withResources(path, files[i], task));
+  }
+  const gates = opened.map(({ gate }) => gate);
+  const refused = refusals(gates, task);
+  const { files: made, report } = await work(task, api, opened, run).catch((error) => {
     throw withRefusals(error, refused);
   });
-  result.report.warnings = [...result.report.warnings,
-    ...refused.map((message) => ({ code: 'RESOURCE_REFUSED', message, count: 1 }))];
+  const result = { files: made, report: { ...report, warnings: [...report.warnings,
+    ...refused.map((message) => ({ code: 'RESOURCE_REFUSED', message, count: 1 }))] } };
   if (output) {
-    await writeOutput(result.files, { path: output, inputs: [input, ...gate.files], force });
+    await writeOutput(made,
+      { path: output, inputs: [...inputs, ...gates.flatMap((gate) => gate.files)], force });
   }
   return result;
 }

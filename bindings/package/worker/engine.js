@@ -97,6 +97,14 @@ function call(instance, job, ask) {
       return instance.repair(withList(job.parts[0].mesh), job.options, ask);
     case 'repairFile':
       return instance.repairFile(job.file, job.options, ask);
+    case 'boolean': {
+      const [a, b] = job.operands.map(withList);
+      return instance.boolean({ a, b, operation: job.operation }, ask);
+    }
+    case 'booleanFiles': {
+      const [a, b] = job.files;
+      return instance.booleanFiles({ a, b, operation: job.operation, output: a.output }, ask);
+    }
     case 'convertFile':
       return instance.convertFile(job.file);
     case 'inspect':
@@ -106,6 +114,33 @@ function call(instance, job, ask) {
     default:
       return instance.inspectFile(job.file, job.faults ?? false);
   }
+}
+
+/**
+ * The job with its files neither packed nor compressed.
+ * @param {Job} job @returns {Promise<Job>}
+ */
+async function plain(job) {
+  if ('file' in job) return (await scripts.whole()).opened(job);
+  if (job.kind !== 'booleanFiles') return job;
+  const { opened } = await scripts.whole();
+  const [a, b] = job.files;
+  return { ...job, files: [(await opened({ file: a })).file, (await opened({ file: b })).file] };
+}
+
+/**
+ * The types of a result of two meshes: the first one's, and doubles where either has them.
+ * @param {[Mesh, Mesh]} operands @returns {Mesh}
+ */
+function modelOf([a, b]) {
+  const isLarge = (/** @type {Mesh} */ { indices }) => indices instanceof Uint32Array;
+  const positions = [a, b].find((mesh) => mesh.positions instanceof Float64Array) ?? a;
+  return {
+    positions: positions.positions,
+    indices: isLarge(b) ? b.indices : a.indices,
+    attributes: { ...b.attributes, ...a.attributes },
+    groups: a.groups ?? b.groups,
+  };
 }
 
 /** @typedef {Extract<Job, { kind: 'remeshFile' }>} FileJob */
@@ -156,7 +191,7 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    const plainJob = 'file' in job ? await (await scripts.whole()).opened(job) : job;
+    const plainJob = await plain(job);
     if (plainJob.kind !== 'remeshFile' || !mayPaint(plainJob)) {
       return this.#run(plainJob, onProgress);
     }
@@ -183,6 +218,9 @@ export class Engine {
     if (instance.HEAPU8.length > keptMemory) this.#instance = undefined;
     if (outcome.error) {
       throw new RemeshError(outcome.error.code, outcome.error.message, outcome.error.hint);
+    }
+    if (job.kind === 'boolean') {
+      return { ...outcome, meshes: [meshLike(outcome.meshes[0], modelOf(job.operands))] };
     }
     if (job.kind !== 'remesh' && job.kind !== 'repair') return outcome;
     const alike = (/** @type {any[]} */ meshes) =>

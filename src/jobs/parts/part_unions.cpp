@@ -11,6 +11,7 @@
 
 #include "base/place.h"
 #include "io/model/bake.h"
+#include "jobs/parts/appending.h"
 #include "jobs/parts/part_borders.h"
 #include "remesh/schemes/targets.h"
 
@@ -43,27 +44,6 @@ std::size_t countCornerPlaces(const TriangleMesh& mesh) {
   std::vector<char> isCorner(first.size(), 0);
   for (const Index v : mesh.indices) isCorner[first[v]] = 1;
   return std::size_t(std::count(isCorner.begin(), isCorner.end(), 1));
-}
-
-// A mesh without an attribute of the others gets its default: 1 for colors, else 0.
-void append(TriangleMesh& all, const TriangleMesh& mesh) {
-  const std::size_t before = all.positions.size();
-  const Index group = all.groups.empty() ? 0 : Index(groupCount(all));
-  all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
-  for (const Index v : mesh.indices) all.indices.push_back(Index(before) + v);
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-    all.groups.push_back(group + (mesh.groups.empty() ? 0 : mesh.groups[t]));
-  for (const Attribute& attribute : mesh.attributes)
-    if (!findAttribute(all, attribute.semantic))
-      all.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
-  for (Attribute& attribute : all.attributes) {
-    const std::size_t width = std::size_t(attribute.itemSize);
-    attribute.values.resize(before * width, attribute.semantic.starts_with("COLOR_") ? 1.0F : 0.0F);
-    if (const Attribute* own = findAttribute(mesh, attribute.semantic))
-      attribute.values.insert(attribute.values.end(), own->values.begin(), own->values.end());
-    attribute.values.resize(all.positions.size() * width,
-                            attribute.semantic.starts_with("COLOR_") ? 1.0F : 0.0F);
-  }
 }
 
 using Coordinates = std::array<double, 3>;
@@ -176,7 +156,8 @@ void PartUnions::add(std::vector<std::size_t> members, const std::vector<Triangl
     made.vertices.push_back(Index(mesh.positions.size()));
     made.triangles.push_back(Index(mesh.triangleCount()));
     made.groups.push_back(Index(made.bodies.size()));
-    append(mesh, placed[m]);
+    appendGroups(mesh.groups, placed[m], mesh.groups.empty() ? 0 : Index(groupCount(mesh)));
+    appendMesh(mesh, placed[m]);
     made.bodies.resize(groupCount(mesh), Index(made.groups.size() - 1));
     const TriangleMesh& own = parts_[m].mesh;
     mesh.isSingle = mesh.isSingle && own.isSingle && own.scale == mesh.scale;

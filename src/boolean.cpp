@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Booleans of two meshes, or of the bodies of two files.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/legible.h"
+#include "io/formats.h"
+#include "io/model/bake.h"
+#include "io/model/near_origin.h"
+#include "jobs/operands.h"
+#include "jobs/part_boolean.h"
+#include "jobs/parts/part_joining.h"
+#include "jobs/parts/part_report.h"
+#include "jobs/run_guards.h"
+#include "remesher.h"
+
+namespace remesher {
+
+namespace {
+
+bool holds(const std::string& outputName, io::Holds what) { return io::canHold(outputName, what); }
+
+io::Conventions conventionsOf(const std::string& outputName) {
+  return holds(outputName, io::kHoldsImages) ? io::Conventions::Gltf : io::Conventions::Classic;
+}
+
+// The file's parts at their places, as the output's format understands their attributes.
+GivenOperand readOperand(const FileBundle& input, const std::string& outputName,
+                         std::vector<Warning>& warnings) {
+  io::Model model = io::read(input.file, input.resources);
+  io::makeBodies(model);
+  if (model.parts.empty())
+    throw Error(ErrorCode::NoTriangles, legible(input.file.name) + " has no triangles.");
+  for (io::Part& part : model.parts)
+    part.mesh = io::converted(std::move(part.mesh), model.conventions, conventionsOf(outputName));
+  warnings = joined(std::move(warnings), model.warnings);
+  return {legible(input.file.name), std::move(model.parts)};
+}
+
+// Where the result is shown. In single precision it is made near the origin if it is far away.
+Transform placeOf(OperandPair& pair, const std::string& outputName) {
+  io::Part both{
+      "", joinedOperands(pair.parts[0].mesh, pair.parts[1].mesh), {Transform::Identity()}};
+  if (both.mesh.isSingle || !holds(outputName, io::kHoldsScenes) || !io::isFarFromOrigin(both.mesh))
+    return Transform::Identity();
+  io::moveToOrigin(both);
+  const Vec3 origin = both.instances.front().translation();
+  for (io::Part& part : pair.parts)
+    for (Vec3& p : part.mesh.positions) p -= origin;
+  return both.instances.front();
+}
+
+// Coordinates that the format holds in single precision are rounded before anything is cut.
+void roundFor(const std::string& outputName, OperandPair& pair) {
+  if (holds(outputName, io::kHoldsDoubles)) return;
+  for (io::Part& part : pair.parts) {
+    for (Vec3& p : part.mesh.positions) p = inSingle(p, 1);
+    part.mesh.isSingle = true;
+  }
+}
+
+bool hasImages(const io::Material& look) {
+  return look.baseColorMap || look.metalRoughMap || look.occlusionMap || look.emissiveMap ||
+         look.normalMap;
+}
+
+io::Material withoutImages(io::Material look, const std::string& name) {
+  look.name = name, look.number = -1;
+  look.baseColorMap = look.metalRoughMap = look.occlusionMap = look.emissiveMap =
+      look.normalMap = {};
+  return look;
+}
+
+// The number of this material among those of the result.
+std::size_t numberOf(const io::Material& look, std::vector<io::Material>& all) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const io::Material& known) {
+    return known.name == look.name && known.baseColor == look.baseColor &&
+           known.metallic == look.metallic && known.roughness == look.roughness &&
+           known.emissive == look.emissive && known.isOpaque == look.isOpaque;
+  });
+  if (same != all.end()) return std::size_t(same - all.begin());
+  all.push_back(look);
+  return all.size() - 1;
+}
+
+// Writes the materials of both files anew, where the format has any: colours and factors in glTF,
+// names in OBJ.
+void nameMaterials(io::Model& model, const std::string& outputName) {
+  std::size_t images = 0, names = 0;
+  for (io::GroupInfo& group : model.parts.front().groups) {
+    if (group.material.empty()) continue;
+    ++names;
+    images += hasImages(group.look);
+    group.painted = int(numberOf(withoutImages(group.look, group.material), model.paintings));
+  }
+  if (holds(outputName, io::kHoldsImages)) {
+    if (images > 0)
+      model.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
+                                "The images of the materials are not passed on: a Boolean keeps "
+                                "their colours and factors only.",
+                                images});
+    return;
+  }
+  model.paintings.clear();
+  for (io::GroupInfo& group : model.parts.front().groups) group.painted = -1;
+  if (names > 0 && holds(outputName, io::kHoldsParts))
+    model.warnings.push_back({"MATERIALS_BY_NAME",
+                              "The materials keep their names, and the result refers to no .mtl: "
+                              "write a .glb to keep their colours.",
+                              names});
+}
+
+Carried carriedBy(const std::string& outputName) {
+  return holds(outputName, io::kHoldsParts) ? Carried::Scene : Carried::Solid;
+}
+
+}  // namespace
+
+BooleanResult boolean(const TriangleMesh& a, const TriangleMesh& b, BooleanOperation operation,
+                      const Progress& progress) {
+  PhaseClock clock;
+  std::vector<io::Part> parts = {io::Part{"", a, {}}, io::Part{"", b, {}}};
+  const std::vector<Warning> settled = settleAttributes(parts);
+  OperandPair pair = pairOf({GivenOperand{"The first operand", {parts[0]}},
+                             GivenOperand{"The second operand", {parts[1]}}},
+                            Carried::Arrays);
+  BooleanRun run = runBoolean(std::move(pair), operation, progress.timedBy(clock));
+  run.report.warnings = joined(settled, run.report.warnings);
+  return {std::move(run.part.mesh), timed(std::move(run.report), clock), run.boolean};
+}
+
+BooleanFilesResult booleanFiles(const FileBundle& a, const FileBundle& b,
+                                BooleanOperation operation, const std::string& outputName,
+                                const Progress& progress) {
+  io::requireWritable(outputName);
+  PhaseClock clock;
+  const Progress whole = progress.timedBy(clock);
+  whole.phase("read", 0, kReadShare);
+  io::Model model;
+  model.conventions = conventionsOf(outputName);
+  model.isExact = true;  // the result must not intersect itself for any reader
+  std::array<GivenOperand, 2> given = {readOperand(a, outputName, model.warnings),
+                                       readOperand(b, outputName, model.warnings)};
+  OperandPair pair = pairOf(given, carriedBy(outputName));
+  const Transform place = placeOf(pair, outputName);
+  roundFor(outputName, pair);
+  BooleanRun run = runBoolean(std::move(pair), operation, whole.part(kReadShare, 1));
+  run.part.instances = {place};
+  model.parts.push_back(std::move(run.part));
+  nameMaterials(model, outputName);
+  whole.phase("write", 1, 1);
+  io::WrittenFiles written = io::write(model, outputName);
+  run.report.warnings = joined(joined(model.warnings, run.report.warnings), written.warnings);
+  return {std::move(written.files), timed(std::move(run.report), clock), run.boolean};
+}
+
+}  // namespace remesher

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/part_boolean.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "jobs/checks/precision.h"
+#include "jobs/checks/result_check.h"
+#include "jobs/inspected_parts.h"
+#include "jobs/parts/part_joining.h"
+#include "jobs/parts/part_report.h"
+#include "jobs/parts/part_scale.h"
+#include "jobs/repair_words.h"
+#include "jobs/run_guards.h"
+#include "repair/boolean.h"
+
+namespace remesher {
+
+namespace {
+
+// The operands at about unit size, both in the same way.
+class Scaled {
+ public:
+  explicit Scaled(const OperandPair& pair)
+      : joint_{"", joinedOperands(pair.parts[0].mesh, pair.parts[1].mesh), {Transform::Identity()}},
+        scale_({joint_}) {}
+
+  io::Part applied(const io::Part& part) const {
+    return scale_.isNeeded() ? scale_.applied({part}).front() : part;
+  }
+  io::Part undone(io::Part part) const {
+    if (scale_.isNeeded()) part = scale_.undone({std::move(part)}, {joint_}).front();
+    part.mesh = inPrecisionOf(joint_.mesh, std::move(part.mesh)).mesh;
+    return part;
+  }
+  Vec3 inWorld(const io::Part& applied, const Vec3& p) const {
+    return scale_.isNeeded() ? scale_.inWorld(applied, p) : p;
+  }
+
+ private:
+  io::Part joint_;
+  PartScale scale_;
+};
+
+[[noreturn]] void refuseOperand(const OperandPair& pair, std::size_t i, const Scaled& scaled) {
+  const io::Part part = scaled.applied(pair.parts[i]);
+  const std::vector<Vec3> open = openPieces(part.mesh);
+  std::string message = pair.names[i] + " is no closed body";
+  if (open.empty())
+    message += ": it intersects itself in ways that cannot be cut exactly.";
+  else
+    message += ": it has a sheet or a large opening near (" +
+               placeInWords(scaled.inWorld(part, open.front()), {pair.parts[i]}) + ").";
+  throw Error(ErrorCode::InvalidMesh, message,
+              "Make a body of it first: repair it with --repair wrap, say.");
+}
+
+[[noreturn]] void refuseEmpty(const OperandPair& pair, BooleanOperation operation) {
+  const auto& [a, b] = pair.names;
+  if (operation == BooleanOperation::Subtract)
+    throw Error(
+        ErrorCode::NoTriangles,
+        "Nothing is left: all of the first operand, " + a + ", lies in the second, " + b + ".",
+        "Were the operands exchanged?");
+  if (operation == BooleanOperation::Intersect)
+    throw Error(ErrorCode::NoTriangles,
+                "Nothing is left: " + a + " and " + b + " have no volume in common.",
+                "Are they at the same place, and in the same units?");
+  throw Error(ErrorCode::NoTriangles, "Nothing is left: " + a + " and " + b + " have no volume.");
+}
+
+// What repair has done to both operands.
+class OperandRepairs {
+ public:
+  void note(const RepairedMesh& repaired, double share) {
+    const bool isLarger = report_.reason.empty() || report_.reason == "sound";
+    add(report_, repaired.report);
+    report_.lost += share * repaired.report.lost;
+    if (isLarger) {
+      report_.mode = repaired.report.mode;
+      report_.reason = repaired.report.reason;
+    }
+    for (const PlacedWarning& warning : repaired.warnings) join(warnings_, warning);
+  }
+
+  void tell(Report& report, const OperandPair& pair) const {
+    if (report_.reason != "sound") report.repair = report_;
+    report.warnings =
+        joined(pair.warnings, inWords(warnings_, {pair.parts.begin(), pair.parts.end()}));
+  }
+
+ private:
+  RepairReport report_;
+  std::vector<PlacedWarning> warnings_;
+};
+
+struct Bodies {
+  std::array<TriangleMesh, 2> meshes;  // closed, scaled
+  OperandRepairs repairs;
+};
+
+Bodies bodiesOf(const OperandPair& pair, const Scaled& scaled) {
+  Bodies bodies;
+  const double all =
+      double(pair.parts[0].mesh.triangleCount() + pair.parts[1].mesh.triangleCount());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const io::Part part = scaled.applied(pair.parts[i]);
+    std::optional<RepairedMesh> repaired = exactBodies(part.mesh);
+    if (!repaired) refuseOperand(pair, i, scaled);
+    for (PlacedWarning& warning : repaired->warnings)
+      if (warning.at) warning.at = scaled.inWorld(part, *warning.at);
+    bodies.meshes[i] = std::move(repaired->mesh);
+    bodies.repairs.note(*repaired, double(part.mesh.triangleCount()) / all);
+  }
+  return bodies;
+}
+
+United arrangedOf(const OperandPair& pair, const Bodies& bodies, BooleanOperation operation) {
+  const auto& [a, b] = bodies.meshes;
+  std::optional<United> found = booleanOf(joinedOperands(a, b), a.triangleCount(), operation);
+  if (!found)
+    throw Error(ErrorCode::Unsupported,
+                pair.names[0] + " and " + pair.names[1] +
+                    " cannot be cut along each other: too many of their triangles meet.",
+                "Simplify them first.");
+  if (found->mesh.indices.empty()) refuseEmpty(pair, operation);
+  return std::move(*found);
+}
+
+BooleanRun runOf(OperandPair pair, BooleanOperation operation, const Progress& progress) {
+  BooleanRun run;
+  progress.phase("repair", 0, 0.4);
+  for (std::size_t i = 0; i < 2; ++i)
+    pair.parts[i] =
+        inFile(pair.names[i], [&] { return joinedPlaces({pair.parts[i]}, std::nullopt).front(); });
+  run.report.input = inspectScaled({pair.parts.begin(), pair.parts.end()});
+  const Scaled scaled(pair);
+  const Bodies bodies = bodiesOf(pair, scaled);
+  bodies.repairs.tell(run.report, pair);
+  progress.phase("boolean", 0.4, 0.9);
+  United found = arrangedOf(pair, bodies, operation);
+  progress.phase("measure", 0.9, 1);
+  run.boolean = {operation, found.cut, found.crossings.size()};
+  if (!found.crossings.empty())
+    run.report.warnings.push_back(
+        {"CROSSINGS_LEFT", "Triangles intersect others.", found.crossings.size()});
+  run.part = scaled.undone(
+      {pair.parts[0].name, std::move(found.mesh), {Transform::Identity()}, std::move(pair.groups)});
+  run.report.output = inspectScaled({run.part});
+  return run;
+}
+
+}  // namespace
+
+BooleanRun runBoolean(OperandPair pair, BooleanOperation operation, const Progress& progress) {
+  return withinMemory([&] { return runOf(std::move(pair), operation, progress); });
+}
+
+}  // namespace remesher

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/repair_words.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jobs/checks/result_check.h"
+
+namespace remesher {
+
+void add(RepairReport& sum, const RepairReport& part) {
+  sum.holes += part.holes;
+  sum.islands += part.islands;
+  sum.shells += part.shells;
+  sum.turned += part.turned;
+  sum.lostBeyond = std::max(sum.lostBeyond, part.lostBeyond);
+  for (std::size_t i = 0; i < 2; ++i) sum.selfIntersections[i] += part.selfIntersections[i];
+}
+
+void join(std::vector<PlacedWarning>& all, PlacedWarning warning) {
+  const auto same = std::find_if(all.begin(), all.end(), [&](const PlacedWarning& w) {
+    return w.warning.code == warning.warning.code;
+  });
+  if (same == all.end())
+    all.push_back(std::move(warning));
+  else
+    same->warning.count += warning.warning.count;
+}
+
+std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
+                             const std::vector<io::Part>& parts) {
+  std::vector<Warning> result;
+  for (PlacedWarning& placed : warnings) {
+    if (placed.at)
+      placed.warning.message.append(" The first of it lies near (")
+          .append(placeInWords(*placed.at, parts))
+          .append(").");
+    result.push_back(std::move(placed.warning));
+  }
+  return result;
+}
+
+}  // namespace remesher

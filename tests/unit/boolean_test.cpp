@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "io/formats.h"
+#include "remesher.h"
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+double volumeOf(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    sum += mesh.positions[mesh.indices[i]].dot(
+        mesh.positions[mesh.indices[i + 1]].cross(mesh.positions[mesh.indices[i + 2]]));
+  return sum / 6;
+}
+
+double commonVolume(const TriangleMesh& a, const TriangleMesh& b) {
+  return volumeOf(boolean(a, b, BooleanOperation::Intersect).mesh);
+}
+
+Error errorOf(const TriangleMesh& a, const TriangleMesh& b, BooleanOperation operation) {
+  try {
+    boolean(a, b, operation);
+  } catch (const Error& error) {
+    return error;
+  }
+  return {ErrorCode::Internal, "no error"};
+}
+
+bool says(const Error& error, const char* words) {
+  return std::string(error.what()).find(words) != std::string::npos;
+}
+
+// The mesh with an attribute that is linear in the position.
+TriangleMesh withTexcoords(TriangleMesh mesh) {
+  Attribute uv{"TEXCOORD_0", 2, {}};
+  for (const Vec3& p : mesh.positions) {
+    uv.values.push_back(float(0.3 * p.x() + 0.1 * p.y() - 0.2 * p.z()));
+    uv.values.push_back(float(0.5 - 0.4 * p.z() + 0.2 * p.x()));
+  }
+  mesh.attributes.push_back(uv);
+  return mesh;
+}
+
+// A box one of whose faces is cut at its middle on one side only.
+TriangleMesh boxWithTJunctions() {
+  TriangleMesh box = soups::cube(0, 1);
+  const std::size_t last = box.indices.size() - 3;
+  const Index a = box.indices[last], b = box.indices[last + 1], c = box.indices[last + 2];
+  const Index middle = shapes::addVertex(box, (box.positions[a] + box.positions[b]) / 2);
+  box.indices.resize(last);
+  shapes::addTriangle(box, a, middle, c);
+  shapes::addTriangle(box, middle, b, c);
+  return box;
+}
+
+FileBundle fileOf(const TriangleMesh& mesh, const std::string& name,
+                  const std::string& material = "") {
+  io::Model model;
+  model.parts = {{"body", mesh, {Transform::Identity()}}};
+  if (!material.empty()) {
+    io::GroupInfo group{material, {}};
+    group.look.name = material, group.look.baseColor = {0.5, 0.25, 0.125, 1};
+    group.painted = 0;
+    model.parts.front().groups = {group};
+    model.paintings = {group.look};
+  }
+  return {io::write(model, name).files.front(), {}};
+}
+
+}  // namespace
+
+TEST_CASE("boolean: operands that are broken count as the bodies that they bound") {
+  const TriangleMesh box = soups::cube(0, 1), other = soups::cube(0.5, 1.5);
+  CHECK(std::abs(commonVolume(boxWithTJunctions(), other) - 0.125) < 1e-9);
+  CHECK(std::abs(commonVolume(shapes::turnedOver(box), other) - 0.125) < 1e-9);
+  CHECK(std::abs(commonVolume(soups::joined({box, soups::moved(box, {0.5, 0, 0})}), other) - 0.25) <
+        1e-9);
+  TriangleMesh open = box;
+  open.indices.resize(open.indices.size() - 3);
+  const BooleanResult closed = boolean(other, open, BooleanOperation::Intersect);
+  CHECK(std::abs(volumeOf(closed.mesh) - 0.125) < 1e-9);
+  REQUIRE(closed.report.repair);
+  CHECK(closed.report.repair->holes == 1);
+  CHECK_FALSE(boolean(box, other, BooleanOperation::Union).report.repair);
+}
+
+TEST_CASE("boolean: a triangle without an area, which joins others, may be in an operand") {
+  TriangleMesh box = boxWithTJunctions();
+  const std::size_t last = box.indices.size() - 6;
+  shapes::addTriangle(box, box.indices[last], box.indices[last + 4], box.indices[last + 1]);
+  CHECK(std::abs(commonVolume(box, soups::cube(0.5, 1.5)) - 0.125) < 1e-9);
+}
+
+TEST_CASE("boolean: the report counts both operands and what was cut") {
+  const TriangleMesh a = soups::cube(0, 1), b = soups::cube(0.5, 1.5);
+  const BooleanResult result = boolean(a, b, BooleanOperation::Union);
+  CHECK(result.report.input.triangles == 24);
+  CHECK(result.report.input.components == 2);
+  REQUIRE(result.report.output);
+  CHECK(result.report.output->components == 1);
+  CHECK(result.report.output->boundaryEdges == 0);
+  CHECK(result.boolean.cut == 12);
+  CHECK(result.boolean.selfIntersections == 0);
+  CHECK(boolean(a, soups::moved(a, {3, 0, 0}), BooleanOperation::Union).boolean.cut == 0);
+}
+
+TEST_CASE("boolean: one sentence says which operand is at fault, and where") {
+  const TriangleMesh box = soups::cube(0, 1), sheet = shapes::grid(4, 4);
+  const Error open = errorOf(box, sheet, BooleanOperation::Union);
+  CHECK(open.code == ErrorCode::InvalidMesh);
+  CHECK(says(open, "The second operand is no closed body"));
+  CHECK(says(errorOf(sheet, box, BooleanOperation::Union), "The first operand"));
+  const TriangleMesh away = soups::moved(box, {3, 0, 0});
+  CHECK(errorOf(box, away, BooleanOperation::Intersect).code == ErrorCode::NoTriangles);
+  CHECK(errorOf(box, soups::cube(-1, 2), BooleanOperation::Subtract).code ==
+        ErrorCode::NoTriangles);
+  TriangleMesh wrong = box;
+  wrong.indices.back() = 99;
+  CHECK(says(errorOf(box, wrong, BooleanOperation::Union), "The second operand: "));
+}
+
+TEST_CASE("boolean: attributes stay linear on cut triangles; what one lacks has the default") {
+  const TriangleMesh a = withTexcoords(shapes::icosphere(3));
+  const TriangleMesh b = soups::cube(0.1, 1.2);
+  const TriangleMesh cut = boolean(a, b, BooleanOperation::Subtract).mesh;
+  REQUIRE(cut.attributes.size() == 1);
+  const std::vector<float>& uv = cut.attributes.front().values;
+  std::size_t ofA = 0;
+  for (std::size_t v = 0; v < cut.positions.size(); ++v) {
+    if (uv[2 * v] == 0 && uv[2 * v + 1] == 0) continue;
+    const Vec3& p = cut.positions[v];
+    CHECK(std::abs(uv[2 * v] - (0.3 * p.x() + 0.1 * p.y() - 0.2 * p.z())) < 1e-6);
+    CHECK(std::abs(uv[2 * v + 1] - (0.5 - 0.4 * p.z() + 0.2 * p.x())) < 1e-6);
+    ++ofA;
+  }
+  CHECK(ofA > 20);
+  CHECK(ofA < cut.positions.size());
+
+  TriangleMesh colored = b;
+  colored.attributes = {{"COLOR_0", 3, std::vector<float>(3 * b.positions.size(), 0.5F)}};
+  const TriangleMesh both = boolean(a, colored, BooleanOperation::Union).mesh;
+  const Attribute* colors = findAttribute(both, "COLOR_0");
+  REQUIRE(colors);
+  for (const float value : colors->values) CHECK((value == 1.0F || value == 0.5F));
+}
+
+TEST_CASE("boolean: groups of the second operand follow those of the first") {
+  TriangleMesh a = soups::cube(0, 1), b = soups::cube(0.5, 1.5);
+  CHECK(boolean(a, b, BooleanOperation::Union).mesh.groups.empty());
+  a.groups.assign(a.triangleCount(), 0);
+  a.groups.back() = 1;
+  const TriangleMesh grouped = boolean(a, b, BooleanOperation::Union).mesh;
+  CHECK(groupCount(grouped) == 3);
+}
+
+TEST_CASE("boolean: skins of one operand are left out, and normals of the other are flat") {
+  TriangleMesh a = shapes::icosphere(2);
+  a.attributes = {{"NORMAL", 3, {}}, {"JOINTS_0", 4, {}}, {"WEIGHTS_0", 4, {}}};
+  for (const Vec3& p : a.positions)
+    for (const double x : p.normalized()) a.attributes[0].values.push_back(float(x));
+  a.attributes[1].values.assign(4 * a.positions.size(), 0);
+  a.attributes[2].values.assign(4 * a.positions.size(), 0.25F);
+  const BooleanResult result = boolean(a, soups::cube(0.1, 1.2), BooleanOperation::Union);
+  CHECK_FALSE(findAttribute(result.mesh, "JOINTS_0"));
+  REQUIRE(result.report.warnings.size() == 1);
+  CHECK(result.report.warnings.front().code == "ATTRIBUTE_NOT_CARRIED");
+  const std::vector<float>& normals = findAttribute(result.mesh, "NORMAL")->values;
+  for (std::size_t v = 0; v < normals.size(); v += 3)
+    CHECK(std::abs(std::hypot(normals[v], normals[v + 1], normals[v + 2]) - 1) < 1e-5);
+}
+
+TEST_CASE("boolean: the same input gives the same bytes, at any size") {
+  const TriangleMesh a = shapes::icosphere(3), b = soups::moved(a, {0.4, 0.3, 0.2});
+  const TriangleMesh once = boolean(a, b, BooleanOperation::Union).mesh;
+  const TriangleMesh twice = boolean(a, b, BooleanOperation::Union).mesh;
+  CHECK(once.positions == twice.positions);
+  CHECK(once.indices == twice.indices);
+  const double by = 0x1p60;
+  const TriangleMesh large =
+      boolean(shapes::scaled(a, by), shapes::scaled(b, by), BooleanOperation::Union).mesh;
+  CHECK(large.triangleCount() == once.triangleCount());
+  CHECK(std::abs(volumeOf(shapes::scaled(large, 1 / by)) - volumeOf(once)) < 1e-9);
+}
+
+TEST_CASE("boolean: files of any formats, in single precision closed as they are written") {
+  const TriangleMesh a = shapes::icosphere(4), b = soups::moved(a, {0.4, 0.3, 0.2});
+  for (const char* one : {"a.obj", "a.stl", "a.glb", "a.ply", "a.off"})
+    for (const char* result : {"c.obj", "c.stl", "c.glb", "c.ply", "c.off"}) {
+      const BooleanFilesResult run =
+          booleanFiles(fileOf(a, one), fileOf(b, "b.stl"), BooleanOperation::Subtract, result);
+      const Report written = inspectFile({run.files.front(), {}});
+      CHECK(written.input.boundaryEdges == 0);
+      CHECK(written.input.triangles == run.report.output->triangles);
+      const FaultReport faults = findFaultsInFile({run.files.front(), {}});
+      CHECK(faults.selfIntersections == 0);
+      CHECK(faults.insideOut == 0);
+    }
+}
+
+TEST_CASE("boolean: a glTF keeps the materials of both files") {
+  const FileBundle a = fileOf(soups::cube(0, 1), "a.glb", "steel"),
+                   b = fileOf(soups::cube(0.5, 1.5), "b.glb", "brass");
+  const BooleanFilesResult run = booleanFiles(a, b, BooleanOperation::Subtract, "c.glb");
+  const io::Model model = io::read(run.files.front());
+  REQUIRE(model.parts.size() == 1);
+  REQUIRE(model.parts.front().groups.size() == 2);
+  for (std::size_t g = 0; g < 2; ++g) {
+    const io::GroupInfo& group = model.parts.front().groups[g];
+    CHECK(group.material == (g == 0 ? "steel" : "brass"));
+    CHECK(group.look.baseColor == Eigen::Vector4d(0.5, 0.25, 0.125, 1));
+  }
+}
+
+TEST_CASE("boolean: parts are united in the world first") {
+  io::Model scene;
+  Transform place = Transform::Identity();
+  place.translate(Vec3(0.5, 0, 0));
+  scene.parts = {{"box", soups::cube(0, 1), {Transform::Identity(), place}}};
+  const FileBundle a{io::write(scene, "a.glb").files.front(), {}};
+  const BooleanFilesResult run =
+      booleanFiles(a, fileOf(soups::cube(0, 4), "b.stl"), BooleanOperation::Intersect, "c.off");
+  const io::Model result = io::read(run.files.front());
+  CHECK(std::abs(volumeOf(result.parts.front().mesh) - 1.5) < 1e-9);
+}
+
+TEST_CASE("boolean: far from the origin a glTF moves its mesh, not its shape") {
+  io::Model scene;
+  Transform place = Transform::Identity();
+  place.translate(Vec3(4e6, 0, 0.125));
+  scene.parts = {{"ball", shapes::icosphere(3), {place}}};
+  const FileBundle a{io::write(scene, "a.glb").files.front(), {}};
+  place.translate(Vec3(0.5, 0, 0));
+  scene.parts.front().instances = {place};
+  const FileBundle b{io::write(scene, "b.glb").files.front(), {}};
+  const BooleanFilesResult run = booleanFiles(a, b, BooleanOperation::Intersect, "c.glb");
+  const io::Model result = io::read(run.files.front());
+  const TriangleMesh ball = shapes::icosphere(3);
+  const double common = commonVolume(ball, soups::moved(ball, {0.5, 0, 0}));
+  CHECK(std::abs(volumeOf(result.parts.front().mesh) - common) < 1e-5);
+}

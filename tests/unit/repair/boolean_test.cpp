@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "repair/boolean.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "measure/self_intersections.h"
+#include "repair/stitch.h"
+#include "support/hostile_shapes.h"
+#include "support/shapes.h"
+#include "support/soups.h"
+
+using namespace remesher;
+
+namespace {
+
+double volumeOf(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    sum += mesh.positions[mesh.indices[i]].dot(
+        mesh.positions[mesh.indices[i + 1]].cross(mesh.positions[mesh.indices[i + 2]]));
+  return sum / 6;
+}
+
+TriangleMesh meshOf(const TriangleMesh& a, const TriangleMesh& b, BooleanOperation operation) {
+  std::optional<United> found = booleanOf(soups::joined({a, b}), a.triangleCount(), operation);
+  REQUIRE(found);
+  CHECK(countUnbalancedEdges(found->mesh) == 0);
+  CHECK(found->crossings.empty());
+  CHECK(selfIntersections(found->mesh).empty());
+  return found->mesh;
+}
+
+TriangleMesh turned(TriangleMesh mesh, double angle, const Vec3& axis) {
+  const Eigen::AngleAxisd turn(angle, axis.normalized());
+  for (Vec3& p : mesh.positions) p = turn * p;
+  return mesh;
+}
+
+// Both ways round, the volumes of all that can be made of a and b agree.
+void checkVolumes(const TriangleMesh& a, const TriangleMesh& b) {
+  const double inA = volumeOf(a), inB = volumeOf(b), size = std::max(inA, inB);
+  const double common = volumeOf(meshOf(a, b, BooleanOperation::Intersect));
+  const auto isNear = [&](double one, double other) { return std::abs(one - other) < 1e-9 * size; };
+  CHECK(isNear(volumeOf(meshOf(a, b, BooleanOperation::Union)) + common, inA + inB));
+  CHECK(isNear(volumeOf(meshOf(a, b, BooleanOperation::Subtract)), inA - common));
+  CHECK(isNear(volumeOf(meshOf(b, a, BooleanOperation::Subtract)), inB - common));
+  CHECK(isNear(volumeOf(meshOf(b, a, BooleanOperation::Intersect)), common));
+}
+
+}  // namespace
+
+TEST_CASE("boolean: the volumes of boxes, spheres and tori add up in any position") {
+  const std::vector<TriangleMesh> bodies = {soups::cube(-0.7, 0.7), shapes::icosphere(4),
+                                            shapes::torus(24, 12)};
+  for (const TriangleMesh& a : bodies)
+    for (const TriangleMesh& b : bodies) {
+      checkVolumes(a, b);  // on one middle: identical, nested, or crossing
+      checkVolumes(a, soups::moved(b, {0.5, 0, 0}));
+      checkVolumes(a, soups::moved(turned(b, 0.7, {1, 2, 3}), {0.3, 0.2, 0.41}));
+      checkVolumes(a, soups::moved(b, {5, 0, 0}));
+    }
+}
+
+TEST_CASE("boolean: boxes that share faces, edges or a corner, or are one inside the other") {
+  const TriangleMesh box = soups::cube(0, 1);
+  for (const Vec3& by : {Vec3(1, 0, 0), Vec3(1, 0.25, 0.5), Vec3(1, 1, 0), Vec3(1, 1, 1),
+                         Vec3(0.5, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0, 0, 0)})
+    checkVolumes(box, soups::moved(box, by));
+  checkVolumes(box, soups::cube(0.25, 0.75));
+  checkVolumes(box, soups::cube(0, 0.5));
+  checkVolumes(box, soups::cube(-1, 2));
+}
+
+TEST_CASE("boolean: bodies that touch have nothing in common, and a body less itself is nothing") {
+  const TriangleMesh box = soups::cube(0, 1);
+  for (const Vec3& by : {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 1, 1), Vec3(3, 0, 0)})
+    CHECK(meshOf(box, soups::moved(box, by), BooleanOperation::Intersect).indices.empty());
+  CHECK(meshOf(box, box, BooleanOperation::Subtract).indices.empty());
+}
+
+TEST_CASE("boolean: what nothing cuts stays bit for bit, and what is subtracted is turned over") {
+  const TriangleMesh a = shapes::icosphere(3), b = soups::moved(a, {5, 0, 0});
+  CHECK(meshOf(a, b, BooleanOperation::Subtract).indices == a.indices);
+  CHECK(meshOf(a, b, BooleanOperation::Subtract).positions == a.positions);
+  const TriangleMesh both = meshOf(a, b, BooleanOperation::Union);
+  CHECK(both.positions == soups::joined({a, b}).positions);
+  CHECK(both.indices == soups::joined({a, b}).indices);
+
+  TriangleMesh tool = shapes::icosphere(2);
+  for (Vec3& p : tool.positions) p *= 0.25;
+  Attribute normals{"NORMAL", 3, {}};
+  for (const Vec3& p : soups::joined({a, tool}).positions)
+    for (const double x : p.normalized()) normals.values.push_back(float(x));
+  TriangleMesh input = soups::joined({a, tool});
+  input.attributes.push_back(normals);
+  const std::optional<United> hollow =
+      booleanOf(input, a.triangleCount(), BooleanOperation::Subtract);
+  REQUIRE(hollow);
+  const std::vector<float>& values = hollow->mesh.attributes.front().values;
+  for (std::size_t v = 0; v < hollow->mesh.positions.size(); ++v) {
+    const Vec3& p = hollow->mesh.positions[v];
+    const double along = p.dot(Vec3(values[3 * v], values[3 * v + 1], values[3 * v + 2]));
+    CHECK((along > 0) == (p.norm() > 0.5));
+  }
+}
