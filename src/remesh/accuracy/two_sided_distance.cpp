@@ -17,7 +17,9 @@ TwoSidedDistance::TwoSidedDistance(const Run& run)
       hubs_(Hubs::ofWalks(run.mesh.mesh())),
       doubtful_(kDoubtful * run.sizes.mean()),
       originalIsCoarse_(mesh_.surface().mesh().vertexCount() < mesh_.mesh().vertexCount()),
-      places_(measurePlaces(run, kPlainlyNear, kPlainlyNear)),
+      // Near the tangent plane of a vertex is not near the mesh where the surface bends within an
+      // edge: at tips, the spots that decide the largest distance. So no place is skipped.
+      places_(measurePlaces(run, kPlainlyNear, 0)),
       next_(places_.size(), kNone),
       first_(mesh_.mesh().faceCapacity(), kNone),
       distance_(mesh_.mesh().faceCapacity(), 0),
