@@ -8,7 +8,6 @@
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/mirror_door.h"
-#include "remesh/schemes/uncrossed.h"
 
 namespace remesher {
 namespace {
@@ -40,9 +39,6 @@ std::optional<RemeshOutcome> remeshIfMirrored(const TriangleMesh&, const RemeshO
                                               const HalfRemesher&) {
   return {};
 }
-
-Uncrossed keepUncrossed(Run&, std::size_t) { refuse("Repair"); }
-Uncrossed makeUncrossed(Run&, std::size_t) { refuse("Repair"); }
 
 std::optional<std::vector<Vec3>> inWholeSteps(const TriangleMesh&, const WholeSteps&) { return {}; }
 

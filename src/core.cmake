@@ -245,6 +245,7 @@ set(small
   src/remesh/schemes/rival.cpp
   src/remesh/schemes/rounds.cpp
   src/remesh/schemes/targets.cpp
+  src/remesh/schemes/uncrossed.cpp
   src/remesh/steps/apart.cpp
   src/remesh/steps/boundaries.cpp
   src/remesh/steps/coarsen.cpp
@@ -309,5 +310,4 @@ set(doors
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/mirror_door.cpp
-  src/remesh/schemes/uncrossed.cpp
 )

@@ -276,7 +276,8 @@ test('references are found in every format that has them', () => {
   assert.deepEqual(referencesOf('x.mtl', bytes('map_Kd -s 1 2 3 -o .5 -clamp on -mm 0 1 a b.png\r\n'
     + 'map_Bump no.png\n norm n.png\nmap_Ke -s\nmap_Ke\n')), ['a b.png', 'n.png']);
   assert.deepEqual(referencesOf('x.gltf', bytes('{')), []);
-  assert.deepEqual(referencesOf('x.off', bytes(json)), []);
+  // The bytes decide, not the name.
+  assert.deepEqual(referencesOf('x.off', bytes(json)), ['a.bin', 'b c.png']);
 });
 
 test('the command can be run as it is', () => {

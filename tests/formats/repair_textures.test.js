@@ -51,9 +51,16 @@ const mended = (file, options) => remeshFile(file.bytes,
 const isPainted = ({ report }) =>
   report.warnings.some(({ code }) => code === 'TEXTURES_PAINTED');
 
-test('a solid is painted from what is seen, never from an inner shell', async () => {
-  const result = await mended(shells(), { repair: 'auto', textureSize: 256 });
-  assert.equal(result.report.repair.mode, 'solid');
+test('a body without its inner shell keeps its texture, exactly', async () => {
+  const result = await mended(shells(), { repair: 'auto' });
+  assert.equal(result.report.repair.reason, 'united');
+  assert.ok(!isPainted(result));
+  assert.deepEqual(await validate(result), []);
+});
+
+test('a wrap is painted from the visible surface, never from an inner shell', async () => {
+  const result = await mended(shells(), { repair: 'wrap', textureSize: 256 });
+  assert.equal(result.report.repair.mode, 'wrap');
   assert.ok(isPainted(result));
   assert.deepEqual(await validate(result), []);
   let count = 0;

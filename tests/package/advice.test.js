@@ -146,7 +146,7 @@ const advice = [
     inArrays({ ratio: 2 })],
   ['INVALID_OPTION', inArrays({ scheme: 'rounds', prefer: 'shape' }), /Ask for one of them/,
     inArrays({ scheme: 'rounds', vertices: 80 }), inArrays({ prefer: 'shape', vertices: 80 })],
-  ['INVALID_OPTION', inArrays({ holesUpTo: 5, vertices: 80 }), /--repair holes/,
+  ['INVALID_OPTION', inArrays({ holesUpTo: 5, vertices: 80 }), /repair: 'holes'/,
     inArrays({ holesUpTo: 5, repair: 'holes', vertices: 80 })],
   ['INVALID_OPTION', inArrays({ repair: 'holes', featureEdges: [[0, 1]] }), /Repair the mesh first/,
     async () => remesh((await repair(ball, { repair: 'holes' })).mesh,
