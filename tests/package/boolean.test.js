@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Booleans: volumes add up, what nothing cuts stays, attributes are those of both, and broken bodies
+// Booleans: volumes add up, what nothing cuts stays, attributes are those of both; broken bodies
 // count as the bodies that they bound. Files are judged by readers that are not the engine's.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -28,7 +28,8 @@ const box = (low, high) => ({
   indices: Uint32Array.from(sides.flatMap(([p, q, r, u]) => [p, q, r, p, r, u])),
 });
 
-const inDoubles = ({ positions, indices }) => ({ positions: Float64Array.from(positions), indices });
+const inDoubles = ({ positions, indices }) =>
+  ({ positions: Float64Array.from(positions), indices });
 const movedBy = (mesh, by) =>
   ({ ...mesh, positions: mesh.positions.map((value, i) => value + by[i % 3]) });
 const turnedOver = (mesh) => ({ ...mesh, indices: mesh.indices.map((_, i, all) =>
@@ -99,7 +100,7 @@ test('broken operands count as the bodies that they bound', async () => {
   }
 });
 
-test('types are the first mesh’s, doubles where either has them; the same bytes twice', async () => {
+test('types are the first mesh’s, doubles where either has them; the same bytes', async () => {
   const single = torus({ columns: 24, rows: 12 });
   const small = { ...movedBy(single, [2, 0.25, 0.5]), indices: Uint16Array.from(single.indices) };
   const once = await made(single, small, 'union');

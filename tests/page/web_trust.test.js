@@ -27,7 +27,7 @@ const { site, page } = await visit(sight);
 const scratch = mkdtempSync(join(tmpdir(), 'remesher-trust-'));
 after(() => rmSync(scratch, { recursive: true }));
 
-test('the page’s script has at most 310 kB, packed with brotli', () => {
+test('the page’s script has at most 312 kB, packed with brotli', () => {
   const scripts = filesUnder(folder.slice(folder.indexOf('build/')), /\.js$/)
     .filter((file) => !/decoder/.test(file));  // with the WebAssembly inside
   const packed = (/** @type {number} */ quality) => scripts.reduce((sum, file) =>
@@ -36,8 +36,8 @@ test('the page’s script has at most 310 kB, packed with brotli', () => {
   assert.ok(scripts.length >= 5);
   // The best quality takes more than twice as long as the second best, which is mostly enough.
   const quick = packed(10);
-  const total = quick < 310_000 ? quick : packed(11);
-  assert.ok(total < 310_000, `${total} bytes`);
+  const total = quick < 312_000 ? quick : packed(11);
+  assert.ok(total < 312_000, `${total} bytes`);
 });
 
 test('every address in the page is relative to it', () => {

@@ -158,7 +158,8 @@ function setNames(line, names) {
 function checkInputs({ command, inputs, output, skipExisting, jobs }) {
   if (isBoolean(command)) {
     checkOperands({ command, inputs, output });
-    return checkAlone({ skipExisting, jobs });
+    checkAlone({ skipExisting, jobs });
+    return;
   }
   const [first, second] = inputs;
   if (command !== 'inspect' && isFolder(output)) return;
