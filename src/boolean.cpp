@@ -53,9 +53,18 @@ Transform placeOf(OperandPair& pair, const std::string& outputName) {
   return both.instances.front();
 }
 
-// Coordinates that the format holds in single precision are rounded before anything is cut.
+// Whether the operands' coordinates will be written in single precision.
+bool becomeSingle(const OperandPair& pair, const std::string& outputName) {
+  io::Model model;
+  model.parts.assign(pair.parts.begin(), pair.parts.end());
+  io::prepare(model, outputName);
+  return std::all_of(model.parts.begin(), model.parts.end(),
+                     [](const io::Part& part) { return part.mesh.isSingle; });
+}
+
+// Coordinates that will be written in single precision are rounded before anything is cut.
 void roundFor(const std::string& outputName, OperandPair& pair) {
-  if (holds(outputName, io::kHoldsDoubles)) return;
+  if (!becomeSingle(pair, outputName)) return;
   for (io::Part& part : pair.parts) {
     for (Vec3& p : part.mesh.positions) p = inSingle(p, 1);
     part.mesh.isSingle = true;
