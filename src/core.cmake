@@ -113,6 +113,14 @@ set(small
   src/io/model/polygon.cpp
   src/io/model/resources.cpp
   src/io/model/same_mesh.cpp
+  src/io/named/abaqus.cpp
+  src/io/named/gmsh_reader.cpp
+  src/io/named/gmsh_writer.cpp
+  src/io/named/named_faces.cpp
+  src/io/named/threemf_reader.cpp
+  src/io/named/threemf_writer.cpp
+  src/io/named/vtu_reader.cpp
+  src/io/named/vtu_writer.cpp
   src/io/ply/corner_texcoords.cpp
   src/io/ply/ply_body.cpp
   src/io/ply/ply_faces.cpp
@@ -129,6 +137,7 @@ set(small
   src/io/text/obj_writer.cpp
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
+  src/io/text/xml_scanner.cpp
   src/jobs/baking.cpp
   src/jobs/checks/crossing_check.cpp
   src/jobs/checks/precision.cpp

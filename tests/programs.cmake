@@ -35,12 +35,17 @@ add_executable(unit_tests
   tests/unit/io/model/polygon_test.cpp
   tests/unit/io/model/resources_test.cpp
   tests/unit/io/model/wedges_test.cpp
+  tests/unit/io/named/abaqus_test.cpp
+  tests/unit/io/named/gmsh_test.cpp
+  tests/unit/io/named/threemf_test.cpp
+  tests/unit/io/named/vtu_test.cpp
   tests/unit/io/ply/ply_test.cpp
   tests/unit/io/stl/stl_test.cpp
   tests/unit/io/text/mtl_test.cpp
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/io/text/xml_scanner_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
@@ -220,6 +225,7 @@ set(fuzz_targets
   tests/fuzz/native/glb.cpp
   tests/fuzz/native/gltf.cpp
   tests/fuzz/native/gltf_changes.cpp
+  tests/fuzz/native/gmsh.cpp
   tests/fuzz/native/laws.cpp
   tests/fuzz/native/obj.cpp
   tests/fuzz/native/off.cpp
@@ -229,7 +235,9 @@ set(fuzz_targets
   tests/fuzz/native/small_mesh.cpp
   tests/fuzz/native/stl.cpp
   tests/fuzz/native/targets.cpp
+  tests/fuzz/native/threemf.cpp
   tests/fuzz/native/tree_changes.cpp
+  tests/fuzz/native/vtu.cpp
 )
 add_executable(fuzz_replay EXCLUDE_FROM_ALL ${fuzz_targets}
   tests/fuzz/native/replay.cpp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the models among several files, and the files that a model refers to.
-import { formats, inWords, isGltf, isObj, withoutGz } from 'remesher/formats';
+import { inWords, isGltf, isObj, readFormats, withoutGz } from 'remesher/formats';
 import { gunzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
@@ -11,7 +11,7 @@ import { openGlb } from './glb.js';
 /** @typedef {NamedBytes & { resources: NamedBytes[] }} Model */
 
 /** @type {readonly string[]} */
-const known = formats;
+const known = readFormats;
 
 /** Reads a file, and decompresses a .gz.
  * @param {PathedFile} item @returns {Promise<NamedBytes>} */

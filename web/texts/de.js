@@ -342,6 +342,7 @@ export default {
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
   'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
+  'warning.ELEMENTS_LEFT_OUT': 'Elemente, die weder Dreiecke noch Vierecke sind, fehlen.',
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',

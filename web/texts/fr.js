@@ -344,6 +344,7 @@ export default {
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.ELEMENTS_LEFT_OUT': 'Les éléments qui ne sont ni triangles ni quads manquent.',
   'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The formats by their extensions, in and out: the same as in src/io/formats.cpp (a test compares
-// them). In a `.gz` each can be read too.
+// The formats by their extensions: the same as in src/io/formats.cpp (a test compares them). In a
+// `.gz` each that is read can be read too.
 
 export { isGltf, isObj } from './contents.js';
 
+/** Those that are written; the first are shown on the page. */
 export const formats = /** @type {const} */ ([
-  'glb', 'gltf', 'obj', 'off', 'ply', 'stl',
+  'glb', 'gltf', 'obj', 'off', 'ply', 'stl', '3mf', 'msh', 'vtu', 'inp',
 ]);
+
+/** Those that are read. */
+export const readFormats = formats.filter((format) => format !== 'inp');
 
 /** `a, b or c`. @param {readonly string[]} words */
 export function inWords(words) {

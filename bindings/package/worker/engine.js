@@ -192,6 +192,19 @@ export class Engine {
    */
   async run(job, onProgress) {
     const plainJob = await plain(job);
+    const outcome = await this.#painted(plainJob, onProgress);
+    if (!outcome.files) return outcome;
+    const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
+    return (await scripts.whole()).closed(outcome,
+      { packed: fileOf(job), opened: fileOf(plainJob) });
+  }
+
+  /**
+   * @param {Job} plainJob
+   * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+   * @returns {Promise<any>}
+   */
+  async #painted(plainJob, onProgress) {
     if (plainJob.kind !== 'remeshFile' || !mayPaint(plainJob)) {
       return this.#run(plainJob, onProgress);
     }
