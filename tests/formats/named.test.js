@@ -24,14 +24,14 @@ test('a 3MF is a package that is read again, and the same at any time', async ()
   assert.deepEqual((await made('3mf')).bytes, bytes);
 });
 
-test('a sound 3MF comes back from repair byte for byte, whatever else is in its package', async () => {
+test('a sound 3MF comes back from repair byte for byte, all of its package', async () => {
   const entries = unzipSync((await made('3mf')).bytes);
   const bytes = zipSync({ ...entries, 'Metadata/thumbnail.png': new Uint8Array(10) });
   const repaired = await repairFile(bytes, { name: 'a.3mf' });
   assert.deepEqual(repaired.bytes, bytes);
 });
 
-test('a package is known by its bytes, starts where it says, and has its models by path', async () => {
+test('a package is known by its bytes; its relationship and its paths are followed', async () => {
   const entries = unzipSync((await made('3mf')).bytes);
   const object = strFromU8(entries['3D/3dmodel.model']);
   const start = object.replace(/<object[^]*<\/object>/, '<object id="9"><components>'

@@ -4,13 +4,12 @@
 
 export { isGltf, isObj } from './contents.js';
 
-/** Those that are written; the first are shown on the page. */
+/** Those that are written; all but the last are read, too. */
 export const formats = /** @type {const} */ ([
   'glb', 'gltf', 'obj', 'off', 'ply', 'stl', '3mf', 'msh', 'vtu', 'inp',
 ]);
 
-/** Those that are read. */
-export const readFormats = formats.filter((format) => format !== 'inp');
+export const readFormats = formats.slice(0, -1);
 
 /** `a, b or c`. @param {readonly string[]} words */
 export function inWords(words) {

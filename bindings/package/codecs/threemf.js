@@ -43,7 +43,10 @@ async function modelsIn({ name, bytes }, limit) {
   }
 }
 
-/** The path of the model that the package starts with. @param {Record<string, Uint8Array>} models */
+/**
+ * The path of the model that the package starts with.
+ * @param {Record<string, Uint8Array>} models
+ */
 function startOf(models) {
   const relations = models['_rels/.rels'];
   const text = relations ? new TextDecoder().decode(relations) : '';
