@@ -25,8 +25,7 @@ constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 // Numbers of finer cells would not be exact.
 constexpr double kMostCells = 0x1p50;
 
-// The median of the largest coordinates of some 4096 corners, so that a stray vertex does not
-// count. It is the same whether triangles share vertices or, as in STL, have their own.
+// It is the same whether triangles share vertices or, as in STL, have their own.
 double sizeOf(const TriangleMesh& mesh) {
   std::vector<double> sizes;
   const std::size_t step = std::max<std::size_t>(1, mesh.indices.size() / 4096);

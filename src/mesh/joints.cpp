@@ -10,8 +10,6 @@ namespace remesher {
 namespace {
 
 // If more than one edge in kMostShare is a joint closed on all sides, the sheets coincide.
-// With 2 and 16 all of 21 results (7 cases at 3 neighboring counts) are the same; with 1 and
-// without this a test of joints fails.
 constexpr std::size_t kMostShare = 8;
 
 // Per source the number of its copies.

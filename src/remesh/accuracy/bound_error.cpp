@@ -17,8 +17,7 @@ namespace remesher {
 namespace {
 
 // Within so many rounds what is left must halve, and afterwards no vertex moves: two places could
-// want one vertex by turns for ever. With 3, 17 of 28 results (4 cases at 7 neighboring counts) are
-// the same, with 20 23.
+// want one vertex by turns for ever.
 constexpr int kPatience = 6;
 
 // Beyond this number of vertices mending has no future: the number asked for is out of reach from

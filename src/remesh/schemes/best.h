@@ -15,8 +15,8 @@ struct BestGoal {
   Rival* rival;  // a mesh that may be taken instead, or null
 };
 
-// Returns whether the number of vertices was reached. If a rival has won, the mesh is left
-// unfinished.
+// Returns whether the number of vertices was reached. If the simplified mesh is much
+// nearer, the mesh is left unfinished.
 bool runBest(Run& run, const BestGoal& goal, const Progress& progress);
 
 }  // namespace remesher

@@ -18,12 +18,9 @@ namespace remesher {
 
 namespace {
 
-// Of the tolerance: shorter moves are left out. With 0, .05 and .2, at 7 neighboring counts, quads
-// of the bunny at 1000 deviate by 9.8° more, .2° less and 1.9° more; triangles of bunny, hand and
-// nicolo change within their scatter.
+// Of the tolerance: shorter moves are left out.
 constexpr double kStill = 0.1;
-// Of plans, and of slides within each plan. With 16, 33 of 35 results (the cases above, and a
-// draft) are the same, with 4 only 13, and quads are up to half as far away again.
+// Of plans, and of slides within each plan.
 constexpr int kMostRounds = 8;
 
 struct Station {
