@@ -203,6 +203,10 @@ target_link_libraries(measure PRIVATE core)
 add_executable(ablation EXCLUDE_FROM_ALL tests/bench/ablation_main.cpp)
 target_link_libraries(ablation PRIVATE core)
 
+# How often each fallback and each limit of work fires: see tests/bench/fires.js.
+add_executable(fires EXCLUDE_FROM_ALL tests/bench/fires_main.cpp)
+target_link_libraries(fires PRIVATE core)
+
 # Random inputs for as long as wanted; not built by default.
 add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)
 target_include_directories(stress PRIVATE tests/unit)

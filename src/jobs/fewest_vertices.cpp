@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/fires.h"
 #include "measure/hausdorff.h"
 
 namespace remesher {
@@ -45,6 +46,7 @@ class FewestSearch {
       RemeshOutcome outcome = runAt(next);
       if (outcome.stopped == Stopped::Target) return fewer(std::move(outcome));
     }
+    fires("fewest: no draft or no finished mesh keeps the bound");
     options_ = asked_;
     if (drafted > 0) options_.vertices = Index(drafted);
     return fewer(runNext());
@@ -72,7 +74,10 @@ class FewestSearch {
     options_.ratio.reset();
     options_.edgeLength.reset();
     const double enough = search(kStep * *fails_);
-    if (enough == 0) return made;
+    if (enough == 0) {
+      fires("fewest: no number of quads keeps the bound");
+      return made;
+    }
     made = runAt(enough);
     made.stopped = Stopped::MaxError;
     return made;

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/fires.h"
 #include "base/place.h"
 #include "mesh/welding.h"
 
@@ -156,7 +157,10 @@ void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovab
   if (mesh.indices.empty() || !(distance > 0)) return;
   const Extents box = extentsOf(mesh);
   const double largest = (box.high - box.low).maxCoeff();
-  if (!std::isfinite(largest) || largest / distance > kMostCells) return;
+  if (!std::isfinite(largest) || largest / distance > kMostCells) {
+    fires("joining: distance too small for the extent");
+    return;
+  }
   NearPlaces places(mesh.positions, distance, box.low);
   std::vector<Index> first;
   for (Index v = 0; v < mesh.positions.size(); ++v)

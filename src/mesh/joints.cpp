@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/fires.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {
@@ -53,6 +54,7 @@ std::vector<Halfedge> findJoints(const BuiltMesh& built) {
   for (std::size_t e = 0; e < edges.size(); ++e)
     closed += kindOf(mesh, edges[e]) == Kind::Closed ? 1 : 0;
   const bool areSheets = kMostShare * closed > edges.size();
+  if (areSheets) fires("joints: sheets that coincide");
   std::vector<Halfedge> joints;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Kind kind = kindOf(mesh, edges[e]);

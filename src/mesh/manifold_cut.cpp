@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/fires.h"
+
 namespace remesher {
 
 namespace {
@@ -86,6 +88,7 @@ std::vector<Index> pairHalfedges(const Corners& soup) {
     const std::span<const Index> group = soup.edges[e];
     if (group.size() == 2 && canJoin(soup, twoSided, group[0], group[1]))
       join(group[0], group[1], mates);
+    if (group.size() > kMaxTrianglesPaired) fires("manifold cut: edge with too many triangles");
     if (group.size() <= 2 || group.size() > kMaxTrianglesPaired) continue;
     pairs.clear();
     for (const Index up : group)

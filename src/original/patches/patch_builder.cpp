@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -59,7 +60,10 @@ void PatchBuilder::growOutwards(IsWanted isWanted) {
   reaches_.clear();
   for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
   for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
-    if (grower_.faces().size() >= kMaxPatchFaces) break;
+    if (grower_.faces().size() >= kMaxPatchFaces) {
+      fires("patches: most faces");
+      break;
+    }
     const Reach from = reaches_[head];
     const Face f = grower_.faces()[head];
     for (int i = 0; i < 3; ++i) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/fires.h"
 #include "geometry/extremes.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle.h"
@@ -252,6 +253,7 @@ class Survey {
       grids[Face(i)] = gridOf(Face(i));
       places += grids[Face(i)].places();
     }
+    if (places > most) fires("accuracy samples: steps made longer");
     for (Grid& grid : grids.values()) {
       if (places > most) grid.along = std::floor(grid.along * most / places);
       grid.rows = std::min(grid.rows, most);

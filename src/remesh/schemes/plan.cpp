@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/fires.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {
@@ -134,6 +135,7 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
     const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
     if (scale.joints.empty() || share <= vertices) return choice;
   }
+  fires("curves: joints released");
   const std::vector<Halfedge> none;
   CurveChoice choice =
       chooseWithFlats(built, input, options, {vertices, {scale.size, scale.spikes, none}});

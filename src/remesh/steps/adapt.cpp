@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/fires.h"
 #include "base/patience.h"
 #include "remesh/gate/angles.h"
 #include "remesh/ground/decimate.h"
@@ -181,7 +182,10 @@ bool splitUpTo(Run& run, std::size_t vertices, Middle middle) {
   Patience patience;
   while (mesh.vertexCount() < vertices) {
     const std::size_t splits = splitLongest(run, vertices, middle, Halves::Any);
-    if (!patience.after(splits, vertices - mesh.vertexCount())) break;
+    if (!patience.after(splits, vertices - mesh.vertexCount())) {
+      if (mesh.vertexCount() < vertices) fires("adapt: splits gain too little");
+      break;
+    }
   }
   return mesh.vertexCount() == vertices;
 }

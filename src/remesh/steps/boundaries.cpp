@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 #include "original/surface/boundary_places.h"
 #include "remesh/gate/angles.h"
@@ -244,6 +245,7 @@ void followBoundaries(Run& run) {
     if (changed) plan = planFor(run, known);
     changed = slide(run, plan.moves) || changed || split(run, plan.far);
   }
+  if (changed) fires("boundaries: most rounds");
   pinNeeded(run);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/fires.h"
 #include "geometry/pattern_search.h"
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
@@ -305,6 +306,8 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
     const std::size_t own = isFull ? work + 1 : workOf(run, f, hubs);
+    if (isFull) fires("polish: most vertices");
+    if (!isFull && own > work) fires("polish: most work");
     if (own > work || areProofsSpent(run)) return false;
     work -= own;
     return true;
@@ -315,7 +318,11 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
     if (inVainSince == 0) bad = badTriangles(run, goal.angle);
-    if (bad.empty() || (bad.size() > kManyBad && double(bad.size()) > before)) break;
+    if (bad.empty()) break;
+    if (bad.size() > kManyBad && double(bad.size()) > before) {
+      fires("polish: bad triangles do not get fewer");
+      break;
+    }
     if ((round + 1) % run.asked.effort.polishPatience == 0) before = double(bad.size());
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;

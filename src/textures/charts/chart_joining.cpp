@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/fires.h"
 #include "mesh/edge_groups.h"
 #include "textures/charts/border_loops.h"
 #include "textures/charts/chart_overlap.h"
@@ -178,7 +179,10 @@ class Joining {
 
   // The larger chart takes in the smaller one.
   void add(Index chart, Index other, std::vector<Index> seam, double shared) {
-    if (triangles_[chart].size() + triangles_[other].size() > kMostTriangles) return;
+    if (triangles_[chart].size() + triangles_[other].size() > kMostTriangles) {
+      fires("chart joining: most triangles");
+      return;
+    }
     const bool isSmaller = triangles_[chart].size() < triangles_[other].size();
     if (!isSmaller)
       for (Index& h : seam) h = surface_.twins[h];
