@@ -132,6 +132,7 @@ set(small
   src/io/text/text_writer.cpp
   src/jobs/baking.cpp
   src/jobs/checks/crossing_check.cpp
+  src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
   src/jobs/checks/result_check.cpp
   src/jobs/fewest_vertices.cpp

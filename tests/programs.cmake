@@ -42,6 +42,7 @@ add_executable(unit_tests
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
+  tests/unit/jobs/checks/option_checks_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/error.h"
 #include "io/model/bake.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
@@ -22,13 +21,6 @@
 namespace remesher {
 
 namespace {
-
-void requireNoNumbers(const RemeshOptions& options) {
-  if (options.density.empty() && options.featureEdges.empty()) return;
-  throw Error(ErrorCode::InvalidOption,
-              "density and featureEdges number the input's vertices, and repair makes others.",
-              "Repair the mesh first, then remesh what comes of it.");
-}
 
 std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const PartScale& scale) {
   for (Vec3& place : places) place = scale.inWorld(part, place);
@@ -105,7 +97,6 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress) {
-  requireNoNumbers(options);
   const PartScale scale(parts);
   PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
   double total = 0, done = 0;
