@@ -108,11 +108,19 @@ val objectFrom(const Picture& picture) {
   return result;
 }
 
+val objectFrom(const Vec3& place) {
+  val result = val::array();
+  for (const double coordinate : place) result.call<void>("push", coordinate);
+  return result;
+}
+
 val objectFrom(const Warning& warning) {
   val result = val::object();
   result.set("code", warning.code);
   result.set("message", warning.message);
   result.set("count", double(warning.count));
+  result.set("severity", std::string(nameOf(kSeverities, severityOf(warning))));
+  if (warning.at) result.set("at", objectFrom(*warning.at));
   return result;
 }
 

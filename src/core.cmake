@@ -74,6 +74,7 @@ set(small
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
   src/arrangement/rounding.cpp
+  src/base/diagnostics.cpp
   src/base/fires.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp

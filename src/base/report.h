@@ -14,10 +14,12 @@
 namespace remesher {
 
 // Something the caller should know but need not act on. `code` is stable, `message` is for people.
+// base/diagnostics.h lists the codes.
 struct Warning {
   std::string code;
   std::string message;
   std::size_t count = 1;
+  std::optional<Vec3> at = {};  // the place of the first or the worst, in the world of the file
 };
 
 // Angles in degrees; histogram in percent of the triangles, by minimum angle 0–10, 10–20, … 50–60.

@@ -164,6 +164,10 @@
  * @property {string} code For programs.
  * @property {string} message For people.
  * @property {number} count How many there are.
+ * @property {'note' | 'loss' | 'fault'} [severity] A note says how something was done; a loss, what
+ *   of the input or of the request the result lacks; a fault, what is wrong with the result.
+ * @property {[number, number, number]} [at] The place of the first or the worst of them, if it has
+ *   one, in the world of the file.
  */
 
 /**
