@@ -239,14 +239,16 @@ set(small
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
   src/remesh/schemes/chart_needs.cpp
+  src/remesh/schemes/chooser.cpp
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
+  src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
-  src/remesh/schemes/rival.cpp
   src/remesh/schemes/rounds.cpp
+  src/remesh/schemes/shape_comparison.cpp
   src/remesh/schemes/targets.cpp
   src/remesh/schemes/uncrossed.cpp
   src/remesh/steps/apart.cpp

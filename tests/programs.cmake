@@ -142,6 +142,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp

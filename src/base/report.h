@@ -129,6 +129,14 @@ struct EdgeReport {
   std::vector<Index> first;        // per vertex the first at its place
 };
 
+// The row of the chooser that took the resulting mesh; src/README.md lists the rows.
+struct Chosen {
+  std::string rule;
+  std::string reason;  // a sentence
+
+  bool operator==(const Chosen&) const = default;
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
@@ -140,6 +148,7 @@ struct Report {
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
+  std::vector<Chosen> chosen;  // why each part is the mesh that it is; none after an inspection
   std::vector<Report> lods;    // of the coarser levels of detail, in the order requested
 };
 

@@ -15,6 +15,7 @@
 #include "jobs/repair_words.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
+#include "remesh/schemes/chooser.h"
 #include "repair/fineness.h"
 #include "repair/repair.h"
 
@@ -146,7 +147,13 @@ bool isSound(const TriangleMesh& mesh) {
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome) {
   RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
-  if (rounded.mesh.isQuads || isSound(rounded.mesh) || !isSound(original)) return rounded;
+  const Rule& rule = choose(Decision::Written, [&](Fact fact) {
+    if (fact == Fact::QuadsAsked) return rounded.mesh.isQuads;
+    if (fact == Fact::ResultUnsound) return !isSound(rounded.mesh);
+    return fact == Fact::OriginalSound && isSound(original);
+  });
+  if (rule.taken == Candidate::AsMade) return rounded;
+  outcome.chosen = inReport(rule);
   outcome.stopped = Stopped::Fidelity;
   if (!outcome.places.empty()) outcome.places = ownPlaces(original);
   outcome.coincident = 0;

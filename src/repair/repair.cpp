@@ -61,7 +61,7 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
   else
     warn(result,
          {"SHEETS_THICKENED",
-          "Sheets, which enclose nothing, were made thin solids behind what is seen of them.",
+          "Sheets, which enclose nothing, became thin solids behind their visible side.",
           count});
 }
 

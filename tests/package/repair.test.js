@@ -279,6 +279,8 @@ test('the report says why a mode was chosen', async () => {
     [open, { repair: 'solid' }, 'solid', 'asked']]) {
     const { report } = await repair(mesh, options);
     assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
+    const isKept = reason === 'sound' || reason === 'sheets';
+    assert.equal(report.chosen.rule, isKept ? 'kept' : 'repaired');
     assert.match(reportInWords(report), new RegExp(`repair \\(${mode}, \\w+ .*\\)`));
   }
 });

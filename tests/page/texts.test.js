@@ -36,7 +36,12 @@ const told = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["a-zA-Z]/g)
 const warnings = [...readText(diagnostics).matchAll(/"([A-Z_]+)", Severity::/g)]
   .map(([, code]) => code);
 
-const ofMessages = [...warnings.map((code) => `warning.${code}`),
+/** The reasons of the chooser's rules, but for rows that leave the mesh that is there. */
+const rules = found(/\bRule\{\s*Decision::\w+,\s*"([\w-]+)"/g)
+  .filter((name) => name !== 'as-made');
+
+const ofMessages = [...rules.map((name) => `chosen.${name}`),
+  ...warnings.map((code) => `warning.${code}`),
   ...errorCodes.map((code) => `fault.${code}`)];
 
 /** The names in braces. */

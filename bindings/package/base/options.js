@@ -54,8 +54,12 @@ export const optionTable = [
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
   { name: 'prefer', flag: '--prefer P', type: 'choice', choices: ['auto', 'even', 'shape'],
     default: 'auto',
-    help: 'even: even triangles; shape: vertices of the original where its shape and looks need ' +
-      'them most; auto: even where that keeps both, else shape' },
+    excludes: { value: 'shape',
+      others: { scheme: ['rounds'], boundary: ['keep'], quads: [true], splitObtuse: [true],
+        maxError: true, density: true, featureEdges: true },
+      why: 'both decide where vertices lie' },
+    help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape and '
+      + 'appearance need most; auto: even, unless that would visibly change the model' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +

@@ -177,7 +177,7 @@ bool runBest(Run& run, const BestGoal& goal, const Progress& progress) {
   run.asked.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
-  if (goal.rival && !isDraft && goal.rival->hasWon(run.mesh)) return reached;
+  if (goal.comparison && !isDraft && goal.comparison->endsEarly(run.mesh)) return reached;
   const Progress last = progress.part(0.85, 1);
   isDraft ? finishDraft(run, last) : finish(run, last);
   return reached;
