@@ -57,10 +57,10 @@ class Isotropic {
             const Progress& progress)
       : input_(input),
         options_(options),
-        original_(std::move(plan), options, progress),
-        comparison_(original_, input, options.textures),
+        original_(std::move(plan), options_, progress),
+        comparison_(original_, input, options_.textures),
         tree_(original_.surface(), &input),
-        bodies_(input, options.bodies) {}
+        bodies_(input, options_.bodies) {}
 
   const Prepared& original() const { return original_; }
   ShapeComparison& comparison() { return comparison_; }

@@ -244,8 +244,9 @@ class SurfaceCandidates {
     if (candidate == Candidate::Isotropic) return isotropic().outcome(Prefer::Even, progress_);
     if (!isotropic_)
       return outcomeOf(std::move(**simplified_), vertices_, std::move(plan_.warnings));
-    return outcomeOf(isotropic().comparison().takeSimplified(), vertices_,
-                     isotropic().original().warnings());
+    const Prepared& original = isotropic().original();
+    return outcomeOf(isotropic().comparison().takeSimplified(), original.vertices(),
+                     original.warnings());
   }
 
   static constexpr double kHalf = 0.5;
