@@ -74,6 +74,8 @@ set(small
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
   src/arrangement/rounding.cpp
+  src/base/diagnostics.cpp
+  src/base/fires.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp
@@ -140,6 +142,7 @@ set(small
   src/io/text/xml_scanner.cpp
   src/jobs/baking.cpp
   src/jobs/checks/crossing_check.cpp
+  src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
   src/jobs/checks/result_check.cpp
   src/jobs/fewest_vertices.cpp
@@ -245,14 +248,16 @@ set(small
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
   src/remesh/schemes/chart_needs.cpp
+  src/remesh/schemes/chooser.cpp
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
+  src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
-  src/remesh/schemes/rival.cpp
   src/remesh/schemes/rounds.cpp
+  src/remesh/schemes/shape_comparison.cpp
   src/remesh/schemes/targets.cpp
   src/remesh/schemes/uncrossed.cpp
   src/remesh/steps/apart.cpp

@@ -6,6 +6,7 @@
 #include "io/formats.h"
 #include "io/model/levels.h"
 #include "jobs/baking.h"
+#include "jobs/checks/option_checks.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
@@ -50,6 +51,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   if (options.textures == Textures::Bake)
     throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
                 "Give the file, with its images, to remeshFile.");
+  checkTogether(options);
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (PlacedMesh& placed : scene) {
@@ -88,7 +90,8 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
-  if (options.textures == Textures::Bake) requireTextured(outputName, options);
+  checkTogether(options);
+  if (options.textures == Textures::Bake) requireTextured(outputName);
   requireRoomForLevels(outputName, options);
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);

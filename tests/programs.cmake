@@ -5,6 +5,7 @@ add_executable(unit_tests
   tests/unit/arrangement/dyadic_test.cpp
   tests/unit/arrangement/points_test.cpp
   tests/unit/arrangement/sheet_triangulation_test.cpp
+  tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
@@ -47,6 +48,7 @@ add_executable(unit_tests
   tests/unit/io/text/text_scanner_test.cpp
   tests/unit/io/text/xml_scanner_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
+  tests/unit/jobs/checks/option_checks_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
@@ -145,6 +147,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
@@ -207,6 +210,10 @@ target_link_libraries(measure PRIVATE core)
 # What each step of the scheme `best` is worth: see tests/bench/ablation.js.
 add_executable(ablation EXCLUDE_FROM_ALL tests/bench/ablation_main.cpp)
 target_link_libraries(ablation PRIVATE core)
+
+# How often each fallback and each limit of work fires: see tests/bench/fires.js.
+add_executable(fires EXCLUDE_FROM_ALL tests/bench/fires_main.cpp)
+target_link_libraries(fires PRIVATE core)
 
 # Random inputs for as long as wanted; not built by default.
 add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)

@@ -12,6 +12,7 @@
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
+#include "remesh/schemes/chooser.h"
 
 namespace remesher {
 
@@ -58,7 +59,7 @@ RemeshOptions Mending::withPaint(RemeshOptions options, io::Model& model) const 
   if (!isImplied) return options;
   options.textures = Textures::Bake;
   model.warnings.push_back(
-      {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were painted anew."});
+      {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were baked onto it."});
   return options;
 }
 
@@ -85,9 +86,13 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =
           joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
-  const bool isUnchanged =
-      std::equal(parts.begin(), parts.end(), given.begin(),
-                 [](const io::Part& a, const io::Part& b) { return io::isSame(a.mesh, b.mesh); });
+  bool isUnchanged = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool isSame = io::isSame(parts[i].mesh, given[i].mesh);
+    report.chosen.push_back(inReport(choose(
+        Decision::RepairOnly, [&](Fact fact) { return fact == Fact::Unchanged && isSame; })));
+    isUnchanged = isUnchanged && isSame;
+  }
   return {std::move(report), isUnchanged};
 }
 

@@ -31,6 +31,7 @@ std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
                              const std::vector<io::Part>& parts) {
   std::vector<Warning> result;
   for (PlacedWarning& placed : warnings) {
+    placed.warning.at = placed.at;
     if (placed.at)
       placed.warning.message.append(" The first of it lies near (")
           .append(placeInWords(*placed.at, parts))

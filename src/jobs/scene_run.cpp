@@ -17,6 +17,7 @@
 #include "jobs/parts/part_targets.h"
 #include "jobs/parts/part_unions.h"
 #include "jobs/run_guards.h"
+#include "remesh/schemes/chooser.h"
 
 namespace remesher {
 
@@ -32,6 +33,7 @@ SceneRun begun(const InspectedParts& originals) {
   run.places.resize(run.parts.size());
   run.crossings.resize(run.parts.size());
   run.report.prefer.assign(run.parts.size(), Prefer::Even);
+  run.report.chosen.resize(run.parts.size());
   run.report.input = originals.report();
   run.report.warnings = looseTriangles(run.report.input, originals.parts());
   return run;
@@ -48,6 +50,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
+  run.report.chosen[part] = outcome.chosen;
   run.mirrors += outcome.mirrors;
 }
 
@@ -55,6 +58,8 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
 void passOn(SceneRun& run, std::size_t number, const io::Part& original, const Error& reason) {
   run.parts[number].mesh = original.mesh;
   run.places[number] = ownPlaces(original.mesh);
+  run.report.chosen[number] =
+      inReport(choose(Decision::Part, [](Fact fact) { return fact == Fact::NoArea; }));
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 

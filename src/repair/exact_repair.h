@@ -12,10 +12,6 @@
 
 namespace remesher {
 
-// An open piece whose disks would have a larger share of its area than this encloses nothing: half
-// a sphere has 1/2, a flat card 1.
-inline constexpr double kMostDisk = 0.6;
-
 struct ExactRepair {
   enum class Way {
     Unchanged,  // the input was sound

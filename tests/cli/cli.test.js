@@ -75,9 +75,10 @@ test('--json is the whole report and nothing else on standard output', () => {
   assert.equal(status, 0, stderr);
   assert.equal(stderr, '');
   const report = JSON.parse(stdout);
-  assert.deepEqual(Object.keys(report).sort(), ['fidelity', 'input', 'memory', 'output',
+  assert.deepEqual(Object.keys(report).sort(), ['chosen', 'fidelity', 'input', 'memory', 'output',
     'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
   assert.equal(report.output.vertices, 600);
+  assert.equal(report.chosen.rule, 'rounds');
   assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);
   assert.ok(report.memory.peakBytes > 0);
 });

@@ -94,8 +94,63 @@ test('an unknown name is refused, and the nearest named', () => {
   assert.equal(nearest('zzzzzzzz', ['vertices']), undefined);
 });
 
-test('two targets contradict each other', () => {
-  refused({ vertices: 100, ratio: 0.5 }, 'INVALID_OPTION', /vertices and ratio contradict/);
+/** A value of an option that is not its default; the first of those that are wanted. */
+function sample({ type, choices, default: standard, min = 1 }, wanted = true) {
+  if (wanted !== true) return wanted[0];
+  if (type === 'boolean') return true;
+  if (type === 'choice') return choices.find((choice) => choice !== standard);
+  if (type === 'shares') return [0.5];
+  if (type === 'floats') return new Float32Array(1);
+  return type === 'pairs' ? [[0, 1]] : Math.max(min, 1);
+}
+
+const optionNamed = (name) => optionTable.find((option) => option.name === name);
+
+test('an option without what it needs is refused, and the sentence names both', () => {
+  const needy = optionTable.filter(({ needs }) => needs);
+  assert.ok(needy.length > 5);
+  for (const option of needy) {
+    const others = Object.keys(option.needs[0]);
+    const sentence = new RegExp(`^${option.name} needs ${others[0]}\\b.*\\.$`);
+    refused({ [option.name]: sample(option) }, 'INVALID_OPTION', sentence);
+    for (const needs of option.needs) {
+      const given = Object.entries(needs).map(([name, wanted]) =>
+        [name, sample(optionNamed(name), wanted)]);
+      checkOptions({ ...Object.fromEntries(given), [option.name]: sample(option) });
+    }
+  }
+});
+
+test('options that exclude each other are refused in a sentence that names both', () => {
+  const strict = optionTable.filter(({ excludes }) => excludes);
+  assert.ok(strict.length > 3);
+  for (const option of strict) {
+    for (const [other, wanted] of Object.entries(option.excludes.others)) {
+      const own = option.excludes.value ?? sample(option);
+      const given = { [option.name]: own, [other]: sample(optionNamed(other), wanted) };
+      refused(given, 'INVALID_OPTION',
+        new RegExp(`^${option.name}\\b.* and ${other}\\b.* exclude each other: .*\\.$`));
+    }
+  }
+});
+
+test('the sentences are in the words of the caller', () => {
+  const flag = (option) => `--${option.name}`;
+  const said = (given, label) => {
+    try {
+      checkOptions(given, label && { label });
+    } catch (error) {
+      return `${error.message} ${error.hint}`;
+    }
+    return '';
+  };
+  assert.equal(said({ sheets: 'drop' }),
+    "sheets needs repair: 'wrap', 'solid' or 'auto'. Add repair: 'wrap'.");
+  assert.equal(said({ sheets: 'drop' }, flag),
+    '--sheets needs --repair wrap, solid or auto. Add --repair wrap.');
+  assert.equal(said({ exact: true }), 'exact needs quads: true. Add quads: true.');
+  assert.equal(said({ exact: true }, flag), '--exact needs --quads. Add --quads.');
+  assert.match(said({ prefer: 'shape', quads: true }, flag), /^--prefer shape and --quads exclude/);
 });
 
 test('what is not set does not travel', () => {
@@ -110,16 +165,11 @@ test('arrays are copied into the form the core reads', () => {
   assert.deepEqual(checked.featureEdges, new Uint32Array([0, 1, 1, 2]));
 });
 
-/** What some flags say nothing without. */
-const beside = {
-  cavities: ['--repair', 'solid'],
-  gap: ['--repair', 'wrap'],
-  holesUpTo: ['--repair', 'holes'],
-  lodFiles: ['--lods', '0.5'],
-  sheets: ['--repair', 'wrap'],
-  textureSize: ['--textures', 'bake'],
-  textureFormat: ['--textures', 'bake'],
-};
+/** Flags that an option needs beside it. @param {{ needs?: readonly object[] }} option */
+const beside = ({ needs: [others] = [{}] }) => Object.entries(others).flatMap(([name, wanted]) => {
+  const { flag, type } = optionNamed(name);
+  return type === 'boolean' ? [flag] : [flag.split(' ')[0], wanted === true ? '0.5' : wanted[0]];
+});
 
 test('every flag is the kebab case of its name, is parsed, and is in the help', () => {
   for (const option of optionTable.filter(({ flag }) => flag)) {
@@ -129,7 +179,7 @@ test('every flag is the kebab case of its name, is parsed, and is in the help', 
     const value = option.choices?.[0] ?? (option.type === 'boolean' ? undefined : '2');
     if (option.name === 'adaptivity') continue; // there is no 2
     const words = ['in.off', '-o', 'out.off', flag, ...(value === undefined ? [] : [value]),
-      ...(beside[option.name] ?? [])];
+      ...beside(option)];
     assert.ok(option.name in parseCommandLine(words).options, flag);
   }
 });
@@ -154,14 +204,14 @@ test('sentences name options as programs do in JavaScript, by flags on the comma
   const cases = [{ holesUpTo: 5, repair: 'solid' }, { lodFiles: true },
     { sheets: 'drop', repair: 'holes' }, { cavities: true, repair: 'wrap' }];
   for (const options of cases) {
-    assert.throws(() => checkOptions(options), ({ hint }) => /: \w+/.test(hint)
+    assert.throws(() => checkOptions(options), ({ hint }) => /^Add \w+/.test(hint)
       && !hint.includes('--'));
     const words = Object.entries(options).flatMap(([name, value]) => {
       const flag = optionTable.find((option) => option.name === name).flag.split(' ')[0];
       return value === true ? [flag] : [flag, String(value)];
     });
     assert.throws(() => parseCommandLine(['a.glb', '-o', 'b.glb', ...words]), ({ hint }) =>
-      /: --[a-z-]+( [a-z]+)?\.$/.test(hint));
+      /^Add --[a-z-]+( [a-z]+)?\.$/.test(hint));
   }
 });
 

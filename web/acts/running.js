@@ -6,7 +6,7 @@ import { t } from '../base/i18n.js';
 import { writeAddress } from '../model/address.js';
 import { distanceView } from '../report/distance_view.js';
 import { historyView, resultName } from '../report/history_view.js';
-import { landmarkOf, placeIn } from '../report/landmarks.js';
+import { landmarkOf } from '../report/landmarks.js';
 import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
 import { keepsShape, reportView } from '../report/report_view.js';
@@ -52,10 +52,9 @@ function homeViews(page, result) {
 
 /** A function that shows a warning's place, null if the place is unknown.
  * @param {Page} page @param {import('remesher').Warning} warning */
-function visitorOf({ surveying }, { code, message }) {
+function visitorOf({ surveying }, { code, at }) {
   const landmark = landmarkOf(code);
-  const place = placeIn(message);
-  if (place) return () => void surveying.visitPlace(place);
+  if (at) return () => void surveying.visitPlace(at);
   return landmark ? () => surveying.visitLandmark(landmark) : null;
 }
 

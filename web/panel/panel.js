@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The form, made from the package's option table: a new row there is a new field here. A field
 // left at its default is left out of the options, so the scheme's own defaults hold.
-import { defaultOf, optionTable } from 'remesher/options';
+import { defaultOf, optionRules, optionTable } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { ownChoices, presets, withPreset } from '../model/presets.js';
@@ -97,17 +97,6 @@ const belongsInForm = ({ name, flag, form }) =>
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
-
-/** Whether an option has no effect: size and format of textures without baking, the length of holes
- * or the width of the gap without the repair that uses them, and the like.
- * @param {string} name @param {Values} values */
-const isIdle = (name, { textures, repair, quads }) =>
-  (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
-  || ((name === 'exact' || name === 'symmetry') && !quads)
-  || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
-  || (name === 'gap' && repair !== 'wrap' && repair !== 'auto')
-  || (name === 'cavities' && repair !== 'solid' && repair !== 'auto')
-  || (name === 'sheets' && !['wrap', 'solid', 'auto'].includes(String(repair)));
 
 export class Panel {
   #form;
@@ -243,7 +232,7 @@ export class Panel {
       const help = field?.querySelector('.help');
       const choice = values[option.name] ?? String(option.default);
       if (help && option.type === 'choice') help.textContent = optionHelp(option, choice);
-      if (field) field.hidden = isIdle(option.name, values);
+      if (field) field.hidden = optionRules.isIdle(option.name, values);
     }
   }
 
@@ -267,7 +256,10 @@ export class Panel {
     const values = this.#target.value();
     for (const { option, control } of this.#fields) {
       const value = valueOf(option, control);
-      if (value !== undefined && !isIdle(option.name, values)) values[option.name] = value;
+      if (value !== undefined) values[option.name] = value;
+    }
+    for (const { option: { name } } of this.#fields) {
+      if (optionRules.isIdle(name, values)) delete values[name];
     }
     return values;
   }

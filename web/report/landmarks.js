@@ -25,15 +25,6 @@ export function landmarkOf(code) {
   return codes[code];
 }
 
-/** The place in a message: "… near (0.1, 2, -3e-4)". @param {string} message
- * @returns {[number, number, number] | null} */
-export function placeIn(message) {
-  const [, ...numbers] = /\((-?[\d.e+-]+), (-?[\d.e+-]+), (-?[\d.e+-]+)\)/.exec(message) ?? [];
-  const place = numbers.map(Number);
-  return place.length === 3 && place.every(Number.isFinite)
-    ? /** @type {[number, number, number]} */ (place) : null;
-}
-
 /** @param {Landmark | FaultPlace} name @param {number} total @param {string} color
  * @param {() => void} onclick */
 function chip(name, total, color, onclick) {

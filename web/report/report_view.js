@@ -122,6 +122,12 @@ function loss(report, onLargest) {
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 
+/** Why the result is the mesh that it is, each sentence once. @param {RemeshReport} report */
+function choice({ chosen }) {
+  const reasons = [chosen].flat().map(({ rule, reason }) => textIfAny(`chosen.${rule}`) ?? reason);
+  return element('p', { className: 'quiet', id: 'chosen' }, [...new Set(reasons)].join(' '));
+}
+
 /** The report on a finished run.
  * @param {RemeshReport} report
  * @param {{ visitorOf: (warning: Warning) => (() => void) | null, onLargest: () => void }} acts
@@ -133,6 +139,7 @@ export function reportView(report, { visitorOf, onLargest }) {
     early ? element('p', { className: 'notice' }, early) : '',
     loss(report, onLargest),
     prefer.includes('shape') ? element('p', { className: 'notice' }, t('report.shape')) : '',
+    choice(report),
     ...warnings.map((warning) => note(warning, visitorOf)),
     repairView(report.repair),
     ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]

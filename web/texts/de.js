@@ -329,6 +329,44 @@ export default {
   'error.notKept.hint': 'Öffnen Sie es noch einmal; unter „Tasten und Einstellungen“ können Sie '
     + 'diesen Browser Dateien behalten lassen.',
 
+  'chosen.rounds': 'Das Verfahren `rounds` war verlangt.',
+  'chosen.isotropic-asked': 'Gleichmäßige Dreiecke waren verlangt.',
+  'chosen.vertices-placed': 'Eine Einstellung bestimmt, wo Punkte liegen: Vereinfachen kann ihr '
+    + 'nicht folgen.',
+  'chosen.shape-refined': 'Die Form geht vor, mit mehr Punkten als im Original: gleichmäßige '
+    + 'Dreiecke, die nirgends sichtbar abweichen.',
+  'chosen.shape-asked': 'Die Form geht vor.',
+  'chosen.corners-exceed-number': 'Es sind zu wenige Punkte für die Ecken aller Linien.',
+  'chosen.isotropic-far-unfinished': 'Gleichmäßige Dreiecke würden die Form viel stärker ändern '
+    + 'als Vereinfachen.',
+  'chosen.number-missed': 'Gleichmäßige Dreiecke erreichten die Zahl der Punkte nicht; '
+    + 'Vereinfachen schon.',
+  'chosen.simplified-nearer': 'Gleichmäßige Dreiecke würden die Form sichtbar ändern; '
+    + 'Vereinfachen bleibt viel näher.',
+  'chosen.flat-sides-refined': 'Einfache gleichmäßige Dreiecke würden ebene Seiten eindellen: '
+    + 'diese weichen nirgends sichtbar ab.',
+  'chosen.isotropic-near-unfinished': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
+  'chosen.isotropic-near': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
+  'chosen.isotropic': 'Keine Vereinfachung bleibt so viel näher, dass sie ungleichmäßige '
+    + 'Dreiecke wert wäre.',
+  'chosen.quads-mirrored': 'Vierecke waren verlangt, und Ebenen spiegeln das Original: die '
+    + 'Vierecke einer Seite wurden gespiegelt.',
+  'chosen.quads-paired': 'Vierecke waren verlangt; wo keine Karte aus Quadraten gelang, sind '
+    + 'sie Paare von Dreiecken.',
+  'chosen.quads': 'Vierecke waren verlangt.',
+  'chosen.own-triangles': 'Die eigenen Dreiecke des Originals halten die Grenze mit weniger '
+    + 'Punkten ein.',
+  'chosen.simplified-unsound': 'Vereinfachen würde die reparierte Fläche sich selbst schneiden '
+    + 'lassen.',
+  'chosen.uncrossed': 'Gleichmäßige Dreiecke schnitten einander und wurden ohne das noch einmal '
+    + 'gemacht.',
+  'chosen.uncrossed-simplified': 'Gleichmäßige Dreiecke schneiden einander; die vereinfachten '
+    + 'nicht.',
+  'chosen.only-repaired': 'Auf die geschriebenen Stellen gerundet, wäre die neue Fläche nicht '
+    + 'heil: geschrieben ist die reparierte.',
+  'chosen.no-surface': 'Kein Dreieck hat eine Fläche: das Netz bleibt, wie es kam.',
+  'chosen.kept': 'Nichts war zu reparieren: jeder Punkt und jedes Dreieck ist, wie es war.',
+  'chosen.repaired': 'Die Reparatur hat die Fläche geändert.',
   'warning.ANGLES_WORSE': 'Manche Dreiecke sind schlechter als die des Originals. Mehr Punkte '
     + 'helfen, wo Teile dünner sind, als Kanten lang.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Ein Attribut springt an fast jeder Kante; es wird von der '

@@ -330,6 +330,44 @@ export default {
   'error.notKept.hint': 'Ouvrez-le de nouveau ; sous « Touches et réglages », vous pouvez laisser '
     + 'ce navigateur garder les fichiers.',
 
+  'chosen.rounds': 'La méthode `rounds` était demandée.',
+  'chosen.isotropic-asked': 'Des triangles réguliers étaient demandés.',
+  'chosen.vertices-placed': 'Un réglage décide de la place des sommets : la simplification ne '
+    + 'peut pas le suivre.',
+  'chosen.shape-refined': 'La forme est préférée, avec plus de sommets que l’original : des '
+    + 'triangles réguliers qui ne s’en écartent visiblement nulle part.',
+  'chosen.shape-asked': 'La forme est préférée.',
+  'chosen.corners-exceed-number': 'Il y a trop peu de sommets pour les coins de toutes les '
+    + 'lignes.',
+  'chosen.isotropic-far-unfinished': 'Des triangles réguliers changeraient la forme bien plus '
+    + 'que la simplification.',
+  'chosen.number-missed': 'Les triangles réguliers n’ont pas atteint le nombre de sommets ; la '
+    + 'simplification, si.',
+  'chosen.simplified-nearer': 'Des triangles réguliers changeraient visiblement la forme ; la '
+    + 'simplification reste bien plus proche.',
+  'chosen.flat-sides-refined': 'De simples triangles réguliers bosselleraient les faces planes '
+    + ': ceux-ci ne s’en écartent visiblement nulle part.',
+  'chosen.isotropic-near-unfinished': 'Les triangles réguliers ne changent pas visiblement la '
+    + 'forme.',
+  'chosen.isotropic-near': 'Les triangles réguliers ne changent pas visiblement la forme.',
+  'chosen.isotropic': 'Aucune simplification n’est assez proche pour valoir ses triangles '
+    + 'irréguliers.',
+  'chosen.quads-mirrored': 'Des quadrilatères étaient demandés, et des plans reflètent '
+    + 'l’original : ceux d’un côté ont été reflétés.',
+  'chosen.quads-paired': 'Des quadrilatères étaient demandés ; sans carte de carrés, ce sont '
+    + 'des paires de triangles.',
+  'chosen.quads': 'Des quadrilatères étaient demandés.',
+  'chosen.own-triangles': 'Les triangles de l’original tiennent la limite avec moins de '
+    + 'sommets.',
+  'chosen.simplified-unsound': 'Simplifiée, la surface réparée se couperait elle-même.',
+  'chosen.uncrossed': 'Les triangles réguliers se coupaient et ont été refaits sans cela.',
+  'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
+  'chosen.only-repaired': 'Arrondie aux chiffres écrits, la nouvelle surface ne serait pas '
+    + 'saine : la surface réparée est écrite.',
+  'chosen.no-surface': 'Aucun triangle n’a d’aire : le maillage reste tel qu’il est venu.',
+  'chosen.kept': 'Il n’y avait rien à réparer : chaque sommet et chaque triangle reste tel '
+    + 'quel.',
+  'chosen.repaired': 'La réparation a changé la surface.',
   'warning.ANGLES_WORSE': 'Des triangles sont moins bons que ceux de l’original. Plus de points '
     + 'aident là où des parties sont plus minces que les arêtes ne sont longues.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Un attribut saute à presque chaque arête ; il est repris du '

@@ -7,6 +7,7 @@
 
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
+import { OptionRules } from './option_rules.js';
 
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
 
@@ -27,6 +28,10 @@ import { legible } from './legible.js';
  * @property {readonly string[]} [choices] The values allowed.
  * @property {boolean} [off] 'off' is a value too.
  * @property {boolean} [form] false: the page's form has no field for it.
+ * @property {readonly import('./option_rules.js').Others[]} [needs] Without any of these it has no
+ *   effect.
+ * @property {import('./option_rules.js').Excludes} [excludes] It cannot be given together with
+ *   these.
  * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] The value that
  *   holds when it is not given.
  */
@@ -34,9 +39,11 @@ import { legible } from './legible.js';
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
+    excludes: { others: { ratio: true, edgeLength: true }, why: 'each sets the number' },
     help: 'exact number of vertices of the result (distinct positions), of quads within 4 %; if '
       + 'not given the input’s, or in the scheme best as few as keep --max-error' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
+    excludes: { others: { edgeLength: true }, why: 'each sets the number' },
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
@@ -47,8 +54,12 @@ export const optionTable = [
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
   { name: 'prefer', flag: '--prefer P', type: 'choice', choices: ['auto', 'even', 'shape'],
     default: 'auto',
-    help: 'even: even triangles; shape: vertices of the original where its shape and looks need ' +
-      'them most; auto: even where that keeps both, else shape' },
+    excludes: { value: 'shape',
+      others: { scheme: ['rounds'], boundary: ['keep'], quads: [true], splitObtuse: [true],
+        maxError: true, density: true, featureEdges: true },
+      why: 'both decide where vertices lie' },
+    help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape and '
+      + 'appearance need most; auto: even, unless that would visibly change the model' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
@@ -66,7 +77,8 @@ export const optionTable = [
     help: 'after the target is met, split every edge facing an obtuse angle, once' },
   { name: 'adaptivity', flag: '--adaptivity A', type: 'number', min: 0, max: 1,
     default: { best: 0.5, rounds: 0 },
-    help: '0: even triangles; 1: sizes follow curvature, for the least error; between: a mix' },
+    help: '0: triangles of one size; 1: sizes follow curvature, for the least error; between: a '
+      + 'mix' },
   { name: 'gradation', flag: '--gradation G', type: 'number', above: 1, default: 1.5,
     help: 'largest ratio between the sizes at the two ends of an edge' },
   { name: 'featureAngle', flag: '--feature-angle D', type: 'number', min: 0, max: 180,
@@ -84,41 +96,55 @@ export const optionTable = [
     help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
       + 'within 1 %, or within 4 % where a nearer one costs irregular vertices' },
   { name: 'exact', flag: '--exact', type: 'boolean', default: false,
+    needs: [{ quads: [true] }],
     help: 'of quads: exactly the number of vertices' },
   { name: 'symmetry', flag: '--symmetry S', type: 'choice', choices: ['auto', 'off'],
     default: 'auto',
+    needs: [{ quads: [true] }],
     help: 'of quads; auto: where planes mirror the model they mirror the quads exactly' },
   { name: 'textures', flag: '--textures T', type: 'choice', choices: ['auto', 'keep', 'bake'],
     default: 'auto',
+    excludes: { value: 'bake', others: { lods: true }, why: 'levels would share no texture' },
     help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted '
       + 'from the old, so that seams hold no vertices; auto: keep, but bake from glTF to glTF '
       + 'where repair makes another surface' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
     unit: 'texels',
+    needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
+    needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
     help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
+    excludes: { others: { density: true, featureEdges: true },
+      why: 'repair makes other vertices than those that are numbered' },
     help: 'mend the surface first. holes: close open loops, turn bodies that are inside out, '
       + 'leave the rest as it is; solid: the outside of what encloses something; wrap: what is '
       + 'reached from outside through openings wider than the gap; auto: the first of these that '
       + 'fits' },
   { name: 'holesUpTo', flag: '--holes-up-to P', type: 'number', above: 0,
-    unit: '% of the diagonal', help: 'longer loops stay open; all are closed if not given' },
+    unit: '% of the diagonal',
+    needs: [{ repair: ['holes', 'auto'] }],
+    help: 'longer loops stay open; all are closed if not given' },
   { name: 'gap', flag: '--gap P', type: 'number', above: 0, max: 20,
-    unit: '% of the diagonal', help: 'wrap closes openings up to this wide; 2 if not given' },
+    unit: '% of the diagonal',
+    needs: [{ repair: ['wrap', 'auto'] }],
+    help: 'wrap closes openings up to this wide; 2 if not given' },
   { name: 'cavities', flag: '--cavities', type: 'boolean', default: false,
+    needs: [{ repair: ['solid', 'auto'] }],
     help: 'solid keeps inner cavities: closed pieces that face into what they enclose' },
   { name: 'sheets', flag: '--sheets S', type: 'choice', choices: ['thicken', 'drop'],
     default: 'thicken',
+    needs: [{ repair: ['wrap', 'solid', 'auto'] }],
     help: 'of sheets, which enclose nothing, wrap makes thin solids behind what is seen of them, '
       + 'or leaves them out' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
+    needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },
   { name: 'density', type: 'floats',
     help: 'relative vertex density, one value per input vertex' },
@@ -295,62 +321,11 @@ export function inJavaScript(text) {
   });
 }
 
-/** A sentence of ours in the caller's words. @param {string} text @param {typeof nameOf} label */
-const inWordsOf = (text, label) => (label === nameOf ? inJavaScript(text) : text);
-
 /** How programs know an option. @param {Option} option @returns {string} */
 const nameOf = ({ name }) => name;
 
-/** Options that mean nothing without certain repairs; `auto` may choose each of these, too. */
-const ofRepairs = {
-  holesUpTo: { repairs: ['holes'], fault: 'No holes are closed, long or short.' },
-  cavities: { repairs: ['solid'], fault: 'No solid is made, with cavities or without.' },
-  sheets: { repairs: ['wrap', 'solid'], fault: 'Nothing is wrapped, sheets neither.' },
-};
-
-/** @param {Record<string, unknown>} given @param {typeof nameOf} label */
-function checkTogetherWithRepair(given, label) {
-  const asked = String(given.repair ?? 'off');
-  for (const [name, { repairs, fault }] of Object.entries(ofRepairs)) {
-    const isSaid = given[name] !== undefined && given[name] !== byName.get(name)?.default;
-    if (!isSaid || asked === 'auto' || repairs.includes(asked)) continue;
-    throw new RemeshError('INVALID_OPTION', fault,
-      inWordsOf(`Ask for it: --repair ${repairs[0]}.`, label));
-  }
-}
-
-/**
- * Refuses options that decide where vertices lie together with `prefer: 'shape'`.
- * @param {Record<string, unknown>} given
- * @param {(option: Option) => string} label
- */
-function checkTogetherWithShape(given, label) {
-  if (given.prefer !== 'shape') return;
-  const excluded = Object.entries({ scheme: 'rounds', boundary: 'keep', quads: true,
-    splitObtuse: true }).find(([name, value]) => given[name] === value)?.[0]
-    ?? ['maxError', 'density', 'featureEdges'].find((name) =>
-      given[name] !== undefined && given[name] !== 'off');
-  const option = excluded && byName.get(excluded);
-  if (!option) return;
-  throw new RemeshError('INVALID_OPTION',
-    `${label(option)} decides where vertices lie, and so does the shape that is preferred.`,
-    'Ask for one of them.');
-}
-
-/** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
-function checkTogether(given, label) {
-  const targets = optionTable.filter(({ name }) =>
-    given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
-  if (given.lodFiles && !given.lods) {
-    throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
-      inWordsOf('Give their shares of the vertices: --lods.', label));
-  }
-  checkTogetherWithRepair(given, label);
-  checkTogetherWithShape(given, label);
-  if (targets.length < 2) return;
-  throw new RemeshError('INVALID_OPTION',
-    `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
-}
+/** Which options go together. */
+export const optionRules = new OptionRules(optionTable);
 
 /** The names of the options for repair. */
 export const repairNames =
@@ -416,7 +391,7 @@ export function checkOptions(given, { others = [], label = nameOf } = {}) {
     checkValue(option, value, label(option));
     result[name] = canonical(option, value);
   }
-  checkTogether(result, label);
+  optionRules.check(result, label);
   if (result.maxError === 'off') delete result.maxError;
   return result;
 }

@@ -233,15 +233,6 @@ function checkOutput(line) {
   if (line.output !== '-' && !isFolder(line.output)) checkName(line);
 }
 
-/** Options of new textures need textures that are baked. @param {CommandLine} line */
-function checkBaking({ options }) {
-  const painted = optionTable.find(({ name }) =>
-    ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);
-  if (!painted || options.textures === 'bake') return;
-  throw wrongUse(`${flagOf(painted)} is for textures that are painted anew.`,
-    'Add --textures bake.');
-}
-
 /** @param {readonly string[]} words @returns {CommandLine} */
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
@@ -259,7 +250,6 @@ export function parseCommandLine(words) {
   setNames(line, names);
   if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
-  checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
   line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
   return line;

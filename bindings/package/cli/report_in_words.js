@@ -117,6 +117,12 @@ function booleanInWords({ operation, cut, selfIntersections }) {
     + `${counted(selfIntersections, 'triangle')} of the result self-intersecting`;
 }
 
+/** The sentences by which the result was chosen, each once. @param {any} chosen */
+function chosenInWords(chosen) {
+  const sentences = new Set([chosen].flat().map((/** @type {any} */ { reason }) => reason));
+  return `chosen: ${[...sentences].join(' ')}`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
@@ -126,9 +132,7 @@ export function reportInWords(report) {
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
-  if ([report.prefer].flat().includes('shape')) {
-    parts.push('vertices are where the shape needs them most, not evenly spread');
-  }
+  if (report.chosen) parts.push(chosenInWords(report.chosen));
   for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
     parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
   }
