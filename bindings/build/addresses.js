@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The README's addresses of the page and its documentation. They are absolute, because npm shows the
-// README apart from the repository, and they follow from `homepage` in package.json alone:
+// The README's addresses of the page and its documentation. They are absolute, because npm shows
+// the README apart from the repository, and they follow from `homepage` in package.json alone:
 //   npm run addresses    writes them anew
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The guides and recipes in docs, each in a folder of its own: the files that it prints are written,
-// its commands are run as they are printed, and what it promises is there.
+// The guides and recipes in docs, each in a folder of its own: the files that it prints are
+// written, its commands are run as they are printed, and what it promises is there.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
@@ -123,9 +123,9 @@ const recipes = {
   async generated() {
     const { place, printed } = await follow('generated');
     assert.equal(await verticesIn(join(place, 'clean.glb')), 350);
-    const [before, after] = (printed.match(/\d+(?= triangles| *$)/gm) ?? []).map(Number);
-    assert.equal(before, 12800);
-    assert.ok(after < 0.25 * before, printed);
+    const [first, last] = (printed.match(/\d+(?= triangles| *$)/gm) ?? []).map(Number);
+    assert.equal(first, 12800);
+    assert.ok(last < 0.25 * first, printed);
   },
   async cdn() {
     const { place } = await follow('cdn');
@@ -148,7 +148,7 @@ const recipes = {
   async react() {
     const { place } = await follow('react');
     mkdirSync(join(place, 'node_modules/react'), { recursive: true });
-    // React's rules, as far as the recipe goes: an effect runs again when what it depends on changes.
+    // As React does it, as far as the recipe goes: an effect runs again when its needs change.
     writeFileSync(join(place, 'node_modules/react/index.mjs'), `
       let kept, last, end;
       export const useState = (first) => [kept ?? first, (value) => { kept = value; }];

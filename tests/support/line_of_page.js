@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Serves a folder under the content security policy that docs/javascript.md describes, and returns the line
-// that a page's program there prints.
+// Serves a folder under the content security policy that docs/javascript.md describes, and returns
+// the line that a page's program there prints.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
