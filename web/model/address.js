@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The part of the address after #: a sample and the options, as in #model=bunny&vertices=2000. It
-// is never sent to a server.
+// The part of the address after #: a sample, the purpose and the options, as in
+// #model=bunny&vertices=2000. It is never sent to a server.
 import { optionTable } from 'remesher/options';
+import { purposes } from './purposes.js';
 
 /** @typedef {import('remesher/options').Option} Option */
 /** @typedef {Record<string, string | number | boolean>} Values */
@@ -22,6 +23,9 @@ export function readAddress(hash) {
     const text = option.flag && option.form !== false && given.get(option.name);
     if (text) values[option.name] = parse(option, text);
   }
+  const purpose = given.get('purpose');
+  if (purpose && purposes.some((known) => known === purpose)) values.purpose = purpose;
+  if (given.get('work') === 'repair') values.work = 'repair';
   return { model: given.get('model'), values };
 }
 

@@ -3,6 +3,7 @@
 import { optionTable } from 'remesher/options';
 import { sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
+import { isRepairOnly } from '../model/purposes.js';
 
 /** @typedef {import('remesher/options').Option} Option */
 
@@ -20,11 +21,14 @@ export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choi
 /** @param {Option} option */
 export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
 
-/** The chosen options except the target, in one line.
+/** The purpose and the chosen options except the target, in one line.
  * @param {import('../model/address.js').Values} values */
 export function valuesInWords(values) {
-  return optionTable.filter(({ name }) =>
+  const { purpose } = values;
+  if (isRepairOnly(values)) return textIfAny('repairOnly') ?? '';
+  const options = optionTable.filter(({ name }) =>
     values[name] !== undefined && !['vertices', 'ratio', 'edgeLength'].includes(name))
     .map((option) => (values[option.name] === true ? optionName(option)
-      : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`)).join(' · ');
+      : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`));
+  return [...(purpose ? [textIfAny(`purpose.${purpose}`)] : []), ...options].join(' · ');
 }

@@ -140,7 +140,9 @@ export class TargetField {
   setValue(values) {
     const name = TargetField.names.find((candidate) => values[candidate] !== undefined);
     this.#kind.value = name ?? 'vertices';
-    this.#number.value = String(name ? values[name] : this.#defaultVertices);
+    // A tolerance alone makes as many vertices as it needs.
+    const isFree = values.purpose === 'print' || Number(values.maxError) > 0;
+    this.#number.value = String(name ? values[name] : isFree ? '' : this.#defaultVertices);
     this.#show();
   }
 
