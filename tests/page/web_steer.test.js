@@ -143,7 +143,7 @@ test('a new model begins anew', async () => {
 test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
   const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
     { vertices: 70, textures: 'bake', textureSize: 64 }];
-  const subject = { vertices: 500, triangles: 996, diagonal: 3, unit: 1, isTextured: true,
+  const subject = { triangles: 996, diagonal: 3, unit: 1, isTextured: true,
     isPaintable: true };
   for (const preset of presets) {
     for (const own of choices) {
@@ -157,7 +157,7 @@ test('a preset keeps the visitor’s own target, and not that of a purpose', () 
 });
 
 test('the number of a purpose is what it was set to, in the visitor’s unit', () => {
-  const subject = { vertices: 5000, triangles: 9996, diagonal: 0.094, unit: 0.001,
+  const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001,
     isTextured: false, isPaintable: true };
   for (const purpose of purposes) {
     for (const dial of [firstDial(purpose, subject), 300]) {

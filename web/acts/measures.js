@@ -20,8 +20,7 @@ function tellPanel(page) {
   const { session: { inspection, isGltf }, surveying, stage, panel } = page;
   const { name, size } = scaleIn(page);
   const isTextured = stage.viewer?.isTextured ?? true;
-  panel.setSubject({ vertices: inspection?.input.vertices ?? 0,
-    triangles: inspection?.input.triangles ?? 0, diagonal: surveying.diagonal, unit: size,
+  panel.setSubject({ triangles: inspection?.input.triangles ?? 0, diagonal: surveying.diagonal, unit: size,
     isTextured, isPaintable: isGltf || isTextured }, name);
 }
 

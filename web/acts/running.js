@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Starts a run and shows its result, with the report, the history and the ways to save.
+import { targetNames } from 'remesher/options';
 import { byId } from '../base/dom.js';
 import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
@@ -23,6 +24,7 @@ import { downloadFormat, downloadLabel, savingActs } from './saving.js';
 
 /** Percent of the diagonal that nobody sees: the bound that is offered where shape was lost. */
 const within = 0.2;
+const noTarget = Object.fromEntries(targetNames.map((name) => [name, '']));
 
 /** Writes both sides' names, and the report on the right side, in the current language.
  * @param {Page} page */
@@ -65,15 +67,16 @@ function showVerdict(page) {
   if (!shown || !model) return;
   const format = downloadFormat(model.name);
   const size = shown.sizeIn(format);
-  const { vertices } = shown.report.output;
+  const { triangles, quads } = shown.report.output;
   byId('verdict', HTMLElement).replaceChildren(verdictView({ report: shown.report,
     values: shown.values, scale: scaleIn(page), diagonal: surveying.diagonal,
     largest: largestOf(page, shown), format, size, original: model.bytes.length }, {
     onLargest: () => surveying.visitLargest(),
     onPlace: (place) => surveying.visitPlace(place),
     onThicken: () => panel.runWith({ repair: 'wrap' }),
-    onWithin: () => panel.runWith({ maxError: within, vertices: '', ratio: '', edgeLength: '' }),
-    onMore: () => panel.runWith({ vertices: 2 * vertices, ratio: '', edgeLength: '' }),
+    onWithin: () => panel.runWith({ ...noTarget, maxError: within }),
+    onMore: () => panel.runWith({ ...noTarget,
+      faces: 2 * (quads?.count ?? triangles) }),
     onNotes: () => openExpert('#result'),
   }));
   byId('verdict', HTMLElement).hidden = false;

@@ -10,10 +10,9 @@
 /** @type {Preset[]} */
 export const presets = [
   { id: 'even', values: { adaptivity: 0 } },
-  { id: 'accurate', values: { adaptivity: 1 } },
+  { id: 'accurate', values: { ...table.find(({ name }) => name === 'accurate')?.values } },
 ];
 
-const targets = ['vertices', 'ratio', 'edgeLength'];
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 
 /** @param {Values} values @param {string[]} names @returns {Values} */
@@ -25,11 +24,11 @@ const only = (values, names) =>
  * @param {Values} values the present options @param {Values} before the choices before
  * @returns {Values} */
 export function ownChoices(values, before) {
-  return values.purpose ? before : only(values, [...targets, ...ofTextures]);
+  return values.purpose ? before : only(values, [...targetNames, ...ofTextures]);
 }
 
 /** The options after a preset is applied: all others have their defaults.
  * @param {Preset} preset @param {Values} own the visitor's own target and texture options
  * @returns {Values} */
-export const withPreset = ({ values }, own) => ({ ...only(own, [...targets, ...ofTextures]),
+export const withPreset = ({ values }, own) => ({ ...only(own, [...targetNames, ...ofTextures]),
   ...values });

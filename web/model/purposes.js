@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a model is remeshed for: each purpose stands for options, and has one number in the
 // visitor's unit. Names and texts are purpose.ID and dial.ID in the texts.
+import { presets } from 'remesher/options';
 import { roundLength } from './units.js';
 
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
 
 /** What is known of the model; diagonal and unit in the model's own units; unit: of the dial.
- * @typedef {{ vertices: number, triangles: number, diagonal: number, unit: number,
+ * @typedef {{ triangles: number, diagonal: number, unit: number,
  *   isTextured: boolean, isPaintable: boolean }} Subject */
 
 /** @type {Purpose[]} */
@@ -55,42 +56,38 @@ const digits = 4;
 
 /** What a purpose's number means as an option. @param {Purpose} purpose @param {number} dial
  * @param {Subject} subject @returns {Values} */
-function targetOf(purpose, dial, { vertices, triangles, diagonal, unit }) {
+function targetOf(purpose, dial, { diagonal, unit }) {
   switch (purpose) {
-    case 'asset':
-      return { vertices: Math.max(4, Math.round(dial * vertices / Math.max(1, triangles))) };
     case 'print':
       return { maxError: Number((100 * dial * unit / diagonal).toPrecision(digits)) };
     case 'simulation': return { edgeLength: Number((dial * unit).toPrecision(digits)) };
-    default: return { vertices: Math.max(8, Math.round(dial)) };
+    default: return { faces: Math.max(1, Math.round(dial)) };
   }
 }
 
-/** The options of a purpose besides its number.
- * @type {Record<Purpose, (subject: Subject) => Values>} */
-const optionsOf = {
-  asset: ({ isTextured, isPaintable }) => ({ prefer: 'shape',
-    ...(isTextured && isPaintable ? { textures: 'bake' } : {}) }),
-  print: () => ({ adaptivity: 0.7, repair: 'auto' }),
-  simulation: () => ({ adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' }),
-  quads: () => ({ quads: true }),
-};
+/** The options of a purpose besides its number: those of the package's preset. New textures are
+ * painted where there are any.
+ * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
+function optionsOf(purpose, { isTextured, isPaintable }) {
+  const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
+  return Object.fromEntries(values.filter(([name]) =>
+    !name.startsWith('texture') || (isTextured && isPaintable)));
+}
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.
  * @param {Purpose} purpose @param {number} dial @param {Subject} subject
  * @param {{ isRepairOnly?: boolean }} [how] @returns {Values} */
 export function valuesFor(purpose, dial, subject, { isRepairOnly = purpose === 'print' } = {}) {
   if (purpose === 'print' && isRepairOnly) return { purpose, work: 'repair', repair: 'auto' };
-  return { purpose, ...targetOf(purpose, dial, subject), ...optionsOf[purpose](subject) };
+  return { purpose, ...optionsOf(purpose, subject), ...targetOf(purpose, dial, subject) };
 }
 
 /** The purpose's number among some options; null if it is not set there.
  * @param {Values} values @param {Subject} subject @returns {number | null} */
-export function dialOf({ purpose, vertices, maxError, edgeLength }, subject) {
-  const { diagonal, unit } = subject;
-  const value = { asset: Number(vertices) * subject.triangles / subject.vertices,
+export function dialOf({ purpose, faces, maxError, edgeLength }, { diagonal, unit }) {
+  const value = { asset: Number(faces),
     print: Number(maxError) * diagonal / 100 / unit, simulation: Number(edgeLength) / unit,
-    quads: Number(vertices) }[/** @type {Purpose} */ (purpose)] ?? NaN;
+    quads: Number(faces) }[/** @type {Purpose} */ (purpose)] ?? NaN;
   if (!Number.isFinite(value)) return null;
   const isLength = measured.includes(/** @type {Purpose} */ (purpose));
   return isLength ? Number(value.toPrecision(3)) : Math.round(value);

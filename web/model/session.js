@@ -169,7 +169,7 @@ export class Session {
    * @returns {Promise<NamedBytes[]>} GLB files */
   async levels(result, levels) {
     const { report, options } = result;
-    const rest = { ...options, ratio: undefined, edgeLength: undefined };
+    const rest = { ...options, faces: undefined, ratio: undefined, edgeLength: undefined };
     delete rest.maxError;
     const files = [];
     for (let level = 0; level < levels; ++level) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names and explanations of options in the visitor's language, else the package's English ones.
-import { optionTable } from 'remesher/options';
+import { optionTable, targetNames } from 'remesher/options';
 import { sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
 import { isRepairOnly } from '../model/purposes.js';
@@ -27,7 +27,7 @@ export function valuesInWords(values) {
   const { purpose } = values;
   if (isRepairOnly(values)) return textIfAny('repairOnly') ?? '';
   const options = optionTable.filter(({ name }) =>
-    values[name] !== undefined && !['vertices', 'ratio', 'edgeLength'].includes(name))
+    values[name] !== undefined && !targetNames.some((target) => target === name))
     .map((option) => (values[option.name] === true ? optionName(option)
       : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`));
   return [...(purpose ? [textIfAny(`purpose.${purpose}`)] : []), ...options].join(' · ');

@@ -7,7 +7,11 @@
 
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
+import { presets, withPreset } from './presets.js';
 
+export { presets } from './presets.js';
+
+/** @typedef {import('./presets.js').Preset} Preset */
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
 
 /** @typedef {string | number | boolean} DefaultValue */
@@ -17,6 +21,7 @@ import { legible } from './legible.js';
  * @typedef {object} Option
  * @property {string} name Its name in JavaScript.
  * @property {string} [flag] Its name on the command line, with a letter for its value.
+ * @property {string} [alias] Another name on the command line.
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
  *   The type of its value.
  * @property {string} help What it is for.
@@ -33,9 +38,15 @@ import { legible } from './legible.js';
 
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
+  { name: 'preset', flag: '--preset P', type: 'choice', choices: presets.map(({ name }) => name),
+    form: false,
+    help: 'options for a purpose; what is given beside it overrides. '
+      + presets.map(({ name, help }) => `${name}: ${help}`).join('; ') },
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
     help: 'exact number of vertices of the result (distinct positions), of quads within 4 %; if '
       + 'not given the input’s, or in the scheme best as few as keep --max-error' },
+  { name: 'faces', flag: '--faces N', alias: '--triangles', type: 'integer', min: 1, max: 2 ** 31,
+    help: 'at most so many triangles, or quads with --quads, as near as the surface allows' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
@@ -337,10 +348,13 @@ function checkTogetherWithShape(given, label) {
     'Ask for one of them.');
 }
 
+/** The names of the options that set the size of the result, of which one is given at most. */
+export const targetNames = /** @type {const} */ (['vertices', 'faces', 'ratio', 'edgeLength']);
+
 /** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
 function checkTogether(given, label) {
   const targets = optionTable.filter(({ name }) =>
-    given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
+    given[name] !== undefined && targetNames.some((target) => target === name));
   if (given.lodFiles && !given.lods) {
     throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
       inWordsOf('Give their shares of the vertices: --lods.', label));
@@ -394,7 +408,8 @@ export function refuseLods(options = {}) {
 }
 
 /**
- * The options given, checked and ready to travel; unset ones are left out.
+ * The options given, checked and ready to travel; unset ones are left out. Of a preset they have
+ * all options that it stands for here, and these once more as `preset`.
  * @param {object} given
  * @param {object} [context]
  * @param {readonly string[]} [context.others] names that belong to the call, not to the table
@@ -416,7 +431,8 @@ export function checkOptions(given, { others = [], label = nameOf } = {}) {
     checkValue(option, value, label(option));
     result[name] = canonical(option, value);
   }
-  checkTogether(result, label);
-  if (result.maxError === 'off') delete result.maxError;
-  return result;
+  const whole = withPreset(result, (options) => checkTogether(options, label));
+  checkTogether(whole, label);
+  if (whole.maxError === 'off') delete whole.maxError;
+  return whole;
 }

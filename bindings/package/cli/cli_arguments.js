@@ -10,6 +10,7 @@ import { isFolder } from './plan.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
+import { withPreset } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/options.js').Option} Option */
@@ -52,8 +53,8 @@ function flagOf(option) {
 }
 
 const tableFlags = new Map(optionTable.flatMap((option) => {
-  const flag = flagOf(option);
-  return flag ? [/** @type {const} */ ([flag, option])] : [];
+  const flags = [flagOf(option), option.alias].filter((flag) => flag !== undefined);
+  return flags.map((flag) => /** @type {const} */ ([flag, option]));
 }));
 const valueFlags = ['-o', '--output', '--format', '--root', '--jobs'];
 const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
@@ -237,7 +238,7 @@ function checkOutput(line) {
 function checkBaking({ options }) {
   const painted = optionTable.find(({ name }) =>
     ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);
-  if (!painted || options.textures === 'bake') return;
+  if (!painted || withPreset(options).textures === 'bake') return;
   throw wrongUse(`${flagOf(painted)} is for textures that are painted anew.`,
     'Add --textures bake.');
 }
@@ -261,7 +262,9 @@ export function parseCommandLine(words) {
   checkOutput(line);
   checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
-  line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
+  const checked = checkOptions(line.options,
+    { label: (option) => flagOf(option) ?? option.name });
+  if (line.options.preset === undefined) line.options = checked;
   return line;
 }
 
@@ -281,7 +284,7 @@ function helpRow(flag, text) {
 function optionHelp(option) {
   const flag = option.choices
     ? `${flagOf(option)} ${option.choices.join('|')}`
-    : `${option.flag}${option.off ? '|off' : ''}`;
+    : `${option.flag}${option.alias ? `, ${option.alias}` : ''}${option.off ? '|off' : ''}`;
   const value = option.type === 'boolean' ? '' : defaultInWords(option);
   const shown = value && ` (default: ${value})`;
   const unit = option.unit ? `; ${option.unit}` : '';

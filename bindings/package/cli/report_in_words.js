@@ -26,7 +26,7 @@ function meshInWords(title, mesh) {
   const { minAngle, maxAngle } = mesh;
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
-    `${title}: ${mesh.vertices} vertices, ${mesh.triangles} triangles, `
+    `${title}: ${mesh.triangles} triangles, ${mesh.vertices} vertices, `
       + counted(mesh.components, 'component'),
     `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
       + `degenerate triangles ${mesh.degenerateTriangles}, `
@@ -117,9 +117,19 @@ function booleanInWords({ operation, cut, selfIntersections }) {
     + `${counted(selfIntersections, 'triangle')} of the result self-intersecting`;
 }
 
+/** @param {import('../base/messages.js').PresetOptions} preset */
+function presetInWords(preset) {
+  const flags = Object.entries(preset).map(([name, value]) => {
+    const flag = `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+    return value === true ? flag : `${flag} ${value}`;
+  });
+  return `preset, in full: ${flags.join(' ') || 'all of its options were given otherwise'}`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
+  if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input));
   if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.repair) parts.push(repairInWords(report.repair));

@@ -3,6 +3,7 @@
 
 export default {
   'option.vertices': 'Punkte',
+  'option.faces': 'Dreiecke',
   'option.ratio': 'Anteil',
   'option.edgeLength': 'Kantenlänge',
   'option.scheme': 'Verfahren',
@@ -23,6 +24,7 @@ export default {
   'option.exact': 'Genaue Zahl',
   'option.symmetry': 'Spiegelung',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
+  'help.faces': 'höchstens so viele Dreiecke, oder Vierecke mit --quads, so nah daran, wie die Fläche es zulässt',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
   'help.scheme': 'rounds: Algorithmus 2 des Berichts, Schritt für Schritt; best: unser eigener',

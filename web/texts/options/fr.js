@@ -3,6 +3,7 @@
 
 export default {
   'option.vertices': 'Sommets',
+  'option.faces': 'Triangles',
   'option.ratio': 'Part',
   'option.edgeLength': 'Longueur d’arête',
   'option.scheme': 'Méthode',
@@ -23,6 +24,7 @@ export default {
   'option.exact': 'Nombre exact',
   'option.symmetry': 'Symétrie',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
+  'help.faces': 'au plus tant de triangles, ou de quadrilatères avec --quads, aussi près que la surface le permet',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
   'help.scheme': 'rounds : l’algorithme 2 du rapport, pas à pas ; best : le nôtre',
