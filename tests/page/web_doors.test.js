@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The way of most visitors: a purpose, one number, the verdict, the download. Each purpose is driven
-// by real events in three sizes of windows, its file opened by a reader of the tests' own and compared
-// with what was said. What a first visit is told goes away.
+// The way of most visitors: a purpose, one number, the verdict, the download. Each purpose is
+// driven by real events in three sizes of windows, its file opened by a reader of the tests' own
+// and compared with what was said. What a first visit is told goes away.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

@@ -143,8 +143,7 @@ test('a new model begins anew', async () => {
 test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
   const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
     { vertices: 70, textures: 'bake', textureSize: 64 }];
-  const subject = { triangles: 996, diagonal: 3, unit: 1, isTextured: true,
-    isPaintable: true };
+  const subject = { triangles: 996, diagonal: 3, unit: 1, isBaked: true, isPaintable: true };
   for (const preset of presets) {
     for (const own of choices) {
       assert.deepEqual(withPreset(preset, own), { ...own, ...preset.values });
@@ -158,7 +157,7 @@ test('a preset keeps the visitor’s own target, and not that of a purpose', () 
 
 test('the number of a purpose is what it was set to, in the visitor’s unit', () => {
   const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001,
-    isTextured: false, isPaintable: true };
+    isBaked: false, isPaintable: true };
   for (const purpose of purposes) {
     for (const dial of [firstDial(purpose, subject), 300]) {
       const values = valuesFor(purpose, dial, subject, { isRepairOnly: false });
@@ -172,7 +171,7 @@ test('the number of a purpose is what it was set to, in the visitor’s unit', (
   assert.equal(firstDial('asset', { ...subject, triangles: 12 }), 12);
   assert.deepEqual(valuesFor('print', 0.1, subject),
     { purpose: 'print', work: 'repair', repair: 'auto' });
-  assert.equal(valuesFor('asset', 100, { ...subject, isTextured: true }).textures, 'bake');
+  assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');
   assert.deepEqual([0.0013, 0.9, 34, 8].map(roundLength), [0.001, 1, 50, 10]);
   assert.deepEqual(scaleOf(null, 0.1), { name: 'mm', size: 0.001 });
   assert.deepEqual(scaleOf(null, 40), { name: 'm', size: 1 });

@@ -3,6 +3,7 @@
 import { byId, element } from '../base/dom.js';
 import { length } from '../base/format.js';
 import { t } from '../base/i18n.js';
+import { hasManySeams } from '../model/seams.js';
 import { keepUnit, scaleOf, unitOf, units } from '../model/units.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -17,11 +18,13 @@ export function scaleIn({ session, surveying }) {
 
 /** Gives the purposes what they make their numbers of. @param {Page} page */
 function tellPanel(page) {
-  const { session: { inspection, isGltf }, surveying, stage, panel } = page;
+  const { session: { model, inspection, isGltf }, surveying, stage, panel } = page;
   const { name, size } = scaleIn(page);
   const isTextured = stage.viewer?.isTextured ?? true;
-  panel.setSubject({ triangles: inspection?.input.triangles ?? 0, diagonal: surveying.diagonal, unit: size,
-    isTextured, isPaintable: isGltf || isTextured }, name);
+  const { vertices = 0, triangles = 0 } = inspection?.input ?? {};
+  const isBaked = isGltf && model !== null && hasManySeams(model.bytes, vertices);
+  panel.setSubject({ triangles, diagonal: surveying.diagonal, unit: size, isBaked,
+    isPaintable: isGltf || isTextured }, name);
 }
 
 /** Shows how large the model is, with a choice of the unit where the format has none.

@@ -2,6 +2,8 @@
 // Presets among the options: kinds of triangles. Their names are preset.ID in the texts. Purposes,
 // which have a number of their own, are in purposes.js.
 
+import { presets as table, targetNames } from 'remesher/options';
+
 /** @typedef {import('./address.js').Values} Values */
 
 /** values: replace all options except the visitor's own target and texture options.

@@ -7,9 +7,10 @@ import { roundLength } from './units.js';
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
 
-/** What is known of the model; diagonal and unit in the model's own units; unit: of the dial.
+/** What is known of the model; diagonal and unit in the model's own units; unit: of the dial;
+ * isBaked: whether a lighter one gets new textures.
  * @typedef {{ triangles: number, diagonal: number, unit: number,
- *   isTextured: boolean, isPaintable: boolean }} Subject */
+ *   isPaintable: boolean, isBaked: boolean }} Subject */
 
 /** @type {Purpose[]} */
 export const purposes = ['asset', 'print', 'simulation', 'quads'];
@@ -66,12 +67,12 @@ function targetOf(purpose, dial, { diagonal, unit }) {
 }
 
 /** The options of a purpose besides its number: those of the package's preset. New textures are
- * painted where there are any.
+ * painted only where the old ones lie in many pieces.
  * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
-function optionsOf(purpose, { isTextured, isPaintable }) {
+function optionsOf(purpose, { isBaked }) {
   const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
   return Object.fromEntries(values.filter(([name]) =>
-    !name.startsWith('texture') || (isTextured && isPaintable)));
+    !name.startsWith('texture') || isBaked));
 }
 
 /** All options of a purpose. For printing the model is only repaired, unless that is asked for.

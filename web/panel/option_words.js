@@ -13,7 +13,14 @@ export const optionName = ({ name }) => textIfAny(`option.${name}`) ?? words(nam
 /** The option's purpose, or the choice's meaning.
  * @param {Option} option @param {string | number | boolean} [choice] */
 export const optionHelp = ({ name, help }, choice) => textIfAny(`means.${name}.${choice}`)
-  ?? sentence(textIfAny(`help.${name}`) ?? help);
+  ?? sentence(namedHere(textIfAny(`help.${name}`) ?? help));
+
+/** A text in which options have the names of the form, not those of the command line.
+ * @param {string} text */
+const namedHere = (text) => text.replace(/--[a-z][a-z-]*/g, (flag) => {
+  const option = optionTable.find((one) => one.flag?.split(' ')[0] === flag);
+  return option ? `“${optionName(option)}”` : flag;
+});
 
 /** @param {Option} option @param {string} choice */
 export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choice}`) ?? choice;

@@ -91,7 +91,8 @@ export class TargetField {
 
   #changeKind() {
     const starts = /** @type {Record<string, string>} */ ({
-      vertices: String(this.#defaultVertices), faces: String(2 * Number(this.#defaultVertices) || ''),
+      vertices: String(this.#defaultVertices),
+      faces: String(2 * Number(this.#defaultVertices) || ''),
       ratio: '0.5', edgeLength: '' });
     this.#number.value = starts[this.#kind.value];
     this.#show();

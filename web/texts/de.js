@@ -152,7 +152,6 @@ export default {
   'shading.plain': 'Glatt',
   'shading.normals': 'Normalen',
   'draft': 'Entwurf',
-  'live': 'Den Optionen sofort folgen',
   'presets': 'Zwecke',
   'preset.even': 'Gleichmäßig',
   'preset.accurate': 'Kleinster Fehler',
@@ -246,7 +245,6 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird angesehen',
-  'phase.repair': 'Ausbessern',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -264,7 +262,6 @@ export default {
   'phase.grade': 'Größen werden abgestuft',
   'phase.rounds': 'Runden',
   'phase.smooth': 'Glätten',
-  'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
   'phase.quads': 'Vierecke bilden',
   'phase.boolean': 'Körper aneinander schneiden',
@@ -282,13 +279,10 @@ export default {
   'cut.depth': 'Tiefe des Schnitts',
   'key.cut': 'Ein Schnitt durch die Modelle',
   'repair.title': 'Reparatur: {mode}',
-  'repair.nothing': 'Es gab nichts auszubessern.',
   'repair.made': 'Aus dem, was von außen zu sehen ist, wurde eine geschlossene Fläche.',
   'repair.holes': '{count} Löcher geschlossen',
-  'repair.islands': '{count} lose Stücke entfernt',
   'repair.shells': '{count} innere Hüllen entfernt',
   'repair.turned': '{count} Dreiecke umgedreht',
-  'repair.crossings': '{before} Dreiecke durchdrangen andere; jetzt {after}',
   'repair.lost': '{share} der Fläche sind weg',
   'default.gap': '2',
   'default.holesUpTo': 'alle',
@@ -385,9 +379,9 @@ export default {
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
     + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',
-  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses durchdringen andere, wo das '
+  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses schneiden andere, wo das '
     + 'Original '
-    + 'sich nicht durchdringt.',
+    + 'sich nicht schneidet.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
@@ -427,8 +421,6 @@ export default {
   'purposes': 'Wofür ist es?',
   'purpose.asset': 'Leichter',
   'purpose.asset.for': 'Web, Spiele',
-  'purpose.asset.about': 'Weniger Dreiecke, die gleich aussehen; Texturen werden neu gemalt, wo '
-    + 'das Modell welche hat.',
   'purpose.print': 'Druckbar',
   'purpose.print.for': 'dicht, heil',
   'purpose.print.about': 'Schließt Löcher und vereinigt Körper, die sich überlappen; was heil '
@@ -489,4 +481,12 @@ export default {
     + 'stammt, und exportieren Sie sie als STL oder OBJ.',
   'error.foreign.scene': 'Öffnen Sie sie in Blender (kostenlos) oder dem Programm, aus dem sie '
     + 'stammt, und exportieren Sie sie als GLB.',
+  'live': 'Neu vernetzen, während sich Optionen ändern',
+  'repair.nothing': 'Es gab nichts zu reparieren.',
+  'repair.islands': '{count} kleine lose Stücke entfernt',
+  'repair.crossings': '{before} Dreiecke schnitten andere; jetzt {after}',
+  'phase.repair': 'Reparieren',
+  'phase.mend': 'Reparieren',
+  'purpose.asset.about': 'Weniger Dreiecke, die gleich aussehen; das Modell bekommt neue '
+    + 'Texturen, wo es welche hat.',
 };

@@ -148,7 +148,6 @@ export default {
   'shading.plain': 'Smooth',
   'shading.normals': 'Normals',
   'draft': 'Draft',
-  'live': 'Follow the options as they change',
   'presets': 'Purposes',
   'preset.even': 'Even triangles',
   'preset.accurate': 'Least error',
@@ -205,7 +204,6 @@ export default {
   'landmark.boundary': '{count} open edges',
   'landmark.nonManifold': '{count} edges of more than two triangles',
   'landmark.flipped': '{count} edges between flipped triangles',
-  'landmark.selfIntersections': '{count} triangles pass through others',
   'landmark.innerShells': '{count} inner shells',
   'landmark.insideOut': '{count} bodies inside out',
   'faults.sought': 'Faults are being looked for…',
@@ -245,7 +243,6 @@ export default {
 
   'progress.left': '{seconds} s left',
   'phase.inspect': 'Looking at the input',
-  'phase.repair': 'Mending',
   'phase.read': 'Reading',
   'phase.build': 'Connecting the triangles',
   'phase.curves': 'Finding creases',
@@ -263,7 +260,6 @@ export default {
   'phase.grade': 'Grading sizes',
   'phase.rounds': 'Rounds',
   'phase.smooth': 'Smoothing',
-  'phase.mend': 'Mending',
   'phase.coarsen': 'Coarsening',
   'phase.quads': 'Making quads',
   'phase.boolean': 'Cutting the bodies along each other',
@@ -282,13 +278,10 @@ export default {
   'cut.depth': 'How deep the cut is',
   'key.cut': 'Cut through the models',
   'repair.title': 'Repair: {mode}',
-  'repair.nothing': 'There was nothing to mend.',
   'repair.made': 'A closed surface was made of what is seen from outside.',
   'repair.holes': '{count} holes closed',
-  'repair.islands': '{count} loose scraps removed',
   'repair.shells': '{count} inner shells removed',
   'repair.turned': '{count} triangles turned over',
-  'repair.crossings': '{before} triangles passed through others; now {after}',
   'repair.lost': '{share} of the area is gone',
   'repair.far': '{share} of the visible area is farther than {distance} from the result',
   'reason.sound': 'Sound: unchanged.',
@@ -337,8 +330,6 @@ export default {
   'purposes': 'What is it for?',
   'purpose.asset': 'Lighter',
   'purpose.asset.for': 'web, games',
-  'purpose.asset.about': 'Fewer triangles that look the same; textures are painted anew where '
-    + 'the model has them.',
   'purpose.print': 'Printable',
   'purpose.print.for': 'closed, sound',
   'purpose.print.about': 'Closes holes and unites bodies that overlap; what is sound stays as it '
@@ -395,4 +386,13 @@ export default {
     + 'as STL or OBJ.',
   'error.foreign.scene': 'Open it in Blender (free), or in the program that made it, and export '
     + 'it as GLB.',
+  'live': 'Remesh while options change',
+  'landmark.selfIntersections': '{count} triangles intersect others',
+  'repair.nothing': 'There was nothing to repair.',
+  'repair.islands': '{count} small loose pieces removed',
+  'repair.crossings': '{before} triangles intersected others; now {after}',
+  'phase.repair': 'Repairing',
+  'phase.mend': 'Repairing',
+  'purpose.asset.about': 'Fewer triangles that look the same; the model gets new textures where '
+    + 'it has any.',
 };

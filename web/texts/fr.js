@@ -153,7 +153,6 @@ export default {
   'shading.plain': 'Lisse',
   'shading.normals': 'Normales',
   'draft': 'Ébauche',
-  'live': 'Suivre les options aussitôt',
   'presets': 'Usages',
   'preset.even': 'Réguliers',
   'preset.accurate': 'Moindre erreur',
@@ -286,10 +285,8 @@ export default {
   'repair.nothing': 'Il n’y avait rien à réparer.',
   'repair.made': 'De ce qui se voit de l’extérieur, une surface fermée a été faite.',
   'repair.holes': '{count} trous fermés',
-  'repair.islands': '{count} morceaux isolés ôtés',
   'repair.shells': '{count} coques intérieures ôtées',
   'repair.turned': '{count} triangles retournés',
-  'repair.crossings': '{before} triangles en traversaient d’autres ; maintenant {after}',
   'repair.lost': '{share} de la surface ont disparu',
   'default.gap': '2',
   'default.holesUpTo': 'tous',
@@ -378,8 +375,8 @@ export default {
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',
-  'warning.SELF_INTERSECTIONS_MADE': 'Des triangles du résultat en traversent d’autres là où '
-    + 'l’original ne se traverse pas.',
+  'warning.SELF_INTERSECTIONS_MADE': 'Des triangles du résultat en coupent d’autres là où '
+    + 'l’original ne se coupe pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
@@ -425,8 +422,6 @@ export default {
   'purposes': 'C’est pour quoi ?',
   'purpose.asset': 'Plus léger',
   'purpose.asset.for': 'web, jeux',
-  'purpose.asset.about': 'Moins de triangles, le même aspect ; les textures sont repeintes si le '
-    + 'modèle en a.',
   'purpose.print': 'Imprimable',
   'purpose.print.for': 'fermé, sain',
   'purpose.print.about': 'Ferme les trous et unit les corps qui se recouvrent ; ce qui est sain '
@@ -488,4 +483,9 @@ export default {
     + 'exportez-le en STL ou OBJ.',
   'error.foreign.scene': 'Ouvrez-le dans Blender (gratuit), ou dans le logiciel d’origine, et '
     + 'exportez-le en GLB.',
+  'live': 'Remailler pendant que les options changent',
+  'repair.crossings': '{before} triangles en coupaient d’autres ; maintenant {after}',
+  'repair.islands': '{count} petits morceaux isolés retirés',
+  'purpose.asset.about': 'Moins de triangles, le même aspect ; le modèle reçoit de nouvelles '
+    + 'textures s’il en a.',
 };

@@ -52,7 +52,7 @@ export const optionTable = [
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
   { name: 'scheme', flag: '--scheme S', type: 'choice', choices: ['best', 'rounds'],
-    default: 'best', help: 'rounds: the report’s Algorithm 2 step by step; best: our own' },
+    default: 'best', help: 'rounds: the published method step by step; best: our own' },
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
     default: 'best',
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
@@ -69,10 +69,10 @@ export const optionTable = [
     help: 'refuse an operation unless every pair of normals is within the angles below (strict), ' +
       'unless at least one is (loose), or only where a triangle would fold over (fold)' },
   { name: 'vertexAngle', flag: '--vertex-angle D', type: 'number', min: 0, max: 180,
-    unit: 'degrees', default: 20, help: 'θ1: between the vertex normals of a triangle' },
+    unit: 'degrees', default: 20, help: 'between the normals at a triangle’s vertices' },
   { name: 'triangleAngle', flag: '--triangle-angle D', type: 'number', min: 0, max: 180,
     unit: 'degrees', default: 20,
-    help: 'θ2: between a triangle’s normal and its vertices’ normals' },
+    help: 'between a triangle’s normal and those at its vertices' },
   { name: 'splitObtuse', flag: '--split-obtuse', type: 'boolean', default: false,
     help: 'after the target is met, split every edge facing an obtuse angle, once' },
   { name: 'adaptivity', flag: '--adaptivity A', type: 'number', min: 0, max: 1,
@@ -112,7 +112,7 @@ export const optionTable = [
     help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
-    help: 'mend the surface first. holes: close open loops, turn bodies that are inside out, '
+    help: 'repair the surface first. holes: close open loops, turn bodies that are inside out, '
       + 'leave the rest as it is; solid: the outside of what encloses something; wrap: what is '
       + 'reached from outside through openings wider than the gap; auto: the first of these that '
       + 'fits' },

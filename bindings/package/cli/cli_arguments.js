@@ -239,7 +239,7 @@ function checkBaking({ options }) {
   const painted = optionTable.find(({ name }) =>
     ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);
   if (!painted || withPreset(options).textures === 'bake') return;
-  throw wrongUse(`${flagOf(painted)} is for textures that are painted anew.`,
+  throw wrongUse(`${flagOf(painted)} is for textures that are baked.`,
     'Add --textures bake.');
 }
 
@@ -295,8 +295,14 @@ function optionHelp(option) {
 export function helpText() {
   const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
   return [
+    'remesher horse.obj -o horse.glb --vertices 10000       exactly so many vertices',
+    'remesher figure.glb -o small.glb --preset asset --faces 5000',
+    'remesher repair scan.stl -o closed.stl                 for printing; nothing else changes',
+    'remesher part.stl -o mesh.stl --preset simulation --edge-length 2',
+    'remesher head.obj -o quads.obj --preset quads --faces 3000',
+    '',
     'remesher <input> -o <output> [options]     remesh a file',
-    'remesher repair <input> -o <output>        only mend it, as --repair says',
+    'remesher repair <input> -o <output>        only repair it, as --repair says',
     'remesher convert <input> -o <output>       only change the format',
     'remesher union|subtract|intersect <a> <b> -o <output>',
     '                                           both bodies, a without b, or their common part',
