@@ -2,7 +2,6 @@
 // The part of the address after #: a sample, the purpose and the options, as in
 // #model=bunny&vertices=2000. It is never sent to a server.
 import { optionTable } from 'remesher/options';
-import { purposes } from './purposes.js';
 
 /** @typedef {import('remesher/options').Option} Option */
 /** @typedef {Record<string, string | number | boolean>} Values */
@@ -24,7 +23,7 @@ export function readAddress(hash) {
     if (text) values[option.name] = parse(option, text);
   }
   const purpose = given.get('purpose');
-  if (purpose && purposes.some((known) => known === purpose)) values.purpose = purpose;
+  if (purpose) values.purpose = purpose;
   if (given.get('work') === 'repair') values.work = 'repair';
   return { model: given.get('model'), values };
 }

@@ -6,7 +6,7 @@ import { byId, element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { ownChoices, presets, withPreset } from '../model/presets.js';
 import { Doors } from './doors.js';
-import { isRepairOnly } from '../model/purposes.js';
+import { isRepairOnly, purposes } from '../model/purposes.js';
 import {
   choiceName, optionHelp, optionName, optionUnit, valuesInWords,
 } from './option_words.js';
@@ -318,7 +318,8 @@ export class Panel {
   /** @param {Values} values */
   setValues(values) {
     const { purpose, work } = values;
-    this.#wish = { ...(purpose && { purpose }), ...(work && { work }) };
+    const isKnown = purposes.some((one) => one === purpose);  // an address can say anything
+    this.#wish = { ...(isKnown && { purpose }), ...(isKnown && work && { work }) };
     this.#target.setValue(values);
     for (const { option, control } of this.#fields) {
       const value = values[option.name];
