@@ -2,7 +2,9 @@
 // The names of saved files: the model's name, what was done to it, and the number of vertices if it
 // was remeshed, as in cadsoup-repaired.stl, scan-repaired-5000.stl and horse-quads-2000.glb.
 
-/** @typedef {import('./result.js').Report} Report */
+/** The report on a result; of a repair alone it has no distances.
+ * @typedef {import('remesher').Inspection & { output: import('remesher').MeshReport }
+ *   & Partial<import('remesher').RemeshReport>} Report */
 
 /** Whether the repair that was asked for changed the surface.
  * @param {Pick<Report, 'repair'>} report */

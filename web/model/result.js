@@ -14,9 +14,7 @@ import { isRepairOnly, optionsIn } from './purposes.js';
 /** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
-/** Of a repair alone it has no distances.
- * @typedef {import('remesher').Inspection & { output: import('remesher').MeshReport }
- *   & Partial<import('remesher').RemeshReport>} Report */
+/** @typedef {import('./names.js').Report} Report */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
 /** @typedef {import('remesher').Warning} Warning */
 /** @typedef {{ signal: AbortSignal,
