@@ -145,6 +145,7 @@ set(small
   src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
   src/jobs/checks/result_check.cpp
+  src/jobs/face_budget.cpp
   src/jobs/fewest_vertices.cpp
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp

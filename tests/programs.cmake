@@ -53,6 +53,7 @@ add_executable(unit_tests
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
+  tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp

@@ -25,7 +25,7 @@ constexpr double kStep = 2;
 constexpr double kMostOfFew = 10'000;
 
 bool hasNumber(const RemeshOptions& options) {
-  return options.vertices || options.ratio || options.edgeLength;
+  return options.vertices || options.faces || options.ratio || options.edgeLength;
 }
 
 class FewestSearch {
@@ -181,6 +181,7 @@ RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
   if (!asksForFewest(options)) return options;
   options.vertices = Index(finest.output->vertices);
+  options.faces.reset();
   options.maxError.reset();
   return options;
 }

@@ -7,6 +7,7 @@
 
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
+#include "jobs/face_budget.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
@@ -22,7 +23,8 @@ namespace {
 
 // Whether the number of vertices depends on the input's number.
 bool isByInput(const RemeshOptions& options) {
-  return !options.vertices && !options.edgeLength && (options.ratio || !options.maxError);
+  return !options.vertices && !options.faces && !options.edgeLength &&
+         (options.ratio || !options.maxError);
 }
 
 }  // namespace
@@ -32,6 +34,7 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
   if (options.repair == Repair::Off) return;
   input_ = inspectScaled(parts);
   RemeshOptions sized = options;
+  if (options.faces) sized.vertices = verticesFor(*options.faces, options, {});
   const bool isSized = purpose == Purpose::Remeshing && isByInput(options);
   const double target = options.ratio.value_or(1) * double(input_.vertices);
   if (isSized) sized.vertices = Index(std::max(1.0, std::round(target)));

@@ -183,7 +183,7 @@ test('an inspection tells what is broken, and what would mend it', async () => {
 test('faults are said in words', async () => {
   const words = reportInWords(await inspect(open, { faults: true }));
   assert.match(words, /faults: 1 open loop, around, of the diagonal: [\d.]+ %/);
-  assert.match(words, /what would mend it: holes.*; it takes about \d+ MB and [\d.]+ s/);
+  assert.match(words, /what would repair it: holes.*; it takes about \d+ MB and [\d.]+ s/);
 });
 
 test('what a repair takes is said before it begins, and too much is refused', async () => {

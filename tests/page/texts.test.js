@@ -103,3 +103,11 @@ test('words are written into the page, and a missing one stops the build', () =>
     `<a data-label="fit" aria-label="${en.fit}"></a>`);
   assert.throws(() => withWords('<p data-text="no.such"></p>'), /no\.such/);
 });
+
+test('no text has words that only we understand, in any language and in the help', async () => {
+  const insiders = new RegExp(['Algorithm(?:us|e)? 2', 'θ', 'valen[cz]', 'pass(?:es|ed)? through',
+    'durchdring', 'traversent d’autres', 'Follow the options', 'scraps', '\\bmend'].join('|'), 'i');
+  const texts = [...Object.entries(en), ...(await Promise.all(others.map(textsOf)))
+    .flatMap(Object.entries), ...optionTable.map(({ name, help }) => [name, help])];
+  assert.deepEqual(texts.filter(([, text]) => insiders.test(text)), []);
+});

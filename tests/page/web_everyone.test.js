@@ -88,7 +88,8 @@ test('the tab key reaches every control, in the order in which they are seen', a
     reached.add(id);
   }
   for (const id of ['samples', 'open', 'settings', 'canvas', 'divider', 'compare.side', 'fit',
-    'target', 'target-slider', 'preset-print', 'option-scheme', 'visit-largest', 'baseline']) {
+    'target', 'target-slider', 'purpose-print', 'preset-even', 'download', 'option-scheme',
+    'visit-largest', 'baseline']) {
     assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
   }
 });

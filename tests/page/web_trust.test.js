@@ -124,7 +124,7 @@ test('leaving asks when a result of one’s own file was not taken home', async 
   await opened(page, 'mine.obj');
   assert.equal(await asks(), true);
   await Promise.all([page.waitForEvent('download'),
-    page.click('.takeaway button:text-is("Download GLB")')]);
+    page.click('.takeaway button:text-is("GLB")')]);
   await settled(page);
   assert.equal(await asks(), false, 'it was taken home');
 });

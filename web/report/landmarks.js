@@ -60,7 +60,7 @@ export function showFaultNote(note, onSeek) {
 /** @param {{ edges: Record<Landmark, number> | null,
  *   faults: import('remesher').FaultSummary | null }} found
  * @param {{ onVisit: (landmark: Landmark) => void, onFault: (fault: FaultPlace) => void,
- *   onMend: () => void }} acts */
+ *   onMend: (isOnly: boolean) => void }} acts isOnly: without remeshing */
 export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
   const box = byId('landmarks', HTMLElement);
   const chips = [
@@ -70,6 +70,8 @@ export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
       chip(name, faults?.[name] ?? 0, lineColors.probe, () => onFault(name))),
   ];
   box.hidden = !chips.length;
-  box.replaceChildren(...chips, element('button', { type: 'button', className: 'chip', id: 'mend',
-    onclick: onMend }, t('mend'), ...needsOf(faults)));
+  const mend = (/** @type {string} */ id, /** @type {boolean} */ isOnly) => element('button',
+    { type: 'button', className: 'chip mend', id, onclick: () => onMend(isOnly) },
+    t(isOnly ? 'repairOnly' : 'mend'), ...(isOnly ? needsOf(faults) : []));
+  box.replaceChildren(...chips, mend('repair-only', true), mend('mend', false));
 }

@@ -312,8 +312,13 @@
  */
 
 /**
- * @typedef {Inspection & RunReport & { repair?: RepairSummary, lods?: RemeshReport[] }}
- *   RemeshReport
+ * The options that a preset stood for, by their names.
+ * @typedef {Record<string, string | number | boolean>} PresetOptions
+ */
+
+/**
+ * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
+ *   lods?: RemeshReport[] }} RemeshReport
  */
 
 export {};

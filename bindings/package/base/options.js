@@ -8,7 +8,11 @@
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
 import { OptionRules } from './option_rules.js';
+import { presets, withPreset } from './presets.js';
 
+export { presets } from './presets.js';
+
+/** @typedef {import('./presets.js').Preset} Preset */
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
 
 /** @typedef {string | number | boolean} DefaultValue */
@@ -18,6 +22,7 @@ import { OptionRules } from './option_rules.js';
  * @typedef {object} Option
  * @property {string} name Its name in JavaScript.
  * @property {string} [flag] Its name on the command line, with a letter for its value.
+ * @property {string} [alias] Another name on the command line.
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
  *   The type of its value.
  * @property {string} help What it is for.
@@ -38,17 +43,25 @@ import { OptionRules } from './option_rules.js';
 
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
+  { name: 'preset', flag: '--preset P', type: 'choice', choices: presets.map(({ name }) => name),
+    form: false,
+    help: 'options for a purpose; what is given beside it overrides. '
+      + presets.map(({ name, help }) => `${name}: ${help}`).join('; ') },
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
-    excludes: { others: { ratio: true, edgeLength: true }, why: 'each sets the number' },
+    excludes: { others: { faces: true, ratio: true, edgeLength: true },
+      why: 'each sets the number' },
     help: 'exact number of vertices of the result (distinct positions), of quads within 4 %; if '
       + 'not given the input’s, or in the scheme best as few as keep --max-error' },
+  { name: 'faces', flag: '--faces N', alias: '--triangles', type: 'integer', min: 1, max: 2 ** 31,
+    excludes: { others: { ratio: true, edgeLength: true }, why: 'each sets the number' },
+    help: 'at most so many triangles, or quads with --quads, as near as the surface allows' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
     excludes: { others: { edgeLength: true }, why: 'each sets the number' },
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
   { name: 'scheme', flag: '--scheme S', type: 'choice', choices: ['best', 'rounds'],
-    default: 'best', help: 'rounds: the report’s Algorithm 2 step by step; best: our own' },
+    default: 'best', help: 'rounds: the published method step by step; best: our own' },
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
     default: 'best',
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
@@ -69,10 +82,10 @@ export const optionTable = [
     help: 'refuse an operation unless every pair of normals is within the angles below (strict), ' +
       'unless at least one is (loose), or only where a triangle would fold over (fold)' },
   { name: 'vertexAngle', flag: '--vertex-angle D', type: 'number', min: 0, max: 180,
-    unit: 'degrees', default: 20, help: 'θ1: between the vertex normals of a triangle' },
+    unit: 'degrees', default: 20, help: 'between the normals at a triangle’s vertices' },
   { name: 'triangleAngle', flag: '--triangle-angle D', type: 'number', min: 0, max: 180,
     unit: 'degrees', default: 20,
-    help: 'θ2: between a triangle’s normal and its vertices’ normals' },
+    help: 'between a triangle’s normal and those at its vertices' },
   { name: 'splitObtuse', flag: '--split-obtuse', type: 'boolean', default: false,
     help: 'after the target is met, split every edge facing an obtuse angle, once' },
   { name: 'adaptivity', flag: '--adaptivity A', type: 'number', min: 0, max: 1,
@@ -120,7 +133,7 @@ export const optionTable = [
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
     excludes: { others: { density: true, featureEdges: true },
       why: 'repair makes other vertices than those that are numbered' },
-    help: 'mend the surface first. holes: close open loops, turn bodies that are inside out, '
+    help: 'repair the surface first. holes: close open loops, turn bodies that are inside out, '
       + 'leave the rest as it is; solid: the outside of what encloses something; wrap: what is '
       + 'reached from outside through openings wider than the gap; auto: the first of these that '
       + 'fits' },
@@ -327,6 +340,9 @@ const nameOf = ({ name }) => name;
 /** Which options go together. */
 export const optionRules = new OptionRules(optionTable);
 
+/** The names of the options that set the size of the result, of which one is given at most. */
+export const targetNames = /** @type {const} */ (['vertices', 'faces', 'ratio', 'edgeLength']);
+
 /** The names of the options for repair. */
 export const repairNames =
   /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'weld']);
@@ -369,7 +385,8 @@ export function refuseLods(options = {}) {
 }
 
 /**
- * The options given, checked and ready to travel; unset ones are left out.
+ * The options given, checked and ready to travel; unset ones are left out. Of a preset they have
+ * all options that it stands for here, and these once more as `preset`.
  * @param {object} given
  * @param {object} [context]
  * @param {readonly string[]} [context.others] names that belong to the call, not to the table
@@ -391,7 +408,10 @@ export function checkOptions(given, { others = [], label = nameOf } = {}) {
     checkValue(option, value, label(option));
     result[name] = canonical(option, value);
   }
-  optionRules.check(result, label);
-  if (result.maxError === 'off') delete result.maxError;
-  return result;
+  const check = (/** @type {Record<string, unknown>} */ options) =>
+    optionRules.check(options, label);
+  const whole = withPreset(result, check);
+  check(whole);
+  if (whole.maxError === 'off') delete whole.maxError;
+  return whole;
 }

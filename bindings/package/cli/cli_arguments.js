@@ -10,6 +10,7 @@ import { isFolder } from './plan.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
+import { withPreset } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/options.js').Option} Option */
@@ -52,8 +53,8 @@ function flagOf(option) {
 }
 
 const tableFlags = new Map(optionTable.flatMap((option) => {
-  const flag = flagOf(option);
-  return flag ? [/** @type {const} */ ([flag, option])] : [];
+  const flags = [flagOf(option), option.alias].filter((flag) => flag !== undefined);
+  return flags.map((flag) => /** @type {const} */ ([flag, option]));
 }));
 const valueFlags = ['-o', '--output', '--format', '--root', '--jobs'];
 const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
@@ -251,7 +252,9 @@ export function parseCommandLine(words) {
   if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
   if (line.inputs.length > 0) checkInputs(line);
-  line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
+  const checked = checkOptions(line.options,
+    { label: (option) => flagOf(option) ?? option.name });
+  if (line.options.preset === undefined) line.options = checked;
   return line;
 }
 
@@ -271,7 +274,7 @@ function helpRow(flag, text) {
 function optionHelp(option) {
   const flag = option.choices
     ? `${flagOf(option)} ${option.choices.join('|')}`
-    : `${option.flag}${option.off ? '|off' : ''}`;
+    : `${option.flag}${option.alias ? `, ${option.alias}` : ''}${option.off ? '|off' : ''}`;
   const value = option.type === 'boolean' ? '' : defaultInWords(option);
   const shown = value && ` (default: ${value})`;
   const unit = option.unit ? `; ${option.unit}` : '';
@@ -282,8 +285,14 @@ function optionHelp(option) {
 export function helpText() {
   const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
   return [
+    'remesher horse.obj -o horse.glb --vertices 10000       exactly so many vertices',
+    'remesher figure.glb -o small.glb --preset asset --faces 5000',
+    'remesher repair scan.stl -o closed.stl                 for printing; nothing else changes',
+    'remesher part.stl -o mesh.stl --preset simulation --edge-length 2',
+    'remesher head.obj -o quads.obj --preset quads --faces 3000',
+    '',
     'remesher <input> -o <output> [options]     remesh a file',
-    'remesher repair <input> -o <output>        only mend it, as --repair says',
+    'remesher repair <input> -o <output>        only repair it, as --repair says',
     'remesher convert <input> -o <output>       only change the format',
     'remesher union|subtract|intersect <a> <b> -o <output>',
     '                                           both bodies, a without b, or their common part',

@@ -202,8 +202,23 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
   return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
 }
 
+// "triangles" or "quads", and how many of them there are.
+std::vector<Warning> beyondBudget(const Report& report, std::size_t budget) {
+  const MeshReport& after = *report.output;
+  const std::size_t faces = after.quads ? after.quads->count : after.triangles;
+  if (faces <= budget) return {};
+  const std::string kind = after.quads ? " quads" : " triangles";
+  const std::string reason =
+      report.stopped == Stopped::MaxError
+          ? "to keep the bound on the error"
+          : "for this surface (pieces: " + std::to_string(after.components) + ")";
+  return {{"TOO_FEW_FACES", std::to_string(budget) + kind + " are too few " + reason +
+                                ": the result has " + std::to_string(faces) + "."}};
+}
+
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
   const MeshReport& after = *report.output;
+  if (options.faces) return beyondBudget(report, *options.faces);
   const bool isTold =
       after.quads ? report.stopped == Stopped::Fidelity : options.repair != Repair::Off;
   if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};
