@@ -124,16 +124,22 @@ test('Node and browsers are given the same functions', async () => {
   assert.deepEqual(Object.keys(arrays[0]).filter((name) => !(name in inNode)), []);
 });
 
+/** A folder of a program that uses the package. @param {object} options of the compiler */
+function folderWith(options) {
+  const folder = mkdtempSync(join(tmpdir(), 'remesher-types-'));
+  mkdirSync(join(folder, 'node_modules'));
+  symlinkSync(root, join(folder, 'node_modules/remesher'));
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
+  writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
+    compilerOptions: { strict: true, target: 'es2022', lib: ['es2022', 'dom'], types: [],
+      ...options },
+  }));
+  return folder;
+}
+
 for (const [name, options] of Object.entries(settings)) {
   describe(name, async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'remesher-types-'));
-    mkdirSync(join(folder, 'node_modules'));
-    symlinkSync(root, join(folder, 'node_modules/remesher'));
-    writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
-    writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
-      compilerOptions: { strict: true, target: 'es2022', lib: ['es2022', 'dom'], types: [],
-        ...options },
-    }));
+    const folder = folderWith(options);
     const file = join(folder, 'program.ts');
     writeFileSync(file, program);
     const editor = await Editor.open(folder);

@@ -71,8 +71,8 @@ export const optionTable = [
       others: { scheme: ['rounds'], boundary: ['keep'], quads: [true], splitObtuse: [true],
         maxError: true, density: true, featureEdges: true },
       why: 'both decide where vertices lie' },
-    help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape and '
-      + 'appearance need most; auto: even, unless that would visibly change the model' },
+    help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape '
+      + 'and appearance need most; auto: even, unless that would visibly change the model' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
@@ -341,7 +341,9 @@ const nameOf = ({ name }) => name;
 export const optionRules = new OptionRules(optionTable);
 
 /** The names of the options that set the size of the result, of which one is given at most. */
-export const targetNames = /** @type {const} */ (['vertices', 'faces', 'ratio', 'edgeLength']);
+export const targetNames = /** @type {const} */ ([
+  'vertices', 'faces', 'ratio', 'edgeLength',
+]);
 
 /** The names of the options for repair. */
 export const repairNames =

@@ -10,7 +10,6 @@ import { isFolder } from './plan.js';
 import {
   checkOptions, checkValue, defaultInWords, nearest, optionTable, repairNames,
 } from '../base/options.js';
-import { withPreset } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').BooleanOperation} BooleanOperation */
 /** @typedef {import('../base/options.js').Option} Option */
