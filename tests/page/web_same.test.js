@@ -96,6 +96,7 @@ async function open(files, vertices, { purpose = null } = {}) {
   await drop(page, files);
   await opened(page, name);
   if (purpose) await page.click(`#purpose-${purpose}`);
+  await page.selectOption('.target select', 'vertices');
   await page.fill('#target', String(vertices));
   await page.click('form button[type=submit]');
   await page.waitForFunction(() => document.body.dataset.state === 'idle'

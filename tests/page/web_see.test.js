@@ -265,6 +265,7 @@ test('turning the model draws two meshes with their lines and nothing else', asy
 test('quads: nearly as many as asked for, exactly on request, in their own figures', async () => {
   await open('ring.obj', objText(torus(24, 12)));
   await page.click('#purpose-quads');
+  await page.selectOption('.target select', 'vertices');
   await page.fill('#target', '400');
   await page.dispatchEvent('#target', 'change');
   await page.waitForFunction(() => /^(39|40|41)\d$/.test(
