@@ -20,6 +20,7 @@ install(EXPORT targets NAMESPACE remesher:: FILE targets.cmake DESTINATION ${pla
 install(FILES src/remesher.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/remesher)
 install(FILES
   src/base/boolean.h
+  src/base/diagnostics.h
   src/base/error.h
   src/base/file.h
   src/base/options.h
