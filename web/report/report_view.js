@@ -122,7 +122,7 @@ function loss(report, onLargest) {
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 
-/** Why the result is the mesh that it is, each sentence once. @param {RemeshReport} report */
+/** Why the result is the mesh that it is, each sentence once. @param {Report} report */
 function choice({ chosen = [] }) {
   const reasons = [chosen].flat().map(({ rule, reason }) => textIfAny(`chosen.${rule}`) ?? reason);
   return element('p', { className: 'quiet', id: 'chosen' }, [...new Set(reasons)].join(' '));
