@@ -162,9 +162,13 @@ add_executable(unit_tests
   tests/unit/repair/boolean_test.cpp
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
+  tests/unit/repair/holes/rims_test.cpp
   tests/unit/repair/holes/used_vertices_test.cpp
+  tests/unit/repair/loose_pieces_test.cpp
   tests/unit/repair/pieces_test.cpp
   tests/unit/repair/repair_test.cpp
+  tests/unit/repair/sheet_bodies_test.cpp
+  tests/unit/repair/sight_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp
   tests/unit/repair/solid/lattice_test.cpp

@@ -38,7 +38,7 @@ function controlFor(option) {
     return element('input', { ...described, type: 'range', ...limits, step: '0.05' });
   }
   // A field that also takes a word cannot be of type number.
-  if (option.off) return element('input', { ...described, type: 'text', autocomplete: 'off' });
+  if (option.word) return element('input', { ...described, type: 'text', autocomplete: 'off' });
   return element('input', { ...described, type: 'number', ...limits, step: 'any' });
 }
 
@@ -86,7 +86,7 @@ function valueOf(option, control) {
   if (control.type === 'range' && !control.dataset.touched) return undefined;
   const text = control.value.trim();
   if (!text) return undefined;
-  const isWord = option.type === 'choice' || (option.off && text.toLowerCase() === 'off');
+  const isWord = option.type === 'choice' || text.toLowerCase() === option.word;
   return isWord ? text.toLowerCase() : Number(text.replace(',', '.'));
 }
 
@@ -96,7 +96,8 @@ const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
-const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
+const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
+  'base', 'unite', 'dropBelow', 'dropHidden'];
 
 /** Whether an option has no effect: size and format of textures without baking, the length of holes
  * or the width of the gap without the repair that uses them, and the like.
@@ -106,6 +107,9 @@ const isIdle = (name, { textures, repair, quads }) =>
   || ((name === 'exact' || name === 'symmetry') && !quads)
   || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
   || (name === 'gap' && repair !== 'wrap' && repair !== 'auto')
+  || (name === 'keepRims' && repair !== 'holes' && repair !== 'auto')
+  || (['thickness', 'base'].includes(name) && repair !== 'auto')
+  || (name === 'unite' && repair === 'off')
   || (name === 'cavities' && repair !== 'solid' && repair !== 'auto')
   || (name === 'sheets' && !['wrap', 'solid', 'auto'].includes(String(repair)));
 

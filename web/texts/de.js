@@ -292,6 +292,8 @@ export default {
   'repair.nothing': 'Es gab nichts auszubessern.',
   'repair.made': 'Aus dem, was von außen zu sehen ist, wurde eine geschlossene Fläche.',
   'repair.holes': '{count} Löcher geschlossen',
+  'repair.rims': '{count} Ränder offen gelassen',
+  'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
   'repair.islands': '{count} lose Stücke entfernt',
   'repair.shells': '{count} innere Hüllen entfernt',
   'repair.turned': '{count} Dreiecke umgedreht',

@@ -293,6 +293,8 @@ export default {
   'repair.nothing': 'Il n’y avait rien à réparer.',
   'repair.made': 'De ce qui se voit de l’extérieur, une surface fermée a été faite.',
   'repair.holes': '{count} trous fermés',
+  'repair.rims': '{count} bords laissés ouverts',
+  'repair.bodies': '{count} feuilles devenues des corps fermés',
   'repair.islands': '{count} morceaux isolés ôtés',
   'repair.shells': '{count} coques intérieures ôtées',
   'repair.turned': '{count} triangles retournés',
