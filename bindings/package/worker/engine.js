@@ -143,7 +143,7 @@ function modelOf([a, b]) {
   };
 }
 
-/** @typedef {Extract<Job, { kind: 'remeshFile' }>} FileJob */
+/** @typedef {Extract<Job, { kind: 'remeshFile' | 'repairFile' }>} FileJob */
 
 /** Whether textures are baked, or will be if repair makes another surface.
  * @param {FileJob} job */
@@ -192,9 +192,8 @@ export class Engine {
    */
   async run(job, onProgress) {
     const plainJob = await plain(job);
-    if (plainJob.kind !== 'remeshFile' || !mayPaint(plainJob)) {
-      return this.#run(plainJob, onProgress);
-    }
+    const isOfFile = plainJob.kind === 'remeshFile' || plainJob.kind === 'repairFile';
+    if (!isOfFile || !mayPaint(plainJob)) return this.#run(plainJob, onProgress);
     const { Bakery } = await import('../textures/bake.js');
     const bakery = new Bakery(this.#codecs, onProgress);
     try {
