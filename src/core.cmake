@@ -168,6 +168,7 @@ set(small
   src/mesh/orientation.cpp
   src/mesh/space_order.cpp
   src/mesh/topology.cpp
+  src/mesh/used_vertices.cpp
   src/original/curves/chain_tracing.cpp
   src/original/curves/curve_simplification.cpp
   src/original/curves/feature_curves.cpp
@@ -276,7 +277,6 @@ set(small
   src/repair/holes/refinement.cpp
   src/repair/holes/rims.cpp
   src/repair/holes/turn_over.cpp
-  src/repair/holes/used_vertices.cpp
   src/repair/loose_pieces.cpp
   src/repair/pieces.cpp
   src/repair/repair.cpp

@@ -11,8 +11,8 @@
 #include "jobs/checks/result_check.h"
 #include "jobs/parts/part_places.h"
 #include "jobs/parts/part_scale.h"
+#include "mesh/used_vertices.h"
 #include "mesh/welding.h"
-#include "repair/holes/used_vertices.h"
 #include "repair/loose_pieces.h"
 #include "repair/sight.h"
 

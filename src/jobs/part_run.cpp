@@ -75,8 +75,14 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
         target.unions.optionsOf(target.surface, target.targets.of(target.surface));
     RemeshOutcome outcome = remeshPart(part, options, progress);
     if (!isCrossedShape(outcome, options)) return outcome;
-    options.prefer = Prefer::Even;
-    return remeshPart(std::move(part), options, progress);
+    const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
+    RemeshOutcome even = remeshPart(std::move(part), options, progress);
+    if (isAsked)
+      even.warnings.push_back({"SHAPE_NOT_PREFERRED",
+                               "Vertices where the shape needs them most would make triangles of "
+                               "the repaired surface intersect: even triangles were made instead.",
+                               1});
+    return even;
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);
   }

@@ -8,9 +8,9 @@
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
+#include "mesh/used_vertices.h"
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
-#include "repair/holes/used_vertices.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
 

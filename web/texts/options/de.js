@@ -101,6 +101,8 @@ export default {
     + 'schneiden sich so, dass sie nicht exakt zu trennen sind.',
   'warning.BASE_NOT_MADE': 'Blätter, deren Umriss sich überschlägt, bekamen keinen Sockel.',
   'warning.PIECES_DROPPED': 'Kleine Stücke wurden weggelassen, wie verlangt.',
+  'warning.SHAPE_NOT_PREFERRED': 'Punkte nach der Form ließen Dreiecke der reparierten Fläche sich '
+    + 'schneiden: es wurden gleichmäßige Dreiecke.',
   'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie verlangt.',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',

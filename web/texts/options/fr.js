@@ -103,6 +103,8 @@ export default {
     + 'côtés se coupent sans pouvoir être séparés exactement.',
   'warning.BASE_NOT_MADE': 'Des feuilles dont le contour se replie n’ont pas reçu de socle.',
   'warning.PIECES_DROPPED': 'De petites pièces ont été omises, comme demandé.',
+  'warning.SHAPE_NOT_PREFERRED': 'Des points selon la forme feraient se couper des triangles de la '
+    + 'surface réparée : les triangles sont réguliers.',
   'warning.HIDDEN_DROPPED': 'Des triangles que personne ne voit ont été omis, comme demandé.',
   'choice.sheets.thicken': 'en faire des solides minces',
   'choice.sheets.drop': 'les omettre',
