@@ -139,7 +139,7 @@ struct EdgeReport {
   std::vector<Index> first;        // per vertex the first at its place
 };
 
-// What was left out on request.
+// Pieces and triangles that were left out on request.
 struct DropReport {
   std::size_t pieces = 0;            // smaller than asked for
   std::size_t hidden = 0;            // triangles that nobody sees

@@ -78,10 +78,11 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
     RemeshOutcome even = remeshPart(std::move(part), options, progress);
     if (isAsked)
-      even.warnings.push_back({"SHAPE_NOT_PREFERRED",
-                               "Vertices where the shape needs them most would make triangles of "
-                               "the repaired surface intersect: even triangles were made instead.",
-                               1});
+      even.warnings.push_back(
+          {"SHAPE_NOT_PREFERRED",
+           "Vertices where the shape needs them most would make triangles of "
+           "the repaired surface intersect: isotropic triangles were made instead.",
+           1});
     return even;
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);
