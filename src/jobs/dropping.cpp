@@ -126,13 +126,6 @@ void sortByWidth(std::vector<SizedPlace>& places) {
   if (places.size() > kMostSizedPlaces) places.resize(kMostSizedPlaces);
 }
 
-void requireNoVertexNumbers(const RemeshOptions& options) {
-  if (options.density.empty() && options.featureEdges.empty()) return;
-  throw Error(ErrorCode::InvalidOption,
-              "density and featureEdges number the input's vertices, and some are left out.",
-              "Leave them out first, then remesh what is left.");
-}
-
 // Per part the components of its triangles by shared places, and whether each is closed.
 struct Components {
   explicit Components(const TriangleMesh& mesh) : pieces(mesh.positions, mesh.indices) {
@@ -168,7 +161,6 @@ void keepClosedWhole(const TriangleMesh& mesh, std::vector<char>& isGone) {
 }  // namespace
 
 Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& options) {
-  requireNoVertexNumbers(options);
   Dropped dropped;
   const PartScale scale(parts);
   const std::vector<io::Part> scaled = applied(scale, parts);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/inspected_parts.h"
@@ -44,6 +45,13 @@ bool isByInput(const RemeshOptions& options) {
   return !options.vertices && !options.edgeLength && (options.ratio || !options.maxError);
 }
 
+void requireNoVertexNumbers(const RemeshOptions& options) {
+  if (options.density.empty() && options.featureEdges.empty()) return;
+  throw Error(ErrorCode::InvalidOption,
+              "density and featureEdges number the input's vertices, and some are left out.",
+              "Leave them out first, then remesh what is left.");
+}
+
 }  // namespace
 
 double mendShare(const RemeshOptions& options) {
@@ -56,7 +64,10 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
   for (const io::Part& part : parts) sources_.push_back(part.source);
   if (options.repair == Repair::Off && !leavesOut(options)) return;
   input_ = inspectScaled(parts);
-  if (leavesOut(options)) dropped_.emplace();
+  if (leavesOut(options)) {
+    requireNoVertexNumbers(options);
+    dropped_.emplace();
+  }
   withinMemory([&] {
     dropPieces(parts, options);
     repair(parts, options, progress, purpose);

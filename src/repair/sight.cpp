@@ -19,7 +19,7 @@ constexpr Index kLines = 48;          // directions, each both ways
 constexpr double kRaysAtLeast = 2e4;  // points of all triangles together, for each direction
 constexpr Index kMostPoints = 16;     // of a triangle, for each direction
 constexpr Index kMorePoints = 6;      // where a neighbour is seen
-constexpr int kRounds = 4;            // of such triangles
+constexpr int kSightRounds = 4;            // of such triangles
 
 // Spread evenly over half a sphere, by the golden angle.
 Vec3 directionOf(Index line) {
@@ -63,7 +63,7 @@ class Watch {
       if (!isSeen_[t]) all.push_back(t);
     const double each = std::ceil(kRaysAtLeast / double(std::max<std::size_t>(all.size(), 1)));
     look(all, Index(std::min(double(kMostPoints), each)));
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSightRounds; ++round) {
       const std::vector<Index> beside = besideSeen();
       if (beside.empty() || !look(beside, kMorePoints)) break;
     }

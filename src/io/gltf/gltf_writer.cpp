@@ -260,7 +260,7 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
   if (replaced.empty() && container == before && !hasLods(model) && !model.replacesLevels &&
-      model.leftOut.empty())
+      model.leftOut.empty() && !document.original.bytes.empty())
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
