@@ -48,6 +48,9 @@ inline constexpr Names<Stopped, 4> kStopped = {{{"target", Stopped::Target},
                                                 {"max-error", Stopped::MaxError},
                                                 {"cancelled", Stopped::Cancelled}}};
 
+inline constexpr Names<Severity, 3> kSeverities = {
+    {{"note", Severity::Note}, {"loss", Severity::Loss}, {"fault", Severity::Fault}}};
+
 constexpr const auto& namesOf(Scheme) { return kSchemes; }
 constexpr const auto& namesOf(Prefer) { return kPrefers; }
 constexpr const auto& namesOf(Quality) { return kQualities; }

@@ -12,6 +12,7 @@ namespace remesher {
 template <class Options, class Visit>
 void forEachOption(Options& options, const Visit& visit) {
   visit("vertices", options.vertices);
+  visit("faces", options.faces);
   visit("ratio", options.ratio);
   visit("edgeLength", options.edgeLength);
   visit("scheme", options.scheme);

@@ -109,13 +109,30 @@ val objectFrom(const Picture& picture) {
   return result;
 }
 
+val objectFrom(const Vec3& place) {
+  val result = val::array();
+  for (const double coordinate : place) result.call<void>("push", coordinate);
+  return result;
+}
+
 val objectFrom(const Warning& warning) {
   val result = val::object();
   result.set("code", warning.code);
   result.set("message", warning.message);
   result.set("count", double(warning.count));
+  result.set("severity", std::string(nameOf(kSeverities, severityOf(warning))));
+  if (warning.at) result.set("at", objectFrom(*warning.at));
   return result;
 }
+
+val objectFrom(const Chosen& chosen) {
+  val result = val::object();
+  result.set("rule", chosen.rule);
+  result.set("reason", chosen.reason);
+  return result;
+}
+
+val objectFrom(Prefer part) { return val(std::string(nameOf(kPrefers, part))); }
 
 // A list of the objects of all values.
 template <class T>
@@ -123,6 +140,14 @@ val listFrom(const std::vector<T>& values) {
   val result = val::array();
   for (const T& value : values) result.call<void>("push", objectFrom(value));
   return result;
+}
+
+// One value for all parts; a list where they differ.
+template <class T>
+val ofParts(const std::vector<T>& parts) {
+  const bool isOne =
+      std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to()) == parts.end();
+  return isOne ? objectFrom(parts.front()) : listFrom(parts);
 }
 
 }  // namespace
@@ -147,16 +172,6 @@ val objectFrom(const std::vector<Picture>& pictures) { return listFrom(pictures)
 
 val objectFrom(const std::vector<Warning>& warnings) { return listFrom(warnings); }
 
-// One word for all parts; a list where they differ.
-val preferenceFrom(const std::vector<Prefer>& parts) {
-  const auto word = [](Prefer part) { return std::string(nameOf(kPrefers, part)); };
-  if (std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to()) == parts.end())
-    return val(word(parts.front()));
-  val result = val::array();
-  for (const Prefer part : parts) result.call<void>("push", word(part));
-  return result;
-}
-
 // WebAssembly's memory only grows: its size now is the peak.
 val objectFrom(const Report& report) {
   val memory = val::object();
@@ -168,7 +183,8 @@ val objectFrom(const Report& report) {
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
   if (report.dropped && droppedInJs) result.set("dropped", droppedInJs(*report.dropped));
-  if (!report.prefer.empty()) result.set("prefer", preferenceFrom(report.prefer));
+  if (!report.prefer.empty()) result.set("prefer", ofParts(report.prefer));
+  if (!report.chosen.empty()) result.set("chosen", ofParts(report.chosen));
   result.set("timings", objectFrom(report.timings));
   result.set("memory", memory);
   result.set("phases", listFrom(report.phases));

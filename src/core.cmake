@@ -74,6 +74,8 @@ set(small
   src/arrangement/facets.cpp
   src/arrangement/merge.cpp
   src/arrangement/rounding.cpp
+  src/base/diagnostics.cpp
+  src/base/fires.cpp
   src/base/legible.cpp
   src/base/phase_clock.cpp
   src/base/place.cpp
@@ -115,6 +117,14 @@ set(small
   src/io/model/polygon.cpp
   src/io/model/resources.cpp
   src/io/model/same_mesh.cpp
+  src/io/named/abaqus.cpp
+  src/io/named/gmsh_reader.cpp
+  src/io/named/gmsh_writer.cpp
+  src/io/named/named_faces.cpp
+  src/io/named/threemf_reader.cpp
+  src/io/named/threemf_writer.cpp
+  src/io/named/vtu_reader.cpp
+  src/io/named/vtu_writer.cpp
   src/io/ply/corner_texcoords.cpp
   src/io/ply/ply_body.cpp
   src/io/ply/ply_faces.cpp
@@ -131,11 +141,14 @@ set(small
   src/io/text/obj_writer.cpp
   src/io/text/off.cpp
   src/io/text/text_writer.cpp
+  src/io/text/xml_scanner.cpp
   src/jobs/baking.cpp
   src/jobs/bare_materials.cpp
   src/jobs/checks/crossing_check.cpp
+  src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
   src/jobs/checks/result_check.cpp
+  src/jobs/face_budget.cpp
   src/jobs/fewest_vertices.cpp
   src/jobs/inspected_parts.cpp
   src/jobs/level_files.cpp
@@ -239,14 +252,16 @@ set(small
   src/remesh/schemes/best.cpp
   src/remesh/schemes/bodies.cpp
   src/remesh/schemes/chart_needs.cpp
+  src/remesh/schemes/chooser.cpp
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
+  src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
-  src/remesh/schemes/rival.cpp
   src/remesh/schemes/rounds.cpp
+  src/remesh/schemes/shape_comparison.cpp
   src/remesh/schemes/targets.cpp
   src/remesh/schemes/uncrossed.cpp
   src/remesh/steps/apart.cpp

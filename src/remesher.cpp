@@ -7,6 +7,7 @@
 #include "io/model/levels.h"
 #include "jobs/baking.h"
 #include "jobs/bare_materials.h"
+#include "jobs/checks/option_checks.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
 #include "jobs/mending.h"
@@ -58,6 +59,7 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
 RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress) {
   requireUnpainted(options);
+  checkTogether(options);
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (PlacedMesh& placed : scene) {
@@ -100,7 +102,8 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
 RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
-  if (options.textures == Textures::Bake) requireTextured(outputName, options);
+  checkTogether(options);
+  if (options.textures == Textures::Bake) requireTextured(outputName);
   requireRoomForLevels(outputName, options);
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/boolean.h"
+#include "base/diagnostics.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/options.h"

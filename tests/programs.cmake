@@ -5,6 +5,7 @@ add_executable(unit_tests
   tests/unit/arrangement/dyadic_test.cpp
   tests/unit/arrangement/points_test.cpp
   tests/unit/arrangement/sheet_triangulation_test.cpp
+  tests/unit/base/diagnostics_test.cpp
   tests/unit/base/legible_test.cpp
   tests/unit/base/patience_test.cpp
   tests/unit/base/phase_clock_test.cpp
@@ -35,18 +36,25 @@ add_executable(unit_tests
   tests/unit/io/model/polygon_test.cpp
   tests/unit/io/model/resources_test.cpp
   tests/unit/io/model/wedges_test.cpp
+  tests/unit/io/named/abaqus_test.cpp
+  tests/unit/io/named/gmsh_test.cpp
+  tests/unit/io/named/threemf_test.cpp
+  tests/unit/io/named/vtu_test.cpp
   tests/unit/io/ply/ply_test.cpp
   tests/unit/io/stl/stl_test.cpp
   tests/unit/io/text/mtl_test.cpp
   tests/unit/io/text/obj_test.cpp
   tests/unit/io/text/off_test.cpp
   tests/unit/io/text/text_scanner_test.cpp
+  tests/unit/io/text/xml_scanner_test.cpp
   tests/unit/jobs/checks/crossing_check_test.cpp
+  tests/unit/jobs/checks/option_checks_test.cpp
   tests/unit/jobs/checks/precision_test.cpp
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
   tests/unit/jobs/dropping_test.cpp
+  tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_repair_test.cpp
   tests/unit/jobs/parts/part_joining_test.cpp
@@ -142,6 +150,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/rewiring_test.cpp
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
+  tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
@@ -208,6 +217,10 @@ target_link_libraries(measure PRIVATE core)
 add_executable(ablation EXCLUDE_FROM_ALL tests/bench/ablation_main.cpp)
 target_link_libraries(ablation PRIVATE core)
 
+# How often each fallback and each limit of work fires: see tests/bench/fires.js.
+add_executable(fires EXCLUDE_FROM_ALL tests/bench/fires_main.cpp)
+target_link_libraries(fires PRIVATE core)
+
 # Random inputs for as long as wanted; not built by default.
 add_executable(stress EXCLUDE_FROM_ALL tests/stress/stress_main.cpp)
 target_include_directories(stress PRIVATE tests/unit)
@@ -225,6 +238,7 @@ set(fuzz_targets
   tests/fuzz/native/glb.cpp
   tests/fuzz/native/gltf.cpp
   tests/fuzz/native/gltf_changes.cpp
+  tests/fuzz/native/gmsh.cpp
   tests/fuzz/native/laws.cpp
   tests/fuzz/native/obj.cpp
   tests/fuzz/native/off.cpp
@@ -234,7 +248,9 @@ set(fuzz_targets
   tests/fuzz/native/small_mesh.cpp
   tests/fuzz/native/stl.cpp
   tests/fuzz/native/targets.cpp
+  tests/fuzz/native/threemf.cpp
   tests/fuzz/native/tree_changes.cpp
+  tests/fuzz/native/vtu.cpp
 )
 add_executable(fuzz_replay EXCLUDE_FROM_ALL ${fuzz_targets}
   tests/fuzz/native/replay.cpp

@@ -2,15 +2,18 @@
 // The page's wiring of events to acts.
 import { init } from 'remesher';
 import { codecs } from 'remesher/codecs';
-import { open, showFacts } from './acts/opening.js';
+import { open, retellFacts } from './acts/opening.js';
 import { Page } from './acts/page.js';
-import { remesh, showReport } from './acts/running.js';
+import { remesh, saveShown, showReport } from './acts/running.js';
 import { Steering } from './acts/steering.js';
 import { addCommand, wireCommands } from './base/commands.js';
+import { byId } from './base/dom.js';
 import { firstLanguage, onLanguage, setLanguage } from './base/i18n.js';
 import { readAddress } from './model/address.js';
 import { samples } from './model/samples.js';
 import { fillMenu, namedFiles, wireIntake } from './panel/intake.js';
+import { showCallouts } from './panel/callouts.js';
+import { wireExpert } from './panel/expert.js';
 import { wireSettings } from './panel/settings.js';
 
 let wished = readAddress(location.hash);
@@ -57,14 +60,18 @@ function take(items, source) {
 
 onLanguage(() => {
   page.panel.build();
+  page.stage.fillMenu();
   fillMenu();
-  showFacts(page);
+  retellFacts(page);
   page.surveying.retell();
   showReport(page);
 });
 wireIntake(take);
 wireSettings(fillMenu);
+wireExpert();
+showCallouts();
 addCommand('cancel', cancel);
+byId('download', HTMLButtonElement).addEventListener('click', () => void saveShown(page));
 wireCommands();
 fillMenu();
 take(coming, first);

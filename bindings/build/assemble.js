@@ -24,6 +24,12 @@ async function shortened(text) {
  */
 async function decoderModules() {
   const read = (/** @type {string} */ file) => readFileSync(join(root, 'node_modules', file));
+  const { build } = await import('esbuild');
+  const zip = await build({
+    stdin: { contents: "export { strToU8, unzipSync, zipSync } from 'fflate';", resolveDir: root },
+    bundle: true, minify: true, format: 'esm', target: 'es2022', platform: 'browser', write: false,
+    legalComments: 'none',
+  });
   const draco = 'draco3dgltf/draco_decoder_gltf';
   // Without `process` the script does not assume Node. Without the names of CommonJS no bundler
   // takes the script for a mixture of both kinds of module, or looks for Node's modules.
@@ -31,6 +37,8 @@ async function decoderModules() {
     'meshopt_decoder.mjs': `// meshoptimizer, https://github.com/zeux/meshoptimizer, MIT,
 // Copyright (C) 2016-2026, by Arseny Kapoulkine
 ${await shortened(String(read('meshoptimizer/meshopt_decoder.mjs')))}`,
+    'zip.mjs': `// fflate, https://github.com/101arrowz/fflate, MIT, Copyright (c) 2023 Arjun Barrett
+${zip.outputFiles[0].text}`,
     'draco_decoder.mjs': `// Draco, https://github.com/google/draco, Apache-2.0
 ${await shortened(`const DracoDecoderModule = (function () {
 const process = undefined, module = undefined, exports = undefined, require = undefined;

@@ -2,7 +2,9 @@
 // TypeScript declarations that tsc does not read from the sources: the type of the options is made
 // from their table, so that an editor shows each option's row.
 
-import { defaultInWords, optionTable, rangeInWords } from '../package/base/options.js';
+import {
+  defaultInWords, inJavaScript, optionTable, rangeInWords,
+} from '../package/base/options.js';
 
 /** @typedef {import('../package/base/options.js').Option} Option */
 
@@ -36,7 +38,7 @@ const spelled = (value) => (typeof value === 'string' ? `'${value}'` : String(va
 export function documentationOf(option) {
   const unit = option.unit ? `, in ${option.unit}` : '';
   const value = defaultInWords(option, spelled);
-  return [sentence(option.help), '', sentence(rangeInWords(option) + unit),
+  return [sentence(inJavaScript(option.help)), '', sentence(rangeInWords(option) + unit),
     ...(value ? ['', `@default \`${value}\``] : [])];
 }
 

@@ -5,6 +5,7 @@
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { addressOf } from './addresses.js';
 import { optionsPage } from './declarations.js';
 import { root, say } from './say.js';
 import { Stamp } from './stamp.js';
@@ -18,14 +19,17 @@ const look = 'bindings/build/docs.css';
 /** @param {string} file @returns {string} */
 const read = (file) => readFileSync(join(root, file), 'utf8');
 
-/** The recipes in the order of docs/README.md. */
-const recipes = [...read('docs/README.md').matchAll(/\]\((recipes\/[\w-]+\.md)\)/g)]
-  .map(([, path]) => `docs/${path}`);
+/** The pages of a folder of docs, in the order of docs/README.md. @param {string} folder */
+const pagesOf = (folder) =>
+  [...read('docs/README.md').matchAll(new RegExp(`\\]\\((${folder}/[\\w-]+\\.md)\\)`, 'g'))]
+    .map(([, path]) => `docs/${path}`);
 
 /** The pages beside the reference, as in the navigation. @type {Record<string, string[]>} */
 const groups = {
-  Guide: ['docs/README.md', optionsFile, 'docs/sizes.md', 'docs/comparison.md', 'SECURITY.md'],
-  Recipes: recipes,
+  Guides: ['docs/README.md', ...pagesOf('guides')],
+  Recipes: pagesOf('recipes'),
+  Reference: [optionsFile, ...['javascript', 'command-line', 'formats', 'textures', 'sizes',
+    'quality', 'comparison', 'how-it-works'].map((name) => `docs/${name}.md`), 'SECURITY.md'],
   Project: ['CHANGELOG.md', 'CONTRIBUTING.md', 'src/README.md', 'tests/README.md'],
 };
 const papers = Object.values(groups).flat();
@@ -71,6 +75,11 @@ function place(page, file) {
   page.frontmatter.group = Object.keys(groups).find((group) => groups[group].includes(file));
 }
 
+/** The README's links to the documentation, which here are links within it. @param {string} html */
+const withinSite = (html) =>
+  html.replaceAll(`href="${addressOf(JSON.parse(read('package.json')))}docs/"`, 'href="index.html"')
+    .replaceAll(`href="${addressOf(JSON.parse(read('package.json')))}docs/`, 'href="');
+
 /** @returns {Promise<boolean>} whether all went well */
 async function make() {
   const { Application, Converter, PageEvent, ReflectionKind } = await import('typedoc');
@@ -91,12 +100,14 @@ async function make() {
     sortEntryPoints: false,
     headings: { readme: false },
     navigation: { includeGroups: true },
-    groupOrder: ['Guide', 'Recipes', 'Modules', 'Functions', 'Classes', 'Interfaces',
+    searchGroupBoosts: { Guides: 8, Recipes: 4, Reference: 4 },
+    groupOrder: ['Guides', 'Recipes', 'Reference', 'Modules', 'Functions', 'Classes', 'Interfaces',
       'Type Aliases', 'Variables', '*', 'Project'],
     treatWarningsAsErrors: true,
   });
   app.renderer.on(PageEvent.END, (page) => {  // the keyboard can reach all parts that scroll
     page.contents = page.contents?.replaceAll('<table>', '<table tabindex="0">');
+    if (page.contents && page.url === 'index.html') page.contents = withinSite(page.contents);
   });
   let pages = 0;
   app.converter.on(Converter.EVENT_CREATE_DOCUMENT,

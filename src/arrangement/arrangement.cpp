@@ -10,6 +10,7 @@
 #include "arrangement/merge.h"
 #include "arrangement/points.h"
 #include "arrangement/rounding.h"
+#include "base/fires.h"
 #include "base/place.h"
 #include "base/triangle_mesh.h"
 #include "measure/self_intersections.h"
@@ -185,6 +186,7 @@ ArrangementResult arrange(const ArrangementInput& input, const ArrangementOption
   best.selfIntersections = crossingsOf(best);
   ArrangementResult last = best;
   for (int left = kPatience; left > 0 && !best.selfIntersections.empty(); --left) {
+    fires("arrangement: arranged again after rounding");
     ArrangementResult next = arrangedAgain(input, options, last);
     if (next.outcome != Outcome::Done || next.indices == last.indices) break;
     last = std::move(next);

@@ -160,7 +160,6 @@ void SheetTriangulation::splitEdge(Index h, Vertex v) {
   legalize(edges, v);
 }
 
-// The edges are opposite to a new vertex.
 void SheetTriangulation::legalize(std::vector<Index> edges, Vertex around) {
   for (std::size_t flips = 0; !edges.empty() && flips < mostFlips();) {
     const Index h = edges.back();
@@ -170,7 +169,7 @@ void SheetTriangulation::legalize(std::vector<Index> edges, Vertex around) {
     ++flips;
     for (const Index side : {h, twins_[prevCorner(h)]})
       for (const Index e : {side, nextCorner(side), prevCorner(side)})
-        if (apex(e) == around) edges.push_back(e);
+        if (around == kNone || apex(e) == around) edges.push_back(e);
   }
 }
 
@@ -297,15 +296,7 @@ void SheetTriangulation::clearWay(Vertex a, Vertex b, std::vector<std::array<Ver
 void SheetTriangulation::widenAngles() {
   std::vector<Index> edges;
   for (Index h = 0; h < corners_.size(); ++h) edges.push_back(h);
-  for (std::size_t flips = 0; !edges.empty() && flips < mostFlips();) {
-    const Index h = edges.back();
-    edges.pop_back();
-    if (!wantsFlip(h)) continue;
-    flip(h);
-    ++flips;
-    for (const Index side : {h, twins_[prevCorner(h)]})
-      for (const Index e : {side, nextCorner(side), prevCorner(side)}) edges.push_back(e);
-  }
+  legalize(std::move(edges), kNone);
 }
 
 }  // namespace remesher

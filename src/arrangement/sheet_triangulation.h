@@ -70,6 +70,8 @@ class SheetTriangulation {
   void link(Index h, Index twin, Index support);
   void splitTriangle(Index t, Vertex v);
   void splitEdge(Index h, Vertex v);
+  // Flips the edges where that widens angles, then those beside flipped ones: of these only the
+  // ones opposite to a new vertex, or all for kNone.
   void legalize(std::vector<Index> edges, Vertex around);
   bool isConvex(Index h) const;
   void flip(Index h);

@@ -54,6 +54,7 @@ inline constexpr double kFeatureAngle = 40;
 
 struct RemeshOptions {
   std::optional<Index> vertices;     // exact number of distinct positions of the result
+  std::optional<Index> faces;        // at most so many triangles, or quads
   std::optional<double> ratio;       // the same as a share of the input's
   std::optional<double> edgeLength;  // the same from a mean edge length
   Scheme scheme = Scheme::Best;
@@ -92,6 +93,7 @@ struct RemeshOptions {
   bool dropFloaters = false;        // so are small pieces away from the rest: dropBelow auto
   bool dropHidden = false;          // so are triangles that nobody sees from outside
   std::vector<double> lods;         // shares of the number of vertices, each > 0
+  std::vector<double> lodPixels;    // instead: how many pixels of a screen a level may be off
   bool lodFiles = false;            // a file for each level, not one for all
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,

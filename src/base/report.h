@@ -14,10 +14,12 @@
 namespace remesher {
 
 // Something the caller should know but need not act on. `code` is stable, `message` is for people.
+// base/diagnostics.h lists the codes.
 struct Warning {
   std::string code;
   std::string message;
   std::size_t count = 1;
+  std::optional<Vec3> at = {};  // the place of the first or the worst, in the world of the file
 };
 
 // Angles in degrees; histogram in percent of the triangles, by minimum angle 0–10, 10–20, … 50–60.
@@ -148,6 +150,14 @@ struct DropReport {
   std::vector<Vec3> hiddenAt;        // a corner of some of the triangles
 };
 
+// The row of the chooser that took the resulting mesh; src/README.md lists the rows.
+struct Chosen {
+  std::string rule;
+  std::string reason;  // a sentence
+
+  bool operator==(const Chosen&) const = default;
+};
+
 struct Report {
   MeshReport input;
   std::optional<MeshReport> output;  // none after an inspection
@@ -160,6 +170,7 @@ struct Report {
   std::vector<Warning> warnings;
   Stopped stopped = Stopped::Target;
   std::vector<Prefer> prefer;  // what each part is made of: Even or Shape; none after an inspection
+  std::vector<Chosen> chosen;  // why each part is the mesh that it is; none after an inspection
   std::vector<Report> lods;    // of the coarser levels of detail, in the order requested
 };
 

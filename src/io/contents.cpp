@@ -47,7 +47,7 @@ constexpr Magic kMagics[] = {
     {0, "3D Geometry File Format", {{}, "a Rhino file", kExport}},
     {0, "**ABCDEFGHIJKLMNOPQRSTUVWXYZ", {{}, "a Parasolid file", kExport}},
     {0, "//Maya ASCII", {{}, "a Maya file", kExport}},
-    {0, "$MeshFormat", {{}, "a Gmsh file", kExport}},
+    {0, "$MeshFormat", {".msh", {}, {}}},
     {0, "DRACO", {{}, "a Draco file without its glTF", kExport}},
     {0, "Rar!\x1A\x07", {{}, "a RAR archive", kUnpack}},
     {0, "7z\xBC\xAF\x27\x1C", {{}, "a 7-Zip archive", kUnpack}},
@@ -85,8 +85,10 @@ constexpr Magic kMarkup[] = {
     {0, "<x3d", {{}, "an X3D file", kExport}},
     {0, "<amf", {{}, "an AMF file", kExport}},
     {0, "<svg", {{}, "a drawing (SVG)", kNoModel}},
+    {0, "<vtkfile type=\"unstructuredgrid", {".vtu", {}, {}}},
+    {0, "<vtkfile type=\"polydata", {".vtu", {}, {}}},
     {0, "<vtkfile", {{}, "a VTK file", kExport}},
-    {0, "<model", {{}, "the inside of a 3MF file", kExport}},
+    {0, "<model", {".3mf", {}, {}}},
 };
 
 constexpr std::size_t kBytesLooked = 4096;  // bytes in which a file has said what it is
@@ -154,7 +156,7 @@ Content contentOfZip(std::string_view bytes) {
     return bytes.substr(0, kEnds).find(name) != bytes.npos ||
            bytes.substr(bytes.size() - std::min(bytes.size(), kEnds)).find(name) != bytes.npos;
   };
-  if (holds("3D/3dmodel.model")) return {{}, "a 3MF file", kExport};
+  if (holds("3D/3dmodel.model")) return {{}, "a 3MF package", "Unpack it, and give its 3D/3dmodel.model."};
   if (holds(".usdc") || holds(".usda")) return {{}, "a USDZ file", kExport};
   return {{}, "a ZIP archive", kUnpack};
 }

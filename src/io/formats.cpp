@@ -15,6 +15,10 @@
 #include "io/model/companions.h"
 #include "io/model/near_origin.h"
 #include "io/model/resources.h"
+#include "io/named/abaqus.h"
+#include "io/named/gmsh.h"
+#include "io/named/threemf.h"
+#include "io/named/vtu.h"
 #include "io/ply/ply.h"
 #include "io/stl/stl.h"
 #include "io/text/obj.h"
@@ -26,7 +30,7 @@ namespace {
 struct Format {
   std::string_view extension;
   std::string_view inWords;
-  Model (*read)(const File& file, const std::vector<File>& resources);
+  Model (*read)(const File& file, const std::vector<File>& resources);  // null: only written
   WrittenFiles (*write)(const Model& model, const std::string& outputName);
   unsigned holds;
 
@@ -40,12 +44,18 @@ constexpr Format kFormats[] = {
     {".off", "an OFF", readOff, writeOff, kHoldsDoubles},
     {".ply", "a PLY", readPly, writePly, kHoldsDoubles},
     {".stl", "an STL", readStl, writeStl, 0},
+    {".3mf", "a 3MF", readThreemf, writeThreemf, kHoldsParts | kHoldsDoubles},
+    {".msh", "a Gmsh file", readGmsh, writeGmsh, kHoldsParts | kHoldsDoubles},
+    {".vtu", "a VTU", readVtu, writeVtu, kHoldsParts | kHoldsDoubles},
+    {".inp", "an Abaqus input", nullptr, writeAbaqus, kHoldsParts | kHoldsDoubles},
 };
 
-std::string listOfExtensions() {
+// Of all formats that are written, or of those that are also read.
+std::string listOfExtensions(bool areRead) {
   std::string list;
   for (const Format& format : kFormats)
-    list += (list.empty() ? "" : " ") + std::string(format.extension);
+    if (format.read != nullptr || !areRead)
+      list += (list.empty() ? "" : " ") + std::string(format.extension);
   return list;
 }
 
@@ -112,7 +122,12 @@ Model read(const File& file, const std::vector<File>& resources) {
   const Format* const format = found != nullptr ? found : named;
   if (format == nullptr)
     throw Error(ErrorCode::UnknownFormat, legible(file.name) + " is of no format that can be read.",
-                "Give a file that ends in one of " + listOfExtensions() + ".");
+                "Give a file that ends in one of " + listOfExtensions(true) + ".");
+  if (format->read == nullptr)
+    throw Error(ErrorCode::UnknownFormat,
+                legible(file.name) + " is " + std::string(format->inWords) +
+                    ", which is only written, not read.",
+                "Give a file that ends in one of " + listOfExtensions(true) + ".");
   Model model = format->read(file, resources);
   if (named != nullptr && named != format)
     model.warnings.push_back({"NAME_CONTRADICTS",
@@ -128,10 +143,10 @@ void requireWritable(const std::string& outputName) {
   if (outputName.empty())
     throw Error(
         ErrorCode::UnknownFormat, "An output without a name is of no format.",
-        "Give `name`, the input's, or `output`, ending in one of " + listOfExtensions() + ".");
+        "Give `name`, the input's, or `output`, ending in one of " + listOfExtensions(false) + ".");
   throw Error(ErrorCode::UnknownFormat,
               legible(outputName) + " is of no format that can be written.",
-              "Let its name end in one of " + listOfExtensions() + ".");
+              "Let its name end in one of " + listOfExtensions(false) + ".");
 }
 
 bool canHold(const std::string& outputName, Holds what) {

@@ -67,10 +67,7 @@ Repaint repaintOf(io::Model& model, std::vector<Picture> pictures) {
 
 }  // namespace
 
-void requireTextured(const std::string& outputName, const RemeshOptions& options) {
-  if (!options.lods.empty())
-    throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
-                "Ask for one of them: --textures, --lods.");
+void requireTextured(const std::string& outputName) {
   if (io::canHold(outputName, io::kHoldsImages)) return;
   throw Error(ErrorCode::Unsupported,
               "Baked textures are written as glTF only, not as " + legible(outputName) + ".",

@@ -13,9 +13,8 @@
 
 namespace remesher {
 
-// Painted textures need an output format with images, and exclude levels of detail: throws
-// INVALID_OPTION and UNSUPPORTED.
-void requireTextured(const std::string& outputName, const RemeshOptions& options);
+// Painted textures need an output format with images: throws UNSUPPORTED.
+void requireTextured(const std::string& outputName);
 
 // Remeshes the model's parts and paints textures for them; the model gets their materials. Throws
 // UNSUPPORTED if the model has nothing to paint from, and MISSING_RESOURCE for an image that its

@@ -190,7 +190,7 @@ Dropped dropSmallPieces(std::vector<io::Part>& parts, const RemeshOptions& optio
   dropped.warnings.push_back({"PIECES_DROPPED",
                               "Small pieces were left out, as asked. The largest are, across: " +
                                   inWords(dropped.report.piecesAt, parts) + ".",
-                              dropped.report.pieces});
+                              dropped.report.pieces, dropped.report.piecesAt.front().at});
   return dropped;
 }
 
@@ -237,7 +237,7 @@ Dropped dropHiddenTriangles(std::vector<io::Part>& parts, Hidden hidden) {
                               "Triangles that nobody sees from outside were left out, as asked. "
                               "The first of them lay near (" +
                                   first + ").",
-                              dropped.report.hidden});
+                              dropped.report.hidden, dropped.report.hiddenAt.front()});
   return dropped;
 }
 

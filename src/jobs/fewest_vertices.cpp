@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/fires.h"
 #include "measure/hausdorff.h"
+#include "remesh/schemes/chooser.h"
 
 namespace remesher {
 
@@ -23,7 +25,7 @@ constexpr double kStep = 2;
 constexpr double kMostOfFew = 10'000;
 
 bool hasNumber(const RemeshOptions& options) {
-  return options.vertices || options.ratio || options.edgeLength;
+  return options.vertices || options.faces || options.ratio || options.edgeLength;
 }
 
 class FewestSearch {
@@ -45,6 +47,7 @@ class FewestSearch {
       RemeshOutcome outcome = runAt(next);
       if (outcome.stopped == Stopped::Target) return fewer(std::move(outcome));
     }
+    fires("fewest: no draft or no finished mesh keeps the bound");
     options_ = asked_;
     if (drafted > 0) options_.vertices = Index(drafted);
     return fewer(runNext());
@@ -53,15 +56,26 @@ class FewestSearch {
   // The outcome, or the input's own triangles if these are fewer and may be taken.
   RemeshOutcome fewer(RemeshOutcome outcome) {
     const double own = ownVertices();
-    if (asked_.quads || asked_.prefer == Prefer::Even || double(outcome.vertices) <= own)
-      return outcome;
+    RemeshOutcome kept;
+    const Rule& rule = choose(Decision::Bound, [&](Fact fact) {
+      if (fact == Fact::QuadsAsked) return asked_.quads;
+      if (fact == Fact::IsotropicAsked) return asked_.prefer == Prefer::Even;
+      if (fact == Fact::MoreThanInput) return double(outcome.vertices) > own;
+      if (fact != Fact::OwnWithinBound) return false;
+      kept = runOwn();
+      return kept.prefer == Prefer::Shape && double(kept.vertices) <= own && isWithin(kept.mesh);
+    });
+    if (rule.taken == Candidate::AsMade) return outcome;
+    kept.chosen = inReport(rule);
+    return kept;
+  }
+
+  RemeshOutcome runOwn() {
     options_ = asked_;
     options_.maxError.reset();
     options_.tooFew = TooFew::Raise;
     options_.prefer = Prefer::Shape;
-    RemeshOutcome kept = runAt(own);
-    const bool areOwn = kept.prefer == Prefer::Shape && double(kept.vertices) <= own;
-    return areOwn && isWithin(kept.mesh) ? std::move(kept) : std::move(outcome);
+    return runAt(ownVertices());
   }
 
   // The number asked for, or as few more as keep the bound.
@@ -72,7 +86,10 @@ class FewestSearch {
     options_.ratio.reset();
     options_.edgeLength.reset();
     const double enough = search(kStep * *fails_);
-    if (enough == 0) return made;
+    if (enough == 0) {
+      fires("fewest: no number of quads keeps the bound");
+      return made;
+    }
     made = runAt(enough);
     made.stopped = Stopped::MaxError;
     return made;
@@ -164,6 +181,7 @@ RemeshOutcome remeshToFewest(const TriangleMesh& input, Welding welding,
 RemeshOptions optionsOfLevels(RemeshOptions options, const Report& finest) {
   if (!asksForFewest(options)) return options;
   options.vertices = Index(finest.output->vertices);
+  options.faces.reset();
   options.maxError.reset();
   return options;
 }

@@ -8,11 +8,13 @@
 #include "base/error.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
+#include "jobs/face_budget.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
+#include "remesh/schemes/chooser.h"
 
 namespace remesher {
 
@@ -42,7 +44,8 @@ std::vector<char> withoutEmpty(std::vector<io::Part>& parts) {
 
 // Whether the number of vertices depends on the input's number.
 bool isByInput(const RemeshOptions& options) {
-  return !options.vertices && !options.edgeLength && (options.ratio || !options.maxError);
+  return !options.vertices && !options.faces && !options.edgeLength &&
+         (options.ratio || !options.maxError);
 }
 
 void requireNoVertexNumbers(const RemeshOptions& options) {
@@ -85,6 +88,7 @@ void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
                      const Progress& progress, Purpose purpose) {
   if (options.repair == Repair::Off) return;
   RemeshOptions sized = options;
+  if (options.faces) sized.vertices = verticesFor(*options.faces, options, {});
   const bool isSized = purpose == Purpose::Remeshing && isByInput(options);
   const MeshReport given = dropped_ ? inspectScaled(parts) : input_;
   const double target = options.ratio.value_or(1) * double(given.vertices);
@@ -150,7 +154,7 @@ RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
     return options;
   options.textures = Textures::Bake;
   model.warnings.push_back(
-      {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were painted anew."});
+      {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were baked onto it."});
   return options;
 }
 
@@ -178,9 +182,15 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =
           joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
-  const bool isUnchanged =
-      std::equal(parts.begin(), parts.end(), given.begin(), given.end(),
-                 [](const io::Part& a, const io::Part& b) { return io::isSame(a.mesh, b.mesh); });
+  // Parts that lost pieces or went are not as they were given.
+  bool isUnchanged = parts.size() == given.size();
+  for (std::size_t i = 0, p = 0; i < given.size(); ++i) {
+    if (mending.isGone()[i]) continue;
+    const bool isSame = io::isSame(parts[p++].mesh, given[i].mesh);
+    report.chosen.push_back(inReport(choose(
+        Decision::RepairOnly, [&](Fact fact) { return fact == Fact::Unchanged && isSame; })));
+    isUnchanged = isUnchanged && isSame;
+  }
   return {std::move(report), mending.isRemade(), isUnchanged, mending.leftOut()};
 }
 

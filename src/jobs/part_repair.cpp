@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/error.h"
 #include "io/model/bake.h"
 #include "jobs/checks/result_check.h"
 #include "jobs/part_run.h"
@@ -16,19 +15,13 @@
 #include "jobs/repair_words.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
+#include "remesh/schemes/chooser.h"
 #include "repair/fineness.h"
 #include "repair/repair.h"
 
 namespace remesher {
 
 namespace {
-
-void requireNoNumbers(const RemeshOptions& options) {
-  if (options.density.empty() && options.featureEdges.empty()) return;
-  throw Error(ErrorCode::InvalidOption,
-              "density and featureEdges number the input's vertices, and repair makes others.",
-              "Repair the mesh first, then remesh what comes of it.");
-}
 
 std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const PartScale& scale) {
   for (Vec3& place : places) place = scale.inWorld(part, place);
@@ -114,7 +107,6 @@ void warnOfMeeting(std::vector<PlacedWarning>& warnings, const std::vector<io::P
 
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress) {
-  requireNoNumbers(options);
   const PartScale scale(parts);
   PartsRepair result{scale.isNeeded() ? scale.applied(parts) : parts, {}, {}};
   double total = 0, done = 0;
@@ -168,7 +160,13 @@ bool isSound(const TriangleMesh& mesh) {
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh& original, RemeshOutcome& outcome) {
   RoundedMesh rounded = inPrecisionOf(original, std::move(outcome.mesh));
-  if (rounded.mesh.isQuads || isSound(rounded.mesh) || !isSound(original)) return rounded;
+  const Rule& rule = choose(Decision::Written, [&](Fact fact) {
+    if (fact == Fact::QuadsAsked) return rounded.mesh.isQuads;
+    if (fact == Fact::ResultUnsound) return !isSound(rounded.mesh);
+    return fact == Fact::OriginalSound && isSound(original);
+  });
+  if (rule.taken == Candidate::AsMade) return rounded;
+  outcome.chosen = inReport(rule);
   outcome.stopped = Stopped::Fidelity;
   if (!outcome.places.empty()) outcome.places = ownPlaces(original);
   outcome.coincident = 0;

@@ -20,7 +20,7 @@ struct PartsRepair {
   bool isRemade = false;  // whether a lattice replaced the triangles of any part
 };
 
-// Throws the Errors of repairSurface, and INVALID_OPTION if the options name vertices of the input.
+// Throws the Errors of repairSurface.
 PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& options,
                         const Progress& progress);
 

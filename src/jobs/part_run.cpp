@@ -12,16 +12,12 @@
 #include "measure/hausdorff.h"
 #include "measure/mesh_report.h"
 #include "measure/self_intersections.h"
-#include "remesh/schemes/rival.h"
+#include "remesh/schemes/chooser.h"
+#include "remesh/schemes/shape_comparison.h"
 
 namespace remesher {
 
 namespace {
-
-// Vertices that the shape needs most are taken without looking for crossings.
-bool isCrossedShape(const RemeshOutcome& outcome, const RemeshOptions& options) {
-  return outcome.prefer == Prefer::Shape && options.repair != Repair::Off && !isSound(outcome.mesh);
-}
 
 using Run = RemeshOutcome (*)(const TriangleMesh&, Welding, const RemeshOptions&, const Progress&);
 
@@ -69,21 +65,28 @@ bool mayReplace(const TriangleMesh& original, const RemeshOutcome& crossed,
 
 }  // namespace
 
+// Simplification does not look for self-intersections, which a repaired surface must not have.
 RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Progress& progress) {
   try {
     RemeshOptions options =
         target.unions.optionsOf(target.surface, target.targets.of(target.surface));
     RemeshOutcome outcome = remeshPart(part, options, progress);
-    if (!isCrossedShape(outcome, options)) return outcome;
+    if (options.repair == Repair::Off) return outcome;
+    const Rule& rule = choose(Decision::Repaired, [&](Fact fact) {
+      if (fact == Fact::SimplifiedTaken) return outcome.prefer == Prefer::Shape;
+      return fact == Fact::ResultUnsound && !isSound(outcome.mesh);
+    });
+    if (rule.taken == Candidate::AsMade) return outcome;
     const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
-    RemeshOutcome even = remeshPart(std::move(part), options, progress);
+    outcome = remeshPart(std::move(part), options, progress);
+    outcome.chosen = inReport(rule);
     if (isAsked)
-      even.warnings.push_back(
+      outcome.warnings.push_back(
           {"SHAPE_NOT_PREFERRED",
            "Vertices where the shape needs them most would make triangles of "
            "the repaired surface intersect: isotropic triangles were made instead.",
            1});
-    return even;
+    return outcome;
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);
   }
@@ -94,22 +97,26 @@ UncrossedOutcome uncrossedAsShown(const ShownMesh& part, const PartTarget& targe
   std::vector<Index> crossings = crossingsOf(part.mesh, made);
   RemeshOptions options =
       target.unions.optionsOf(target.surface, target.targets.of(target.surface));
-  const bool mayMend = !crossings.empty() && options.repair == Repair::Off && !options.quads &&
-                       !asksForFewest(options) && selfIntersections(part.mesh).empty();
-  if (!mayMend) return {std::move(made), std::move(crossings)};
-  const auto another = [&](Run run) {
-    return runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);
+  RemeshOutcome other;
+  const auto isReplacedBy = [&](Run run, Prefer prefer) {
+    options.prefer = prefer;
+    other = runOn({part.mesh, Welding(part.mesh), part.place}, run, options, progress);
+    return mayReplace(part.mesh, made, other);
   };
-  if (options.prefer != Prefer::Shape) {
-    RemeshOutcome mended = another(remeshUncrossed);
-    if (mayReplace(part.mesh, made, mended)) return {std::move(mended), {}};
-  }
-  if (options.prefer == Prefer::Auto && made.prefer == Prefer::Even) {
-    options.prefer = Prefer::Shape;
-    RemeshOutcome simplified = another(remeshSurface);
-    if (mayReplace(part.mesh, made, simplified)) return {std::move(simplified), {}};
-  }
-  return {std::move(made), std::move(crossings)};
+  const Prefer asked = options.prefer;
+  const Rule& rule = choose(Decision::Crossings, [&](Fact fact) {
+    if (fact == Fact::CrossingsMade)
+      return !crossings.empty() && options.repair == Repair::Off && !options.quads &&
+             !asksForFewest(options) && selfIntersections(part.mesh).empty();
+    if (fact == Fact::ShapeAsked) return asked == Prefer::Shape;
+    if (fact == Fact::IsotropicAsked) return asked == Prefer::Even;
+    if (fact == Fact::SimplifiedTaken) return made.prefer == Prefer::Shape;
+    if (fact == Fact::UncrossedReplaces) return isReplacedBy(remeshUncrossed, asked);
+    return fact == Fact::SimplifiedReplaces && isReplacedBy(remeshSurface, Prefer::Shape);
+  });
+  if (rule.taken == Candidate::AsMade) return {std::move(made), std::move(crossings)};
+  other.chosen = inReport(rule);
+  return {std::move(other), {}};
 }
 
 RoundedMesh roundedOutcome(const TriangleMesh& original, RemeshOutcome& outcome, Repair repair) {

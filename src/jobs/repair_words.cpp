@@ -37,6 +37,7 @@ std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
   constexpr int kDigits = 3;
   std::vector<Warning> result;
   for (PlacedWarning& placed : warnings) {
+    placed.warning.at = placed.at;
     if (placed.at)
       placed.warning.message
           .append(placed.across > 0 ? " The widest is " + inDigits(placed.across, kDigits) +

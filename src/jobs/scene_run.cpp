@@ -9,6 +9,7 @@
 #include "jobs/checks/crossing_check.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/result_check.h"
+#include "jobs/face_budget.h"
 #include "jobs/fewest_vertices.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/part_run.h"
@@ -17,6 +18,7 @@
 #include "jobs/parts/part_targets.h"
 #include "jobs/parts/part_unions.h"
 #include "jobs/run_guards.h"
+#include "remesh/schemes/chooser.h"
 
 namespace remesher {
 
@@ -32,6 +34,7 @@ SceneRun begun(const InspectedParts& originals) {
   run.places.resize(run.parts.size());
   run.crossings.resize(run.parts.size());
   run.report.prefer.assign(run.parts.size(), Prefer::Even);
+  run.report.chosen.resize(run.parts.size());
   run.report.input = originals.report();
   run.report.warnings = looseTriangles(run.report.input, originals.parts());
   return run;
@@ -48,6 +51,7 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   run.report.warnings = joined(std::move(run.report.warnings), outcome.warnings);
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
+  run.report.chosen[part] = outcome.chosen;
   run.mirrors += outcome.mirrors;
 }
 
@@ -55,6 +59,8 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
 void passOn(SceneRun& run, std::size_t number, const io::Part& original, const Error& reason) {
   run.parts[number].mesh = original.mesh;
   run.places[number] = ownPlaces(original.mesh);
+  run.report.chosen[number] =
+      inReport(choose(Decision::Part, [](Fact fact) { return fact == Fact::NoArea; }));
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
@@ -159,12 +165,36 @@ SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& w
   return run;
 }
 
+// Remeshes with one number of vertices after the other, until the result has as many faces as the
+// budget allows. Most results meet it at once; later ones show no progress.
+SceneRun remeshInBudget(const InspectedParts& originals, const RemeshOptions& wanted,
+                        const Progress& progress) {
+  if (!wanted.faces) return remeshInspected(originals, wanted, progress);
+  RemeshOptions options = wanted;
+  options.tooFew = TooFew::Raise;
+  FaceSearch search(options, originals.report());
+  std::optional<SceneRun> best;
+  while (!search.isSettled()) {
+    options.vertices = search.vertices();
+    SceneRun run = remeshInspected(originals, options, best ? progress.part(1, 1) : progress);
+    const bool isHeld = run.report.stopped == Stopped::MaxError;
+    if (search.take(*run.report.output)) best = std::move(run);
+    if (isHeld) break;
+  }
+  // Speaks of a number of vertices that nobody has asked for.
+  std::erase_if(best->report.warnings,
+                [](const Warning& w) { return w.code == "QUADS_NUMBER_MISSED"; });
+  return std::move(*best);
+}
+
 // The options of a level of detail: a share of the whole's target, raised to the fewest vertices
 // that the surface needs.
 RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
   options.lods.clear();
   options.tooFew = TooFew::Raise;
-  if (options.vertices)
+  if (options.faces)
+    options.faces = Index(std::max(1.0, std::floor(share * double(*options.faces))));
+  else if (options.vertices)
     options.vertices = Index(std::max(1LL, std::llround(share * double(*options.vertices))));
   else if (options.edgeLength)
     *options.edgeLength /= std::sqrt(share);
@@ -182,7 +212,7 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
     PhaseClock clock;
     const double begin = double(runs.size()) / count;
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-    runs.push_back(remeshInspected(originals, optionsOfLevel(options, share), part));
+    runs.push_back(remeshInBudget(originals, optionsOfLevel(options, share), part));
     runs.back().report = timed(std::move(runs.back().report), clock);
   }
   return runs;
@@ -193,8 +223,7 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
 SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                      const Progress& progress) {
   progress.phase("inspect", 0, 0);
-  return withinMemory(
-      [&] { return remeshInspected(InspectedParts(originals), options, progress); });
+  return withinMemory([&] { return remeshInBudget(InspectedParts(originals), options, progress); });
 }
 
 std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
@@ -203,7 +232,7 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
   return withinMemory([&] {
     const InspectedParts inspected(originals);
     const double share = 1 / double(1 + options.lods.size());
-    std::vector<SceneRun> runs = {remeshInspected(inspected, options, progress.part(0, share))};
+    std::vector<SceneRun> runs = {remeshInBudget(inspected, options, progress.part(0, share))};
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
     for (SceneRun& run : remeshCoarser(inspected, optionsOfLevels(options, runs.front().report),

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/fires.h"
+
 namespace remesher {
 
 namespace {
@@ -85,6 +87,7 @@ class Proof {
         pending_.pop_back();
         prove(next);
       }
+      if (!pending_.empty()) fires("proof of a distance: most pieces");
     }
     return squaredMaximum_;
   }

@@ -96,9 +96,7 @@ class HalfedgeMesh {
   int valence(Vertex v) const;  // number of neighbours
   // Whether the valence exceeds `than` (2 or more). Stops counting there.
   bool hasMoreNeighbors(Vertex v, int than) const;
-  // A look around a vertex costs as much as it has neighbors: no operator makes one with more. With
-  // 64 angles of a cylinder of 300 sides at 7 neighboring counts are .4° smaller; with 256 all of
-  // 42 results of cylinders and disks are the same.
+  // A look around a vertex costs as much as it has neighbors: no operator makes one with more.
   static constexpr int kMostNeighbors = 128;
   bool isHub(Vertex v) const { return hasMoreNeighbors(v, kMostNeighbors); }
   Halfedge find(Vertex from, Vertex to) const;  // the halfedge from → to, or none

@@ -13,9 +13,6 @@ namespace remesher {
 
 class Hubs {
  public:
-  // Without hubs a disk of 20,000 spokes at 5 neighboring counts comes out 5.3 % away, not 1.0 %,
-  // and quads on caps of 3000 spokes have 48 irregular vertices, not 8. With 300, 11 of 15 results
-  // are the same.
   static constexpr std::size_t kFewestSpokes = 1000;
 
   explicit Hubs(const HalfedgeMesh& mesh, std::size_t fewestSpokes = kFewestSpokes);

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/fires.h"
 #include "base/place.h"
 #include "mesh/welding.h"
 
@@ -25,8 +26,7 @@ constexpr std::array kPercents = {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 // Numbers of finer cells would not be exact.
 constexpr double kMostCells = 0x1p50;
 
-// The median of the largest coordinates of some 4096 corners, so that a stray vertex does not
-// count. It is the same whether triangles share vertices or, as in STL, have their own.
+// It is the same whether triangles share vertices or, as in STL, have their own.
 double sizeOf(const TriangleMesh& mesh) {
   std::vector<double> sizes;
   const std::size_t step = std::max<std::size_t>(1, mesh.indices.size() / 4096);
@@ -157,7 +157,10 @@ void joinNear(TriangleMesh& mesh, double distance, std::span<const char> isMovab
   if (mesh.indices.empty() || !(distance > 0)) return;
   const Extents box = extentsOf(mesh);
   const double largest = (box.high - box.low).maxCoeff();
-  if (!std::isfinite(largest) || largest / distance > kMostCells) return;
+  if (!std::isfinite(largest) || largest / distance > kMostCells) {
+    fires("joining: distance too small for the extent");
+    return;
+  }
   NearPlaces places(mesh.positions, distance, box.low);
   std::vector<Index> first;
   for (Index v = 0; v < mesh.positions.size(); ++v)

@@ -5,23 +5,20 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/fires.h"
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
 #include "mesh/used_vertices.h"
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
+#include "repair/ladder.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
 
 namespace remesher {
 
 namespace {
-
-// A surface with more of its area in sheets than this is not repaired exactly.
-constexpr double kMostSheets = 0.3;
-// Rounding may leave this share of the self-intersections that there were.
-constexpr double kMostCrossingsLeft = 0.05;
 
 double areaOf(const TriangleMesh& mesh, std::size_t triangles) {
   double sum = 0;
@@ -127,9 +124,15 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   const Selected bodies = selected(repair.mesh, isOpen, 0),
                  sheets = selected(repair.mesh, isOpen, 1);
   std::optional<United> outside = united(bodies.mesh);
-  if (!outside || countUnbalancedEdges(outside->mesh) > 0) return false;
-  if (double(outside->crossings.size()) > kMostCrossingsLeft * double(diagnosis.crossings.size()))
+  if (!outside || countUnbalancedEdges(outside->mesh) > 0) {
+    fires("exact repair: the union is not closed");
     return false;
+  }
+  if (double(outside->crossings.size()) >
+      ladder::kMostCrossingsLeft * double(diagnosis.crossings.size())) {
+    fires("exact repair: the union intersects itself");
+    return false;
+  }
   repair.way = ExactRepair::Way::United;
   std::vector<char> isUsed(repair.mesh.triangleCount(), 0), isWall(isUsed);
   for (const Index t : trianglesOf(diagnosis, isCavity)) isWall[t] = 1;
@@ -199,13 +202,19 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Exac
   if (diagnosis.unbalanced > 0) weldOpenVertices(result.mesh);
   if (diagnosis.unbalanced > 0 || hasLines) {
     stitchOpenEdges(result.mesh);
-    if (result.mesh.indices.empty()) return std::nullopt;
+    if (result.mesh.indices.empty()) {
+      fires("exact repair: no triangle has an area");
+      return std::nullopt;
+    }
     result.way = ExactRepair::Way::Closed;
     if (countUnbalancedEdges(result.mesh) > 0) result = withLoopsClosed(result.mesh, rule.loops);
     if (rule.bodies) makeBodies(result, *rule.bodies);
     diagnosis = diagnose(result.mesh);
   }
-  if (!result.sheetsAt.empty() && openShare(diagnosis) > kMostSheets) return std::nullopt;
+  if (!result.sheetsAt.empty() && openShare(diagnosis) > ladder::kMostSheets) {
+    fires("exact repair: too much is open");
+    return std::nullopt;
+  }
   faceOutwards(result, diagnosis);
   const bool hasShells = !cornersOf(diagnosis, isShell).empty();
   result.crossings = diagnosis.crossings;

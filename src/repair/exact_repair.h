@@ -9,15 +9,10 @@
 
 #include "base/triangle_mesh.h"
 #include "repair/holes/close_holes.h"
+#include "repair/ladder.h"
 #include "repair/sheet_bodies.h"
 
 namespace remesher {
-
-// An open piece whose disks would have a larger share of its area than this encloses nothing: half
-// a sphere has 1/2, a flat card 1.
-inline constexpr double kMostDisk = 0.6;
-// The same where sheets become bodies: a bowl is one then, and a small hole is still closed.
-inline constexpr double kMostDiskOfBody = 0.05;
 
 struct ExactRepair {
   enum class Way {
@@ -43,7 +38,7 @@ struct ExactRepair {
 };
 
 struct ExactRule {
-  LoopRule loops = {kInfinity, kMostDisk};
+  LoopRule loops = {kInfinity, ladder::kMostDisk};
   std::optional<BodyRule> bodies = {};  // that are made of what stays open
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/fires.h"
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_meeting.h"
@@ -19,6 +20,7 @@
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
 #include "repair/holes/turn_over.h"
+#include "repair/ladder.h"
 #include "repair/solid/solid.h"
 #include "repair/stitch.h"
 
@@ -72,7 +74,7 @@ bool makesBodies(const RemeshOptions& options) { return options.thickness || opt
 LoopRule loopRule(const TriangleMesh& input, const RemeshOptions& options, double mostDisk) {
   LoopRule rule;
   if (options.holesUpTo) rule.longest = *options.holesUpTo / 100 * diagonalOf(input);
-  rule.mostDisk = makesBodies(options) ? std::min(mostDisk, kMostDiskOfBody) : mostDisk;
+  rule.mostDisk = makesBodies(options) ? std::min(mostDisk, ladder::kMostDiskOfBody) : mostDisk;
   rule.keepsRims = options.keepRims;
   rule.isForBodies = makesBodies(options);
   return rule;
@@ -93,8 +95,7 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
   else
     warn(result,
          {"SHEETS_THICKENED",
-          "Sheets, which enclose nothing, were made thin solids behind what is seen of them.",
-          count});
+          "Sheets, which enclose nothing, became thin solids behind their visible side.", count});
 }
 
 // The report and the warnings of the exact steps.
@@ -189,7 +190,10 @@ RepairedMesh wrapped(const TriangleMesh& input, const RemeshOptions& options) {
 
 // A surface that encloses nothing is wrapped instead.
 RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOptions& options) {
-  if (solid.mesh.indices.empty()) return wrapped(input, options);
+  if (solid.mesh.indices.empty()) {
+    fires("repair: nothing is enclosed, so wrapped");
+    return wrapped(input, options);
+  }
   return asRepaired(std::move(solid), input, ruleFor(input, options, InsideBy::Enclosure));
 }
 
@@ -197,21 +201,20 @@ RepairedMesh solidified(Solid solid, const TriangleMesh& input, const RemeshOpti
 // and hardly any visible surface is lost. Assemblies of bodies, also inside out, have 0 % unsure
 // and below 1 % lost; an open sheet has 80 % and 56 %.
 bool isClear(const Enclosure& enclosure) {
-  constexpr double kMostUnsure = 0.1, kMostLost = 3;
-  return enclosure.unsure < kMostUnsure && enclosure.lost < kMostLost && enclosure.isAny;
+  return enclosure.unsure < ladder::kMostUnsure && enclosure.lost < ladder::kMostLost &&
+         enclosure.isAny;
 }
 
 // Whether hardly anything but sheets is there, such as cards or a terrain: open pieces that are
 // seen from both sides. Triangles that share no edges, or most of which intersect others, are none.
 bool isOfSheets(const TriangleMesh& input, const RemeshOptions& options) {
-  constexpr double kNearlyAll = 0.9, kMostCrossed = 0.5;
   const Diagnosis diagnosis = diagnose(input);
   const double crossed = double(diagnosis.crossings.size());
-  if (isLoose(input) || crossed > kMostCrossed * double(input.triangleCount()) ||
-      openShare(diagnosis) < kNearlyAll)
+  if (isLoose(input) || crossed > ladder::kMostSheetsCrossed * double(input.triangleCount()) ||
+      openShare(diagnosis) < ladder::kNearlyAllSheets)
     return false;
   const SolidRule rule = ruleFor(input, options, InsideBy::Reach);
-  return enclosureOf(input, rule).sheetShare > kNearlyAll;
+  return enclosureOf(input, rule).sheetShare > ladder::kNearlyAllSheets;
 }
 
 RepairedMesh because(const char* reason, RepairedMesh result) {
@@ -241,10 +244,15 @@ const char* reasonOf(const ExactRepair& exact) {
 RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
   std::optional<SolidGround> ground(std::in_place, input,
                                     ruleFor(input, options, InsideBy::Enclosure));
+  fires("repair: lattice, since there is no exact outside");
   if (isClear(ground->enclosure()))
     return because("enclosed", solidified(ground->solid(), input, options));
   ground.reset();  // a wrap takes as much memory again
-  if (isOfSheets(input, options)) return because("sheets", asRepaired(leftAlone(input), "holes"));
+  if (isOfSheets(input, options)) {
+    fires("repair: sheets left as they are");
+    return because("sheets", asRepaired(leftAlone(input), "holes"));
+  }
+  fires("repair: wrapped");
   return because("open", wrapped(input, options));
 }
 
@@ -262,8 +270,8 @@ RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
 }
 
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
-  std::optional<ExactRepair> exact =
-      exactlyRepaired(input, {loopRule(input, options, kMostDisk), bodyRule(input, options)});
+  std::optional<ExactRepair> exact = exactlyRepaired(
+      input, {loopRule(input, options, ladder::kMostDisk), bodyRule(input, options)});
   if (!exact) return withBroken(options, remade(input, options));
   if (!options.cavities) fillCavities(*exact, Filled::Made);
   return because(reasonOf(*exact), asRepaired(std::move(*exact), modeOf(*exact)));

@@ -19,7 +19,7 @@ constexpr Index kLines = 48;          // directions, each both ways
 constexpr double kRaysAtLeast = 2e4;  // points of all triangles together, for each direction
 constexpr Index kMostPoints = 16;     // of a triangle, for each direction
 constexpr Index kMorePoints = 6;      // where a neighbour is seen
-constexpr int kSightRounds = 4;            // of such triangles
+constexpr int kSightRounds = 4;       // of such triangles
 
 // Spread evenly over half a sphere, by the golden angle.
 Vec3 directionOf(Index line) {

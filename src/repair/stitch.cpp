@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "mesh/attribute_mix.h"
@@ -228,7 +229,8 @@ std::vector<Index> stitchOpenEdges(TriangleMesh& mesh) {
   mesh.isQuads = false;
   std::vector<Index> inputs = keepAreas(mesh);
   for (int pass = 0; pass < kMostPasses; ++pass)
-    if (!Stitcher(mesh).pass(inputs)) break;
+    if (!Stitcher(mesh).pass(inputs)) return inputs;
+  fires("stitch: most passes");
   return inputs;
 }
 

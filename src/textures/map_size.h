@@ -9,26 +9,17 @@
 
 namespace remesher {
 
-// Limits of automatically chosen sizes. With 32 and 16 as the smallest, colors from a map of 6
-// texels a side are 3.9 and 12 times as far off; none of 124 results of larger maps differ. Maps of
-// 8192 texels a side would take 2 GB of memory while they are painted.
+// Limits of automatically chosen sizes. Maps of 8192 texels a side would take 2 GB of memory while
+// they are painted.
 inline constexpr Index kSmallest = 64, kLargest = 4096;
-// Approximate share of a square that charts cover. Sizes are powers of 2, so that other values only
-// change which size is next: with .5 and .8 colors of 11 cases at 7 neighboring counts are 1.00 and
-// 1.01 times as far off; with .4, sizes of 6 cases double.
+// Approximate share of a square that charts cover.
 inline constexpr double kUse = 0.6;
-// Per triangle of an original without maps. With 2 the normals of 2 cases at 7 neighboring counts
-// are 1.4 and 1.5 times as far off; with 8 these have the same sizes.
+// Per triangle of an original without maps.
 inline constexpr double kBareTexels = 4;
-// Limit on texels for blending vertex colors: they alone justify no more than a small square. Of
-// random colors at 7 neighboring counts a square of 256 makes the error 3.1 times as large, one of
-// 1024 a third, in 1.8 times the time.
+// Limit on texels for blending vertex colors: they alone justify no more than a small square.
 inline constexpr double kMostForSteps = kUse * 512 * 512;
 // Texels around a chart: one for a filter at the chart's rim, and this share of the size more,
-// because coarser mip levels of larger squares are used as well. With 128 a helmet's charts at 7
-// neighboring counts cover .64 times as much, and colors of its second mip level are 1.1 times as
-// far off. With 512 charts cover 1.2 times as much, but colors of the third level are 1.4 times as
-// far off on a cube with a color for each side.
+// because coarser mip levels of larger squares are used as well.
 inline constexpr Index kPaddingShare = 256;
 
 // A place of a map that the original shows several times, such as a mirrored half, gets texels

@@ -3,6 +3,7 @@
 //   npm run bench -- [--models FOLDER] [--runs N] [--markdown FILE] [case…]    best and rounds
 //   npm run bench -- table1 FOLDER [--markdown FILE]                           the report's Table 1
 //   npm run bench -- ablation --models FOLDER [--without STEP]… [case…]   steps left out
+//   npm run bench -- fires --models FOLDER [FOLDER…]    how often each fallback fires
 //   npm run bench -- bake FOLDER [--markdown FILE]      textures: kept, baked, and meshoptimizer's
 //   npm run bench -- scale [--markdown FILE]                                   a large model
 //   npm run bench -- parts [--models FOLDER] [case…]     machine parts, beside other programs
@@ -19,6 +20,7 @@ import { parseArgs } from 'node:util';
 import { runAblation } from './ablation.js';
 import { runBake } from './bake.js';
 import { runCases } from './cases.js';
+import { runFires } from './fires.js';
 import { runPage } from './page.js';
 import { runParts } from './parts.js';
 import { runQuads } from './quads.js';
@@ -48,6 +50,7 @@ function run() {
     case 'ablation':
       return runAblation(limits.cases,
         { folder: values.models, names: rest, steps: values.without });
+    case 'fires': return runFires([values.models ?? [], rest].flat());
     case 'table1': return runTable1(limits.table1, rest[0] ?? values.models);
     case 'bake': return runBake(limits.bake, rest[0] ?? values.models);
     case 'scale': return runScale(limits.scale);

@@ -46,7 +46,7 @@ test('a file is remeshed to the exact count; standard output stays empty', () =>
   const { status, stdout, stderr } = run('torus.off', '-o', 'out.off', '--vertices', '700');
   assert.equal(status, 0, stderr);
   assert.equal(stdout, '');
-  assert.match(stderr, /output: 700 vertices, 1400 triangles/);
+  assert.match(stderr, /output: 1400 triangles, 700 vertices/);
   assert.match(read('out.off'), /^OFF\s+700 1400/);
 });
 
@@ -75,9 +75,10 @@ test('--json is the whole report and nothing else on standard output', () => {
   assert.equal(status, 0, stderr);
   assert.equal(stderr, '');
   const report = JSON.parse(stdout);
-  assert.deepEqual(Object.keys(report).sort(), ['fidelity', 'input', 'memory', 'output',
+  assert.deepEqual(Object.keys(report).sort(), ['chosen', 'fidelity', 'input', 'memory', 'output',
     'phases', 'prefer', 'stopped', 'timings', 'version', 'warnings']);
   assert.equal(report.output.vertices, 600);
+  assert.equal(report.chosen.rule, 'rounds');
   assert.ok(report.fidelity.hausdorff > 0 && report.fidelity.hausdorff < 2);
   assert.ok(report.memory.peakBytes > 0);
 });
@@ -85,7 +86,7 @@ test('--json is the whole report and nothing else on standard output', () => {
 test('inspect reports, in words and as JSON, and writes nothing', () => {
   const before = readdirSync(folder).sort();
   assert.match(run('inspect', 'torus.off').stdout,
-    /^input: 1152 vertices, 2304 triangles, 1 component\n/);
+    /^input: 2304 triangles, 1152 vertices, 1 component\n/);
   const report = JSON.parse(run('inspect', 'torus.off', '--json').stdout);
   assert.equal(report.input.eulerCharacteristic, 0);
   assert.equal(report.output, undefined);

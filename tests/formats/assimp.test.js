@@ -52,7 +52,7 @@ const original = (async () => {
 })();
 
 for (const [format, name] of Object.entries({
-  ply: 'text.ply', plyb: 'binary.ply', stl: 'text.stl', stlb: 'binary.stl',
+  ply: 'text.ply', plyb: 'binary.ply', stl: 'text.stl', stlb: 'binary.stl', '3mf': 'package.3mf',
 })) {
   test(`what Assimp writes as ${format} is read right`, async () => {
     const expected = await original;
@@ -65,7 +65,7 @@ for (const [format, name] of Object.entries({
   });
 }
 
-for (const name of ['ours.ply', 'ours.stl']) {
+for (const name of ['ours.ply', 'ours.stl', 'ours.3mf']) {
   test(`Assimp reads our ${name} right`, async () => {
     await write(name);
     const said = assimp('info', name);

@@ -68,7 +68,7 @@ test('a result is what its name says, whatever the input was called', async () =
 
 test('what is no model is called what it is', async () => {
   const pages = { '<!DOCTYPE html><html><title>404</title></html>': /a web page \(HTML\)/,
-    '{"message":"Not Found"}': /JSON/, 'PK\x03\x04 3D/3dmodel.model': /a 3MF file/,
+    '{"message":"Not Found"}': /JSON/, '# vtk DataFile Version 3.0\n': /a VTK file/,
     'Kaydara FBX Binary  ': /an FBX file/, 'ISO-10303-21;\n': /a STEP file/ };
   for (const [text, what] of Object.entries(pages)) {
     for (const name of ['a.obj', 'a.stl', 'a.ply', 'a.off', 'a.glb']) {

@@ -43,6 +43,66 @@ l 1 2
 p 1
 `);
 
+const gmshSquare = bytesOf(`$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 3 "in let"
+$EndPhysicalNames
+$Entities
+0 0 1 1
+1 0 0 0 1 1 0 1 3 0
+1 0 0 0 1 1 1 0 0
+$EndEntities
+$Nodes
+1 5 1 9
+2 1 0 5
+1
+2
+3
+4
+9
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0.5 0.5 1
+$EndNodes
+$Elements
+3 4 1 4
+2 1 3 1
+1 1 2 3 4
+2 1 2 2
+2 1 2 9
+3 2 3 9
+3 1 4 1
+4 1 2 3 9
+$EndElements
+`);
+
+const gridArray = (type, name, values) =>
+  `<DataArray type="${type}" Name="${name}" format="ascii">${values}</DataArray>`;
+const vtuSquare = bytesOf(`<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" byte_order="LittleEndian" header_type="UInt32">
+<UnstructuredGrid><FieldData>${gridArray('String', 'groupNames', '105 110 0')}</FieldData>
+<Piece NumberOfPoints="5" NumberOfCells="4"><Points>
+${gridArray('Float32', 'Points', '0 0 0 1 0 0 1 1 0 0 1 0 .5 .5 1')}</Points><Cells>
+${gridArray('Int32', 'connectivity', '0 1 2 3 0 1 4 0 1 4 2 0 1 3 2')}
+${gridArray('Int32', 'offsets', '4 7 11 15')}${gridArray('UInt8', 'types', '9 5 6 8')}</Cells>
+<CellData>${gridArray('Int32', 'group', '0 0 0 0')}</CellData></Piece>
+</UnstructuredGrid></VTKFile>`);
+
+const packageModel = bytesOf(`<?xml version="1.0"?><model unit="inch"><resources>
+<basematerials id="1"><base name="a &amp; b" displaycolor="#80808010"/></basematerials>
+<object id="2" name="tip" pid="1" pindex="0"><mesh><vertices><vertex x="0" y="0" z="0"/>
+<vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1e-3"/></vertices>
+<triangles><triangle v1="0" v2="2" v3="1" pid="1" p1="0"/><triangle v1="0" v2="1" v3="3"/>
+</triangles></mesh></object><object id="3"><components><component objectid="2"
+transform="0 1 0 -1 0 0 0 0 1 5 0 0"/><component objectid="3"/></components></object></resources>
+<build><item objectid="3"/><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 7"/></build>
+</model>`);
+
 const listedTexcoords = bytesOf(`ply
 format ascii 1.0
 comment TextureFile made.png
@@ -163,6 +223,12 @@ export async function makeCorpora() {
       ...contents(made(scans, 'ply', 'ply in text', 'ply of the other order'))] },
     stl: { length: 4096, words: ['solid', 'facet normal', 'outer loop', 'COLOR=', 'endfacet'],
       inputs: [solids, ...contents(made(scans, 'stl', 'stl in text'))] },
+    msh: { length: 2048, words: ['$Nodes', '$Elements', '$Entities', '$PhysicalNames', '2.2 0 8'],
+      inputs: [gmshSquare] },
+    vtu: { length: 4096, words: ['format="binary"', 'format="appended" offset="0"', 'UInt64',
+      '<AppendedData encoding="raw">_', 'compressor', 'PolyData', 'Polys'], inputs: [vtuSquare] },
+    '3mf': { length: 4096, words: ['<colorgroup id="4">', '<color color="#FF0000"/>', 'p:path=',
+      '<component objectid=', '<![CDATA['], inputs: [packageModel] },
     builder: { length: 4096, words: [], inputs: chosen.map(meshBytes) },
     remesh: { length: 1200, words: [], inputs: chosen.flatMap((shape) => optionBytes.map((bytes) =>
       joined(Uint8Array.from(bytes), meshBytes(shape)))) },

@@ -87,14 +87,18 @@ const flat = (entries) => entries.flatMap((entry) => [entry, ...flat(entry.child
 
 test('the navigation has every paper and every entry by name, and leads somewhere', () => {
   const navigation = packed('navigation');
-  assert.deepEqual(navigation.map(({ text }) => text), ['Guide', 'Recipes', 'Modules', 'Project']);
-  const [guide, recipes, modules, project] = navigation.map(({ children }) =>
+  assert.deepEqual(navigation.map(({ text }) => text),
+    ['Guides', 'Recipes', 'Reference', 'Modules', 'Project']);
+  const [guides, recipes, papersToLookUp, modules, project] = navigation.map(({ children }) =>
     children.map(({ text }) => text));
   const headingOf = (file) => readText(file).match(/^# (.+)$/m)[1];
   const wanted = (files) => files.map(headingOf).sort();
   assert.deepEqual(recipes.sort(), wanted(filesUnder('docs/recipes', /\.md$/)));
-  assert.deepEqual([...guide, ...project].sort(), ['Options', ...wanted([...papers
-    .filter((file) => !/^README|recipes\//.test(file)), 'tests/README.md'])].sort());
+  assert.deepEqual(guides.sort(),
+    wanted(['docs/README.md', ...filesUnder('docs/guides', /\.md$/)]));
+  assert.deepEqual([...papersToLookUp, ...project].sort(), ['Options', ...wanted([...papers
+    .filter((file) => !/^README|docs\/(README|recipes|guides)/.test(file)), 'tests/README.md'])]
+    .sort());
   const { name, exports } = JSON.parse(readText('package.json'));
   assert.deepEqual(modules, Object.keys(exports).filter((path) => exports[path].types)
     .map((path) => join(name, path)));

@@ -10,6 +10,7 @@ import { test } from 'node:test';
 import { optionTable } from 'remesher/options';
 import { parse } from 'yaml';
 
+import { addressOf, withAddress } from '../../bindings/build/addresses.js';
 import { releaseNotes, sectionsOf } from '../../bindings/build/release.js';
 import { filesUnder, readText, root } from '../support/tree.js';
 
@@ -24,10 +25,19 @@ test('the manifest says where the repository is, in one place', () => {
   assert.equal(bugs.url, `${address}/issues`);
   assert.equal(new URL(homepage).protocol, 'https:');
   const { host } = new URL(address);
-  const others = ['README.md', 'CHANGELOG.md', 'SECURITY.md', 'CITATION.cff',
+  const others = ['CHANGELOG.md', 'SECURITY.md', 'CITATION.cff',
     ...filesUnder('.github', /./), ...filesUnder('docs', /\.md$/)]
     .filter((file) => readText(file).includes(`${host}/`));
   if (host.endsWith('.example')) assert.deepEqual(others, []);
+});
+
+test('the README leads to the manifest’s address, and to no other of ours', () => {
+  const readme = readText('README.md');
+  assert.equal(withAddress(readme, addressOf(manifest)), readme, 'npm run addresses writes them');
+  const moved = withAddress(readme, 'https://elsewhere.example/there/');
+  assert.ok(!moved.includes(addressOf(manifest)));
+  assert.equal(withAddress(moved, addressOf(manifest)), readme);
+  assert.throws(() => withAddress('nothing', 'https://a.example/'), /no line \[demo\]/);
 });
 
 /** Of the format's schema, 1.2.0: what a file and a reference may have, and must. */

@@ -15,6 +15,15 @@ import { filesUnder, readText } from '../support/tree.js';
 const ball = torus({ columns: 24, rows: 12 });
 const bytesOf = (text) => new TextEncoder().encode(text);
 
+/** A tetrahedron for Gmsh: its sides, and its inside where asked for. */
+function gmshText({ isSolid = false } = {}) {
+  const elements = ['2 0 1 3 2', '2 0 1 2 4', '2 0 2 3 4', '2 0 3 1 4',
+    ...(isSolid ? ['4 0 1 2 3 4'] : [])];
+  return ['$MeshFormat', '2.2 0 8', '$EndMeshFormat', '$Nodes', 4, '1 0 0 0', '2 1 0 0', '3 0 1 0',
+    '4 0 0 1', '$EndNodes', '$Elements', elements.length,
+    ...elements.map((element, i) => `${i + 1} ${element}`), '$EndElements', ''].join('\n');
+}
+
 /** A GLB with a torus for each size, side by side. */
 function toriOf(sizes) {
   const maker = new GltfMaker();
@@ -193,6 +202,9 @@ const advice = [
     /write a \.glb or \.gltf/, inFile(sheetFile(), mesh({ output: 'a.gltf' }))],
   ['RESOURCE_NOT_GIVEN', inFile(notGiven, mesh()), /was not given/,
     inFile(notGiven, mesh({ resources: { 'paint.png': png(8, 8, () => [9, 9, 9]) } }))],
+  ['ELEMENTS_LEFT_OUT',
+    inFile(bytesOf(gmshText({ isSolid: true })), mesh({ name: 'a.msh', vertices: 4 })),
+    /only surfaces/, inFile(bytesOf(gmshText()), mesh({ name: 'a.msh', vertices: 4 }))],
   ['ANGLES_WORSE', inArrays({ vertices: 5 }), /More vertices help/, inArrays({ vertices: 300 })],
   ['INVALID_MESH', () => {
     const positions = ball.positions.slice();

@@ -44,6 +44,19 @@ test('shape: as many vertices as asked for, nearer than even triangles', async (
   assert.ok(shape.report.output.minAngle.mean < even.report.output.minAngle.mean);
 });
 
+test('the report says by which rule the mesh was taken, and why', async () => {
+  const taken = async (mesh, options) =>
+    (await remesh(mesh, { vertices: 200, worker: false, ...options })).report.chosen;
+  assert.deepEqual(await taken(ring, { prefer: 'shape' }),
+    { rule: 'shape-asked', reason: 'The shape was preferred.' });
+  assert.equal((await taken(ring, { prefer: 'even' })).rule, 'isotropic-asked');
+  assert.equal((await taken(ring, { scheme: 'rounds' })).rule, 'rounds');
+  assert.equal((await taken(ring, { boundary: 'keep' })).rule, 'vertices-placed');
+  assert.match((await taken(ring, { quads: true })).rule, /^quads-mirrored$/);
+  const { rule } = await taken(pleats(), { featureAngle: 'off' });
+  assert.match(rule, /^(isotropic-far|simplified)/);
+});
+
 test('shape: vertices with attributes are those of the original', async () => {
   const { mesh, report } = await remesh(drawn, { vertices: 300, prefer: 'shape', worker: false });
   assert.equal(report.prefer, 'shape');
@@ -98,6 +111,8 @@ test('the report says it for each part where parts differ', async () => {
   const { report } = await remeshScene([{ mesh: ring }, { mesh: pleats() }],
     { ratio: 0.12, featureAngle: 'off', worker: false });
   assert.deepEqual(report.prefer, ['even', 'shape']);
+  const areNear = report.chosen.map(({ rule }) => rule.startsWith('isotropic-near'));
+  assert.deepEqual(areNear, [true, false]);
 });
 
 test('what decides where vertices lie excludes a shape that is preferred', async () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The recipes in docs, each in a folder of its own: the files that it prints are written, its
-// commands are run as they are printed, and what it promises is there.
+// The guides and recipes in docs, each in a folder of its own: the files that it prints are
+// written, its commands are run as they are printed, and what it promises is there.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import {
@@ -28,8 +28,12 @@ const as = async (/** @type {string} */ output) => (await remeshFile(model,
   { name: 'model.off', output, vertices: 700, quality: 'draft' })).bytes;
 const models = Promise.all([as('model.obj'), as('model.glb')]);
 
+/** The pages that are followed, by name. */
+const pages = Object.fromEntries(['docs/guides', 'docs/recipes']
+  .flatMap((place) => filesUnder(place, /\.md$/)).map((file) => [basename(file, '.md'), file]));
+
 /**
- * Does all that a recipe says.
+ * Does all that a page says.
  * @param {string} name @returns {Promise<{ place: string, printed: string }>}
  */
 async function follow(name) {
@@ -40,7 +44,7 @@ async function follow(name) {
   const [obj, glb] = await models;
   writeFileSync(join(place, 'model.obj'), obj);
   writeFileSync(join(place, 'model.glb'), glb);
-  const text = readText(`docs/recipes/${name}.md`);
+  const text = readText(pages[name]);
   for (const [, file, content] of text.matchAll(/`([\w.]+)`:\n\n```\w+\n([\s\S]*?)```/g)) {
     writeFileSync(join(place, file), content);
   }
@@ -61,7 +65,7 @@ async function verticesIn(path) {
   return input.vertices;
 }
 
-/** What each recipe promises. @type {Record<string, () => Promise<void>>} */
+/** What each page promises. @type {Record<string, () => Promise<void>>} */
 const recipes = {
   async node() {
     const { place, printed } = await follow('node');
@@ -104,6 +108,93 @@ const recipes = {
     // Eight to one would be 889, were there no way from one size to the other; none, 500.
     const [above] = printed.match(/^\d+/) ?? [];
     assert.ok(above > 700 && above < 889, printed);
+  },
+  async lighter() {
+    const { place } = await follow('lighter');
+    assert.equal(await verticesIn(join(place, 'lighter.glb')), 350);
+  },
+  async simulation() {
+    const { place, printed } = await follow('simulation');
+    const [angle] = /(?<=smallest angle )\d+/.exec(printed) ?? [];
+    assert.ok(Number(angle) >= 20, printed);
+    assert.match(printed, /closed: true\nat most \d\.\d\d % of the diagonal from the part\n/);
+    assert.ok(await verticesIn(join(place, 'mesh.stl')) > 500);
+  },
+  async generated() {
+    const { place, printed } = await follow('generated');
+    assert.equal(await verticesIn(join(place, 'clean.glb')), 350);
+    const [first, last] = (printed.match(/\d+(?= triangles| *$)/gm) ?? []).map(Number);
+    assert.equal(first, 12800);
+    assert.ok(last < 0.25 * first, printed);
+  },
+  async cdn() {
+    const { place } = await follow('cdn');
+    const elsewhere = await serve(join(root, 'dist'), '', { 'access-control-allow-origin': '*' });
+    const html = readFileSync(join(place, 'index.html'), 'utf8')
+      .replace(/https:\/\/cdn\.jsdelivr\.net\/npm\/remesher\/dist/, elsewhere.url);
+    assert.ok(html.includes(elsewhere.url));
+    writeFileSync(join(place, 'index.html'), html);
+    const { url, close } = await serve(place, `'unsafe-inline' blob: ${elsewhere.url}`);
+    const browser = await startChromium();
+    try {
+      const page = await browser.newPage();
+      await page.goto(url);
+      await page.waitForSelector('p:text("200 vertices, 396 triangles")');
+    } finally {
+      await browser.close();
+      for (const end of [close, elsewhere.close]) end();
+    }
+  },
+  async react() {
+    const { place } = await follow('react');
+    mkdirSync(join(place, 'node_modules/react'), { recursive: true });
+    // As React does it, as far as the recipe goes: an effect runs again when its needs change.
+    writeFileSync(join(place, 'node_modules/react/index.mjs'), `
+      let kept, last, end;
+      export const useState = (first) => [kept ?? first, (value) => { kept = value; }];
+      export function useEffect(effect, needs) {
+        if (last && needs.every((need, i) => need === last[i])) return;
+        end?.();
+        last = needs;
+        end = effect();
+      }`);
+    writeFileSync(join(place, 'node_modules/react/package.json'),
+      '{ "type": "module", "exports": "./index.mjs" }');
+    writeFileSync(join(place, 'program.js'), `
+      import { TorusGeometry } from 'three';
+      import { useRemeshed } from './remeshed.js';
+      const ring = new TorusGeometry(1, 0.4, 20, 40);
+      const counts = [];
+      for (const vertices of [300, 500]) useRemeshed(ring, { vertices });
+      const shown = () => useRemeshed(ring, { vertices: 500 });
+      const isFirst = shown() === ring;
+      while (shown() === ring) await new Promise((resolve) => setTimeout(resolve, 10));
+      console.log(isFirst, shown().index.count / 3);`);
+    const { status, stdout, stderr } = spawnSync(process.execPath, ['program.js'],
+      { cwd: place, encoding: 'utf8', timeout: 60_000 });
+    assert.equal(status, 0, stderr);
+    assert.equal(stdout, 'true 1000\n');
+  },
+  async babylon() {
+    const { place } = await follow('babylon');
+    writeFileSync(join(place, 'program.js'), `
+      import { TorusGeometry } from 'three';
+      import { remeshMesh } from './babylon.js';
+      const { attributes, index } = new TorusGeometry(1, 0.4, 20, 40);
+      const data = new Map(Object.entries(attributes).map(([kind, { array }]) => [kind, array]));
+      let indices = index.array;
+      const report = await remeshMesh({
+        getVerticesData: (kind) => data.get(kind) ?? null, getIndices: () => indices,
+        setVerticesData: (kind, array) => data.set(kind, array),
+        setIndices: (array) => { indices = array; },
+      }, { vertices: 500 });
+      const count = data.get('position').length / 3;
+      console.log(report.output.vertices, data.get('normal').length / count,
+        data.get('uv').length / count, Math.max(...indices) === count - 1);`);
+    const { status, stdout, stderr } = spawnSync(process.execPath, ['program.js'],
+      { cwd: place, encoding: 'utf8', timeout: 60_000 });
+    assert.equal(status, 0, stderr);
+    assert.equal(stdout, '500 3 2 true\n');
   },
   async quads() {
     const { place, printed } = await follow('quads');
@@ -150,13 +241,12 @@ async function visit(built) {
   }
 }
 
-test('every recipe is tried, and listed', () => {
-  const written = filesUnder('docs/recipes', /\.md$/).map((file) => basename(file, '.md'));
-  assert.deepEqual(Object.keys(recipes).sort(), written.sort());
+test('every guide and recipe is tried, and listed', () => {
+  assert.deepEqual(Object.keys(recipes).sort(), Object.keys(pages).sort());
   const list = readText('docs/README.md');
-  assert.deepEqual(written.filter((name) => !list.includes(`(recipes/${name}.md)`)), []);
+  assert.deepEqual(Object.values(pages).filter((file) => !list.includes(`(${file.slice(5)})`)), []);
 });
 
 for (const [name, recipe] of Object.entries(recipes)) {
-  test(`${name}: the recipe does what it says`, { timeout: 240_000 }, recipe);
+  test(`${name}: the page does what it says`, { timeout: 240_000 }, recipe);
 }

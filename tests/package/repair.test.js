@@ -183,7 +183,7 @@ test('an inspection tells what is broken, and what would mend it', async () => {
 test('faults are said in words', async () => {
   const words = reportInWords(await inspect(open, { faults: true }));
   assert.match(words, /faults: 1 open loop, around, of the diagonal: [\d.]+ %/);
-  assert.match(words, /what would mend it: holes.*; it takes about \d+ MB and [\d.]+ s/);
+  assert.match(words, /what would repair it: holes.*; it takes about \d+ MB and [\d.]+ s/);
 });
 
 test('what a repair takes is said before it begins, and too much is refused', async () => {
@@ -279,16 +279,19 @@ test('the report says why a mode was chosen', async () => {
     [open, { repair: 'solid' }, 'solid', 'asked']]) {
     const { report } = await repair(mesh, options);
     assert.deepEqual([report.repair.mode, report.repair.reason], [mode, reason]);
+    const isKept = reason === 'sound' || reason === 'sheets';
+    assert.equal(report.chosen.rule, isKept ? 'kept' : 'repaired');
     assert.match(reportInWords(report), new RegExp(`repair \\(${mode}, \\w+ .*\\)`));
   }
 });
 
 test('options that say nothing to a repair are refused', async () => {
   await rejectsWith(repair(open, { vertices: 100 }), 'INVALID_OPTION', /vertices does not belong/);
-  await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION', /No holes are closed/);
+  await rejectsWith(remesh(open, { holesUpTo: 5 }), 'INVALID_OPTION',
+    /holesUpTo needs repair: 'holes'/);
   await rejectsWith(repair(open, { repair: 'wrap', cavities: true }), 'INVALID_OPTION',
-    /No solid is made/);
-  await rejectsWith(remesh(open, { sheets: 'drop' }), 'INVALID_OPTION', /Nothing is wrapped/);
+    /cavities needs repair: 'solid'/);
+  await rejectsWith(remesh(open, { sheets: 'drop' }), 'INVALID_OPTION', /sheets needs repair/);
   await rejectsWith(
     remesh(open, { repair: 'holes', density: new Float32Array(open.positions.length / 3).fill(1) }),
     'INVALID_OPTION', /density/);

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, describe, test } from 'node:test';
 
-import { defaultOf, optionTable, rangeInWords, repairNames } from 'remesher/options';
+import { defaultOf, inJavaScript, optionTable, rangeInWords, repairNames } from 'remesher/options';
 
 import { Editor } from '../support/editor.js';
 import { readText, root } from '../support/tree.js';
@@ -102,6 +102,11 @@ function placeOf(beginning) {
 /** Words as they are read, however an editor breaks its lines. */
 const flat = (text) => text.replace(/\s+/g, ' ');
 
+/** Calls with all options at once. */
+const whole = Object.entries(takes).map(([name, [first, options]]) =>
+  `${name}(${first}${first && ', '}{ ${Object.entries(options).map((pair) => pair.join(': '))
+    .join(', ')} });`);
+
 const settings = {
   'nodenext, in Node': { module: 'nodenext' },
   'nodenext, in browsers': { module: 'nodenext', customConditions: ['browser'] },
@@ -119,16 +124,22 @@ test('Node and browsers are given the same functions', async () => {
   assert.deepEqual(Object.keys(arrays[0]).filter((name) => !(name in inNode)), []);
 });
 
+/** A folder of a program that uses the package. @param {object} options of the compiler */
+function folderWith(options) {
+  const folder = mkdtempSync(join(tmpdir(), 'remesher-types-'));
+  mkdirSync(join(folder, 'node_modules'));
+  symlinkSync(root, join(folder, 'node_modules/remesher'));
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
+  writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
+    compilerOptions: { strict: true, target: 'es2022', lib: ['es2022', 'dom'], types: [],
+      ...options },
+  }));
+  return folder;
+}
+
 for (const [name, options] of Object.entries(settings)) {
   describe(name, async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'remesher-types-'));
-    mkdirSync(join(folder, 'node_modules'));
-    symlinkSync(root, join(folder, 'node_modules/remesher'));
-    writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
-    writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({
-      compilerOptions: { strict: true, target: 'es2022', lib: ['es2022', 'dom'], types: [],
-        ...options },
-    }));
+    const folder = folderWith(options);
     const file = join(folder, 'program.ts');
     writeFileSync(file, program);
     const editor = await Editor.open(folder);
@@ -155,7 +166,8 @@ for (const [name, options] of Object.entries(settings)) {
       for (const option of optionTable) {
         const shown = flat(await editor.hover(file, placeOf(`${option.name}:`)));
         assert.ok(shown.includes(`RemeshOptions.${option.name}?: `), shown);
-        const expected = [option.help.slice(1), rangeInWords(option).slice(1), option.unit ?? ''];
+        const expected = [inJavaScript(option.help).slice(1), rangeInWords(option).slice(1),
+          option.unit ?? ''];
         for (const words of expected) assert.ok(shown.includes(words), `${words}: ${shown}`);
         for (const choice of option.choices ?? []) assert.ok(shown.includes(`"${choice}"`), shown);
         for (const scheme of ['best', 'rounds']) {
@@ -166,8 +178,8 @@ for (const [name, options] of Object.entries(settings)) {
       }
     });
 
-    test('each option of each function compiles, in a call of its own, and no other', () => {
-      const { status, stdout } = compiled(folder, calls);
+    test('each option of each function compiles, alone and with all others, and no other', () => {
+      const { status, stdout } = compiled(folder, [...calls, ...whole]);
       assert.equal(status, 0, stdout);
       assert.match(compiled(folder, [`repair(${mesh}, { vertices: 9 });`]).stdout,
         /'vertices' does not exist/);

@@ -25,13 +25,23 @@ const ofOptions = [
   ...new Set(inForm.flatMap(({ unit }) => (unit ? [`unit.${unit}`] : []))),
 ];
 
-const coreText = filesUnder('src', /\.(h|cpp)$/).map(readText).join('\n');
+const diagnostics = 'src/base/diagnostics.cpp';
+const coreText = filesUnder('src', /\.(h|cpp)$/).filter((path) => path !== diagnostics)
+  .map(readText).join('\n');
 const found = (pattern) => [...new Set([...coreText.matchAll(pattern)].map(([, name]) => name))];
 
 /** Of what the core says in English: codes of warnings have two words, attributes end in digits. */
-const warnings = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["a-zA-Z]/g)
+const told = found(/"([A-Z]+(?:_[A-Z]+)+)",\s*(?:\n\s*)?["a-zA-Z]/g)
   .filter((code) => !errorCodes.includes(code));
-const ofMessages = [...warnings.map((code) => `warning.${code}`),
+const warnings = [...readText(diagnostics).matchAll(/"([A-Z_]+)", Severity::/g)]
+  .map(([, code]) => code);
+
+/** The reasons of the chooser's rules, but for rows that leave the mesh that is there. */
+const rules = found(/\bRule\{\s*Decision::\w+,\s*"([\w-]+)"/g)
+  .filter((name) => name !== 'as-made');
+
+const ofMessages = [...rules.map((name) => `chosen.${name}`),
+  ...warnings.map((code) => `warning.${code}`),
   ...errorCodes.map((code) => `fault.${code}`)];
 
 /** The names in braces. */
@@ -60,8 +70,12 @@ for (const file of others) {
   });
 }
 
-test('codes are found, and every phase of a run has a name', () => {
-  assert.ok(warnings.includes('NON_MANIFOLD_EDGES_SPLIT') && warnings.includes('PARTS_MERGED'));
+test('the table of diagnostics has the codes of all warnings, sorted, and no others', () => {
+  assert.ok(told.includes('NON_MANIFOLD_EDGES_SPLIT') && told.includes('PARTS_MERGED'));
+  assert.deepEqual(warnings, told.sort());
+});
+
+test('every phase of a run has a name', () => {
   const made = filesUnder('bindings/package/textures', /\.js$/).map(readText).join('\n');
   const phases = [...found(/\bphase\("([^"]+)"/g),
     ...[...made.matchAll(/#tell\('([^']+)'/g)].map(([, name]) => name)];
@@ -88,4 +102,12 @@ test('words are written into the page, and a missing one stops the build', () =>
   assert.equal(withWords('<a data-label="fit"></a>'),
     `<a data-label="fit" aria-label="${en.fit}"></a>`);
   assert.throws(() => withWords('<p data-text="no.such"></p>'), /no\.such/);
+});
+
+test('no text has words that only we understand, in any language and in the help', async () => {
+  const insiders = new RegExp(['Algorithm(?:us|e)? 2', 'θ', 'valen[cz]', 'pass(?:es|ed)? through',
+    'durchdring', 'traversent d’autres', 'Follow the options', 'scraps', '\\bmend'].join('|'), 'i');
+  const texts = [...Object.entries(en), ...(await Promise.all(others.map(textsOf)))
+    .flatMap(Object.entries), ...optionTable.map(({ name, help }) => [name, help])];
+  assert.deepEqual(texts.filter(([, text]) => insiders.test(text)), []);
 });

@@ -41,7 +41,7 @@ test('downloads have the vertices that the report tells of', async () => {
   assert.equal(String(obj.bytes).match(/^v /gm).length, 500);
   const off = await saved(page, 'text="OFF"');
   assert.match(String(off.bytes), /^OFF\s+500 1000 /);
-  const glb = await saved(page, 'text="Download GLB"');
+  const glb = await saved(page, '.takeaway button:text-is("GLB")');
   const jsonLength = glb.bytes.readUInt32LE(12);
   const gltf = JSON.parse(glb.bytes.subarray(20, 20 + jsonLength));
   const { attributes } = gltf.meshes[0].primitives[0];
@@ -120,7 +120,7 @@ test('the space bar shows the original while it is held', async () => {
 
 test('every option of the table is in the form', async () => {
   const { optionTable } = await import('remesher/options');
-  await page.click('form summary');
+  await page.click('.more > summary');
   for (const { name, flag, form } of optionTable) {
     if (!flag || form === false) continue;
     const selector = `#option-${name}, .target option[value=${name}]`;

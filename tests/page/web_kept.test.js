@@ -21,7 +21,8 @@ const damaged = ['', 'x{', 'null', '[]', '{}', '[null]', '{"key":"x"}', '"de"', 
 test('all settings are read in one place', () => {
   assert.deepEqual(sources.filter(([, text]) => /localStorage|sessionStorage/.test(text))
     .map(([file]) => file), ['web/base/memory.js']);
-  assert.deepEqual([...names].sort(), ['keep-files', 'language', 'paint', 'recent', 'single-keys']);
+  assert.deepEqual([...names].sort(), ['expert', 'keep-files', 'language', 'paint', 'recent',
+    'single-keys', 'units', 'welcome']);
 });
 
 test('a value is there again; one that does not fit is forgotten', () => {

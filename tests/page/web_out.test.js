@@ -25,7 +25,7 @@ const button = (name) => `.takeaway button:text-is("${name}")`;
 const { page } = await visit({ hash: '#model=vase&vertices=1000&adaptivity=0.25',
   unseen: true, viewport: size, permissions: ['clipboard-read', 'clipboard-write'] });
 
-for (const format of ['OBJ', 'OFF', 'PLY', 'STL', 'Download GLB', 'glTF (ZIP)']) {
+for (const format of ['OBJ', 'OFF', 'PLY', 'STL', 'GLB', 'glTF (ZIP)']) {
   test(`${format} has the vertices of the report`, async () => {
     const { name, bytes } = await saved(page, button(format));
     await settled(page);
@@ -87,7 +87,7 @@ test('the command line, the program and the link say the same', async () => {
     const limits = { cwd: folder, timeout: 60_000, stdio: ['ignore', 'pipe', 'inherit'] };
     execFileSync(process.execPath, ['run.mjs'], limits);
     const own = readFileSync(join(folder, 'vase-1000.glb'));
-    const { bytes } = await saved(page, button('Download GLB'));
+    const { bytes } = await saved(page, button('GLB'));
     assert.ok(own.equals(bytes), 'the same bytes');
     assert.match(await copied('Link to this page'), /#model=vase&vertices=1000&adaptivity=0.25$/);
   } finally {
@@ -145,7 +145,7 @@ test('painted maps are looked at and saved, one by one', async () => {
 });
 
 test('glTF with painted textures is valid; other formats have the surface', async () => {
-  const glb = await saved(page, button('Download GLB'));
+  const glb = await saved(page, button('GLB'));
   assert.deepEqual(await validate(glb), []);
   const files = Object.entries(unzipSync((await saved(page, button('glTF (ZIP)'))).bytes))
     .map(([name, bytes]) => ({ name, bytes }));

@@ -34,7 +34,7 @@ function noteWork() {
 const { page, complaints } = await visit({ hash: '#model=gear&vertices=1000', unseen: true,
   viewport: { width: 800, height: 480 }, prepare: noteWork });
 
-const labels = { glb: 'Download GLB', gltf: 'glTF (ZIP)', obj: 'OBJ', off: 'OFF', ply: 'PLY',
+const labels = { glb: 'GLB', gltf: 'glTF (ZIP)', obj: 'OBJ', off: 'OFF', ply: 'PLY',
   stl: 'STL' };
 
 /** Saves the shown result in every format. */
@@ -91,12 +91,13 @@ async function compared({ hasQuads = false } = {}) {
 }
 
 /** Opens a file, asks for so many vertices, and waits for the best result. */
-async function open(files, vertices, { preset = null } = {}) {
+async function open(files, vertices, { purpose = null } = {}) {
   const [name] = Object.keys(files);
   await drop(page, files);
   await opened(page, name);
+  if (purpose) await page.click(`#purpose-${purpose}`);
+  await page.selectOption('.target select', 'vertices');
   await page.fill('#target', String(vertices));
-  if (preset) await page.click(`#preset-${preset}`);
   await page.click('form button[type=submit]');
   await page.waitForFunction(() => document.body.dataset.state === 'idle'
     && document.querySelector('.takeaway'));
@@ -123,7 +124,7 @@ function namedObj() {
 
 test('quads of an OBJ are faces of four, with its names and materials', async () => {
   await open({ 'named.obj': namedObj(), 'ring.mtl': 'newmtl red\nKd 1 0 0\nnewmtl blue\n' }, 400,
-    { preset: 'quads' });
+    { purpose: 'quads' });
   const { glb, gltf, obj, off, ply, stl: printed } = await compared({ hasQuads: true });
   const named = (surface) => facesByPlace(surface, { hasMaterials: true });
   assert.deepEqual(named(obj.surface), named(glb.surface), 'the materials are where they are');
@@ -170,7 +171,7 @@ test('a scene keeps its parts where a format has them; the others say what they 
 test('a repaired STL is the same in every format, and named after the repair', async () => {
   const { positions, indices } = torusArrays({ columns: 24, rows: 12 });
   const bytes = stl({ positions, indices: indices.slice(0, -3) });  // with a hole
-  await open({ 'broken scan.stl': bytes }, 300, { preset: 'print' });
+  await open({ 'broken scan.stl': bytes }, 300, { purpose: 'print' });
   const all = await compared();
   const vertices = number((await reportRow(page, 'Vertices'))[1]);
   assert.equal(all.stl.name, `broken scan-repaired-${vertices}.stl`);
@@ -217,14 +218,18 @@ test('an older result that is shown again is the one that is saved', async () =>
 
 test('names tell what was done, and are fit for every file system', () => {
   const nothing = { holes: 0, islands: 0, shells: 0, turned: 0 };
-  const report = (parts) => ({ output: { vertices: 5000 }, ...parts });
+  const report = (parts) => ({ output: { vertices: 5000 }, fidelity: {}, ...parts });
   assert.equal(nameFor('horse.obj', report({}), 'glb'), 'horse-5000.glb');
   assert.equal(nameFor('a.b.stl', report({}), 'stl'), 'a.b-5000.stl');
   assert.equal(nameFor('cad.stl', report({ repair: { mode: 'solid', ...nothing } }), 'stl'),
     'cad-repaired-5000.stl');
   assert.equal(nameFor('cad.stl', report({ repair: { mode: 'holes', ...nothing } }), 'stl'),
     'cad-5000.stl', 'nothing was repaired');
-  assert.equal(nameFor('x.glb', { output: { vertices: 9, quads: {} } }, 'png', 'normals'),
+  assert.equal(nameFor('x.glb', report({ output: { vertices: 9, quads: {} } }), 'png', 'normals'),
     'x-quads-9-normals.png');
+  const only = (parts) => ({ output: { vertices: 12 }, repair: { mode: 'solid', ...nothing,
+    ...parts } });
+  assert.equal(nameFor('cadsoup.stl', only({ reason: 'united' }), 'stl'), 'cadsoup-repaired.stl');
+  assert.equal(nameFor('box.stl', only({ reason: 'sound' }), 'stl'), 'box-unchanged.stl');
   assert.equal(nameFor('a/b\\c:d\n.obj', report({}), 'obj'), 'a_b_c_d_-5000.obj');
 });

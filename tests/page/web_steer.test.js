@@ -6,6 +6,8 @@ import { before, test } from 'node:test';
 
 import { drop, opened, reportRow, settled, visit } from '../support/browser_page.js';
 import { ownChoices, presets, withPreset } from '../../web/model/presets.js';
+import { dialOf, firstDial, purposes, valuesFor } from '../../web/model/purposes.js';
+import { roundLength, scaleOf } from '../../web/model/units.js';
 import { plate } from '../support/machine_parts.js';
 import { objText, torus } from '../support/shape_files.js';
 import { offText } from '../support/shapes.js';
@@ -63,26 +65,34 @@ test('nothing follows when that is not wanted', async () => {
 });
 
 test('a purpose sets options for all to see', async () => {
-  await page.click('#preset-print');
-  assert.equal(await value('#option-maxError'), '0.2');
+  await page.click('#purpose-print');
+  assert.equal(await page.isVisible('#dial'), false, 'repair has no number');
+  await settled(page);
+  await page.click('#work-remesh');
+  assert.equal(await value('#dial'), '0.01');  // of a torus whose diagonal is 8.1
+  assert.equal(await value('#option-maxError'), '0.1238');
   assert.equal(await value('#option-adaptivity'), '0.7');
-  assert.equal(await value('#target'), '400');
-  assert.equal(await page.textContent('#asked'), 'Adaptivity 0.7 · Max error 0.2 · Repair auto');
+  assert.equal(await value('#target'), '');
+  assert.equal(await page.textContent('#asked'),
+    'Printable · Adaptivity 0.7 · Max error 0.1238 · Repair auto');
   assert.equal(await page.locator('.field.set').count(), 3);
-  await page.waitForFunction(() => location.hash.includes('maxError=0.2'));
+  await page.waitForFunction(() => location.hash.includes('maxError=0.1238'));
   await settled(page);
 });
 
 test('steps are undone and done again, by button and by key', async () => {
   await page.click('#undo');
+  assert.equal(await page.textContent('#asked'), 'Repair only');
+  await page.click('#undo');
   assert.equal(await page.textContent('#asked'), '');
   assert.equal(await value('#option-maxError'), '');
   await page.focus('#canvas');
   await page.keyboard.press('Control+Shift+Z');
-  assert.equal(await value('#option-maxError'), '0.2');
+  await page.keyboard.press('Control+Shift+Z');
+  assert.equal(await value('#option-maxError'), '0.1238');
+  assert.equal(await page.getAttribute('#purpose-print', 'aria-pressed'), 'true');
   assert.equal(await page.isDisabled('#redo'), true);
-  await page.keyboard.press('Control+z');
-  await page.keyboard.press('Control+z');
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press('Control+z');
   assert.equal(await value('#target'), '2900');
   await settled(page);
   await best('2,900');
@@ -130,31 +140,42 @@ test('a new model begins anew', async () => {
   assert.deepEqual(complaints, []);
 });
 
-test('a purpose does not depend on the purposes before it', () => {
+test('a preset keeps the visitor’s own target, and not that of a purpose', () => {
   const choices = [{ vertices: 500 }, { ratio: 0.5 }, { edgeLength: 2, textures: 'keep' },
     { vertices: 70, textures: 'bake', textureSize: 64 }];
-  const pairs = presets.flatMap((first) => presets.map((second) => [first, second]));
-  for (const [first, second] of pairs) {
+  const subject = { triangles: 996, diagonal: 3, unit: 1, isBaked: true, isPaintable: true };
+  for (const preset of presets) {
     for (const own of choices) {
-      for (const isTextured of [false, true]) {
-        const between = withPreset(first, own, isTextured);
-        assert.deepEqual(withPreset(second, ownChoices(between, own), isTextured),
-          withPreset(second, own, isTextured), `${second.id} after ${first.id}`);
+      assert.deepEqual(withPreset(preset, own), { ...own, ...preset.values });
+      for (const purpose of purposes) {
+        const values = valuesFor(purpose, firstDial(purpose, subject), subject);
+        assert.deepEqual(ownChoices(values, own), own, purpose);
       }
     }
   }
 });
 
-test('low poly prefers shape, and paints anew what has textures', async () => {
-  const lowPoly = presets.find(({ id }) => id === 'lowPoly');
-  const asked = { vertices: 500, textures: 'keep' };
-  assert.deepEqual(withPreset(lowPoly, asked, true),
-    { ratio: 0.1, textures: 'bake', prefer: 'shape' });
-  assert.deepEqual(withPreset(lowPoly, {}, false), { ratio: 0.1, prefer: 'shape' });
-  await page.click('#preset-lowPoly');
-  assert.equal(await value('#option-prefer'), 'shape');
-  await best('13');
-  assert.match(await page.textContent('#result'), /vertices of the original/);
+test('the number of a purpose is what it was set to, in the visitor’s unit', () => {
+  const subject = { triangles: 9996, diagonal: 0.094, unit: 0.001,
+    isBaked: false, isPaintable: true };
+  for (const purpose of purposes) {
+    for (const dial of [firstDial(purpose, subject), 300]) {
+      const values = valuesFor(purpose, dial, subject, { isRepairOnly: false });
+      assert.ok(Math.abs(dialOf(values, subject) / dial - 1) < 0.01, `${purpose} ${dial}`);
+    }
+  }
+  assert.equal(firstDial('print', subject), 0.1);  // millimetres, of 94
+  assert.equal(firstDial('simulation', subject), 1);
+  assert.equal(firstDial('asset', subject), 2000);
+  assert.equal(firstDial('asset', { ...subject, triangles: 3e6 }), 20_000);
+  assert.equal(firstDial('asset', { ...subject, triangles: 12 }), 12);
+  assert.deepEqual(valuesFor('print', 0.1, subject),
+    { purpose: 'print', work: 'repair', repair: 'auto' });
+  assert.equal(valuesFor('asset', 100, { ...subject, isBaked: true }).textures, 'bake');
+  assert.deepEqual([0.0013, 0.9, 34, 8].map(roundLength), [0.001, 1, 50, 10]);
+  assert.deepEqual(scaleOf(null, 0.1), { name: 'mm', size: 0.001 });
+  assert.deepEqual(scaleOf(null, 40), { name: 'm', size: 1 });
+  assert.deepEqual(scaleOf('in', 40), { name: 'in', size: 1 });
 });
 
 test('a model too coarse for even triangles opens with twice as many, in one step', async () => {
@@ -194,7 +215,7 @@ test('where shape was lost is said, and shown', async () => {
 test('the field shows on a draft of quads while a slider moves, and goes with it', async () => {
   await drop(page, { 'ring.obj': objText(torus(24, 12)) });
   await opened(page, 'ring.obj');
-  await page.click('#preset-quads');
+  await page.click('#purpose-quads');
   await settled(page);
   await page.evaluate(() => {
     globalThis.drawn = [];
@@ -203,7 +224,7 @@ test('the field shows on a draft of quads while a slider moves, and goes with it
       document.getElementById('right-name').textContent]))
       .observe(canvas, { attributes: true, attributeFilter: ['data-calls'] });
   });
-  await page.focus('#target-slider');
+  await page.focus('#dial-slider');
   await page.keyboard.press('ArrowLeft');
   await page.waitForFunction(() => document.getElementById('right-name').textContent === 'Draft');
   await page.waitForFunction(() => document.body.dataset.state === 'idle'
@@ -218,17 +239,22 @@ test('the field shows on a draft of quads while a slider moves, and goes with it
 test('options of a purpose stay with neither the next purpose nor the next model', async () => {
   await page.fill('#target', '150');
   await page.dispatchEvent('#target', 'change');
-  await page.click('#preset-lowPoly');
-  assert.equal(await value('.target select'), 'ratio');
+  await settled(page);
+  await page.locator('button', { hasText: 'Back to the defaults' }).dispatchEvent('click');
+  await page.fill('#target', '150');
+  await page.dispatchEvent('#target', 'change');
+  await page.click('#purpose-asset');
+  assert.equal(await value('#option-prefer'), 'shape');
   await page.click('#preset-even');
   assert.deepEqual([await value('.target select'), await value('#target')], ['vertices', '150']);
   assert.equal(await page.textContent('#asked'), 'Adaptivity 0');
-  for (const preset of ['lowPoly', 'print', 'quads']) {
-    await page.click(`#preset-${preset}`);
+  for (const purpose of ['asset', 'print', 'quads']) {
+    await page.click(`#purpose-${purpose}`);
     await settled(page);
-    await drop(page, { [`after ${preset}.obj`]: objText(torus(24, 12)) });
-    await opened(page, `after ${preset}.obj`);
+    await drop(page, { [`after ${purpose}.obj`]: objText(torus(24, 12)) });
+    await opened(page, `after ${purpose}.obj`);
     assert.equal(await page.textContent('#asked'), '');
+    assert.equal(await page.locator('.door[aria-pressed=true]').count(), 0);
     assert.deepEqual([await value('.target select'), await value('#target')],
       ['vertices', '288']);
     assert.match(await page.evaluate(() => location.hash), /^#vertices=288$/);

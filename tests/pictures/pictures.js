@@ -16,9 +16,9 @@ const folder = join(root, 'build/pictures');
 /** @param {Awaited<ReturnType<typeof startSite>>} site @param {string} name
  * @param {{ size: number[], colorScheme: string }} how */
 async function take(site, name, { size: [width, height], colorScheme }) {
-  const { hash, enter } = states[name];
+  const { hash, enter, isFirst } = states[name];
   const { page } = await openPage(site,
-    { hash, viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
+    { hash, isFirst, viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
   await settled(page);
   await enter?.(page);
   await page.evaluate(() => Promise.all([...document.images].map((image) => image.decode())));

@@ -8,10 +8,22 @@ const measured = (page) => page.waitForSelector('#distances:not([hidden])',
   { state: 'attached' });
 const click = (page, selector) => page.locator(selector).dispatchEvent('click');
 
-/** hash: the address; enter: what is done there.
- * @type {Record<string, { hash: string, enter?: (page: any) => Promise<unknown> }>} */
+/** Chooses a purpose, and waits for its result. */
+async function choose(page, purpose) {
+  await click(page, `#purpose-${purpose}`);
+  await page.waitForFunction(() => document.body.dataset.state === 'idle'
+    && !document.getElementById('download').disabled);
+}
+
+/** isFirst: a first visit; hash: the address; enter: what is done there.
+ * @type {Record<string, { hash: string, isFirst?: boolean,
+ *   enter?: (page: any) => Promise<unknown> }>} */
 export const states = {
-  arrival: { hash: '#model=bunny' },
+  arrival: { hash: '', isFirst: true },
+  lighter: { hash: '#model=vase', isFirst: true, enter: (page) => choose(page, 'asset') },
+  printable: { hash: '#model=scan', isFirst: true, enter: (page) => choose(page, 'print') },
+  simulation: { hash: '#model=gear', isFirst: true, enter: (page) => choose(page, 'simulation') },
+  quads: { hash: '#model=bunny', isFirst: true, enter: (page) => choose(page, 'quads') },
   mechanical: { hash: '#model=gear', enter: (page) => click(page, '#features') },
   scan: { hash: '#model=scan', enter: (page) => click(page, '#landmark-boundary') },
   textured: { hash: '#model=vase' },

@@ -50,6 +50,10 @@ export const askewBoxes = () => together([
   box([-0.2, 0.5, 0.1], [2, 0.2, 0.2], -0.5),
 ]);
 
+/** A box that stands in the top of a larger one. */
+export const overlappingBoxes = () => together([
+  box([0, 0, 0], [1, 1, 1]), box([0, 0, 0.5], [0.5, 0.5, 0.5])]);
+
 /** Boxes, each inside the next larger one. */
 export const nestedBoxes = (count = 5) => together(Array.from({ length: count }, (_, i) =>
   box([0.01 * i, 0, 0], [1 - 0.15 * i, 1 - 0.15 * i, 1 - 0.15 * i])));

@@ -62,11 +62,22 @@ function tellReading() {
   };
 }
 
+/** Runs in a page: the visitor has been here, and the part for experts is open. */
+function comeAgain() {
+  try {
+    localStorage.setItem('remesher.welcome', 'seen');
+    localStorage.setItem('remesher.expert', 'open');
+  } catch {
+    // A page without an address of its own keeps nothing.
+  }
+}
+
 /** A page with its complaints: console errors and warnings, thrown errors and failed requests.
  * `wasm`: served instead of the package's own. `unseen`: nothing is drawn, because drawing takes a
- * fourth of the time. `isKept`: whether the page is kept for use without network. */
-export async function openPage(site,
-  { hash = '', prepare = () => {}, wasm, unseen = false, isKept = true, ...options } = {}) {
+ * fourth of the time. `isKept`: whether the page is kept for use without network. `isFirst`: a
+ * first visit, with hints; the part for experts is closed. */
+export async function openPage(site, { hash = '', prepare = () => {}, wasm, unseen = false,
+  isKept = true, isFirst = false, ...options } = {}) {
   const page = await site.browser.newPage({
     viewport: { width: 1200, height: 760 }, deviceScaleFactor: unseen ? 0.5 : 1, locale: 'en-US',
     ...options });
@@ -81,6 +92,7 @@ export async function openPage(site,
   page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()}`));
   await page.addInitScript(prepare);
   await page.addInitScript(tellReading);
+  if (!isFirst) await page.addInitScript(comeAgain);
   if (unseen) await page.addInitScript(drawNothing);
   if (!isKept) await page.addInitScript(keepNothing);
   if (wasm) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Serves a folder under the content security policy that the README describes, and returns the line
-// that a page's program there prints.
+// Serves a folder under the content security policy that docs/javascript.md describes, and returns
+// the line that a page's program there prints.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -12,14 +12,15 @@ const types = {
 
 const policy = "script-src 'self' 'wasm-unsafe-eval'";
 
-/** @param {string} folder @param {string} [allowed] more sources for the policy's scripts */
-export async function serve(folder, allowed = '') {
+/** @param {string} folder @param {string} [allowed] more sources for the policy's scripts
+ * @param {Record<string, string>} [more] headers */
+export async function serve(folder, allowed = '', more = {}) {
   const scripts = `${policy} ${allowed}`;
   const server = createServer(async ({ url }, response) => {
     const { pathname } = new URL(url === '/' ? '/index.html' : url, 'http://localhost');
     const bytes = await readFile(join(folder, normalize(decodeURIComponent(pathname))))
       .catch(() => {});
-    response.writeHead(bytes ? 200 : 404, { 'content-security-policy': scripts,
+    response.writeHead(bytes ? 200 : 404, { ...more, 'content-security-policy': scripts,
       'content-type': types[extname(pathname)] ?? 'text/plain' });
     response.end(bytes ?? 'not found');
   });

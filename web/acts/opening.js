@@ -13,6 +13,7 @@ import { download } from '../panel/downloads.js';
 import { fillMenu, showInMenu } from '../panel/intake.js';
 import { announce, isAbort, showNews, showProgress } from '../panel/messages.js';
 import { modelFacts } from '../report/report_view.js';
+import { showSize } from './measures.js';
 import { clearResult, remesh, remeshToTwice, showReport } from './running.js';
 
 /** @typedef {import('./page.js').Page} Page */
@@ -35,19 +36,26 @@ export function showFacts({ session: { model, inspection, source } }) {
   if (sample) origin.textContent = t(`origin.${sample.id}`);
 }
 
+/** The same in another language. @param {Page} page */
+export function retellFacts(page) {
+  showFacts(page);
+  showSize(page, () => showReport(page));
+}
+
 /** Shows the file itself if the viewer can read it, because a conversion may lose something.
  * @param {Page} page */
-async function showOriginal({ session, stage, surveying, painting, panel }) {
+async function showOriginal(page) {
+  const { session, stage, surveying, painting } = page;
   try {
     await stage.show('original', await session.originalAsGltf('direct'));
   } catch (error) {
     if (isAbort(error)) throw error;
     await stage.show('original', await session.originalAsGltf('converted'));
   }
+  await surveying.measureExtent();
+  showSize(page, () => showReport(page));
   await surveying.shown('original');
   painting.begin();
-  const isTextured = stage.viewer?.isTextured ?? true;
-  panel.setPaintable({ isPaintable: session.isGltf || isTextured, isTextured });
 }
 
 /** A model begins with the defaults and what an address asked for: no option of the model before
@@ -65,8 +73,9 @@ async function remeshAtFirst(page, { wished, onForm }) {
   const { shown, inspection } = page.session;
   const own = inspection?.input.vertices ?? Infinity;
   const { vertices, prefer } = shown?.values ?? {};
-  const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape';
-  if (!isFree || own > largestTwice || !shown?.report.prefer.includes('shape')) return;
+  const isFree = !('vertices' in wished) && vertices === own && prefer !== 'shape'
+    && !wished.purpose;
+  if (!isFree || own > largestTwice || !shown?.report.prefer?.includes('shape')) return;
   await remeshToTwice(page, onForm);
 }
 

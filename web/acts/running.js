@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Starts a run and shows its result, with the report, the history and the ways to save.
+import { targetNames } from 'remesher/options';
 import { byId } from '../base/dom.js';
 import { count, degrees } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { writeAddress } from '../model/address.js';
 import { distanceView } from '../report/distance_view.js';
 import { historyView, resultName } from '../report/history_view.js';
-import { landmarkOf, placeIn } from '../report/landmarks.js';
+import { landmarkOf } from '../report/landmarks.js';
 import { mapsView } from '../report/maps_view.js';
 import { announce } from '../panel/messages.js';
+import { openExpert } from '../panel/expert.js';
+import { isRepairOnly } from '../model/purposes.js';
 import { keepsShape, reportView } from '../report/report_view.js';
 import { takeawayView } from '../report/takeaway.js';
-import { savingActs } from './saving.js';
+import { verdictView } from '../report/verdict.js';
+import { scaleIn } from './measures.js';
+import { downloadFormat, downloadLabel, savingActs } from './saving.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../model/result.js').Result} Result */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
+
+/** Percent of the diagonal that nobody sees: the bound that is offered where shape was lost. */
+const within = 0.2;
+const noTarget = Object.fromEntries(targetNames.map((name) => [name, '']));
 
 /** Writes both sides' names, and the report on the right side, in the current language.
  * @param {Page} page */
@@ -40,7 +49,48 @@ export function showReport(page) {
     ...(shown.number ? homeViews(page, shown) : []),
     ...(history ? [history] : []));
   byId('result', HTMLElement).hidden = false;
+  showVerdict(page);
   showDistances(page);
+}
+
+/** The largest distance of the shown result from the original, in model units, if known.
+ * @param {Page} page @param {Result} shown */
+function largestOf({ surveying }, { report: { fidelity } }) {
+  if (fidelity) return fidelity.hausdorff / 100 * surveying.diagonal;
+  return surveying.distances?.largest ?? null;
+}
+
+/** The verdict on the shown result, and the button that saves it. @param {Page} page */
+function showVerdict(page) {
+  const { session, surveying, panel } = page;
+  const { shown, model } = session;
+  if (!shown || !model) return;
+  const format = downloadFormat(model.name);
+  const size = shown.sizeIn(format);
+  const { triangles, quads } = shown.report.output;
+  byId('verdict', HTMLElement).replaceChildren(verdictView({ report: shown.report,
+    values: shown.values, scale: scaleIn(page), diagonal: surveying.diagonal,
+    largest: largestOf(page, shown), format, size, original: model.bytes.length }, {
+    onLargest: () => surveying.visitLargest(),
+    onPlace: (place) => surveying.visitPlace(place),
+    onThicken: () => panel.runWith({ repair: 'wrap' }),
+    onWithin: () => panel.runWith({ ...noTarget, maxError: within }),
+    onMore: () => panel.runWith({ ...noTarget,
+      faces: 2 * (quads?.count ?? triangles) }),
+    onNotes: () => openExpert('#result'),
+  }));
+  byId('verdict', HTMLElement).hidden = false;
+  const button = byId('download', HTMLButtonElement);
+  button.replaceChildren(...downloadLabel(format, size));
+  button.disabled = !shown.number;
+  byId('download-bar', HTMLElement).hidden = false;
+}
+
+/** Saves the shown result in the model's own format. @param {Page} page */
+export async function saveShown(page) {
+  const { shown, model } = page.session;
+  if (!shown?.number || !model) return;
+  await savingActs(page, shown).onFormat(downloadFormat(model.name));
 }
 
 /** The views to save a result and its maps. @param {Page} page @param {Result} result */
@@ -52,10 +102,9 @@ function homeViews(page, result) {
 
 /** A function that shows a warning's place, null if the place is unknown.
  * @param {Page} page @param {import('remesher').Warning} warning */
-function visitorOf({ surveying }, { code, message }) {
+function visitorOf({ surveying }, { code, at }) {
   const landmark = landmarkOf(code);
-  const place = placeIn(message);
-  if (place) return () => void surveying.visitPlace(place);
+  if (at) return () => void surveying.visitPlace(at);
   return landmark ? () => surveying.visitLandmark(landmark) : null;
 }
 
@@ -79,7 +128,11 @@ async function stageResult(page, result) {
   await surveying.shown('result', !result.number);
   showReport(page);
   if (!result.number && stage.shading !== 'distance') return;
-  void surveying.measure().then((distances) => distances && showDistances(page));
+  void surveying.measure().then((distances) => {
+    if (!distances) return;
+    showDistances(page);
+    showVerdict(page);
+  });
 }
 
 /** @param {Page} page @param {Result} result */
@@ -105,9 +158,12 @@ async function compareWith(page, baseline) {
 export function clearResult({ stage }) {
   stage.clear('result');
   stage.clear('baseline');
-  const view = byId('result', HTMLElement);
-  view.hidden = true;
-  view.replaceChildren();
+  for (const id of ['result', 'verdict']) {
+    const view = byId(id, HTMLElement);
+    view.hidden = true;
+    view.replaceChildren();
+  }
+  byId('download-bar', HTMLElement).hidden = true;
   byId('result-count', HTMLElement).textContent = '';
 }
 
@@ -126,7 +182,8 @@ export async function remesh(page, extra = {}) {
   const { session, panel } = page;
   const values = panel.values();
   history.replaceState(null, '', writeAddress(session.source, values));
-  const result = await session.run(values, { ...extra, ...await page.painting.option() });
+  const more = isRepairOnly(values) ? {} : { ...extra, ...await page.painting.option() };
+  const result = await session.run(values, more);
   await stageResult(page, result);
   announce(done(result.report.output));
 }

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Saves a result as files, a report or a picture, and copies texts such as its command line.
-import { count, length } from '../base/format.js';
+import { formats } from 'remesher/formats';
+import { element } from '../base/dom.js';
+import { count, fileSize, length } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { saidAs } from '../base/said.js';
 import { packed } from '../files/archives.js';
+import { extensionOf } from '../files/files.js';
 import { download } from '../panel/downloads.js';
 import { announce, showNews } from '../panel/messages.js';
 
 /** @typedef {import('./page.js').Page} Page */
 /** @typedef {import('../files/files.js').NamedBytes} NamedBytes */
 /** @typedef {import('../model/result.js').Result} Result */
+
+/** The format in which a result is saved first: the model's own. @param {string} name */
+export function downloadFormat(name) {
+  const own = extensionOf(name);
+  return formats.find((format) => format === own) ?? formats[0];
+}
+
+/** The words on the button that saves. @param {string} format @param {number | null} size bytes */
+export const downloadLabel = (format, size) => [
+  t('download.first', { format: format === 'gltf' ? t('download.gltf') : format.toUpperCase() }),
+  size === null ? '' : element('small', {}, fileSize(size))];
 
 /** Number of levels of detail. */
 const levelCount = 4;

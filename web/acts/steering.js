@@ -3,6 +3,7 @@
 // options and painted density.
 import { addCommand } from '../base/commands.js';
 import { byId } from '../base/dom.js';
+import { isRepairOnly } from '../model/purposes.js';
 import { Timeline } from '../model/timeline.js';
 import { remesh } from './running.js';
 
@@ -64,8 +65,8 @@ export class Steering {
   /** A value is changing. */
   move() {
     if (!this.#page || !this.#isLive) return;
-    this.#isStale = true;
-    if (!this.#isDrafting) void this.#draft(this.#page);
+    this.#isStale = !isRepairOnly(this.#page.panel.values());  // a repair has no draft
+    if (this.#isStale && !this.#isDrafting) void this.#draft(this.#page);
     this.#restSoon(this.#page);
   }
 

@@ -2,7 +2,7 @@
 // What is shown on top of the surfaces: distances as colours; curves, borders and faults as lines;
 // the triangle under the pointer. The core finds edges, the survey's worker the rest.
 import { RemeshError } from 'remesher';
-import { Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import { addCommand } from '../base/commands.js';
 import { distanceColors } from '../base/colors.js';
 import { byId } from '../base/dom.js';
@@ -54,8 +54,25 @@ export class Surveying {
     canvas.addEventListener('pointerleave', () => this.#showProbe(null, null));
   }
 
+  /** The sides of the original's bounding box. @type {Vector3 | null} */
+  extent = null;
+
   get diagonal() {
-    return this.#page.stage.viewer?.eye.diagonal ?? 1;
+    return this.extent?.length() || 1;
+  }
+
+  /** Measures the original, also where it is not shown. */
+  async measureExtent() {
+    const { session, stage: { viewer } } = this.#page;
+    const bounds = viewer?.view('original')?.bounds;
+    if (bounds) {
+      this.extent = bounds.getSize(new Vector3());
+      return;
+    }
+    const { bytes } = await session.converted('off');
+    const places = await this.survey.ask('offVertices', { bytes, origin: [0, 0, 0] });
+    const box = new Box3().setFromArray(places);
+    this.extent = box.getSize(new Vector3());
   }
 
   /** The x of the plane that mirrors the model. */
@@ -148,7 +165,7 @@ export class Surveying {
     showLandmarks({ edges: counts, faults: this.#faults },
       { onVisit: (landmark) => this.visitLandmark(landmark),
         onFault: (fault) => this.#visitFault(fault),
-        onMend: () => this.#page.panel.ask('repair', 'auto', true) });
+        onMend: (isOnly) => this.#page.panel.repair(isOnly) });
     showFaultNote(this.#faultNote, () => void this.seekFaults());
   }
 
@@ -218,7 +235,8 @@ export class Surveying {
   /** Distances of the shown result to the original; null without 3-D, or if overtaken. */
   async measure() {
     const { session: { shown }, stage: { viewer } } = this.#page;
-    const largest = (shown?.report.fidelity.hausdorff ?? 0) / 100 * this.diagonal;
+    const { fidelity } = shown?.report ?? {};
+    const largest = fidelity ? fidelity.hausdorff / 100 * this.diagonal : null;
     const distances = viewer && await this.survey.ask('distances', largest);
     if (shown !== this.#page.session.shown) return null;
     this.distances = distances;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the models among several files, and the files that a model refers to.
-import { formats, inWords, isGltf, isObj, withoutGz } from 'remesher/formats';
+import { inWords, isGltf, isObj, readFormats, withoutGz } from 'remesher/formats';
 import { gunzip } from 'remesher/gunzip';
 import { t } from '../base/i18n.js';
 import { baseName, extensionOf, PageError } from './files.js';
@@ -11,7 +11,7 @@ import { openGlb } from './glb.js';
 /** @typedef {NamedBytes & { resources: NamedBytes[] }} Model */
 
 /** @type {readonly string[]} */
-const known = formats;
+const known = readFormats;
 
 /** Reads a file, and decompresses a .gz.
  * @param {PathedFile} item @returns {Promise<NamedBytes>} */
@@ -80,11 +80,29 @@ async function resourcesOf(model, others) {
 /** The format's place in the list, -1 if the file is no model. @param {PathedFile} item */
 const rank = ({ path }) => known.indexOf(extensionOf(withoutGz(path)));
 
-/** The models among some files, richer formats first. Throws if there is none.
+/** Formats of other programs, by what opens them. */
+const foreign = { cad: ['step', 'stp', 'iges', 'igs', 'x_t', 'x_b', 'sldprt', 'ipt', '3dm', 'f3d'],
+  scene: ['fbx', 'blend', 'dae', '3ds', 'max', 'ma', 'mb', 'c4d', 'usd', 'usda', 'usdc', 'usdz',
+    'abc', 'x3d', 'wrl', 'skp'] };
+
+/** Says how to convert what other programs have made. @param {PathedFile[]} items */
+function refuseForeign(items) {
+  for (const [kind, extensions] of Object.entries(foreign)) {
+    const found = items.find(({ path }) => extensions.includes(extensionOf(path)));
+    if (!found) continue;
+    throw new PageError(t('error.foreign', { name: baseName(found.path) }),
+      t(/** @type {'error.foreign.cad'} */ (`error.foreign.${kind}`)));
+  }
+}
+
+/** The models among some files, richer formats first. Of a single file that has no known name the
+ * reader says what it is. Throws if there is none.
  * @param {PathedFile[]} items @returns {PathedFile[]} */
 export function modelsAmong(items) {
   const models = items.filter((item) => rank(item) >= 0).sort((a, b) => rank(a) - rank(b));
   if (models.length) return models;
+  refuseForeign(items);
+  if (items.length === 1) return items;
   const names = items.map(({ path }) => baseName(path)).slice(0, 3).join(', ');
   throw new PageError(names ? t('error.noModel', { names }) : t('error.empty'),
     t('error.noModel.hint', { formats: inWords(known.map((format) => `.${format}`)) }));

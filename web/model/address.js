@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of the address after #: a sample and the options, as in #model=bunny&vertices=2000. It
-// is never sent to a server.
+// The part of the address after #: a sample, the purpose and the options, as in
+// #model=bunny&vertices=2000. It is never sent to a server.
 import { optionTable } from 'remesher/options';
 
 /** @typedef {import('remesher/options').Option} Option */
@@ -22,6 +22,9 @@ export function readAddress(hash) {
     const text = option.flag && option.form !== false && given.get(option.name);
     if (text) values[option.name] = parse(option, text);
   }
+  const purpose = given.get('purpose');
+  if (purpose) values.purpose = purpose;
+  if (given.get('work') === 'repair') values.work = 'repair';
   return { model: given.get('model'), values };
 }
 

@@ -9,7 +9,7 @@ import { nameFor } from './names.js';
 /** @typedef {import('../files/files.js').PathedFile} PathedFile */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('./session.js').Session} Session */
-/** @typedef {{ name: string, report?: import('remesher').RemeshReport,
+/** @typedef {{ name: string, report?: import('./result.js').Report,
  *   error?: { message: string, hint?: string } }} Outcome */
 
 /** The folder keeps models of the same name apart in the ZIP. @param {string} path */
@@ -33,7 +33,7 @@ export async function remeshAll(session, { models, items, values }, onStart) {
     onStart(item.path, index);
     try {
       const model = await modelFrom(item, items);
-      const { files: [first, ...others], report } = await session.remeshOther(model, values);
+      const { files: [first, ...others], report } = await session.workOnOther(model, values);
       const name = nameFor(model.name, report, extensionOf(first.name));
       files.push(...[{ ...first, name }, ...others].map((file) =>
         ({ ...file, name: folderOf(item.path) + file.name })));

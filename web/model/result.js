@@ -2,16 +2,19 @@
 // A result: the one place that owns the mesh that is shown and saved. A run writes it once, in the
 // model's own format if that holds all of it, else as glTF. The view and every other format are
 // conversions of that file, so all have the same vertices and faces.
-import { convertFile, remeshFile } from 'remesher';
+import { convertFile, remeshFile, repairFile } from 'remesher';
+import { formats } from 'remesher/formats';
+import { repairNames } from 'remesher/options';
 import { extensionOf } from '../files/files.js';
 import { openGlb } from '../files/glb.js';
 import { lossesIn } from './losses.js';
 import { nameFor } from './names.js';
+import { isRepairOnly, optionsIn } from './purposes.js';
 
 /** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
 /** @typedef {import('remesher').RemeshOptions} RemeshOptions */
-/** @typedef {import('remesher').RemeshReport} RemeshReport */
+/** @typedef {import('./names.js').Report} Report */
 /** @typedef {import('remesher').NamedBytes} NamedBytes */
 /** @typedef {import('remesher').Warning} Warning */
 /** @typedef {{ signal: AbortSignal,
@@ -65,13 +68,13 @@ export class Result {
   values;
   /** All options of the run. @type {RemeshOptions} */
   options;
-  /** @type {RemeshReport} */
+  /** @type {Report} */
   report;
   /** The GLB that is shown. @type {Uint8Array} */
   bytes;
 
   /** @param {string} model its name
-   * @param {{ values: Values, options: RemeshOptions, report: RemeshReport }} run
+   * @param {{ values: Values, options: RemeshOptions, report: Report }} run
    * @param {{ written: NamedBytes[], shown: Uint8Array }} content */
   constructor(model, { values, options, report }, { written, shown }) {
     this.#model = model;
@@ -86,6 +89,18 @@ export class Result {
   get size() {
     const written = this.#format === 'glb' ? [] : this.#written;
     return written.reduce((sum, { bytes }) => sum + bytes.length, this.bytes.length);
+  }
+
+  /** The bytes of a file in a format; null if they are not known before it is made.
+   * @param {string} format */
+  sizeIn(format) {
+    if (format === this.#format) {
+      return this.#written.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    }
+    const { triangles } = this.report.output;
+    const known = /** @type {Record<string, number>} */ (
+      { glb: this.bytes.length, gltf: this.bytes.length, stl: 84 + 50 * triangles });
+    return known[format] ?? null;
   }
 
   /** The format that the run wrote. */
@@ -132,13 +147,34 @@ function convertWritten([first, ...resources], output, signal) {
   return convertFile(first.bytes, { ...describe({ ...first, resources }), output, signal });
 }
 
-/** Remeshes a model. A draft is only shown, so it is written as it is shown.
- * @param {Model} model @param {{ values: Values, options: RemeshOptions }} asked
+/** What repair takes of some options. @param {RemeshOptions} options */
+const ofRepair = (options) => Object.fromEntries(Object.entries(options).filter(([name]) =>
+  repairNames.some((own) => own === name)));
+
+/** Remeshes or repairs a model, as it was asked for.
+ * @param {Model} model @param {Values} values
+ * @param {RemeshOptions & import('remesher').OutputOptions & Partial<Watch>} options */
+export function worked(model, values, options) {
+  const { output, signal, onProgress } = options;
+  const about = { ...describe(model), output, signal, onProgress };
+  return isRepairOnly(values)
+    ? repairFile(model.bytes, { ...ofRepair(options), ...about })
+    : remeshFile(model.bytes, { ...options, ...about });
+}
+
+/** @param {string} name */
+const isWritten = (name) => formats.some((format) => format === extensionOf(name));
+
+/** The result of a run on a model. A draft is only shown, so it is written as it is shown; what is
+ * only repaired is written in its own format, so that what is sound keeps its bytes.
+ * @param {Model} model @param {{ values: Values, extra: RemeshOptions }} asked
  * @param {Watch} watch */
-export async function resultOf(model, { values, options }, watch) {
-  const format = formatOfRun(model, options);
-  const { files, report } = await remeshFile(model.bytes,
-    { ...describe(model), ...options, output: format, ...watch });
+export async function resultOf(model, { values, extra }, watch) {
+  const options = { ...optionsIn(values), ...extra };
+  const format = isRepairOnly(values) && isWritten(model.name) ? extensionOf(model.name)
+    : formatOfRun(model, options);
+  const { files, report } = await worked(model, values,
+    { ...options, output: format, ...watch });
   const shown = format === 'glb' ? files[0].bytes
     : (await convertWritten(files, 'glb', watch.signal)).bytes;
   return new Result(model.name, { values, options, report }, { written: files, shown });

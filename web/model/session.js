@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One model, its results, and at most one run: a new run ends the run before it. Uses the package,
 // not the page. Every method rejects with AbortError when it was overtaken.
-import { convertFile, inspect, RemeshError, remeshFile } from 'remesher';
+import { convertFile, inspect, RemeshError } from 'remesher';
 import { isGltf } from 'remesher/formats';
-import { describe, resultOf } from './result.js';
+import { optionsIn } from './purposes.js';
+import { describe, resultOf, worked } from './result.js';
 
 /** @typedef {import('../files/models.js').Model} Model */
 /** @typedef {import('./address.js').Values} Values */
@@ -114,19 +115,18 @@ export class Session {
     return { onProgress: this.#onProgress, signal: this.#begin() };
   }
 
-  /** Remeshes another model, and keeps nothing of it.
-   * @param {Model} model
-   * @param {RemeshOptions & import('remesher').OutputOptions} options */
-  remeshOther(model, options) {
-    return remeshFile(model.bytes, { ...describe(model), ...options, ...this.#beginRun() });
+  /** Works on another model, and keeps nothing of it.
+   * @param {Model} model @param {Values} values as they were asked for
+   * @param {import('remesher').RemeshOptions & import('remesher').OutputOptions} [more] */
+  workOnOther(model, values, more = {}) {
+    return worked(model, values, { ...optionsIn(values), ...more, ...this.#beginRun() });
   }
 
   /** Remeshes the model; the result is neither kept nor shown.
    * @param {Values} values as they were asked for
    * @param {RemeshOptions} [extra] options that neither form nor address has */
   attempt(values, extra = {}) {
-    return resultOf(this.#opened(), { values, options: { ...values, ...extra } },
-      this.#beginRun());
+    return resultOf(this.#opened(), { values, extra }, this.#beginRun());
   }
 
   /** Remeshes the model; the result is shown from then on.
@@ -169,12 +169,13 @@ export class Session {
    * @returns {Promise<NamedBytes[]>} GLB files */
   async levels(result, levels) {
     const { report, options } = result;
-    const rest = { ...options, ratio: undefined, edgeLength: undefined };
+    const rest = { ...options, faces: undefined, ratio: undefined, edgeLength: undefined };
+    delete rest.maxError;
     const files = [];
     for (let level = 0; level < levels; ++level) {
       const vertices = Math.max(4, Math.round(report.output.vertices / 2 ** level));
       const { bytes } = level === 0 ? result
-        : await this.remeshOther(this.#opened(), { ...rest, vertices, output: 'glb' });
+        : await this.workOnOther(this.#opened(), {}, { ...rest, vertices, output: 'glb' });
       files.push({ name: result.nameIn('glb', `lod${level}`), bytes });
     }
     if (result === this.shown) this.isUnsaved = false;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Names and explanations of options in the visitor's language, else the package's English ones.
-import { optionTable } from 'remesher/options';
+import { optionTable, targetNames } from 'remesher/options';
 import { sentence, words } from '../base/format.js';
 import { textIfAny } from '../base/i18n.js';
+import { isRepairOnly } from '../model/purposes.js';
 
 /** @typedef {import('remesher/options').Option} Option */
 
@@ -12,7 +13,14 @@ export const optionName = ({ name }) => textIfAny(`option.${name}`) ?? words(nam
 /** The option's purpose, or the choice's meaning.
  * @param {Option} option @param {string | number | boolean} [choice] */
 export const optionHelp = ({ name, help }, choice) => textIfAny(`means.${name}.${choice}`)
-  ?? sentence(textIfAny(`help.${name}`) ?? help);
+  ?? sentence(namedHere(textIfAny(`help.${name}`) ?? help));
+
+/** A text in which options have the names of the form, not those of the command line.
+ * @param {string} text */
+const namedHere = (text) => text.replace(/--[a-z][a-z-]*/g, (flag) => {
+  const option = optionTable.find((one) => one.flag?.split(' ')[0] === flag);
+  return option ? `“${optionName(option)}”` : flag;
+});
 
 /** @param {Option} option @param {string} choice */
 export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choice}`) ?? choice;
@@ -20,11 +28,14 @@ export const choiceName = ({ name }, choice) => textIfAny(`choice.${name}.${choi
 /** @param {Option} option */
 export const optionUnit = ({ unit }) => unit && (textIfAny(`unit.${unit}`) ?? unit);
 
-/** The chosen options except the target, in one line.
+/** The purpose and the chosen options except the target, in one line.
  * @param {import('../model/address.js').Values} values */
 export function valuesInWords(values) {
-  return optionTable.filter(({ name }) =>
-    values[name] !== undefined && !['vertices', 'ratio', 'edgeLength'].includes(name))
+  const { purpose } = values;
+  if (isRepairOnly(values)) return textIfAny('repairOnly') ?? '';
+  const options = optionTable.filter(({ name }) =>
+    values[name] !== undefined && !targetNames.some((target) => target === name))
     .map((option) => (values[option.name] === true ? optionName(option)
-      : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`)).join(' · ');
+      : `${optionName(option)} ${choiceName(option, String(values[option.name]))}`));
+  return [...(purpose ? [textIfAny(`purpose.${purpose}`)] : []), ...options].join(' · ');
 }

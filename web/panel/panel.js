@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The form, made from the package's option table: a new row there is a new field here. A field
 // left at its default is left out of the options, so the scheme's own defaults hold.
-import { defaultOf, optionTable } from 'remesher/options';
-import { element } from '../base/dom.js';
+import { defaultOf, optionRules, optionTable, repairNames } from 'remesher/options';
+import { byId, element } from '../base/dom.js';
 import { t, textIfAny } from '../base/i18n.js';
 import { ownChoices, presets, withPreset } from '../model/presets.js';
+import { Doors } from './doors.js';
+import { isRepairOnly, purposes } from '../model/purposes.js';
 import {
   choiceName, optionHelp, optionName, optionUnit, valuesInWords,
 } from './option_words.js';
@@ -99,33 +101,26 @@ const ofTextures = ['textures', 'textureSize', 'textureFormat'];
 const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
   'base', 'unite', 'dropBelow', 'dropHidden'];
 
-/** Whether an option has no effect: size and format of textures without baking, the length of holes
- * or the width of the gap without the repair that uses them, and the like.
- * @param {string} name @param {Values} values */
-const isIdle = (name, { textures, repair, quads }) =>
-  (name !== 'textures' && ofTextures.includes(name) && textures !== 'bake')
-  || ((name === 'exact' || name === 'symmetry') && !quads)
-  || (name === 'holesUpTo' && repair !== 'holes' && repair !== 'auto')
-  || (name === 'gap' && repair !== 'wrap' && repair !== 'auto')
-  || (name === 'keepRims' && repair !== 'holes' && repair !== 'auto')
-  || (['thickness', 'base'].includes(name) && repair !== 'auto')
-  || (name === 'unite' && repair === 'off')
-  || (name === 'cavities' && repair !== 'solid' && repair !== 'auto')
-  || (name === 'sheets' && !['wrap', 'solid', 'auto'].includes(String(repair)));
+/** Whether a control chooses the work, which runs by itself. @param {EventTarget | null} target */
+const isWork = (target) => target instanceof HTMLInputElement && target.name === 'work';
 
 export class Panel {
   #form;
   #target = new TargetField();
+  #doors;
+  /** What the options do not say: the purpose, and whether the model is only repaired.
+   * @type {Values} */
+  #wish = {};
   /** @type {{ option: Option, control: Control }[]} */
   #fields = [];
-  #button = element('button', { type: 'submit', className: 'primary wide', disabled: true });
+  #button = element('button', { type: 'submit', className: 'wide', disabled: true });
+  #options = byId('options', HTMLFormElement);
 
   /** Shown only if the model has something to paint textures from. */
   #textures = element('div', { className: 'textures', hidden: true });
   #repair = element('div', { className: 'repair' });
   #asked = element('p', { id: 'asked', className: 'help' });
-  #isTextured = false;
-  /** The target and the texture options that no preset has set. @type {Values} */
+  /** The target and the texture options that no purpose has set. @type {Values} */
   #own = {};
   /** Whether the result is updated while options change. */
   #live = element('input', { id: 'live', type: 'checkbox', checked: true });
@@ -137,21 +132,30 @@ export class Panel {
   constructor(form, acts) {
     this.#form = form;
     this.#acts = acts;
+    this.#doors = new Doors({ onChoose: (values) => this.#run(values),
+      onDial: (values) => this.setValues(values) });
     this.build();
-    form.addEventListener('input', ({ target }) => this.#onInput(target));
-    form.addEventListener('change', ({ target }) => {
-      if (target !== this.#live) acts.onSettle();
+    for (const part of [form, this.#options]) {
+      part.addEventListener('change', ({ target }) => {
+        if (target !== this.#live && !isWork(target)) acts.onSettle();
+      });
+      part.addEventListener('submit', (event) => {
+        event.preventDefault();
+        acts.onSubmit();
+      });
+    }
+    form.addEventListener('input', ({ target }) => {
+      if (!isWork(target)) acts.onMove();
     });
-    form.addEventListener('submit', (event) => {
-      event.preventDefault();
-      acts.onSubmit();
-    });
+    this.#options.addEventListener('input', ({ target }) => this.#onInput(target));
   }
 
   /** @param {EventTarget | null} target */
   #onInput(target) {
     if (target === this.#live) return;
     if (target instanceof HTMLInputElement) target.dataset.touched = 'true';
+    const { name } = /** @type {Control} */ (target);
+    if (!repairNames.some((own) => own === name)) delete this.#wish.work;
     this.#showDefaults();
     this.#acts.onMove();
   }
@@ -164,6 +168,7 @@ export class Panel {
   build() {
     const values = this.values();
     this.#target.build();
+    this.#doors.build();
     this.#fields = optionTable.filter(belongsInForm)
       .map((option) => ({ option, control: controlFor(option) }));
     this.#button.textContent = t('remesh');
@@ -174,18 +179,39 @@ export class Panel {
       .filter(({ option }) => names.includes(option.name)));
     this.#textures.replaceChildren(...viewsOf(ofTextures));
     this.#repair.replaceChildren(...viewsOf(ofRepair));
-    this.#form.replaceChildren(this.#target.view, this.#presets(), this.#textures, this.#repair,
-      this.#moreOptions(others), this.#button, live);
+    this.#form.replaceChildren(this.#doors.view, this.#button);
+    this.#options.replaceChildren(this.#target.view, this.#presets(), this.#textures,
+      this.#repair, this.#moreOptions(others), live);
     this.setValues(values);
   }
 
   #presets() {
     const buttons = presets.map((preset) => element('button', { type: 'button', className: 'chip',
       id: `preset-${preset.id}`, onclick: () =>
-        this.#change(withPreset(preset, this.#own, this.#isTextured)) },
+        this.#change(withPreset(preset, this.#own)) },
     t(`preset.${preset.id}`)));
     return element('div', { className: 'presets', role: 'group', 'aria-label': t('presets') },
       ...buttons, this.#asked);
+  }
+
+  /** Sets values by a button, and runs with them at once. @param {Values} values */
+  #run(values) {
+    this.setValues(values);
+    this.#acts.onSettle();
+    this.#acts.onSubmit();
+  }
+
+  /** Repairs the model, and remeshes it unless it is only to be repaired.
+   * @param {boolean} isOnly */
+  repair(isOnly) {
+    this.#doors.repair(isOnly);
+  }
+
+  /** Runs with some options beside those that are set; an empty one is no longer set.
+   * @param {Values} values */
+  runWith(values) {
+    const all = { ...this.values(), ...values };
+    this.#run(Object.fromEntries(Object.entries(all).filter(([, value]) => value !== '')));
   }
 
   /** Sets values by a button, as if they had been typed. @param {Values} values */
@@ -203,7 +229,7 @@ export class Panel {
   /** @param {{ option: Option, control: Control }[]} fields */
   #moreOptions(fields) {
     const reset = element('button', { type: 'button', className: 'link' }, t('defaults'));
-    reset.addEventListener('click', () => this.#change(this.#target.value()));
+    reset.addEventListener('click', () => this.#change(this.#own));
     return element('details', { className: 'more' },
       element('summary', {}, t('moreOptions')), ...this.#views(fields), reset);
   }
@@ -241,13 +267,15 @@ export class Panel {
     this.#own = ownChoices(values, this.#own);
     this.#asked.textContent = valuesInWords(values);
     this.#target.follow(values);
+    this.#doors.show(values);
+    this.#button.textContent = t(isRepairOnly(values) ? 'repairOnly' : 'remesh');
     for (const { option, control } of this.#fields) {
       const field = /** @type {HTMLElement | null} */ (control.closest('.field'));
       field?.classList.toggle('set', values[option.name] !== undefined);
       const help = field?.querySelector('.help');
       const choice = values[option.name] ?? String(option.default);
       if (help && option.type === 'choice') help.textContent = optionHelp(option, choice);
-      if (field) field.hidden = isIdle(option.name, values);
+      if (field) field.hidden = optionRules.isIdle(option.name, values);
     }
   }
 
@@ -268,16 +296,23 @@ export class Panel {
 
   /** @returns {Values} the options that were set; all others are left out */
   values() {
-    const values = this.#target.value();
+    const values = { ...this.#wish, ...this.#target.value() };
+    if (isRepairOnly(values)) delete values.vertices;
     for (const { option, control } of this.#fields) {
       const value = valueOf(option, control);
-      if (value !== undefined && !isIdle(option.name, values)) values[option.name] = value;
+      if (value !== undefined) values[option.name] = value;
+    }
+    for (const { option: { name } } of this.#fields) {
+      if (optionRules.isIdle(name, values)) delete values[name];
     }
     return values;
   }
 
   /** @param {Values} values */
   setValues(values) {
+    const { purpose, work } = values;
+    const isKnown = purposes.some((one) => one === purpose);  // an address can say anything
+    this.#wish = { ...(isKnown && { purpose }), ...(isKnown && work && { work }) };
     this.#target.setValue(values);
     for (const { option, control } of this.#fields) {
       const value = values[option.name];
@@ -301,10 +336,17 @@ export class Panel {
     this.#button.disabled = false;
   }
 
-  /** @param {{ isPaintable: boolean, isTextured: boolean }} model whether new textures can be
-   *   painted from it, and whether it has any */
-  setPaintable({ isPaintable, isTextured }) {
-    this.#isTextured = isTextured;
+  /** What is known of the model, of which the purposes make their numbers.
+   * @param {import('../model/purposes.js').Subject} subject isPaintable: whether new textures can
+   *   be painted from it @param {string} unit of lengths */
+  setSubject(subject, unit) {
+    this.#doors.setSubject(subject, unit);
+    this.#setPaintable(subject.isPaintable);
+    this.#doors.show(this.values());
+  }
+
+  /** @param {boolean} isPaintable */
+  #setPaintable(isPaintable) {
     this.#textures.hidden = !isPaintable;
     if (isPaintable) return;
     const others = Object.entries(this.values()).filter(([name]) => !ofTextures.includes(name));

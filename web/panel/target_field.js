@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The result's target: a number of vertices with a slider, a share of the input's vertices, or an
-// edge length. Only one of the three is set at a time.
-import { optionTable } from 'remesher/options';
+// The result's target: a number of vertices with a slider, a number of triangles, a share of the
+// input's vertices, or an edge length. Only one of them is set at a time.
+import { optionTable, targetNames } from 'remesher/options';
 import { element } from '../base/dom.js';
 import { count, number } from '../base/format.js';
 import { t } from '../base/i18n.js';
@@ -22,7 +22,8 @@ const times = { maximumSignificantDigits: 3 };
 const percents = { maximumSignificantDigits: 2, style: /** @type {const} */ ('percent') };
 
 export class TargetField {
-  static names = ['vertices', 'ratio', 'edgeLength'];
+  /** @type {readonly string[]} */
+  static names = targetNames;
 
   #inputVertices = 0;
   /** @type {number | ''} */
@@ -90,7 +91,9 @@ export class TargetField {
 
   #changeKind() {
     const starts = /** @type {Record<string, string>} */ ({
-      vertices: String(this.#defaultVertices), ratio: '0.5', edgeLength: '' });
+      vertices: String(this.#defaultVertices),
+      faces: String(2 * Number(this.#defaultVertices) || ''),
+      ratio: '0.5', edgeLength: '' });
     this.#number.value = starts[this.#kind.value];
     this.#show();
   }
@@ -140,7 +143,9 @@ export class TargetField {
   setValue(values) {
     const name = TargetField.names.find((candidate) => values[candidate] !== undefined);
     this.#kind.value = name ?? 'vertices';
-    this.#number.value = String(name ? values[name] : this.#defaultVertices);
+    // A tolerance alone makes as many vertices as it needs.
+    const isFree = values.purpose === 'print' || Number(values.maxError) > 0;
+    this.#number.value = String(name ? values[name] : isFree ? '' : this.#defaultVertices);
     this.#show();
   }
 

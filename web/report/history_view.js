@@ -25,7 +25,7 @@ function entry(result, isShown, onShow) {
   element('span', {}, t('facts.vertices', { count: count(output.vertices) }),
     element('span', { className: 'quiet' }, valuesInWords(values))),
   element('span', { className: 'quiet numbers' }, angleFigure(output),
-    element('br'), percent(fidelity.hausdorff)));
+    element('br'), fidelity ? percent(fidelity.hausdorff) : '–'));
   return element('li', {}, button);
 }
 

@@ -25,15 +25,6 @@ export function landmarkOf(code) {
   return codes[code];
 }
 
-/** The place in a message: "… near (0.1, 2, -3e-4)". @param {string} message
- * @returns {[number, number, number] | null} */
-export function placeIn(message) {
-  const [, ...numbers] = /\((-?[\d.e+-]+), (-?[\d.e+-]+), (-?[\d.e+-]+)\)/.exec(message) ?? [];
-  const place = numbers.map(Number);
-  return place.length === 3 && place.every(Number.isFinite)
-    ? /** @type {[number, number, number]} */ (place) : null;
-}
-
 /** @param {Landmark | FaultPlace} name @param {number} total @param {string} color
  * @param {() => void} onclick */
 function chip(name, total, color, onclick) {
@@ -69,7 +60,7 @@ export function showFaultNote(note, onSeek) {
 /** @param {{ edges: Record<Landmark, number> | null,
  *   faults: import('remesher').FaultSummary | null }} found
  * @param {{ onVisit: (landmark: Landmark) => void, onFault: (fault: FaultPlace) => void,
- *   onMend: () => void }} acts */
+ *   onMend: (isOnly: boolean) => void }} acts isOnly: without remeshing */
 export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
   const box = byId('landmarks', HTMLElement);
   const chips = [
@@ -79,6 +70,8 @@ export function showLandmarks({ edges, faults }, { onVisit, onFault, onMend }) {
       chip(name, faults?.[name] ?? 0, lineColors.probe, () => onFault(name))),
   ];
   box.hidden = !chips.length;
-  box.replaceChildren(...chips, element('button', { type: 'button', className: 'chip', id: 'mend',
-    onclick: onMend }, t('mend'), ...needsOf(faults)));
+  const mend = (/** @type {string} */ id, /** @type {boolean} */ isOnly) => element('button',
+    { type: 'button', className: 'chip mend', id, onclick: () => onMend(isOnly) },
+    t(isOnly ? 'repairOnly' : 'mend'), ...(isOnly ? needsOf(faults) : []));
+  box.replaceChildren(...chips, mend('repair-only', true), mend('mend', false));
 }

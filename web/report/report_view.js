@@ -9,7 +9,7 @@ import { histogram } from './histogram.js';
 import { repairView } from './repair_view.js';
 
 /** @typedef {import('remesher').MeshReport} MeshReport */
-/** @typedef {import('remesher').RemeshReport} RemeshReport */
+/** @typedef {import('../model/result.js').Report} Report */
 /** @typedef {import('remesher').Inspection} Inspection */
 /** @typedef {import('remesher').Warning} Warning */
 
@@ -22,7 +22,7 @@ const triangleRows = [
   ['report.meanAngle', (mesh) => degrees(mesh.minAngle.mean)],
   ['report.worstAngle', (mesh) => degrees(mesh.minAngle.worst)],
   ['report.goodAngles', (mesh) => share(mesh.minAngle.histogram[5])],
-  ['report.valence6', (mesh) => share(mesh.valence6)],
+  ['report.sixNeighbours', (mesh) => share(mesh.valence6)],
 ];
 
 /** @type {[TextKey, (quads: QuadReport) => string][]} */
@@ -71,7 +71,7 @@ const dotKey = () => element('p', { className: 'key', id: 'dot-key' }, `${t('dot
 /** @param {string} title */
 const columnHead = (title) => element('th', { scope: 'col' }, title);
 
-/** @param {RemeshReport} report */
+/** @param {Report} report */
 function table({ input, output, fidelity, timings }) {
   const time = Object.values(timings).reduce((sum, part) => sum + part, 0);
   return element('table', {},
@@ -81,8 +81,8 @@ function table({ input, output, fidelity, timings }) {
     element('tbody', {},
       row(t('report.vertices'), [count(input.vertices), count(output.vertices)]),
       ...meshRows(input, output),
-      row(t('report.largest'), ['', percent(fidelity.hausdorff)]),
-      row(t('report.rms'), ['', percent(fidelity.rms)]),
+      ...(fidelity ? [row(t('report.largest'), ['', percent(fidelity.hausdorff)]),
+        row(t('report.rms'), ['', percent(fidelity.rms)])] : []),
       row(t('report.time'), ['', duration(time)])));
 }
 
@@ -110,20 +110,26 @@ function note(warning, visitorOf) {
 const seenByAnyone = 0.5;
 
 /** Whether a result is nowhere away from the original as far as anyone sees.
- * @param {RemeshReport} report */
-export const keepsShape = ({ fidelity }) => fidelity.hausdorff <= seenByAnyone;
+ * @param {Report} report */
+export const keepsShape = ({ fidelity }) => !fidelity || fidelity.hausdorff <= seenByAnyone;
 
-/** Where shape was lost, if it was. @param {RemeshReport} report @param {() => void} onLargest */
+/** Where shape was lost, if it was. @param {Report} report @param {() => void} onLargest */
 function loss(report, onLargest) {
-  if (keepsShape(report)) return '';
+  if (!report.fidelity || keepsShape(report)) return '';
   const said = report.output.quads ? 'report.shapeLostByQuads' : 'report.shapeLost';
   return element('p', { className: 'notice', id: 'shape-lost' },
     t(said, { distance: percent(report.fidelity.hausdorff) }),
     element('button', { type: 'button', className: 'link', onclick: onLargest }, t('visit')));
 }
 
+/** Why the result is the mesh that it is, each sentence once. @param {RemeshReport} report */
+function choice({ chosen = [] }) {
+  const reasons = [chosen].flat().map(({ rule, reason }) => textIfAny(`chosen.${rule}`) ?? reason);
+  return element('p', { className: 'quiet', id: 'chosen' }, [...new Set(reasons)].join(' '));
+}
+
 /** The report on a finished run.
- * @param {RemeshReport} report
+ * @param {Report} report
  * @param {{ visitorOf: (warning: Warning) => (() => void) | null, onLargest: () => void }} acts
  *   onLargest: shows where the result is farthest from the original */
 export function reportView(report, { visitorOf, onLargest }) {
@@ -132,7 +138,8 @@ export function reportView(report, { visitorOf, onLargest }) {
   return [
     early ? element('p', { className: 'notice' }, early) : '',
     loss(report, onLargest),
-    prefer.includes('shape') ? element('p', { className: 'notice' }, t('report.shape')) : '',
+    prefer?.includes('shape') ? element('p', { className: 'notice' }, t('report.shape')) : '',
+    choice(report),
     ...warnings.map((warning) => note(warning, visitorOf)),
     repairView(report.repair),
     ...(output.quads ? [element('h2', {}, t('report.ofQuads'))]

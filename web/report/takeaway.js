@@ -15,15 +15,9 @@ import { commandLine, javaScript } from '../model/snippets.js';
 const button = (label, onclick, className = '') =>
   element('button', { type: 'button', className, onclick }, label);
 
-/** One button per format; the first format is the one that most people want.
- * @param {(format: string) => void} onFormat */
-function files(onFormat) {
-  return formats.map((format, i) => {
-    const name = format === 'gltf' ? t('download.gltf') : format.toUpperCase();
-    return button(i ? name : t('download.first', { format: name }), () => onFormat(format),
-      i ? '' : 'primary');
-  });
-}
+/** One button per format. @param {(format: string) => void} onFormat */
+const files = (onFormat) => formats.map((format) =>
+  button(format === 'gltf' ? t('download.gltf') : format.toUpperCase(), () => onFormat(format)));
 
 /** @param {string} label @param {string} text @param {(text: string) => void} onCopy */
 function snippet(label, text, onCopy) {
@@ -38,6 +32,7 @@ export function takeawayView({ model }, result, acts) {
   const { options, values } = result;
   const run = { input: model?.name ?? '', output: result.ownName, values };
   return element('section', { className: 'takeaway', 'aria-label': t('download') },
+    element('h2', {}, t('download.others')),
     element('div', { className: 'downloads', role: 'group', 'aria-label': t('download') },
       ...files(acts.onFormat), button(t('download.levels'), acts.onLevels),
       button(t('download.report'), acts.onReport),

@@ -111,15 +111,16 @@ function distancesFrom(from, to) {
  */
 
 /** Distances between two surfaces, both ways. The core measures more finely, so the largest
- * distance is the core's. @param {Surface} result @param {Surface} original
- * @param {number} largest @returns {Distances} */
-export function measureDistances(result, original, largest) {
+ * distance is the core's, where it has measured. @param {Surface} result @param {Surface} original
+ * @param {number | null} known the largest @returns {Distances} */
+export function measureDistances(result, original, known) {
   const there = distancesFrom(result, original);
   const back = distancesFrom(original, result);
   const { point, nearest, distance } = back.largest;
   // The place must be on the result, because the colours are there.
   const place = distance > there.largest.distance
     ? { distance, point: nearest, nearest: point } : there.largest;
+  const largest = known ?? place.distance;
   const bins = new Array(binCount).fill(0);
   const places = there.all.length + back.all.length;
   for (const list of [there.all, back.all]) {

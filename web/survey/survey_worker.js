@@ -30,7 +30,8 @@ const questions = {
     ? irregularVertices(surfaces[side].soup, first) : null),
   /** @param {Side} side */
   strokes: (side) => (surfaces[side] ? strokesOf(surfaces[side].soup) : null),
-  /** @param {number} largest distance, in model units @returns {Distances | null} */
+  /** @param {number | null} largest distance, in model units; null: not known
+   * @returns {Distances | null} */
   distances: (largest) => (surfaces.result && surfaces.original
     ? measureDistances(surfaces.result, surfaces.original, largest) : null),
   /** @param {{ side: Side, origin: Point, direction: Point }} request */

@@ -4,7 +4,6 @@ import options from './options/de.js';
 
 export default {
   ...options,
-  'tagline': 'Gleichmäßige Dreiecke, genau so viele wie gewünscht.',
   'open': 'Öffnen…',
   'folder': 'Ordner…',
   'menu.samples': 'Beispiele und zuletzt geöffnete Modelle',
@@ -89,7 +88,6 @@ export default {
   'report.meanAngle': 'Kleinster Winkel, Mittel',
   'report.worstAngle': 'Schlechtester Winkel',
   'report.goodAngles': 'Dreiecke in 50–60°',
-  'report.valence6': 'Punkte mit sechs Nachbarn',
   'report.ofQuads': 'Vierecke',
   'report.quads': 'Vierecke',
   'report.irregular': 'Unregelmäßige Punkte',
@@ -154,14 +152,9 @@ export default {
   'shading.plain': 'Glatt',
   'shading.normals': 'Normalen',
   'draft': 'Entwurf',
-  'live': 'Den Optionen sofort folgen',
   'presets': 'Zwecke',
   'preset.even': 'Gleichmäßig',
   'preset.accurate': 'Kleinster Fehler',
-  'preset.lowPoly': 'Wenige Flächen',
-  'preset.quads': 'Vierecke',
-  'preset.print': '3-D-Druck',
-  'preset.simulation': 'Simulation',
   'steps': 'Schritte vor und zurück',
   'undo': 'Rückgängig',
   'redo': 'Wiederholen',
@@ -252,7 +245,6 @@ export default {
 
   'progress.left': 'noch {seconds} s',
   'phase.inspect': 'Das Original wird angesehen',
-  'phase.repair': 'Ausbessern',
   'phase.read': 'Lesen',
   'phase.build': 'Dreiecke werden verbunden',
   'phase.curves': 'Knicke werden gesucht',
@@ -270,7 +262,6 @@ export default {
   'phase.grade': 'Größen werden abgestuft',
   'phase.rounds': 'Runden',
   'phase.smooth': 'Glätten',
-  'phase.mend': 'Ausbessern',
   'phase.coarsen': 'Vergröbern',
   'phase.quads': 'Vierecke bilden',
   'phase.boolean': 'Körper aneinander schneiden',
@@ -284,20 +275,14 @@ export default {
   'contextLost': 'Die Grafikkarte ist für einen Moment weg. Das Bild kommt wieder; das Rechnen '
     + 'geht weiter.',
 
-  'mend': 'Ausbessern',
   'cut': 'Schnitt',
   'cut.depth': 'Tiefe des Schnitts',
   'key.cut': 'Ein Schnitt durch die Modelle',
   'repair.title': 'Reparatur: {mode}',
-  'repair.nothing': 'Es gab nichts auszubessern.',
   'repair.made': 'Aus dem, was von außen zu sehen ist, wurde eine geschlossene Fläche.',
   'repair.holes': '{count} Löcher geschlossen',
-  'repair.rims': '{count} Ränder offen gelassen',
-  'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
-  'repair.islands': '{count} lose Stücke entfernt',
   'repair.shells': '{count} innere Hüllen entfernt',
   'repair.turned': '{count} Dreiecke umgedreht',
-  'repair.crossings': '{before} Dreiecke durchdrangen andere; jetzt {after}',
   'repair.lost': '{share} der Fläche sind weg',
   'default.gap': '2',
   'default.holesUpTo': 'alle',
@@ -331,6 +316,44 @@ export default {
   'error.notKept.hint': 'Öffnen Sie es noch einmal; unter „Tasten und Einstellungen“ können Sie '
     + 'diesen Browser Dateien behalten lassen.',
 
+  'chosen.rounds': 'Das Verfahren `rounds` war verlangt.',
+  'chosen.isotropic-asked': 'Gleichmäßige Dreiecke waren verlangt.',
+  'chosen.vertices-placed': 'Eine Einstellung bestimmt, wo Punkte liegen: Vereinfachen kann ihr '
+    + 'nicht folgen.',
+  'chosen.shape-refined': 'Die Form geht vor, mit mehr Punkten als im Original: gleichmäßige '
+    + 'Dreiecke, die nirgends sichtbar abweichen.',
+  'chosen.shape-asked': 'Die Form geht vor.',
+  'chosen.corners-exceed-number': 'Es sind zu wenige Punkte für die Ecken aller Linien.',
+  'chosen.isotropic-far-unfinished': 'Gleichmäßige Dreiecke würden die Form viel stärker ändern '
+    + 'als Vereinfachen.',
+  'chosen.number-missed': 'Gleichmäßige Dreiecke erreichten die Zahl der Punkte nicht; '
+    + 'Vereinfachen schon.',
+  'chosen.simplified-nearer': 'Gleichmäßige Dreiecke würden die Form sichtbar ändern; '
+    + 'Vereinfachen bleibt viel näher.',
+  'chosen.flat-sides-refined': 'Einfache gleichmäßige Dreiecke würden ebene Seiten eindellen: '
+    + 'diese weichen nirgends sichtbar ab.',
+  'chosen.isotropic-near-unfinished': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
+  'chosen.isotropic-near': 'Gleichmäßige Dreiecke ändern die Form nicht sichtbar.',
+  'chosen.isotropic': 'Keine Vereinfachung bleibt so viel näher, dass sie ungleichmäßige '
+    + 'Dreiecke wert wäre.',
+  'chosen.quads-mirrored': 'Vierecke waren verlangt, und Ebenen spiegeln das Original: die '
+    + 'Vierecke einer Seite wurden gespiegelt.',
+  'chosen.quads-paired': 'Vierecke waren verlangt; wo keine Karte aus Quadraten gelang, sind '
+    + 'sie Paare von Dreiecken.',
+  'chosen.quads': 'Vierecke waren verlangt.',
+  'chosen.own-triangles': 'Die eigenen Dreiecke des Originals halten die Grenze mit weniger '
+    + 'Punkten ein.',
+  'chosen.simplified-unsound': 'Vereinfachen würde die reparierte Fläche sich selbst schneiden '
+    + 'lassen.',
+  'chosen.uncrossed': 'Gleichmäßige Dreiecke schnitten einander und wurden ohne das noch einmal '
+    + 'gemacht.',
+  'chosen.uncrossed-simplified': 'Gleichmäßige Dreiecke schneiden einander; die vereinfachten '
+    + 'nicht.',
+  'chosen.only-repaired': 'Auf die geschriebenen Stellen gerundet, wäre die neue Fläche nicht '
+    + 'heil: geschrieben ist die reparierte.',
+  'chosen.no-surface': 'Kein Dreieck hat eine Fläche: das Netz bleibt, wie es kam.',
+  'chosen.kept': 'Nichts war zu reparieren: jeder Punkt und jedes Dreieck ist, wie es war.',
+  'chosen.repaired': 'Die Reparatur hat die Fläche geändert.',
   'warning.ANGLES_WORSE': 'Manche Dreiecke sind schlechter als die des Originals. Mehr Punkte '
     + 'helfen, wo Teile dünner sind, als Kanten lang.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Ein Attribut springt an fast jeder Kante; es wird von der '
@@ -344,6 +367,7 @@ export default {
   'warning.DEGENERATE_TRIANGLES_REMOVED': 'Dreiecke ohne drei verschiedene Ecken wurden entfernt.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Doppelte Dreiecke wurden entfernt.',
   'warning.HOLES_LEFT_OPEN': 'Löcher, die länger sind als verlangt, blieben offen.',
+  'warning.ELEMENTS_LEFT_OUT': 'Elemente, die weder Dreiecke noch Vierecke sind, fehlen.',
   'warning.EXTENSION_NOT_CARRIED': 'Was Erweiterungen über Dreiecke, Punkte oder Texturen sagen, '
     + 'die neu gemacht sind, gilt nicht mehr und fällt weg.',
   'warning.HIDDEN_LEFT_OUT': 'Was die Szene nicht zeigt, fehlt; in .glb und .gltf bleibt es da.',
@@ -394,9 +418,9 @@ export default {
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
     + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',
-  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses durchdringen andere, wo das '
+  'warning.SELF_INTERSECTIONS_MADE': 'Dreiecke des Ergebnisses schneiden andere, wo das '
     + 'Original '
-    + 'sich nicht durchdringt.',
+    + 'sich nicht schneidet.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Das Modell ist kleiner als das, worauf Zahlen so weit vom '
     + 'Ursprung gerundet werden. Schieben Sie es zuerst dorthin.',
   'warning.SPIKES_LEFT_COARSE': 'Punkte, die weit herausragen, hängen an Nadeln; diese bekommen '
@@ -429,4 +453,81 @@ export default {
     + 'bleiben.',
   'fault.INPUT_UNREADABLE': 'Die Datei lässt sich nicht öffnen.',
   'fault.OUTPUT_UNWRITABLE': 'Das Ergebnis lässt sich nicht schreiben.',
+
+  'tagline': 'Gibt einem 3-D-Modell neue Dreiecke oder Vierecke und erhält seine Form: leichter, '
+    + 'druckbar oder gut zum Simulieren.',
+  'compare': 'Neben- oder übereinander',
+  'purposes': 'Wofür ist es?',
+  'purpose.asset': 'Leichter',
+  'purpose.asset.for': 'Web, Spiele',
+  'purpose.print': 'Druckbar',
+  'purpose.print.for': 'dicht, heil',
+  'purpose.print.about': 'Schließt Löcher und vereinigt Körper, die sich überlappen; was heil '
+    + 'ist, bleibt, wie es ist.',
+  'purpose.simulation': 'Simulation',
+  'purpose.simulation.for': 'gute Dreiecke',
+  'purpose.simulation.about': 'Gut geformte Dreiecke einer Größe, entlang den Kanten des Teils, '
+    + 'geschlossen.',
+  'purpose.quads': 'Vierecke',
+  'purpose.quads.for': 'Modellieren',
+  'purpose.quads.about': 'Nur Vierecke, entlang Kanten und Krümmung, zum Unterteilen, '
+    + 'Modellieren und Animieren.',
+  'works': 'Arbeit',
+  'work.repair': 'Nur reparieren',
+  'work.remesh': 'Reparieren und neu vernetzen',
+  'dial.asset': 'Dreiecke, höchstens',
+  'dial.print': 'Toleranz',
+  'dial.simulation': 'Kantenlänge',
+  'dial.quads': 'Vierecke, höchstens',
+  'dial.slider': 'Dasselbe, mit Schieber',
+  'repairOnly': 'Nur reparieren',
+  'unit': 'Einheit des Modells',
+  'expert': 'Experte: alle Optionen, Zahlen, Formate',
+  'warning.TOO_FEW_FACES': 'So wenige Flächen reichen für diese Oberfläche nicht: Das Ergebnis hat '
+    + 'mehr.',
+  'verdict': 'Urteil',
+  'verdict.closed': 'Geschlossen: keine Löcher.',
+  'verdict.open': 'Offen: {count} Kanten haben nur auf einer Seite ein Dreieck.',
+  'verdict.shared': '{count} Kanten haben mehr als zwei Dreiecke.',
+  'verdict.unchanged': 'Heil: nichts war zu reparieren, die Datei ist unverändert.',
+  'verdict.near': 'Höchstens {distance} vom Original entfernt.',
+  'verdict.far': 'Form ging verloren: bis zu {distance} vom Original entfernt.',
+  'verdict.triangles': '{count} Dreiecke, vorher {before}.',
+  'verdict.quads': '{count} Vierecke; {irregular} Punkte mit mehr oder weniger als vier davon.',
+  'verdict.size': '{size} als {format}: {share} der {original} des Originals.',
+  'verdict.angle': 'Kleinster Winkel {worst}, im Mittel {mean}.',
+  'verdict.repaired': 'Repariert: {what}.',
+  'verdict.own': 'Gleichmäßige Dreiecke dieser Größe würden das Teil beschädigen, darum behält '
+    + 'es seine eigenen.',
+  'verdict.within': 'So viele nehmen, wie es erhalten',
+  'verdict.lost': 'Mehr davon erhalten mehr von der Form.',
+  'verdict.more': 'Doppelt so viele',
+  'verdict.notes': '{count} Hinweise zu diesem Lauf.',
+  'verdict.read': 'Lesen',
+  'download.others': 'Andere Formate, Bilder, Detailstufen',
+  'hint.purpose': 'Sagen Sie, wofür das Modell ist; eine Zahl macht den Rest.',
+  'hint.compare': 'Ziehen dreht es. Die Linie in der Mitte vergleicht vorher und nachher.',
+  'hint.download': 'Was Sie sehen, wird gespeichert. Ihre Datei verlässt diesen Rechner nie.',
+  'hint.next': 'Weiter',
+  'hint.done': 'Verstanden',
+  'report.sixNeighbours': 'Punkte mit sechs Nachbarn',
+  'purpose.none': 'Bis Sie wählen: gleichmäßige Dreiecke.',
+  'mend': 'Reparieren und neu vernetzen',
+  'verdict.exact': 'Die Oberfläche liegt genau auf der des Originals.',
+  'verdict.thicken': 'Einen dünnen Körper daraus machen',
+  'error.foreign': '{name} ist die Datei eines anderen Programms, die diese Seite nicht liest',
+  'error.foreign.cad': 'Öffnen Sie sie in FreeCAD (kostenlos) oder dem Programm, aus dem sie '
+    + 'stammt, und exportieren Sie sie als STL oder OBJ.',
+  'error.foreign.scene': 'Öffnen Sie sie in Blender (kostenlos) oder dem Programm, aus dem sie '
+    + 'stammt, und exportieren Sie sie als GLB.',
+  'live': 'Neu vernetzen, während sich Optionen ändern',
+  'repair.nothing': 'Es gab nichts zu reparieren.',
+  'repair.rims': '{count} Ränder offen gelassen',
+  'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
+  'repair.islands': '{count} kleine lose Stücke entfernt',
+  'repair.crossings': '{before} Dreiecke schnitten andere; jetzt {after}',
+  'phase.repair': 'Reparieren',
+  'phase.mend': 'Reparieren',
+  'purpose.asset.about': 'Weniger Dreiecke, die gleich aussehen; das Modell bekommt neue '
+    + 'Texturen, wo es welche hat.',
 };

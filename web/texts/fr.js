@@ -4,7 +4,6 @@ import options from './options/fr.js';
 
 export default {
   ...options,
-  'tagline': 'Des triangles réguliers, exactement autant que vous voulez.',
   'open': 'Ouvrir…',
   'folder': 'Dossier…',
   'menu.samples': 'Exemples et modèles récents',
@@ -90,7 +89,6 @@ export default {
   'report.meanAngle': 'Plus petit angle, moyenne',
   'report.worstAngle': 'Pire angle',
   'report.goodAngles': 'Triangles dans 50–60°',
-  'report.valence6': 'Sommets à six voisins',
   'report.ofQuads': 'Quadrilatères',
   'report.quads': 'Quadrilatères',
   'report.irregular': 'Sommets irréguliers',
@@ -155,14 +153,9 @@ export default {
   'shading.plain': 'Lisse',
   'shading.normals': 'Normales',
   'draft': 'Ébauche',
-  'live': 'Suivre les options aussitôt',
   'presets': 'Usages',
   'preset.even': 'Réguliers',
   'preset.accurate': 'Moindre erreur',
-  'preset.lowPoly': 'Peu de faces',
-  'preset.quads': 'Quadrilatères',
-  'preset.print': 'Impression 3D',
-  'preset.simulation': 'Simulation',
   'steps': 'Pas en arrière et en avant',
   'undo': 'Défaire',
   'redo': 'Refaire',
@@ -285,7 +278,6 @@ export default {
   'contextLost': 'La carte graphique est partie un instant. L’image reviendra ; le calcul '
     + 'continue.',
 
-  'mend': 'Réparer',
   'cut': 'Coupe',
   'cut.depth': 'Profondeur de la coupe',
   'key.cut': 'Couper à travers les modèles',
@@ -293,12 +285,8 @@ export default {
   'repair.nothing': 'Il n’y avait rien à réparer.',
   'repair.made': 'De ce qui se voit de l’extérieur, une surface fermée a été faite.',
   'repair.holes': '{count} trous fermés',
-  'repair.rims': '{count} bords laissés ouverts',
-  'repair.bodies': '{count} feuilles devenues des corps fermés',
-  'repair.islands': '{count} morceaux isolés ôtés',
   'repair.shells': '{count} coques intérieures ôtées',
   'repair.turned': '{count} triangles retournés',
-  'repair.crossings': '{before} triangles en traversaient d’autres ; maintenant {after}',
   'repair.lost': '{share} de la surface ont disparu',
   'default.gap': '2',
   'default.holesUpTo': 'tous',
@@ -332,6 +320,44 @@ export default {
   'error.notKept.hint': 'Ouvrez-le de nouveau ; sous « Touches et réglages », vous pouvez laisser '
     + 'ce navigateur garder les fichiers.',
 
+  'chosen.rounds': 'La méthode `rounds` était demandée.',
+  'chosen.isotropic-asked': 'Des triangles réguliers étaient demandés.',
+  'chosen.vertices-placed': 'Un réglage décide de la place des sommets : la simplification ne '
+    + 'peut pas le suivre.',
+  'chosen.shape-refined': 'La forme est préférée, avec plus de sommets que l’original : des '
+    + 'triangles réguliers qui ne s’en écartent visiblement nulle part.',
+  'chosen.shape-asked': 'La forme est préférée.',
+  'chosen.corners-exceed-number': 'Il y a trop peu de sommets pour les coins de toutes les '
+    + 'lignes.',
+  'chosen.isotropic-far-unfinished': 'Des triangles réguliers changeraient la forme bien plus '
+    + 'que la simplification.',
+  'chosen.number-missed': 'Les triangles réguliers n’ont pas atteint le nombre de sommets ; la '
+    + 'simplification, si.',
+  'chosen.simplified-nearer': 'Des triangles réguliers changeraient visiblement la forme ; la '
+    + 'simplification reste bien plus proche.',
+  'chosen.flat-sides-refined': 'De simples triangles réguliers bosselleraient les faces planes '
+    + ': ceux-ci ne s’en écartent visiblement nulle part.',
+  'chosen.isotropic-near-unfinished': 'Les triangles réguliers ne changent pas visiblement la '
+    + 'forme.',
+  'chosen.isotropic-near': 'Les triangles réguliers ne changent pas visiblement la forme.',
+  'chosen.isotropic': 'Aucune simplification n’est assez proche pour valoir ses triangles '
+    + 'irréguliers.',
+  'chosen.quads-mirrored': 'Des quadrilatères étaient demandés, et des plans reflètent '
+    + 'l’original : ceux d’un côté ont été reflétés.',
+  'chosen.quads-paired': 'Des quadrilatères étaient demandés ; sans carte de carrés, ce sont '
+    + 'des paires de triangles.',
+  'chosen.quads': 'Des quadrilatères étaient demandés.',
+  'chosen.own-triangles': 'Les triangles de l’original tiennent la limite avec moins de '
+    + 'sommets.',
+  'chosen.simplified-unsound': 'Simplifiée, la surface réparée se couperait elle-même.',
+  'chosen.uncrossed': 'Les triangles réguliers se coupaient et ont été refaits sans cela.',
+  'chosen.uncrossed-simplified': 'Les triangles réguliers se coupent ; les simplifiés, non.',
+  'chosen.only-repaired': 'Arrondie aux chiffres écrits, la nouvelle surface ne serait pas '
+    + 'saine : la surface réparée est écrite.',
+  'chosen.no-surface': 'Aucun triangle n’a d’aire : le maillage reste tel qu’il est venu.',
+  'chosen.kept': 'Il n’y avait rien à réparer : chaque sommet et chaque triangle reste tel '
+    + 'quel.',
+  'chosen.repaired': 'La réparation a changé la surface.',
   'warning.ANGLES_WORSE': 'Des triangles sont moins bons que ceux de l’original. Plus de points '
     + 'aident là où des parties sont plus minces que les arêtes ne sont longues.',
   'warning.ATTRIBUTE_HAS_NO_CHARTS': 'Un attribut saute à presque chaque arête ; il est repris du '
@@ -346,6 +372,7 @@ export default {
     + 'retirés.',
   'warning.DUPLICATE_TRIANGLES_REMOVED': 'Des triangles en double ont été retirés.',
   'warning.HOLES_LEFT_OPEN': 'Des trous plus longs que demandé sont restés ouverts.',
+  'warning.ELEMENTS_LEFT_OUT': 'Les éléments qui ne sont ni triangles ni quads manquent.',
   'warning.EXTENSION_NOT_CARRIED': 'Ce que des extensions disent de ce qui est refait disparaît.',
   'warning.HIDDEN_LEFT_OUT': 'Ce que la scène ne montre pas manque ; un .glb ou .gltf le garde.',
   'warning.INCONSISTENT_ORIENTATION_FIXED': 'Des triangles ont été retournés pour regarder du '
@@ -387,8 +414,8 @@ export default {
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',
-  'warning.SELF_INTERSECTIONS_MADE': 'Des triangles du résultat en traversent d’autres là où '
-    + 'l’original ne se traverse pas.',
+  'warning.SELF_INTERSECTIONS_MADE': 'Des triangles du résultat en coupent d’autres là où '
+    + 'l’original ne se coupe pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
   'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
@@ -427,4 +454,79 @@ export default {
   'fault.TARGET_BELOW_CURVES': 'Si peu de points ne suffisent pas aux arêtes et coutures gardées.',
   'fault.INPUT_UNREADABLE': 'Le fichier ne s’ouvre pas.',
   'fault.OUTPUT_UNWRITABLE': 'Le résultat ne s’écrit pas.',
+
+  'tagline': 'Donne à un modèle 3D de nouveaux triangles ou quads et garde sa forme : plus '
+    + 'léger, imprimable ou bon pour la simulation.',
+  'compare': 'Côte à côte ou superposés',
+  'purposes': 'C’est pour quoi ?',
+  'purpose.asset': 'Plus léger',
+  'purpose.asset.for': 'web, jeux',
+  'purpose.print': 'Imprimable',
+  'purpose.print.for': 'fermé, sain',
+  'purpose.print.about': 'Ferme les trous et unit les corps qui se recouvrent ; ce qui est sain '
+    + 'reste tel quel.',
+  'purpose.simulation': 'Simulation',
+  'purpose.simulation.for': 'bons triangles',
+  'purpose.simulation.about': 'Des triangles bien formés d’une seule taille, le long des arêtes '
+    + 'de la pièce, fermée.',
+  'purpose.quads': 'Quads',
+  'purpose.quads.for': 'sculpture',
+  'purpose.quads.about': 'Des quads seulement, le long des arêtes et de la courbure, pour '
+    + 'subdiviser, sculpter et animer.',
+  'works': 'Travail',
+  'work.repair': 'Réparer seulement',
+  'work.remesh': 'Réparer et remailler',
+  'dial.asset': 'Triangles, au plus',
+  'dial.print': 'Tolérance',
+  'dial.simulation': 'Longueur d’arête',
+  'dial.quads': 'Quads, au plus',
+  'dial.slider': 'De même, au curseur',
+  'repairOnly': 'Réparer seulement',
+  'unit': 'Unité du modèle',
+  'expert': 'Expert : options, chiffres, formats',
+  'warning.TOO_FEW_FACES': 'Si peu de faces ne suffisent pas à cette surface : le résultat en a '
+    + 'plus.',
+  'verdict': 'Verdict',
+  'verdict.closed': 'Fermé : aucun trou.',
+  'verdict.open': 'Ouvert : {count} arêtes n’ont de triangle que d’un côté.',
+  'verdict.shared': '{count} arêtes ont plus de deux triangles.',
+  'verdict.unchanged': 'Sain : rien à réparer, le fichier est inchangé.',
+  'verdict.near': 'À {distance} au plus de l’original.',
+  'verdict.far': 'De la forme est perdue : jusqu’à {distance} de l’original.',
+  'verdict.triangles': '{count} triangles, {before} avant.',
+  'verdict.quads': '{count} quads ; {irregular} sommets en touchent plus ou moins de quatre.',
+  'verdict.size': '{size} en {format} : {share} des {original} de l’original.',
+  'verdict.angle': 'Plus petit angle {worst}, {mean} en moyenne.',
+  'verdict.repaired': 'Réparé : {what}.',
+  'verdict.own': 'Des triangles réguliers de cette taille abîmeraient la pièce, elle garde donc '
+    + 'les siens.',
+  'verdict.within': 'En prendre assez pour la garder',
+  'verdict.lost': 'Davantage gardent mieux la forme.',
+  'verdict.more': 'Deux fois plus',
+  'verdict.notes': '{count} remarques sur cette exécution.',
+  'verdict.read': 'Lire',
+  'download.others': 'Autres formats, images, niveaux de détail',
+  'hint.purpose': 'Dites à quoi sert le modèle ; un nombre fait le reste.',
+  'hint.compare': 'Glissez pour le tourner. La ligne au milieu compare avant et après.',
+  'hint.download': 'Ce que vous voyez est enregistré. Votre fichier ne quitte jamais cet '
+    + 'ordinateur.',
+  'hint.next': 'Suivant',
+  'hint.done': 'Compris',
+  'report.sixNeighbours': 'Sommets à six voisins',
+  'purpose.none': 'Avant votre choix : des triangles réguliers.',
+  'mend': 'Réparer et remailler',
+  'verdict.exact': 'Sa surface est exactement sur celle de l’original.',
+  'verdict.thicken': 'En faire un solide mince',
+  'error.foreign': '{name} est le fichier d’un autre logiciel, que cette page ne lit pas',
+  'error.foreign.cad': 'Ouvrez-le dans FreeCAD (gratuit), ou dans le logiciel d’origine, et '
+    + 'exportez-le en STL ou OBJ.',
+  'error.foreign.scene': 'Ouvrez-le dans Blender (gratuit), ou dans le logiciel d’origine, et '
+    + 'exportez-le en GLB.',
+  'live': 'Remailler pendant que les options changent',
+  'repair.crossings': '{before} triangles en coupaient d’autres ; maintenant {after}',
+  'repair.rims': '{count} bords laissés ouverts',
+  'repair.bodies': '{count} feuilles devenues des corps fermés',
+  'repair.islands': '{count} petits morceaux isolés retirés',
+  'purpose.asset.about': 'Moins de triangles, le même aspect ; le modèle reçoit de nouvelles '
+    + 'textures s’il en a.',
 };

@@ -3,7 +3,7 @@
 // so, and works without a viewer.
 import { Vector3 } from 'three';
 import { addCommand, isTyping } from '../base/commands.js';
-import { byId } from '../base/dom.js';
+import { byId, element } from '../base/dom.js';
 import { count } from '../base/format.js';
 import { t } from '../base/i18n.js';
 import { Cutting } from './cutting.js';
@@ -36,6 +36,7 @@ export class Stage {
   isBrushing = false;
   #root = byId('stage', HTMLElement);
   #wireframe = byId('wireframe', HTMLButtonElement);
+  #menu = byId('view-menu', HTMLSelectElement);
   /** Null until the visitor chooses; until then textured and thinned models show no wires. */
   #chosenWireframe = /** @type {boolean | null} */ (null);
   /** The latest request of each side; older ones that load later are not shown.
@@ -94,6 +95,18 @@ export class Stage {
       const { dataset } = /** @type {HTMLElement} */ (button);
       button.setAttribute('aria-pressed', String(dataset[group] === value));
     }
+    if (group === 'shading') this.#menu.value = value;
+  }
+
+  /** Where the window is narrow, a list takes the place of the buttons of the views. */
+  fillMenu() {
+    const buttons = [...this.#root.querySelectorAll('[data-shading]')];
+    this.#menu.replaceChildren(...buttons.map((button) => {
+      const { shading = '' } = /** @type {HTMLElement} */ (button).dataset;
+      return element('option', { value: shading, disabled: button.hasAttribute('disabled') },
+        t(/** @type {'shading.plain'} */ (`shading.${shading}`)));
+    }));
+    this.#menu.value = this.#shading;
   }
 
   /** @param {import('./viewer.js').Compare} compare */
@@ -131,6 +144,8 @@ export class Stage {
       dataset.do = `shading.${shading}`;
       addCommand(dataset.do, () => this.setShading(shading), String(i + 1));
     }
+    this.#menu.addEventListener('change', () =>
+      this.setShading(/** @type {Shading} */ (this.#menu.value)));
     addCommand('compare.side', () => this.#setCompare('side'));
     addCommand('compare.wipe', () => this.#setCompare('wipe'));
     addCommand('compare', () => this.#setCompare(this.#compare === 'side' ? 'wipe' : 'side'), 'c');
@@ -188,6 +203,7 @@ export class Stage {
     this.#setWireframe(this.#chosenWireframe ?? !(isTextured || isThinned));
     const button = this.#root.querySelector('[data-shading=textured]');
     if (button instanceof HTMLButtonElement) button.disabled = !isTextured;
+    this.fillMenu();
     const isPlain = this.#shading === 'plain' || this.#shading === 'textured';
     this.setShading(isPlain ? (isTextured ? 'textured' : 'plain') : this.#shading);
   }

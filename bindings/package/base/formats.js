@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The formats by their extensions, in and out: the same as in src/io/formats.cpp (a test compares
-// them). In a `.gz` each can be read too.
+// The formats by their extensions: the same as in src/io/formats.cpp (a test compares them). In a
+// `.gz` each that is read can be read too.
 
 export { isGltf, isObj } from './contents.js';
 
+/** Those that are written; all but the last are read, too. */
 export const formats = /** @type {const} */ ([
-  'glb', 'gltf', 'obj', 'off', 'ply', 'stl',
+  'glb', 'gltf', 'obj', 'off', 'ply', 'stl', '3mf', 'msh', 'vtu', 'inp',
 ]);
+
+export const readFormats = formats.slice(0, -1);
 
 /** `a, b or c`. @param {readonly string[]} words */
 export function inWords(words) {

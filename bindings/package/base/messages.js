@@ -164,6 +164,10 @@
  * @property {string} code For programs.
  * @property {string} message For people.
  * @property {number} count How many there are.
+ * @property {'note' | 'loss' | 'fault'} [severity] A note says how something was done; a loss, what
+ *   of the input or of the request the result lacks; a fault, what is wrong with the result.
+ * @property {[number, number, number]} [at] The place of the first or the worst of them, if it has
+ *   one, in the world of the file.
  */
 
 /**
@@ -251,12 +255,21 @@
 /** @typedef {'even' | 'shape'} Preferred */
 
 /**
+ * Why the result is the mesh that it is: the row of the chooser's table that took it.
+ * @typedef {object} Chosen
+ * @property {string} rule The row's name, such as `simplified-nearer`.
+ * @property {string} reason A sentence.
+ */
+
+/**
  * @typedef {object} RunReport
  * @property {MeshReport} output The resulting mesh.
  * @property {Distances} fidelity How far result and original are apart.
  * @property {'target' | 'fidelity' | 'max-error' | 'cancelled'} stopped What ended the run.
- * @property {Preferred | Preferred[]} prefer Whether the result has even triangles, or vertices
- *   where the shape needs them most; a list for the parts if they differ.
+ * @property {Preferred | Preferred[]} prefer Whether the result has isotropic triangles (`even`) or
+ *   is the simplified original (`shape`); a list for the meshes if they differ.
+ * @property {Chosen | Chosen[]} chosen Why this result was taken; a list for the meshes if they
+ *   differ.
  */
 
 /**
@@ -299,7 +312,9 @@
  */
 
 /**
- * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, dropped?: DropSummary }}
+ * `chosen` says whether the mesh was kept or repaired.
+ * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, dropped?: DropSummary,
+ *   chosen: Chosen | Chosen[] }}
  *   RepairReport
  */
 
@@ -318,7 +333,13 @@
  */
 
 /**
- * @typedef {Inspection & RunReport & { repair?: RepairSummary, dropped?: DropSummary,
+ * The options that a preset stood for, by their names.
+ * @typedef {Record<string, string | number | boolean>} PresetOptions
+ */
+
+/**
+ * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
+ *   dropped?: DropSummary,
  *   lods?: RemeshReport[] }} RemeshReport
  */
 

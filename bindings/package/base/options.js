@@ -7,7 +7,12 @@
 
 import { RemeshError } from './errors.js';
 import { legible } from './legible.js';
+import { OptionRules } from './option_rules.js';
+import { presets, withPreset } from './presets.js';
 
+export { presets } from './presets.js';
+
+/** @typedef {import('./presets.js').Preset} Preset */
 /** @typedef {import('./remesh_options.js').RemeshOptions} RemeshOptions */
 
 /** @typedef {string | number | boolean} DefaultValue */
@@ -17,6 +22,7 @@ import { legible } from './legible.js';
  * @typedef {object} Option
  * @property {string} name Its name in JavaScript.
  * @property {string} [flag] Its name on the command line, with a letter for its value.
+ * @property {string} [alias] Another name on the command line.
  * @property {'integer' | 'number' | 'choice' | 'boolean' | 'shares' | 'floats' | 'pairs'} type
  *   The type of its value.
  * @property {string} help What it is for.
@@ -27,28 +33,46 @@ import { legible } from './legible.js';
  * @property {readonly string[]} [choices] The values allowed.
  * @property {'off' | 'auto'} [word] A value too, beside numbers.
  * @property {boolean} [form] false: the page's form has no field for it.
+ * @property {readonly import('./option_rules.js').Others[]} [needs] Without any of these it has no
+ *   effect.
+ * @property {import('./option_rules.js').Excludes} [excludes] It cannot be given together with
+ *   these.
  * @property {DefaultValue | { best: DefaultValue, rounds: DefaultValue }} [default] The value that
  *   holds when it is not given.
  */
 
 /** The table of options. @type {readonly Option[]} */
 export const optionTable = [
+  { name: 'preset', flag: '--preset P', type: 'choice', choices: presets.map(({ name }) => name),
+    form: false,
+    help: 'options for a purpose; what is given beside it overrides. '
+      + presets.map(({ name, help }) => `${name}: ${help}`).join('; ') },
   { name: 'vertices', flag: '--vertices N', type: 'integer', min: 1, max: 2 ** 31,
+    excludes: { others: { faces: true, ratio: true, edgeLength: true },
+      why: 'each sets the number' },
     help: 'exact number of vertices of the result (distinct positions), of quads within 4 %; if '
       + 'not given the input’s, or in the scheme best as few as keep --max-error' },
+  { name: 'faces', flag: '--faces N', alias: '--triangles', type: 'integer', min: 1, max: 2 ** 31,
+    excludes: { others: { ratio: true, edgeLength: true }, why: 'each sets the number' },
+    help: 'at most so many triangles, or quads with --quads, as near as the surface allows' },
   { name: 'ratio', flag: '--ratio R', type: 'number', above: 0,
+    excludes: { others: { edgeLength: true }, why: 'each sets the number' },
     help: 'the number of vertices as a share of the input’s' },
   { name: 'edgeLength', flag: '--edge-length L', type: 'number', above: 0, unit: 'model units',
     help: 'the number of vertices from a mean edge length' },
   { name: 'scheme', flag: '--scheme S', type: 'choice', choices: ['best', 'rounds'],
-    default: 'best', help: 'rounds: the report’s Algorithm 2 step by step; best: our own' },
+    default: 'best', help: 'rounds: the published method step by step; best: our own' },
   { name: 'quality', flag: '--quality Q', type: 'choice', choices: ['draft', 'best'],
     default: 'best',
     help: 'draft: in a fraction of the time, nearly as good, its distances measured coarsely' },
   { name: 'prefer', flag: '--prefer P', type: 'choice', choices: ['auto', 'even', 'shape'],
     default: 'auto',
-    help: 'even: even triangles; shape: vertices of the original where its shape and looks need ' +
-      'them most; auto: even where that keeps both, else shape' },
+    excludes: { value: 'shape',
+      others: { scheme: ['rounds'], boundary: ['keep'], quads: [true], splitObtuse: [true],
+        maxError: true, density: true, featureEdges: true },
+      why: 'both decide where vertices lie' },
+    help: 'even: isotropic triangles; shape: simplification, which keeps the vertices that shape '
+      + 'and appearance need most; auto: even, unless that would visibly change the model' },
   { name: 'projection', flag: '--projection P', type: 'choice', choices: ['patches', 'current'],
     default: 'patches',
     help: 'patches: onto the original surface, through overlapping disk patches or, with best ' +
@@ -58,15 +82,16 @@ export const optionTable = [
     help: 'refuse an operation unless every pair of normals is within the angles below (strict), ' +
       'unless at least one is (loose), or only where a triangle would fold over (fold)' },
   { name: 'vertexAngle', flag: '--vertex-angle D', type: 'number', min: 0, max: 180,
-    unit: 'degrees', default: 20, help: 'θ1: between the vertex normals of a triangle' },
+    unit: 'degrees', default: 20, help: 'between the normals at a triangle’s vertices' },
   { name: 'triangleAngle', flag: '--triangle-angle D', type: 'number', min: 0, max: 180,
     unit: 'degrees', default: 20,
-    help: 'θ2: between a triangle’s normal and its vertices’ normals' },
+    help: 'between a triangle’s normal and those at its vertices' },
   { name: 'splitObtuse', flag: '--split-obtuse', type: 'boolean', default: false,
     help: 'after the target is met, split every edge facing an obtuse angle, once' },
   { name: 'adaptivity', flag: '--adaptivity A', type: 'number', min: 0, max: 1,
     default: { best: 0.5, rounds: 0 },
-    help: '0: even triangles; 1: sizes follow curvature, for the least error; between: a mix' },
+    help: '0: triangles of one size; 1: sizes follow curvature, for the least error; between: a '
+      + 'mix' },
   { name: 'gradation', flag: '--gradation G', type: 'number', above: 1, default: 1.5,
     help: 'largest ratio between the sizes at the two ends of an edge' },
   { name: 'featureAngle', flag: '--feature-angle D', type: 'number', min: 0, max: 180,
@@ -84,43 +109,59 @@ export const optionTable = [
     help: 'pure quads instead of triangles, along features and curvature; the number of vertices '
       + 'within 1 %, or within 4 % where a nearer one costs irregular vertices' },
   { name: 'exact', flag: '--exact', type: 'boolean', default: false,
+    needs: [{ quads: [true] }],
     help: 'of quads: exactly the number of vertices' },
   { name: 'symmetry', flag: '--symmetry S', type: 'choice', choices: ['auto', 'off'],
     default: 'auto',
+    needs: [{ quads: [true] }],
     help: 'of quads; auto: where planes mirror the model they mirror the quads exactly' },
   { name: 'textures', flag: '--textures T', type: 'choice',
     choices: ['auto', 'keep', 'drop', 'bake'], default: 'auto',
+    excludes: { value: 'bake', others: { lods: true }, why: 'levels would share no texture' },
     help: 'keep: texture coordinates, along their seams; drop: leave them out; bake (to glTF): '
       + 'new textures, painted '
       + 'from the old, so that seams hold no vertices; auto: keep, but bake from glTF to glTF '
       + 'where repair makes another surface' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
     unit: 'texels',
+    needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
     help: 'of baked textures, along a side; as fine as the original’s if not given, up to 4096' },
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
+    needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
     help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
-    help: 'mend the surface first. holes: close open loops, turn bodies that are inside out, '
+    excludes: { others: { density: true, featureEdges: true },
+      why: 'repair makes other vertices than those that are numbered' },
+    help: 'repair the surface first. holes: close open loops, turn bodies that are inside out, '
       + 'leave the rest as it is; solid: the outside of what encloses something; wrap: what is '
       + 'reached from outside through openings wider than the gap; auto: the first of these that '
       + 'fits' },
   { name: 'holesUpTo', flag: '--holes-up-to P', type: 'number', above: 0,
-    unit: '% of the diagonal', help: 'longer loops stay open; all are closed if not given' },
+    unit: '% of the diagonal',
+    needs: [{ repair: ['holes', 'auto'] }],
+    help: 'longer loops stay open; all are closed if not given' },
   { name: 'gap', flag: '--gap P', type: 'number', above: 0, max: 20,
-    unit: '% of the diagonal', help: 'wrap closes openings up to this wide; 2 if not given' },
+    unit: '% of the diagonal',
+    needs: [{ repair: ['wrap', 'auto'] }],
+    help: 'wrap closes openings up to this wide; 2 if not given' },
   { name: 'cavities', flag: '--cavities', type: 'boolean', default: false,
+    needs: [{ repair: ['solid', 'auto'] }],
     help: 'solid keeps inner cavities: closed pieces that face into what they enclose' },
   { name: 'sheets', flag: '--sheets S', type: 'choice', choices: ['thicken', 'drop'],
     default: 'thicken',
+    needs: [{ repair: ['wrap', 'solid', 'auto'] }],
     help: 'of sheets, which enclose nothing, wrap makes thin solids behind what is seen of them, '
       + 'or leaves them out' },
   { name: 'keepRims', flag: '--keep-rims', type: 'boolean', default: false,
+    needs: [{ repair: ['holes', 'auto'] }],
     help: 'loops that look meant stay open: round ones, and straight ones at which walls end' },
   { name: 'thickness', flag: '--thickness T', type: 'number', above: 0, unit: 'model units',
+    needs: [{ repair: ['auto'] }],
     help: 'sheets become bodies that are so thick, half of it on each side' },
   { name: 'base', flag: '--base', type: 'boolean', default: false,
+    needs: [{ repair: ['auto'] }],
     help: 'an open relief, such as a terrain, becomes a body with upright walls and a flat base, '
       + 'which lies --thickness below its lowest point' },
   { name: 'unite', flag: '--unite', type: 'boolean', default: false,
@@ -134,6 +175,7 @@ export const optionTable = [
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
+    needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },
   { name: 'density', type: 'floats',
     help: 'relative vertex density, one value per input vertex' },
@@ -310,65 +352,16 @@ export function inJavaScript(text) {
   });
 }
 
-/** A sentence of ours in the caller's words. @param {string} text @param {typeof nameOf} label */
-const inWordsOf = (text, label) => (label === nameOf ? inJavaScript(text) : text);
-
 /** How programs know an option. @param {Option} option @returns {string} */
 const nameOf = ({ name }) => name;
 
-/** Options that mean nothing without certain repairs; `auto` may choose each of these, too. */
-const ofRepairs = {
-  holesUpTo: { repairs: ['holes'], fault: 'No holes are closed, long or short.' },
-  cavities: { repairs: ['solid'], fault: 'No solid is made, with cavities or without.' },
-  sheets: { repairs: ['wrap', 'solid'], fault: 'Nothing is wrapped, sheets neither.' },
-  keepRims: { repairs: ['holes'], fault: 'No loops are closed, and rims neither.' },
-  thickness: { repairs: ['auto'], fault: 'No sheets become bodies.' },
-  base: { repairs: ['auto'], fault: 'No sheets become bodies.' },
-};
+/** Which options go together. */
+export const optionRules = new OptionRules(optionTable);
 
-/** @param {Record<string, unknown>} given @param {typeof nameOf} label */
-function checkTogetherWithRepair(given, label) {
-  const asked = String(given.repair ?? 'off');
-  for (const [name, { repairs, fault }] of Object.entries(ofRepairs)) {
-    const isSaid = given[name] !== undefined && given[name] !== byName.get(name)?.default;
-    if (!isSaid || asked === 'auto' || repairs.includes(asked)) continue;
-    throw new RemeshError('INVALID_OPTION', fault,
-      inWordsOf(`Ask for it: --repair ${repairs[0]}.`, label));
-  }
-}
-
-/**
- * Refuses options that decide where vertices lie together with `prefer: 'shape'`.
- * @param {Record<string, unknown>} given
- * @param {(option: Option) => string} label
- */
-function checkTogetherWithShape(given, label) {
-  if (given.prefer !== 'shape') return;
-  const excluded = Object.entries({ scheme: 'rounds', boundary: 'keep', quads: true,
-    splitObtuse: true }).find(([name, value]) => given[name] === value)?.[0]
-    ?? ['maxError', 'density', 'featureEdges'].find((name) =>
-      given[name] !== undefined && given[name] !== 'off');
-  const option = excluded && byName.get(excluded);
-  if (!option) return;
-  throw new RemeshError('INVALID_OPTION',
-    `${label(option)} decides where vertices lie, and so does the shape that is preferred.`,
-    'Ask for one of them.');
-}
-
-/** @param {Record<string, unknown>} given @param {(option: Option) => string} label */
-function checkTogether(given, label) {
-  const targets = optionTable.filter(({ name }) =>
-    given[name] !== undefined && ['vertices', 'ratio', 'edgeLength'].includes(name));
-  if (given.lodFiles && !given.lods) {
-    throw new RemeshError('INVALID_OPTION', 'There are no levels of detail to be files each.',
-      inWordsOf('Give their shares of the vertices: --lods.', label));
-  }
-  checkTogetherWithRepair(given, label);
-  checkTogetherWithShape(given, label);
-  if (targets.length < 2) return;
-  throw new RemeshError('INVALID_OPTION',
-    `${label(targets[0])} and ${label(targets[1])} contradict each other.`, 'Give one of them.');
-}
+/** The names of the options that set the size of the result, of which one is given at most. */
+export const targetNames = /** @type {const} */ ([
+  'vertices', 'faces', 'ratio', 'edgeLength',
+]);
 
 /** The names of the options for repair. */
 export const repairNames =
@@ -413,7 +406,8 @@ export function refuseLods(options = {}) {
 }
 
 /**
- * The options given, checked and ready to travel; unset ones are left out.
+ * The options given, checked and ready to travel; unset ones are left out. Of a preset they have
+ * all options that it stands for here, and these once more as `preset`.
  * @param {object} given
  * @param {object} [context]
  * @param {readonly string[]} [context.others] names that belong to the call, not to the table
@@ -435,7 +429,10 @@ export function checkOptions(given, { others = [], label = nameOf } = {}) {
     checkValue(option, value, label(option));
     result[name] = canonical(option, value);
   }
-  checkTogether(result, label);
-  if (result.maxError === 'off') delete result.maxError;
-  return result;
+  const check = (/** @type {Record<string, unknown>} */ options) =>
+    optionRules.check(options, label);
+  const whole = withPreset(result, check);
+  check(whole);
+  if (whole.maxError === 'off') delete whole.maxError;
+  return whole;
 }

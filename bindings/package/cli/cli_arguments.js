@@ -52,8 +52,8 @@ function flagOf(option) {
 }
 
 const tableFlags = new Map(optionTable.flatMap((option) => {
-  const flag = flagOf(option);
-  return flag ? [/** @type {const} */ ([flag, option])] : [];
+  const flags = [flagOf(option), option.alias].filter((flag) => flag !== undefined);
+  return flags.map((flag) => /** @type {const} */ ([flag, option]));
 }));
 const valueFlags = ['-o', '--output', '--format', '--root', '--jobs'];
 const plainFlags = ['--force', '--skip-existing', '--json', '--quiet', '-h', '--help', '--version'];
@@ -233,15 +233,6 @@ function checkOutput(line) {
   if (line.output !== '-' && !isFolder(line.output)) checkName(line);
 }
 
-/** Options of new textures need textures that are baked. @param {CommandLine} line */
-function checkBaking({ options }) {
-  const painted = optionTable.find(({ name }) =>
-    ['textureSize', 'textureFormat'].includes(name) && options[name] !== undefined);
-  if (!painted || options.textures === 'bake') return;
-  throw wrongUse(`${flagOf(painted)} is for textures that are painted anew.`,
-    'Add --textures bake.');
-}
-
 /** @param {readonly string[]} words @returns {CommandLine} */
 export function parseCommandLine(words) {
   /** @type {CommandLine} */
@@ -259,9 +250,10 @@ export function parseCommandLine(words) {
   setNames(line, names);
   if (line.command === 'repair') line.options.repair ??= 'auto';
   checkOutput(line);
-  checkBaking(line);
   if (line.inputs.length > 0) checkInputs(line);
-  line.options = checkOptions(line.options, { label: (option) => flagOf(option) ?? option.name });
+  const checked = checkOptions(line.options,
+    { label: (option) => flagOf(option) ?? option.name });
+  if (line.options.preset === undefined) line.options = checked;
   return line;
 }
 
@@ -281,7 +273,8 @@ function helpRow(flag, text) {
 function optionHelp(option) {
   const flag = option.choices
     ? `${flagOf(option)} ${option.choices.join('|')}`
-    : `${option.flag}${option.word ? `|${option.word}` : ''}`;
+    : `${option.flag}${option.alias ? `, ${option.alias}` : ''}`
+      + `${option.word ? `|${option.word}` : ''}`;
   const value = option.type === 'boolean' ? '' : defaultInWords(option);
   const shown = value && ` (default: ${value})`;
   const unit = option.unit ? `; ${option.unit}` : '';
@@ -292,8 +285,14 @@ function optionHelp(option) {
 export function helpText() {
   const rows = optionTable.filter(({ flag }) => flag).map(optionHelp);
   return [
+    'remesher horse.obj -o horse.glb --vertices 10000       exactly so many vertices',
+    'remesher figure.glb -o small.glb --preset asset --faces 5000',
+    'remesher repair scan.stl -o closed.stl                 for printing; nothing else changes',
+    'remesher part.stl -o mesh.stl --preset simulation --edge-length 2',
+    'remesher head.obj -o quads.obj --preset quads --faces 3000',
+    '',
     'remesher <input> -o <output> [options]     remesh a file',
-    'remesher repair <input> -o <output>        only mend it, as --repair says',
+    'remesher repair <input> -o <output>        only repair it, as --repair says',
     'remesher convert <input> -o <output>       only change the format',
     'remesher union|subtract|intersect <a> <b> -o <output>',
     '                                           both bodies, a without b, or their common part',

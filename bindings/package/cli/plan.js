@@ -6,7 +6,7 @@ import { readdirSync, statSync } from 'node:fs';
 import { basename, join, relative, sep } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
-import { formats, withoutGz } from '../base/formats.js';
+import { readFormats, withoutGz } from '../base/formats.js';
 import { legible } from '../base/legible.js';
 import { reason } from '../files/reasons.js';
 
@@ -18,7 +18,7 @@ import { reason } from '../files/reasons.js';
 /** @typedef {{ input: string, way: string, error?: RemeshError }} Found way: below the output */
 
 // The files that are taken from folders; other files there are no error.
-const readable = new RegExp(`\\.(${formats.join('|')})(\\.gz)?$`, 'i');
+const readable = new RegExp(`\\.(${readFormats.join('|')})(\\.gz)?$`, 'i');
 
 /** Undefined: it is not there, or may not be looked at. @param {string} path */
 function statsOf(path) {

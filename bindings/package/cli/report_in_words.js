@@ -26,13 +26,14 @@ function meshInWords(title, mesh) {
   const { minAngle, maxAngle } = mesh;
   const shares = minAngle.histogram.map((percent) => percent.toFixed(1)).join('  ');
   return [
-    `${title}: ${mesh.vertices} vertices, ${mesh.triangles} triangles, `
+    `${title}: ${mesh.triangles} triangles, ${mesh.vertices} vertices, `
       + counted(mesh.components, 'component'),
     `  boundary edges ${mesh.boundaryEdges}, non-manifold edges ${mesh.nonManifoldEdges}, `
       + `degenerate triangles ${mesh.degenerateTriangles}, `
       + `Euler characteristic ${mesh.eulerCharacteristic}`,
     `  minimum angle: mean ${minAngle.mean.toFixed(1)}°, worst ${minAngle.worst.toFixed(1)}°; `
-      + `maximum ${maxAngle.toFixed(1)}°; valence 6: ${mesh.valence6.toFixed(1)} %`,
+      + `maximum ${maxAngle.toFixed(1)}°; vertices with six neighbours: `
+      + `${mesh.valence6.toFixed(1)} %`,
     `  triangles by minimum angle, %, 0–10 … 50–60°: ${shares}`,
     ...(mesh.quads ? quadsInWords(mesh.quads) : []),
   ].join('\n');
@@ -91,11 +92,11 @@ function repairInWords(repair) {
 }
 
 const cures = {
-  off: 'nothing is to be mended',
-  holes: 'what would mend it: holes, which closes loops, turns bodies that are inside '
+  off: 'nothing is to be repaired',
+  holes: 'what would repair it: holes, which closes loops, turns bodies that are inside '
     + 'out, and leaves the rest',
-  solid: 'what would mend it: solid, the outside of what encloses something',
-  wrap: 'what would mend it: wrap, what can be reached from outside',
+  solid: 'what would repair it: solid, the outside of what encloses something',
+  wrap: 'what would repair it: wrap, what can be reached from outside',
 };
 
 /** `; about 120 MB and 3 s` @param {import('../base/messages.js').RepairNeeds} needs */
@@ -111,7 +112,7 @@ function faultsInWords(faults) {
     + `${openLoops.length > told ? ', …' : ''}`;
   return [
     `faults: ${counted(openLoops.length, 'open loop')}${loops}${firstOf(places.openLoops)}`,
-    `  triangles that pass through others ${selfIntersections}`
+    `  triangles that intersect others ${selfIntersections}`
       + firstOf(places.selfIntersections),
     `  inner shells ${innerShells}${firstOf(places.innerShells)}`,
     `  bodies inside out ${insideOut}${firstOf(places.insideOut)}`,
@@ -131,9 +132,25 @@ function booleanInWords({ operation, cut, selfIntersections }) {
     + `${counted(selfIntersections, 'triangle')} of the result self-intersecting`;
 }
 
+/** The sentences by which the result was chosen, each once. @param {any} chosen */
+function chosenInWords(chosen) {
+  const sentences = new Set([chosen].flat().map((/** @type {any} */ { reason }) => reason));
+  return `chosen: ${[...sentences].join(' ')}`;
+}
+
+/** @param {import('../base/messages.js').PresetOptions} preset */
+function presetInWords(preset) {
+  const flags = Object.entries(preset).map(([name, value]) => {
+    const flag = `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+    return value === true ? flag : `${flag} ${value}`;
+  });
+  return `preset, in full: ${flags.join(' ') || 'all of its options were given otherwise'}`;
+}
+
 /** @param {any} report of a run, of an inspection, or warnings alone */
 export function reportInWords(report) {
   const parts = [];
+  if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input));
   if (report.faults) parts.push(faultsInWords(report.faults));
   if (report.dropped) parts.push(dropInWords(report.dropped));
@@ -141,9 +158,7 @@ export function reportInWords(report) {
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.output) parts.push(meshInWords('output', report.output));
   if (report.fidelity) parts.push(distanceInWords(report.fidelity));
-  if ([report.prefer].flat().includes('shape')) {
-    parts.push('vertices are where the shape needs them most, not evenly spread');
-  }
+  if (report.chosen) parts.push(chosenInWords(report.chosen));
   for (const [i, { output, fidelity }] of (report.lods ?? []).entries()) {
     parts.push(meshInWords(`level of detail ${i + 1}`, output), distanceInWords(fidelity));
   }

@@ -5,6 +5,7 @@
 import { basename } from 'node:path';
 
 import { RemeshError } from '../base/errors.js';
+import { withPreset } from '../base/presets.js';
 import { gunzip } from '../codecs/gunzip.js';
 import { referencesOf } from '../codecs/resources.js';
 import { Gate } from '../files/gate.js';
@@ -83,7 +84,7 @@ function withRefusals(error, refused) {
  * @returns {Promise<Opened>} */
 async function withResources(input, { name, bytes }, { root, options }) {
   const gate = await Gate.of(input, root);
-  const isPainted = options.textures === 'bake';
+  const isPainted = withPreset(options).textures === 'bake';
   return { name, bytes, gate, resources: await readResources({ name, bytes, isPainted }, gate) };
 }
 

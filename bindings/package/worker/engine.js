@@ -5,6 +5,7 @@
 
 import { isGltf } from '../base/contents.js';
 import { RemeshError } from '../base/errors.js';
+import { withoutPresetBaking } from '../base/presets.js';
 
 /** @typedef {import('../base/messages.js').Job} Job */
 /** @typedef {import('../base/messages.js').Loaded} Loaded */
@@ -145,12 +146,33 @@ function modelOf([a, b]) {
 
 /** @typedef {Extract<Job, { kind: 'remeshFile' | 'repairFile' }>} FileJob */
 
+const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
+
+/** Whether there can be materials to bake from, and a file that holds what is baked.
+ * @param {Job} job */
+const canBake = (job) => job.kind === 'remeshFile' && namesGltf(job.file.output)
+  && (isGltf(job.file.bytes) || job.file.resources.some(({ name }) => /\.mtl$/i.test(name)));
+
+/** The job without the baking that a preset stands for, if nothing can be baked.
+ * @param {Job} job @returns {Job} */
+function withPresetSettled(job) {
+  if (!('options' in job) || !job.options.preset || canBake(job)) return job;
+  return { ...job, options: withoutPresetBaking(job.options) };
+}
+
+/** The outcome with the options that a preset stood for in its report. @param {Job} job
+ * @param {any} outcome */
+function withPresetSaid(job, outcome) {
+  if (!('options' in job) || !job.options.preset) return outcome;
+  return { ...outcome, report: { ...outcome.report, preset: job.options.preset } };
+}
+
 /** Whether textures are baked, or will be if repair makes another surface.
  * @param {FileJob} job */
 function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }) {
   const mayBeMadeAnew = ['solid', 'wrap', 'auto'].includes(String(repair));
   return textures === 'bake' || (textures === 'auto' && mayBeMadeAnew && !lods
-    && isGltf(file.bytes) && /\.gl(b|tf)$/i.test(file.output));
+    && isGltf(file.bytes) && namesGltf(file.output));
 }
 
 /** Unless baking was asked for, images need not be readable: textures are kept then.
@@ -191,7 +213,20 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async run(job, onProgress) {
-    const plainJob = await plain(job);
+    const settled = withPresetSettled(await plain(job));
+    const outcome = withPresetSaid(settled, await this.#painted(settled, onProgress));
+    if (!outcome.files) return outcome;
+    const fileOf = (/** @type {Job} */ one) => ('file' in one ? one.file : undefined);
+    return (await scripts.whole()).closed(outcome,
+      { packed: fileOf(job), opened: fileOf(settled) });
+  }
+
+  /**
+   * @param {Job} plainJob its files neither packed nor compressed
+   * @param {((event: ProgressEvent) => boolean | void) | undefined} onProgress
+   * @returns {Promise<any>}
+   */
+  async #painted(plainJob, onProgress) {
     const isOfFile = plainJob.kind === 'remeshFile' || plainJob.kind === 'repairFile';
     if (!isOfFile || !mayPaint(plainJob)) return this.#run(plainJob, onProgress);
     const { Bakery } = await import('../textures/bake.js');

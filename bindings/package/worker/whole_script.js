@@ -3,6 +3,9 @@
 
 import { decompress } from '../codecs/decompress.js';
 import { gunzipAll } from '../codecs/gunzip.js';
+import { packThreemf, unpackThreemf } from '../codecs/threemf.js';
+
+/** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 
 export { default as createInstance } from '../remesher.mjs';
 
@@ -13,5 +16,18 @@ export { default as createInstance } from '../remesher.mjs';
  * @returns {Promise<FileJob>}
  */
 export async function opened(job) {
-  return { ...job, file: await decompress(await gunzipAll(job.file)) };
+  return { ...job, file: await decompress(await unpackThreemf(await gunzipAll(job.file))) };
+}
+
+/**
+ * A result with its files packed as their formats are.
+ * @template {{ files?: import('../base/messages.js').NamedBytes[] }} Result
+ * @param {Result} result
+ * @param {{ packed?: FileRequest, opened?: FileRequest }} read the file that was read
+ * @returns {Promise<Result>}
+ */
+export async function closed(result, read) {
+  if (!result.files) return result;
+  return { ...result,
+    files: await Promise.all(result.files.map((file) => packThreemf(file, read))) };
 }

@@ -311,9 +311,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   written.images = model.images;
   written.warnings = warningsOf(editor.lost());
   if (lostVariants > 0)
-    written.warnings.push_back({"MAP_NOT_PAINTED",
-                                "Variants of materials cannot be painted anew and are lost.",
-                                lostVariants});
+    written.warnings.push_back(
+        {"MAP_NOT_PAINTED", "Variants of materials cannot be baked and are lost.", lostVariants});
   passOn(std::move(images), written);
   return written;
 }

@@ -8,10 +8,6 @@
 namespace remesher::io {
 namespace {
 
-double srgbFromLinear(double value) {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-}
-
 void turnOver(Attribute& texcoords) {
   const std::size_t stride = texcoords.itemSize;
   for (std::size_t i = 1; i < texcoords.values.size(); i += stride)
@@ -32,6 +28,10 @@ void recode(Attribute& colors, double (*transfer)(double)) {
 
 double linearFromSrgb(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double srgbFromLinear(double value) {
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
 }
 
 std::vector<float> fractionsOf(std::vector<float> channels) {

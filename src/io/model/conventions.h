@@ -14,8 +14,9 @@ namespace remesher::io {
 // images.
 enum class Conventions { Gltf, Classic };
 
-// The transfer function of sRGB, IEC 61966-2-1.
+// The transfer function of sRGB, IEC 61966-2-1, and its inverse.
 double linearFromSrgb(double value);
+double srgbFromLinear(double value);
 
 // Marks the colour of a vertex without one in a mesh with colours: it becomes white.
 inline constexpr float kUncolored = std::numeric_limits<float>::infinity();

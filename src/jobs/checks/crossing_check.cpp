@@ -97,7 +97,7 @@ std::vector<Warning> warningsOf(const MadeCrossings& made, const std::vector<io:
   return {{"SELF_INTERSECTIONS_MADE",
            "Triangles of the result intersect others where the surface given does not, as near (" +
                placeInWords(place, result) + ").",
-           made.count}};
+           made.count, place}};
 }
 
 }  // namespace remesher

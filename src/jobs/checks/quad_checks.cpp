@@ -86,7 +86,7 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
     text += (text.empty() ? "" : ", and ") + std::to_string(all.closed) +
             " of its open loops are closed";
   text.append(", the first near (").append(placeInWords(*all.first, result)).append(").");
-  return {{"QUADS_OFF_BORDER", text, all.corners + all.closed}};
+  return {{"QUADS_OFF_BORDER", text, all.corners + all.closed, all.first}};
 }
 
 }  // namespace remesher

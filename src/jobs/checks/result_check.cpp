@@ -88,8 +88,8 @@ std::optional<Vec3> placeOfRounding(const std::vector<io::Part>& parts) {
 }
 
 // "message, the first near (…).", for the first edge with a wanted number of triangles.
-std::string withFirstEdge(std::string message, const std::vector<io::Part>& parts,
-                          const std::function<bool(std::size_t triangles)>& isWanted) {
+Warning withFirstEdge(Warning warning, const std::vector<io::Part>& parts,
+                      const std::function<bool(std::size_t triangles)>& isWanted) {
   for (const io::Part& part : parts) {
     const Welding welding(part.mesh);
     const auto at = [&](Index h) -> const Vec3& { return part.mesh.positions[welding.corners[h]]; };
@@ -97,10 +97,13 @@ std::string withFirstEdge(std::string message, const std::vector<io::Part>& part
     welding.forEachEdge([&](std::span<const Index> edge) {
       if (!middle && isWanted(edge.size())) middle = (at(edge[0]) + at(nextCorner(edge[0]))) / 2;
     });
-    if (middle)
-      return message.append(", the first near (").append(placeInWords(*middle, parts)) + ").";
+    if (!middle) continue;
+    warning.at = middle;
+    warning.message.append(", the first near (").append(placeInWords(*middle, parts)).append(").");
+    return warning;
   }
-  return message.append(".");
+  warning.message.append(".");
+  return warning;
 }
 
 bool isWorse(double after, double before, double good) {
@@ -142,30 +145,32 @@ std::vector<Warning> worseThanGiven(const BeforeAndAfter& reports,
   const auto& [before, after] = reports;
   std::vector<Warning> warnings;
   const std::string angles = worseAngles(before.minAngle, after.minAngle);
-  if (!angles.empty() && !after.quads)  // half of a quad is no triangle of its own
-    warnings.push_back(
-        {"ANGLES_WORSE", "Triangles are worse than those given: smallest angles of " + angles +
-                             ". The worst lies near (" +
-                             placeInWords(worstTriangle(result).centre, result) +
-                             "). More vertices help where parts are thinner than edges are long."});
-  if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles))
+  if (!angles.empty() && !after.quads) {  // half of a quad is no triangle of its own
+    const Vec3 worst = worstTriangle(result).centre;
+    warnings.push_back({"ANGLES_WORSE",
+                        "Triangles are worse than those given: smallest angles of " + angles +
+                            ". The worst lies near (" + placeInWords(worst, result) +
+                            "). More vertices help where parts are thinner than edges are long.",
+                        1, worst});
+  }
+  if (const std::size_t made = more(after.degenerateTriangles, before.degenerateTriangles)) {
+    const Vec3 worst = worstTriangle(result).centre;
     warnings.push_back({"DEGENERATE_TRIANGLES_MADE",
                         "Triangles of the result have no area: parts of the surface are too thin "
                         "for its numbers, as near (" +
-                            placeInWords(worstTriangle(result).centre, result) + ").",
-                        made});
+                            placeInWords(worst, result) + ").",
+                        made, worst});
+  }
   if (const std::size_t made = more(after.nonManifoldEdges, before.nonManifoldEdges))
-    warnings.push_back(
+    warnings.push_back(withFirstEdge(
         {"NON_MANIFOLD_EDGES_MADE",
-         withFirstEdge("Parts of the surface that lie on each other share edges of the result",
-                       result, [](std::size_t triangles) { return triangles > 2; }),
-         made});
+         "Parts of the surface that lie on each other share edges of the result", made},
+        result, [](std::size_t triangles) { return triangles > 2; }));
   if (before.boundaryEdges == 0 && after.boundaryEdges > 0)
-    warnings.push_back(
-        {"SURFACE_OPENED",
-         withFirstEdge("Edges of the result are open, though the surface given was closed", result,
-                       [](std::size_t triangles) { return triangles == 1; }),
-         after.boundaryEdges});
+    warnings.push_back(withFirstEdge(
+        {"SURFACE_OPENED", "Edges of the result are open, though the surface given was closed",
+         after.boundaryEdges},
+        result, [](std::size_t triangles) { return triangles == 1; }));
   return warnings;
 }
 
@@ -183,7 +188,7 @@ std::vector<Warning> lostToRounding(const Report& report, const std::vector<io::
   text.append(", near (").append(placeInWords(*where, result));
   text.append("): the model is smaller than what coordinates so far from the origin are rounded ");
   text.append("to. Move it to the origin first.");
-  return {{"SHAPE_LOST_TO_ROUNDING", text, std::max<std::size_t>(flat, 1)}};
+  return {{"SHAPE_LOST_TO_ROUNDING", text, std::max<std::size_t>(flat, 1), where}};
 }
 
 std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions& options) {
@@ -197,8 +202,23 @@ std::vector<Warning> fartherThanAsked(const Report& report, const RemeshOptions&
   return {{"MAX_ERROR_EXCEEDED", text.append("precise than those that are written.")}};
 }
 
+// "triangles" or "quads", and how many of them there are.
+std::vector<Warning> beyondBudget(const Report& report, std::size_t budget) {
+  const MeshReport& after = *report.output;
+  const std::size_t faces = after.quads ? after.quads->count : after.triangles;
+  if (faces <= budget) return {};
+  const std::string kind = after.quads ? " quads" : " triangles";
+  const std::string reason =
+      report.stopped == Stopped::MaxError
+          ? "to keep the bound on the error"
+          : "for this surface (pieces: " + std::to_string(after.components) + ")";
+  return {{"TOO_FEW_FACES", std::to_string(budget) + kind + " are too few " + reason +
+                                ": the result has " + std::to_string(faces) + "."}};
+}
+
 std::vector<Warning> moreThanAsked(const Report& report, const RemeshOptions& options) {
   const MeshReport& after = *report.output;
+  if (options.faces) return beyondBudget(report, *options.faces);
   const bool isTold =
       after.quads ? report.stopped == Stopped::Fidelity : options.repair != Repair::Off;
   if (!isTold || !options.vertices || after.vertices <= *options.vertices) return {};

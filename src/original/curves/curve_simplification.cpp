@@ -19,19 +19,16 @@ namespace {
 constexpr double kNarrow = 0.5;
 constexpr double kShortestChain = 0.7;
 // A curve that bends the surface is worth thinner triangles, because without it the surface moves.
-// At a bend of 90° the narrowest width shrinks by half of this share. With .4 133 and with 1 140 of
-// 140 results (20 cases at 7 neighboring counts) are the same.
+// At a bend of 90° the narrowest width shrinks by half of this share.
 constexpr double kWorthOfBends = 0.8;
 // A wall, as of sheet metal, between surfaces at least kWide target lengths wide may be thinner
-// still: a surface that loses its walls is dented all along its rim. With 1 a test of slabs fails.
+// still: a surface that loses its walls is dented all along its rim.
 constexpr double kWorthOfWalls = 1.6, kWide = 1.5;
 // The bend of 90°; sharper bends count no more. A chain that bends so much may be as short as a
 // wall is narrow, so that a wall as high as the chain is long stays, with the region between such
-// walls. With .25 133 of 140 results (20 cases at 7 neighboring counts) are the same; with 1 all,
-// but a test of slabs fails.
+// walls.
 constexpr double kRight = 0.5;
 // Neighbours whose border is at least this share of the longest border are equally good partners.
-// With 1 a strip that bends less than its neighbour is not narrow (a test).
 constexpr double kAlike = 0.8;
 
 double narrowestWall(double size, double bend) {

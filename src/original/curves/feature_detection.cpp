@@ -10,19 +10,15 @@ namespace remesher {
 
 namespace {
 
-// Measured on scans and sculptures (cow, horse, hand, nicolo, bunny): networks of sharp edges are
-// at most 12 × as sharp as the edges beside them. Those of a machine part (fandisk) are 148 × as
-// sharp. On scans a network is a feature only if it is closed: others have loose ends. Repair's
-// needles make some networks look worse (5–15 × as sharp, of an assembly whose edges are 31 × as
-// sharp altogether): where the whole is much sharper, each network is a part's. With 10 worst
-// angles of 10 cases at 7 neighboring counts are 3.5° smaller, with 40 .1°, means of medians.
+// Those of a machine part (fandisk) are 148 × as sharp. On scans a network is a feature only if it
+// is closed: others have loose ends. Repair's needles make some networks look worse (5–15 × as
+// sharp, of an assembly whose edges are 31 × as sharp altogether): where the whole is much sharper,
+// each network is a part's.
 constexpr double kMuchSharper = 20;
-// Target edge lengths. With 0 worst angles of these cases are .3° smaller; with 6 distances of 10
-// mechanical cases are 1.07 times as large.
+// Target edge lengths.
 constexpr double kLongEnough = 3;
 // A fading crease is followed from its sharp part as long as it has this share of the angle and
-// does not turn back. With .2 the fandisk's RMS is 7 % larger, median of 3 neighboring counts; ten
-// other models do not change.
+// does not turn back.
 constexpr double kFaded = 0.25;
 constexpr double kTipAngle = radians(60);
 

@@ -15,12 +15,9 @@ namespace {
 
 const double kSharp = std::cos(radians(kFeatureAngle));  // between normals
 // A neighbor more than half as wide as a region is its like; a region with most of its border to
-// its likes is a facet. With 1 a test of round bodies fails; with 1 and 4 140 of 140 results (20
-// cases at 7 neighboring counts) are the same.
+// its likes is a facet.
 constexpr double kLike = 2;
-// A body with a smaller flat share of its area is round, with places that hardly bend. With .5
-// distances of 10 mechanical cases at 7 neighboring counts are 1.39 times as large, means of
-// medians; with .12 all results are the same.
+// A body with a smaller flat share of its area is round, with places that hardly bend.
 constexpr double kLeastShare = 0.25;
 
 struct Plane {

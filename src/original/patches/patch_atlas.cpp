@@ -15,23 +15,17 @@ namespace {
 
 // A distorted map throws points along the surface. A point is refused if its distance from the flat
 // triangle exceeds these shares of the longest side: kMaxSlide along the triangle, where there is
-// no reason to move, kMaxThrow in all, where the surface may bulge. With .5 along the triangle,
-// too, RMS distances of 15 cases at 7 neighboring counts are 1.01 times as large, means of medians.
+// no reason to move, kMaxThrow in all, where the surface may bulge.
 constexpr double kMaxSlide = 0.3, kMaxThrow = 0.5;
 
 // All on-demand patches together may visit as many faces as the mesh has, and at least so many.
-// Without this least number 112 of 140, without any limit 135 of 140 results (20 cases at 7
-// neighboring counts) are the same, and distances differ by less than a hundredth, means of
-// medians.
 constexpr std::size_t kMinOnDemandFaces = 100000;
 
-// A patch on demand reaches this many times its triangle's longest side from the centroid. With 1.5
-// the cow's draft takes half as long again, median of 7 neighboring counts.
+// A patch on demand reaches this many times its triangle's longest side from the centroid.
 constexpr double kOnDemandReach = 1.3;
 
 // Triangles with a corner this near to the middle of its disk share the patch: farther out it may
-// hold the corners and yet be of little use. With 1 15 cases at 7 neighboring counts have .2 points
-// fewer triangles above 50°, and RMS distances are 1.01 times as large, means of medians.
+// hold the corners and yet be of little use.
 constexpr double kCentral = 0.6;
 
 double diagonal(const VertexData<Vec3>& positions) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -10,18 +11,13 @@ namespace {
 
 // A cell has kMinCellSize faces, and kCellSizePerMargin more for each face that fits in a square as
 // wide as the margin: else a patch would be mostly margin. Above kMaxCellSize maps are distorted.
-// Without that limit a horse at 2500 takes half as long again. With 50 for kMinCellSize 15 cases at
-// 7 neighboring counts have .3 points more triangles above 50°, RMS distances 1.01 times as large.
 constexpr double kMinCellSize = 100, kMaxCellSize = 400, kCellSizePerMargin = 2.5;
 
 // A patch reaches this many faces beyond its cell, however small the margin, so that it holds the
-// star of each of the cell's vertices. With 2 RMS distances of 15 cases at 7 neighboring counts are
-// 1.01 times as large, means of medians.
+// star of each of the cell's vertices.
 constexpr int kMinReach = 3;
 
-// A larger patch is of no use; breadth-first growth keeps the nearest faces. Without this limit 105
-// of 105 results (15 cases at 7 neighboring counts) are the same, but a horse with 37,000 triangles
-// in one spot takes more than 300 times as long at 6000.
+// A larger patch is of no use; breadth-first growth keeps the nearest faces.
 constexpr std::size_t kMaxPatchFaces = 3000;
 
 std::size_t cellSize(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double margin) {
@@ -64,7 +60,10 @@ void PatchBuilder::growOutwards(IsWanted isWanted) {
   reaches_.clear();
   for (const Face f : grower_.faces()) reaches_.push_back({f, 0});
   for (std::size_t head = 0; head < grower_.faces().size(); ++head) {
-    if (grower_.faces().size() >= kMaxPatchFaces) break;
+    if (grower_.faces().size() >= kMaxPatchFaces) {
+      fires("patches: most faces");
+      break;
+    }
     const Reach from = reaches_[head];
     const Face f = grower_.faces()[head];
     for (int i = 0; i < 3; ++i) {

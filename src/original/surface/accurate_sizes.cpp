@@ -13,18 +13,14 @@ namespace remesher {
 namespace {
 
 // The common distance is searched between this share of the even length and the even length itself,
-// by this many bisections of the ratio. With 60, 42 of 49 results (7 cases at 7 neighboring counts)
-// are the same, and machine parts take 1.3 times as long.
+// by this many bisections of the ratio.
 constexpr double kLeastError = 1e-4;
 constexpr int kHalvings = 10;
 
 // Longest edge along a strip, in units of the strip's width: longer edges make needles across it.
-// With 5 worst angles of 10 mechanical cases at 7 neighboring counts are .6° smaller, with 1.25
-// they have 1.3 points fewer triangles above 50°, means of medians.
 constexpr double kLongestAcross = 2.5;
 // Longest edge around a circle, in units of its radius: eight edges, since some come out a third
-// longer. With half as much distances of the same are 1.26 times as large, with twice as much worst
-// angles .1° smaller.
+// longer.
 constexpr double kLongestAround = 0.75;
 
 // Per face the width of the region between curves that holds the face: twice the region's area over

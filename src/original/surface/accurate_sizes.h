@@ -7,9 +7,7 @@
 
 namespace remesher {
 
-// Bounds on sizes relative to even ones, before the power that adaptivity sets. With .125 and .5
-// for kFinest distances of 10 mechanical cases at 7 neighboring counts are 1.03 and 1.35 times as
-// large, with 1.5 and 4.5 for kCoarsest 1.01 and 1.09 times, means of medians.
+// Bounds on sizes relative to even ones, before the power that adaptivity sets.
 inline constexpr double kFinest = 0.25, kCoarsest = 2.25;
 
 struct AccuracyRules {

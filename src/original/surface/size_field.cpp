@@ -19,27 +19,18 @@ namespace remesher {
 
 namespace {
 
-// With 1000, 84 of 84 results (12 cases at 7 neighboring counts) are the same.
 constexpr int kNormalizations = 3;
-// A scale this near to 1 is good enough. With 0 the RMS distances of horse and cow at 2500 are 1.02
-// and 1.03 times as large, medians of 7 neighboring counts.
+// A scale this near to 1 is good enough.
 constexpr double kNormalEnough = 1e-3;
-// Edges longer than this, in units of the mean size at their ends, do not survive a run. With 1.5
-// and 2 RMS distances of 15 cases at 7 neighboring counts are 1.01 and 1.03 times as large, means
-// of medians, and with 2 worst angles 1.1° smaller.
+// Edges longer than this, in units of the mean size at their ends, do not survive a run.
 constexpr double kLongestEdge = 5.0 / 3;
-// Flat faces are divided into parts with edges of at most this many mean lengths. With kLongestEdge
-// the worst angle of fixed_top at 3000 is 11° smaller and the tray's RMS distance 1.11 times as
-// large, medians of 7 neighboring counts.
+// Flat faces are divided into parts with edges of at most this many mean lengths.
 constexpr double kFinestPart = 1.5;
 
 // Sizes that follow curvature also follow the bends of boundaries. In coarse meshes the chord
-// tolerance is this times size² / diagonal, since chords leave arcs by the square of the size. With
-// half as much 119 of 119 results (17 cases at 7 neighboring counts) are the same, with twice as
-// much 105.
+// tolerance is this times size² / diagonal, since chords leave arcs by the square of the size.
 constexpr double kChordOfSquare = 2.75;
-// In mean lengths. Without a shortest chord 77 of 105 results (15 cases at 7 neighboring counts)
-// are the same, and distances 1.01 times as large, means of medians.
+// In mean lengths.
 constexpr double kShortestChord = 0.75;
 
 // The median by area of values that are not negative, whose bits rise with the values. Finds 16

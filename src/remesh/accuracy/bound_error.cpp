@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/fires.h"
 #include "remesh/accuracy/refine_excess.h"
 #include "remesh/gate/angles.h"
 #include "remesh/steps/adapt.h"
@@ -17,8 +18,7 @@ namespace remesher {
 namespace {
 
 // Within so many rounds what is left must halve, and afterwards no vertex moves: two places could
-// want one vertex by turns for ever. With 3, 17 of 28 results (4 cases at 7 neighboring counts) are
-// the same, with 20 23.
+// want one vertex by turns for ever.
 constexpr int kPatience = 6;
 
 // Beyond this number of vertices mending has no future: the number asked for is out of reach from
@@ -42,7 +42,10 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
     if (excess.empty()) return true;
     const std::size_t left = excess.stray.size() + excess.lost.size();
     if (round % kPatience == kPatience - 1) {
-      if (left > halfOfEarlier) return false;
+      if (left > halfOfEarlier) {
+        fires("error bound: the excess does not shrink");
+        return false;
+      }
       halfOfEarlier = left / 2;
     }
     refineExcess(run, excess, round < kPatience ? Moves::Allowed : Moves::Never);
@@ -56,7 +59,9 @@ bool mend(Run& run, const BoundGoal& goal, const Progress& progress) {
 void polishInCount(Run& run, const Progress& progress) {
   const WorkingMesh before = run.mesh;
   polish(run, {kFair}, progress);
-  if (run.mesh.mesh().vertexCount() != before.mesh().vertexCount()) run.mesh = before;
+  if (run.mesh.mesh().vertexCount() == before.mesh().vertexCount()) return;
+  fires("error bound: polishing undone");
+  run.mesh = before;
 }
 
 }  // namespace
@@ -64,6 +69,7 @@ void polishInCount(Run& run, const Progress& progress) {
 bool boundError(Run& run, const BoundGoal& goal, const Progress& progress) {
   if (!mend(run, goal, progress.phase("mend", 0, 0.3))) {
     if (goal.outOfBound == OutOfBound::GiveUp) return false;
+    fires("error bound: from the original itself");
     run.mesh = WorkingMesh(run.mesh.surface());
   }
   run.asked.scale = 1;

@@ -17,22 +17,17 @@ namespace remesher {
 
 namespace {
 
-// A move must lower a distance to less than this share. With .9 15 cases at 7 neighboring counts
-// have .12 points fewer triangles above 50° and distances 1.01 times as large, means of medians.
+// A move must lower a distance to less than this share.
 constexpr double kGain = 0.99;
-// If the largest distance is stuck, distances below this share of it are not worth a try. With
-// .9 the cow's RMS (at 1500, 2500 and 3000, medians of 7 neighboring counts) is 1 to 4 % larger.
+// If the largest distance is stuck, distances below this share of it are not worth a try.
 constexpr double kNearMaximum = 0.8;
 
 // The least number of triangles to try, and the number of vertices to each try in a large mesh,
-// where few triangles decide. With 50 distances of 15 cases at 7 neighboring counts are 1.03 times
-// as large, means of medians.
+// where few triangles decide.
 constexpr std::size_t kTries = 100;
 // A point between two shells is far from both, and about as near to one as to the other: a try
 // there may look at millions of the original's triangles. If a mesh passes through itself all over,
-// a try may look at as many of the mesh's own. Other tries seldom look at more than ten thousand:
-// without a limit 140 of 140 results (20 cases at 7 neighboring counts) are the same, with 3000
-// 139.
+// a try may look at as many of the mesh's own.
 constexpr std::size_t kLooksPerTry = 12'000;
 
 // The smallest angle that a move must leave, in radians, and the one asked of the last try, which

@@ -7,8 +7,7 @@ namespace remesher {
 
 namespace {
 
-// Vertices. With 1 a vertex takes values of another chart than the triangle's (a test of
-// chart_keeper).
+// Vertices.
 constexpr std::size_t kEnoughSeen = 4;
 
 }  // namespace

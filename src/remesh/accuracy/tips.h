@@ -8,8 +8,6 @@
 namespace remesher {
 
 // A place of the original that is farther from the mesh, in target edge lengths, is a lost tip.
-// With .4 15 cases at 7 neighboring counts have .4 points fewer triangles above 50°, with .6
-// distances are 1.03 times as large, means of medians.
 inline constexpr double kLostTip = 0.5;
 
 // Moves a vertex to every lost tip, the farthest first, where the star allows it, and pins it

@@ -12,9 +12,7 @@ namespace remesher {
 // poor, fair: what a lost tip or a bound is worth until the triangle is mended. sound: what a move
 // that lowers distances must leave, since polishing lifts it to fine. fine: polishing leaves such a
 // triangle alone. good: what a move that lowers distances leaves where it cannot leave kWideAngle.
-// Changing `sound` changes the bytes of `rounds`. Means of 15 cases' medians at 7 neighboring
-// counts: with 25° for poor distances are 1.01 times as large, with 25° for fair worst angles .7°
-// smaller, with 38° for good nothing changes by more than 1 % or .1°.
+// Changing `sound` changes the bytes of `rounds`.
 inline constexpr double kSliver = radians(8), kPoor = radians(20), kFair = radians(30),
                         kSound = radians(33.2), kFine = radians(35), kGood = radians(42);
 

@@ -11,9 +11,7 @@
 
 namespace remesher {
 
-// Pieces of this size, relative to the distance, count as too far if they are still unsure. With
-// half and twice as much 5 cases at 7 neighboring counts have .3 and .4 points more triangles above
-// 50°, in 1.02 and 1.00 times the time, means of medians.
+// Pieces of this size, relative to the distance, count as too far if they are still unsure.
 inline constexpr double kSmallestPiece = 0.04;
 
 double squaredDistance(const Vec3& p, const Triangle& t);

@@ -26,13 +26,10 @@ namespace remesher {
 
 namespace {
 
-// Corners never move: a coarse mesh needs so many vertices per corner. With 4 15 cases at 7
-// neighboring counts have .6 points fewer triangles above 50°, means of medians.
+// Corners never move: a coarse mesh needs so many vertices per corner.
 constexpr std::size_t kVerticesPerCorner = 8;
 // The largest mean bend over a coarse edge. Six edges as long as the radius go around a tube (a
-// bend of 1); with fewer edges the tube falls flat, and no later vertex raises it again. With 1 the
-// cow at 2500 has 6.7 points fewer triangles above 50°, and is 1.3 times as far away, medians of 7
-// neighboring counts.
+// bend of 1); with fewer edges the tube falls flat, and no later vertex raises it again.
 constexpr double kMostBend = 0.9;
 
 // How the vertices are made: a coarse mesh, subdivided `count` times.
@@ -180,7 +177,7 @@ bool runBest(Run& run, const BestGoal& goal, const Progress& progress) {
   run.asked.boundaries = Boundaries::Staggered;
   makeCoarse(run, levels, progress.part(0, 0.45));
   const bool reached = refine(run, levels, progress.part(0.45, 0.85));
-  if (goal.rival && !isDraft && goal.rival->hasWon(run.mesh)) return reached;
+  if (goal.comparison && !isDraft && goal.comparison->endsEarly(run.mesh)) return reached;
   const Progress last = progress.part(0.85, 1);
   isDraft ? finishDraft(run, last) : finish(run, last);
   return reached;

@@ -4,7 +4,7 @@
 // largest distances; polish the slivers that are left.
 #pragma once
 
-#include "remesh/schemes/rival.h"
+#include "remesh/schemes/shape_comparison.h"
 #include "remesh/steps/run.h"
 
 namespace remesher {
@@ -12,11 +12,11 @@ namespace remesher {
 struct BestGoal {
   std::size_t vertices;
   Quality quality;
-  Rival* rival;  // a mesh that may be taken instead, or null
+  ShapeComparison* comparison;  // with the mesh that may be taken instead, or null
 };
 
-// Returns whether the number of vertices was reached. If a rival has won, the mesh is left
-// unfinished.
+// Returns whether the number of vertices was reached. If the simplified mesh is much
+// nearer, the mesh is left unfinished.
 bool runBest(Run& run, const BestGoal& goal, const Progress& progress);
 
 }  // namespace remesher

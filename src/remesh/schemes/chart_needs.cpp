@@ -18,8 +18,7 @@ namespace remesher {
 namespace {
 
 // Two charts are on the same place of a texture if they share this much of the smaller one's range
-// in every direction. With .1 and .95 21 of 21 results (3 cases of the helmet at 7 neighboring
-// counts) are the same.
+// in every direction.
 constexpr float kSamePlace = 0.5F;
 
 // Only charts of textures and of colours are seen, not those of shading and skins.

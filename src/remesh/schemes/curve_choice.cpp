@@ -13,9 +13,7 @@ namespace remesher {
 namespace {
 
 // Quads follow a border of a flat region where it bends by this share of the feature angle: rims of
-// fillets, but not where flat goes over into round. With 3°, 7 to 8°, 10° and no borders, medians
-// of 7 neighboring counts at 5000, angles of fandisk, fixed_top and tray deviate by 4.6, 4.5, 4.5
-// and 4.5; 6.0, 5.4, 9.0 and 9.0; and 4.1, 4.1, 4.1 and 5.6°.
+// fillets, but not where flat goes over into round.
 constexpr double kRimBend = 0.2;
 
 // The edges that the caller gave as pairs of input vertices.

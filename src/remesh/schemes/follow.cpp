@@ -167,8 +167,6 @@ Away awayFrom(const MeshTree& other, const HalfedgeMesh& mesh, const VertexData<
 }
 
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions) {
-  // With 128 42 of 42 results (6 cases at 7 neighboring counts) are the same, in 1.56 times the
-  // time; with 8 distances are 1.44 times as large, means of medians.
   constexpr std::size_t kMostThinned = 32;
   return original.mesh.vertexCount() <= kMostThinned * positions;
 }

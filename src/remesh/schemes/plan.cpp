@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/fires.h"
 #include "remesh/schemes/targets.h"
 
 namespace remesher {
@@ -14,9 +15,7 @@ namespace remesher {
 namespace {
 
 // A stand-in has so many vertices per vertex of the result; the original must have so many per
-// vertex of the stand-in. With 2 and 8 for kFiner distances of 6 cases at 7 neighboring counts are
-// 1.00 and 1.04 times as large, means of medians; with 1 and 4 for kWorthThinning 36 and 41 of 42
-// results are the same.
+// vertex of the stand-in.
 constexpr double kFiner = 4, kWorthThinning = 2;
 
 // At the same number of vertices graded sizes have a shorter mean edge than even ones: the number
@@ -136,6 +135,7 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
     const std::size_t share = kMostShare * countCornerPlaces(choice.curves, built);
     if (scale.joints.empty() || share <= vertices) return choice;
   }
+  fires("curves: joints released");
   const std::vector<Halfedge> none;
   CurveChoice choice =
       chooseWithFlats(built, input, options, {vertices, {scale.size, scale.spikes, none}});

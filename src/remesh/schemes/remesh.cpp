@@ -3,198 +3,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "mesh/hubs.h"
 #include "original/surface/original_tree.h"
-#include "remesh/accuracy/bound_error.h"
 #include "remesh/accuracy/fit.h"
 #include "remesh/accuracy/lower_hausdorff.h"
-#include "remesh/accuracy/poor_regions.h"
 #include "remesh/quads/mesh/triangulated.h"
 #include "remesh/quads/quads.h"
-#include "remesh/schemes/best.h"
 #include "remesh/schemes/bodies.h"
+#include "remesh/schemes/chooser.h"
 #include "remesh/schemes/follow.h"
+#include "remesh/schemes/isotropic.h"
 #include "remesh/schemes/mirror_door.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/plan.h"
-#include "remesh/schemes/rival.h"
-#include "remesh/schemes/rounds.h"
 #include "remesh/schemes/targets.h"
-#include "remesh/schemes/uncrossed.h"
-#include "remesh/steps/adapt.h"
-#include "remesh/steps/apart.h"
-#include "remesh/steps/split_obtuse.h"
 #include "remesh/transfer/attribute_transfer.h"
 
 namespace remesher {
 
 namespace {
-
-// Seams lie side by side and cross the surface as they please: most triangles there have two or
-// three corners on curves, and their angles are worth more than even steps along the curves. With 0
-// 3 cases of the helmet at 7 neighboring counts have 6.3 points fewer triangles above 50°, with 1.6
-// .4 more, and worst angles are 1.1° smaller with either, means of medians.
-constexpr double kStagger = 0.8;
-constexpr double kBoundShare = 0.7;    // of a run's time, about, to keep an error bound
-constexpr double kRoundsShare = 0.85;  // the rest mends the poor regions they leave
-
-// The result of a run on the original.
-struct Remeshed {
-  WorkingMesh mesh;
-  Stopped stopped;
-  std::size_t coincident;  // see moveApart
-};
-
-// Whether a result may intersect itself.
-enum class CrossingRule { Leave, Mend };
-
-CrossingRule crossingsAfter(const RemeshOptions& options) {
-  return options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::Mend;
-}
-
-// The settings of a run besides its original.
-struct Manner {
-  const RemeshOptions& options;
-  double stagger;  // see Run
-  Grain grain;
-  Rival* rival;  // a mesh that may be taken instead, or null
-  OriginalTree& tree;
-  const Bodies& bodies;
-  CrossingRule crossings = CrossingRule::Leave;
-};
-
-// Results in double precision are made as if they had to be single: a mesh is the same in every
-// format of file, up to its last digits.
-Grain grainOf(const TriangleMesh& input) {
-  constexpr double kHalfUlp = 0x1p-24, kHalfLeast = 0x1p-150;
-  double farthest = 0;
-  for (const Vec3& p : input.positions) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-  return {std::max(kHalfUlp * farthest, kHalfLeast * input.scale), input.scale};
-}
-
-bool runScheme(Run& run, std::size_t vertices, const Manner& manner, const Progress& progress) {
-  const RemeshOptions& options = manner.options;
-  if (options.scheme == Scheme::Rounds) {
-    const bool reached =
-        runRounds(run, {vertices, options.splitObtuse}, progress.part(0, kRoundsShare));
-    const Progress mending = progress.phase("mend", kRoundsShare, 1);
-    if (run.asked.rule.mode != Fidelity::Strict) mendPoorRegions(run);
-    return reached;
-  }
-  const bool reached = runBest(run, {vertices, options.quality, manner.rival}, progress);
-  if (options.splitObtuse) splitObtuse(run);
-  return reached;
-}
-
-// Makes as many vertices as the sizes for the bound need, even beyond the target; some are then
-// removed as the bound allows. Sizes that need more vertices than the original has measure its
-// facets, not its shape: then, and where the number itself is looked for, only the target is made.
-bool runWithin(Run& run, const BoundGoal& goal, const Manner& manner, const Progress& progress) {
-  const bool splitsObtuse = manner.options.splitObtuse;
-  const std::size_t original = run.mesh.mesh().vertexCount();
-  const double wanted = run.sizes.vertices();
-  const bool isBeyond = wanted > double(std::max(goal.vertices, original));
-  const bool isFewest = goal.outOfBound == OutOfBound::GiveUp;
-  const std::size_t aim = isBeyond || isFewest ? goal.vertices : std::size_t(std::lround(wanted));
-  runScheme(run, aim, manner, progress.part(0, 1 - kBoundShare));
-  const std::size_t most = splitsObtuse ? run.mesh.mesh().vertexCount() : goal.vertices;
-  return boundError(run, {goal.bound, most, goal.outOfBound}, progress.part(1 - kBoundShare, 1));
-}
-
-struct Places {
-  bool areReached;
-  std::size_t coincident;  // see moveApart
-};
-
-// Where the builder cut the input apart, several vertices may share a place; the target is a number
-// of places, which is aimed at as long as it comes nearer.
-Places matchPositions(Run& run, std::size_t vertices, const Bodies& bodies) {
-  std::size_t coincident = moveApart(run);
-  for (std::size_t least = std::numeric_limits<std::size_t>::max();;) {
-    const std::size_t now = bodies.countPlaces(run.mesh);
-    if (now == vertices) return {true, coincident};
-    const std::size_t missed = std::max(now, vertices) - std::min(now, vertices);
-    const std::size_t aim = run.mesh.mesh().vertexCount() + vertices - now;
-    if (missed >= least || (!matchCount(run, aim) && !fillUp(run, aim))) return {false, coincident};
-    least = missed;
-    coincident = moveApart(run);
-  }
-}
-
-// With many vertices projection walks: over short edges the straight way leads to the same place as
-// patches. Projection also walks if there are hubs, for patches hold whole stars, and each patch at
-// a hub would hold all of its triangles: at 20,000 triangles 400 million together.
-Projector projectorFor(const Prepared& original, const RemeshOptions& options) {
-  const bool walks = options.scheme == Scheme::Best && options.projection == Projection::Patches &&
-                     original.vertices() >= kMany;
-  const bool hasHubs =
-      options.projection == Projection::Patches && !Hubs(original.ground().mesh()).empty();
-  if (walks || hasHubs) return Projector(original.ground());
-  return Projector(original.ground(), options.projection, original.longestEdges());
-}
-
-// The vertices that repaired surfaces of many pieces or handles are made of, where those asked for
-// do not suffice; otherwise 0.
-std::size_t enoughInstead(const Prepared& original, const RemeshOptions& options) {
-  if (options.repair == Repair::Off || original.bound() || options.splitObtuse) return 0;
-  const std::size_t enough = fewestVertices(original.surface().mesh()).enough;
-  return original.vertices() < enough ? enough : 0;
-}
-
-struct Made {
-  bool isReached;  // the number of vertices
-  Uncrossed uncrossed = {};
-};
-
-Made makeMesh(Run& run, const Prepared& original, const Manner& manner, const Progress& progress) {
-  const RemeshOptions& options = manner.options;
-  if (const std::size_t enough = enoughInstead(original, options)) {
-    progress.phase("polish", 0, 0);
-    return {false, makeUncrossed(run, enough)};
-  }
-  const std::size_t vertices = original.vertices();
-  const bool isReached =
-      original.bound()
-          ? runWithin(run, {*original.bound(), vertices, options.outOfBound}, manner, progress)
-          : runScheme(run, vertices, manner, progress);
-  const bool isGivenUp = !isReached && original.bound() && options.outOfBound == OutOfBound::GiveUp;
-  if (manner.crossings == CrossingRule::Leave || isGivenUp) return {isReached};
-  Uncrossed uncrossed = keepUncrossed(run, vertices);
-  const bool isStillReached = isReached && uncrossed.isReached;
-  return {isStillReached, std::move(uncrossed)};
-}
-
-Remeshed remeshOriginal(const Prepared& original, const Manner& manner, const Progress& progress) {
-  const RemeshOptions& options = manner.options;
-  Projector projector = projectorFor(original, options);
-  WorkingMesh mesh(original.ground());
-  SizeField sizes = original.sizes();
-  Run run{mesh, projector, sizes, {fidelityRule(options)}};
-  run.asked.rule.grain = manner.grain;
-  run.grounds.standIn = original.standIn();
-  run.grounds.tree = &manner.tree;
-  run.asked.stagger = manner.stagger;
-  const std::size_t vertices = original.vertices();
-  const std::size_t places = options.inBodies.value_or(Index(vertices));
-  run.asked.effort = effortOf(options.quality, Level::Finest, vertices);
-  const Made made = makeMesh(run, original, manner, progress);
-  const bool mayMatch =
-      !options.splitObtuse && (made.isReached || manner.bodies.countPlaces(mesh) < places);
-  const Places matched = mayMatch ? matchPositions(run, places, manner.bodies)
-                                  : Places{made.isReached, moveApart(run)};
-  const bool byBound = run.verdicts[std::size_t(Verdict::MaxError)] > 0;
-  return {std::move(mesh),
-          matched.areReached ? Stopped::Target
-          : byBound          ? Stopped::MaxError
-                             : Stopped::Fidelity,
-          matched.coincident};
-}
 
 // Whether the vertices of the original that its shape needs may be taken instead of even triangles:
 // not if the caller sets sizes, bounds or edges. With repair only on demand, for no collapse there
@@ -266,8 +98,9 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
     originals.push_back(std::make_unique<Prepared>(std::move(copy), options, stretch));
     OriginalTree tree(originals.back()->surface(), &input);
     const Bodies bodies(input, options.bodies);
-    const Manner manner{options, 0, grainOf(input), nullptr, tree, bodies, crossingsAfter(options)};
-    Remeshed remeshed = remeshOriginal(*originals.back(), manner, stretch);
+    const RunSettings settings{options, 0,      grainOf(input),         nullptr,
+                               tree,    bodies, crossingsAfter(options)};
+    Remeshed remeshed = remeshOriginal(*originals.back(), settings, stretch);
     remeshed.mesh.compact();
     stretch.phase("quads", 1, 1);
     return std::move(remeshed.mesh);
@@ -330,65 +163,135 @@ std::size_t enoughForCurves(const TriangleMesh& input, RemeshOptions options,
   }
 }
 
-// With more vertices than the original has, a bound too small to be seen gives them to the shape.
-RemeshOptions withOwnShape(RemeshOptions options) {
-  options.maxError = 100 * kSeen;
-  return options;
+// The candidates for the triangles of a surface, each made when the chooser first asks for it.
+class SurfaceCandidates {
+ public:
+  SurfaceCandidates(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
+                    CrossingRule crossings, const Progress& progress)
+      : input_(input),
+        options_(options),
+        crossings_(crossings),
+        progress_(progress),
+        mayFollow_(mayFollow(options)),
+        plan_(planRun(input, std::move(welding), options, progress)),
+        vertices_(plan_.vertices),
+        isRefined_(vertices_ > plan_.built.mesh.vertexCount()) {}
+
+  RemeshOutcome chosen() {
+    const Rule& rule = choose(Decision::Surface,
+                              [this](Fact fact) { return isOfRequest(fact) || isOfMesh(fact); });
+    RemeshOutcome outcome = taken(rule.taken);
+    outcome.chosen = inReport(rule);
+    return outcome;
+  }
+
+ private:
+  bool isOfRequest(Fact fact) const {
+    if (fact == Fact::RoundsAsked) return options_.scheme == Scheme::Rounds;
+    if (fact == Fact::IsotropicAsked) return options_.prefer == Prefer::Even;
+    if (fact == Fact::ShapeAsked) return options_.prefer == Prefer::Shape;
+    if (fact == Fact::VerticesPlaced) return !mayFollow_;
+    return fact == Fact::MoreThanInput && isRefined_;
+  }
+
+  bool isOfMesh(Fact fact) {
+    if (fact == Fact::CornersExceedNumber)
+      return options_.textures == Textures::Bake &&
+             countCorners(plan_.curves, plan_.built.mesh) > vertices_ &&
+             isWorthFollowing(plan_.built, vertices_);
+    if (fact == Fact::SimplifiedToNumber) return isSimplified();
+    if (fact == Fact::NumberReached) return isotropic().isReached();
+    if (fact == Fact::FlatSidesRefined) return isotropic().comparison().refinesFlatSides();
+    if (fact == Fact::UnfinishedFar) return isotropic().comparison().isUnfinishedFar();
+    if (fact == Fact::UnfinishedNear) return isotropic().comparison().isUnfinishedNear();
+    if (fact == Fact::SimplifiedOrDivided) return isotropic().comparison().hasSimplified();
+    if (fact == Fact::IsotropicFar) return isotropic().comparison().isSeen(isotropic().mesh());
+    if (fact == Fact::SimplifiedNearer)
+      return isotropic().comparison().isSimplifiedNearer(isotropic().mesh());
+    return fact == Fact::BoundedReached && bounded().isReached();
+  }
+
+  bool isSimplified() {
+    if (!simplified_) simplified_ = follow(plan_.built, input_, vertices_, options_.textures);
+    return simplified_->has_value();
+  }
+
+  // If it may have to be made within a bound, it takes half of the progress.
+  Isotropic& isotropic() {
+    if (isotropic_) return *isotropic_;
+    isotropic_ = std::make_unique<Isotropic>(std::move(plan_), input_, options_, progress_);
+    ShapeComparison* const comparison = mayFollow_ ? &isotropic_->comparison() : nullptr;
+    const bool mayRefine = comparison && comparison->refinesFlatSides();
+    isotropic_->make(crossings_, comparison, mayRefine ? progress_.part(0, kHalf) : progress_);
+    return *isotropic_;
+  }
+
+  // With more vertices than the original has, a bound too small to be seen gives them to the shape.
+  Isotropic& bounded() {
+    if (bounded_) return *bounded_;
+    RemeshOptions options = options_;
+    options.maxError = 100 * kSeen;
+    const Progress progress = isotropic_ ? progress_.part(kHalf, 1) : progress_;
+    Plan plan =
+        isotropic_ ? planRun(input_, Welding(input_), options_, progress) : std::move(plan_);
+    bounded_ = std::make_unique<Isotropic>(std::move(plan), input_, options, progress);
+    bounded_->make(crossings_, nullptr, progress);
+    return *bounded_;
+  }
+
+  RemeshOutcome taken(Candidate candidate) {
+    if (candidate == Candidate::Bounded) return bounded().outcome(Prefer::Shape, progress_);
+    if (candidate == Candidate::Isotropic) return isotropic().outcome(Prefer::Even, progress_);
+    if (!isotropic_)
+      return outcomeOf(std::move(**simplified_), vertices_, std::move(plan_.warnings));
+    const Prepared& original = isotropic().original();
+    return outcomeOf(isotropic().comparison().takeSimplified(), original.vertices(),
+                     original.warnings());
+  }
+
+  static constexpr double kHalf = 0.5;
+
+  const TriangleMesh& input_;
+  const RemeshOptions& options_;
+  const CrossingRule crossings_;
+  const Progress& progress_;
+  const bool mayFollow_;
+  Plan plan_;  // empty once a candidate was made of it
+  const std::size_t vertices_;
+  const bool isRefined_;  // whether more vertices are wanted than the input has
+  std::optional<std::optional<Followed>> simplified_;  // of the plan
+  std::unique_ptr<Isotropic> isotropic_, bounded_;
+};
+
+// With the options' quads, or triangles.
+RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
+                            const RemeshOptions& options, const Progress& progress) {
+  if (options.quads)
+    return remeshToQuads(planRun(input, std::move(welding), options, progress), input, options,
+                         progress);
+  return SurfaceCandidates(input, std::move(welding), options, crossingsAfter(options), progress)
+      .chosen();
 }
 
-RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const RemeshOptions& asked,
-                            CrossingRule crossings, const Progress& progress) {
-  Plan plan = planRun(input, std::move(welding), asked, progress);
-  if (asked.quads) return remeshToQuads(std::move(plan), input, asked, progress);
-  const bool isWished = asked.prefer == Prefer::Shape;
-  const bool isFiner =
-      isWished && mayFollow(asked) && plan.vertices > plan.built.mesh.vertexCount();
-  const RemeshOptions options = isFiner ? withOwnShape(asked) : asked;
-  const bool isRivalled = mayFollow(options);
-  const auto isForced = [&] {
-    return options.textures == Textures::Bake &&
-           countCorners(plan.curves, plan.built.mesh) > plan.vertices &&
-           isWorthFollowing(plan.built, plan.vertices);
+RemeshOutcome chosenQuads(const TriangleMesh& input, const RemeshOptions& options,
+                          const std::function<RemeshOutcome()>& remeshWhole,
+                          const Progress& progress) {
+  const auto remeshHalf = [&](const TriangleMesh& half, const RemeshOptions& own) {
+    return remeshPlanned(half, Welding(half), own, progress);
   };
-  if (isRivalled && (isWished || isForced()))
-    if (std::optional<Followed> followed =
-            follow(plan.built, input, plan.vertices, options.textures))
-      return outcomeOf(std::move(*followed), plan.vertices, std::move(plan.warnings));
-  const Prepared original(std::move(plan), options, progress);
-  Rival rival(original, input, options.textures);
-  const bool mayMiss = isRivalled && rival.mayMiss();
-  OriginalTree tree(original.surface(), &input);
-  const Bodies bodies(input, options.bodies);
-  const Manner manner{options,        input.attributes.empty() ? 0 : kStagger,
-                      grainOf(input), isRivalled ? &rival : nullptr,
-                      tree,           bodies,
-                      crossings};
-  const Remeshed remeshed =
-      remeshOriginal(original, manner, mayMiss ? progress.part(0, 0.5) : progress);
-  if (isRivalled)
-    if (std::optional<Followed> followed =
-            rival.winner(remeshed.mesh, remeshed.stopped == Stopped::Target))
-      return outcomeOf(std::move(*followed), original.vertices(), original.warnings());
-  if (mayMiss && rival.isMissedBy(remeshed.mesh)) {
-    RemeshOptions nearer = options;
-    nearer.prefer = Prefer::Shape;
-    RemeshOutcome outcome =
-        remeshPlanned(input, Welding(input), nearer, crossings, progress.part(0.5, 1));
-    if (outcome.stopped == Stopped::Target) return outcome;
-  }
-  progress.phase("extract", 1, 1);
-  std::vector<InputPlace> places;
-  if (options.textures == Textures::Bake) places = cornerPlaces(remeshed.mesh, input);
-  const std::size_t vertices =
-      options.splitObtuse ? original.vertices() : bodies.countPlaces(remeshed.mesh);
-  return {extractMesh(remeshed.mesh, input, original.transfer()),
-          std::move(places),
-          remeshed.stopped,
-          vertices,
-          original.warnings(),
-          remeshed.coincident,
-          tree.ofInput(),
-          isFiner ? Prefer::Shape : Prefer::Even};
+  std::optional<RemeshOutcome> made;
+  const Rule& rule = choose(Decision::Quads, [&](Fact fact) {
+    if (fact == Fact::MirrorsKept) {
+      made = remeshIfMirrored(input, options, remeshHalf);
+      return made.has_value();
+    }
+    if (!made) made = remeshWhole();
+    return fact == Fact::PartsPaired &&
+           std::any_of(made->warnings.begin(), made->warnings.end(),
+                       [](const Warning& warning) { return warning.code == "QUADS_PAIRED"; });
+  });
+  made->chosen = inReport(rule);
+  return std::move(*made);
 }
 
 }  // namespace
@@ -396,26 +299,24 @@ RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding, const Re
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   checkOptions(options, input.positions.size());
-  const auto remeshHalf = [&](const TriangleMesh& half, const RemeshOptions& own) {
-    return remeshPlanned(half, Welding(half), own, crossingsAfter(own), progress);
+  const auto remeshWhole = [&] {
+    try {
+      return remeshPlanned(input, std::move(welding), options, progress);
+    } catch (const TooFewVertices& error) {
+      if (error.code != ErrorCode::TargetBelowCurves) throw;
+      const std::size_t enough = enoughForCurves(input, options, error.needed);
+      throw TooFewVertices(error.code, {error.target, enough, enough});
+    }
   };
-  if (options.quads)
-    if (std::optional<RemeshOutcome> mirrored = remeshIfMirrored(input, options, remeshHalf))
-      return std::move(*mirrored);
-  try {
-    return remeshPlanned(input, std::move(welding), options, crossingsAfter(options), progress);
-  } catch (const TooFewVertices& error) {
-    if (error.code != ErrorCode::TargetBelowCurves) throw;
-    const std::size_t enough = enoughForCurves(input, options, error.needed);
-    throw TooFewVertices(error.code, {error.target, enough, enough});
-  }
+  return options.quads ? chosenQuads(input, options, remeshWhole, progress) : remeshWhole();
 }
 
 RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,
                               const RemeshOptions& options, const Progress& progress) {
-  RemeshOptions even = options;
-  even.prefer = Prefer::Even;
-  return remeshPlanned(input, std::move(welding), even, CrossingRule::Mend, progress);
+  RemeshOptions isotropic = options;
+  isotropic.prefer = Prefer::Even;
+  return SurfaceCandidates(input, std::move(welding), isotropic, CrossingRule::Mend, progress)
+      .chosen();
 }
 
 }  // namespace remesher

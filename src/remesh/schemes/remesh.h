@@ -26,6 +26,7 @@ struct RemeshOutcome {
   std::optional<ListedTree> tree = {};
   Prefer prefer = Prefer::Even;  // or Shape
   std::size_t mirrors = 0;       // planes about which quads are their own mirror image
+  Chosen chosen = {};            // the rule by which this mesh was taken
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

@@ -21,8 +21,7 @@ constexpr int kAreaSweeps = 3;
 constexpr int kAreaRounds = 10;
 constexpr int kLaplacianRounds = 10;
 // Where sizes are graded, rounds of splits and collapses come first, for edges much longer or
-// shorter than their target, until none is left that may change. With 6 the cow at 2500 has 8
-// points fewer triangles of 50 to 60°, median of 7 neighboring counts.
+// shorter than their target, until none is left that may change.
 constexpr int kGradingRounds = 12;
 constexpr double kGradingShare = 0.4;  // of the time
 constexpr double kMostGraded = 4;      // of the vertices asked for, or present: else slivers go on

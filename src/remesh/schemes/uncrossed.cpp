@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/fires.h"
 #include "base/patience.h"
 #include "remesh/accuracy/needles.h"
 #include "remesh/accuracy/uncross.h"
@@ -33,6 +34,7 @@ std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
   std::size_t thinned = 0;
   for (std::size_t times = 2; times <= 16; times *= 2) {
     if (times * vertices < thinned) continue;  // the same again
+    if (times > 2) fires("uncrossed: decimated less, since crossings could not be mended");
     run.mesh = WorkingMesh(run.mesh.surface());
     if (times * vertices >= run.mesh.mesh().vertexCount()) break;
     run.asked.rule.guard = nullptr;
@@ -41,6 +43,7 @@ std::unique_ptr<CrossingGuard> startAnew(Run& run, std::size_t vertices) {
     std::unique_ptr<CrossingGuard> guard = guardOf(run);
     if (uncross(run, guard->crossing()) == 0) return guard;
   }
+  fires("uncrossed: from the original itself");
   run.mesh = WorkingMesh(run.mesh.surface());
   return guardOf(run);
 }
@@ -78,8 +81,11 @@ Uncrossed uncrossed(Run& run, std::size_t vertices) {
   std::unique_ptr<CrossingGuard> guard = guardOf(run);
   std::vector<Face> crossed = guard->crossing();
   if (crossed.empty()) return {std::move(guard), true, 0};
-  if (uncross(run, std::move(crossed)) == 0)
+  if (uncross(run, std::move(crossed)) == 0) {
+    fires("uncrossed: mended");
     return {std::move(guard), finishUncrossed(run, vertices), 0};
+  }
+  fires("uncrossed: made anew");
   return madeAnew(run, vertices, startAnew(run, vertices));
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "base/place.h"
 #include "remesh/steps/sweeps.h"
 
@@ -135,6 +136,7 @@ std::size_t moveApart(Run& run) {
       if (one.tie == Tie::Boundary) moveAlong(run, one.vertex, step);
     others = onOthers(run);
   }
+  if (!others.empty()) fires("apart: vertices stay coincident");
   return others.size();
 }
 

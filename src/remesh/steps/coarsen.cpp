@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/fires.h"
 #include "base/patience.h"
 #include "remesh/steps/lengths.h"
 
@@ -33,8 +34,10 @@ class Coarsening {
     Patience patience;
     while (isTooMany()) {
       const std::size_t collapses = pass();
-      if (!isTooMany() || areProofsSpent(run_)) return;
-      if (!patience.after(collapses, run_.mesh.mesh().vertexCount() - goal_.vertices)) return;
+      if (!isTooMany()) return;
+      if (areProofsSpent(run_)) return fires("coarsen: proofs spent");
+      if (!patience.after(collapses, run_.mesh.mesh().vertexCount() - goal_.vertices))
+        return fires("coarsen: collapses gain too little");
     }
   }
 

@@ -9,8 +9,7 @@
 namespace remesher {
 
 // From this many vertices on edges are so short that a walk over the original ends where a patch
-// would lead. With 16,000 distances of 3 drafts at 7 neighboring counts are 1.03 times as large, in
-// 1.19 times the time; with 0 those of 10 smaller cases are 1.02 times as large, means of medians.
+// would lead.
 inline constexpr std::size_t kMany = 8000;
 // From here on a step costs seconds, and nobody sees a few triangles more or less near a limit.
 inline constexpr std::size_t kLarge = 100'000;
@@ -31,15 +30,10 @@ struct Effort {
 };
 
 // The coarse level of a draft: only one of four final vertices is its own, and those that
-// subdivision puts between them come out regular. Of 7 drafts at 7 neighboring counts, with 2
-// adaptRounds or without smoothing .25 points fewer triangles are above 50°, without annealing
-// distances are 1.05 times as large, means of medians.
+// subdivision puts between them come out regular.
 inline constexpr Effort kSketch = {3, 1, 64, 2, 1, 2, 0.02, 0, 4, 1, 3, 1};
-// With 3 adaptRounds, 1 adaptSweep or 2 annealRounds .8, .4 and .6 points fewer triangles of the
-// same drafts are above 50°; with a second smoothing or 4 passes .1 and .0 points more.
 inline constexpr Effort kDraft = {5, 2, 7, 4, 1, 2, 0.02, 0, 4, 1, 3, 1};
-// The coarse level of the best quality: the levels after it are smoothed again. With a second sweep
-// nicolo's worst angle at 2500 is 4.9° smaller, median of 7 neighboring counts.
+// The coarse level of the best quality: the levels after it are smoothed again.
 inline constexpr Effort kCoarse = {5, 1, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 inline constexpr Effort kUsual = {5, 2, 7, 20, 2, 4, 0.003, 3, 8, 2, 3, 3};
 // A larger mesh has fewer irregular vertices for its size, and those that annealing cannot reach

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/fires.h"
 #include "geometry/pattern_search.h"
 #include "geometry/polar_map.h"
 #include "geometry/triangle.h"
@@ -21,19 +22,15 @@ namespace {
 
 constexpr int kMeansByTurns = 2;  // see meansOf
 // If this many bad triangles outlast the effort's patience, the surface allows no better: the rest
-// are around handles no larger than a triangle. If a fifth must go, 96 of 105 results (15 cases at
-// 7 neighboring counts) are the same; with 400 for kManyBad there are .2 points fewer triangles
-// above 50°.
+// are around handles no larger than a triangle.
 constexpr std::size_t kManyBad = 200;
 // The work on a triangle is the number of its corners' neighbours. Where few triangles are bad a
 // twentieth of the limit, per wanted triangle, is needed; where all are, and valences high, more is
-// in vain. With 10 and 40, 35 of 35 results (5 cases at 7 neighboring counts) are the same.
+// in vain.
 constexpr std::size_t kMostWork = 20;
 constexpr double kByProjecting = radians(1);  // angles seldom grow by more
 // The largest shift beside curves, in target edge lengths. Any angle there is better than a thin
-// wall's, and larger steps would cut across its rims. With kSmallShift the worst angle of fixed_top
-// at 3000 is 8°, not 19°, median of 7 neighboring counts; those of three other parts are as good or
-// better.
+// wall's, and larger steps would cut across its rims.
 constexpr double kMostBesideCurves = 0.25;
 
 // The best proposal seen so far, by the worst angle it leaves.
@@ -138,9 +135,7 @@ bool canBeRolledOut(const WorkingMesh& mesh, Vertex v) {
 }
 
 // Offers places up and down the mean normal of the star: around a sharp tip no place on the surface
-// is better, but a place a little off it is. No lift is longer than a step's shift, with the mean
-// spoke as the length: with 0.2 of it 65 of 105 results (15 cases at 7 neighboring counts) are the
-// same, the others as good.
+// is better, but a place a little off it is.
 void offerLifts(Run& run, Vertex v, Best& best) {
   if (run.mesh.kind(v) != VertexKind::Interior || canBeRolledOut(run.mesh, v)) return;
   if (run.mesh.surface().isFlatAt(run.mesh.at(v))) return;
@@ -294,8 +289,6 @@ std::size_t mostWork(const Run& run) {
 }  // namespace
 
 bool areFewBelow(const Run& run, double angle) {
-  // With .01 and .04 15 cases at 7 neighboring counts have .2 and .3 points fewer triangles above
-  // 50°, means of medians.
   constexpr double kFew = 0.02;
   const HalfedgeMesh& mesh = run.mesh.mesh();
   const AngleLimit limit(angle);
@@ -313,6 +306,8 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   const auto mayTry = [&](Face f) {
     const bool isFull = double(run.mesh.mesh().vertexCount()) > kMostGrowth * double(vertices) + 16;
     const std::size_t own = isFull ? work + 1 : workOf(run, f, hubs);
+    if (isFull) fires("polish: most vertices");
+    if (!isFull && own > work) fires("polish: most work");
     if (own > work || areProofsSpent(run)) return false;
     work -= own;
     return true;
@@ -323,7 +318,11 @@ void polish(Run& run, const PolishGoal& goal, const Progress& progress) {
   for (int round = 0; round < rounds; ++round) {
     progress.at(double(round) / rounds);
     if (inVainSince == 0) bad = badTriangles(run, goal.angle);
-    if (bad.empty() || (bad.size() > kManyBad && double(bad.size()) > before)) break;
+    if (bad.empty()) break;
+    if (bad.size() > kManyBad && double(bad.size()) > before) {
+      fires("polish: bad triangles do not get fewer");
+      break;
+    }
     if ((round + 1) % run.asked.effort.polishPatience == 0) before = double(bad.size());
     if (inVainSince++ >= kMeansByTurns && round + 1 < rounds) continue;
     InVain inVain;

@@ -16,18 +16,12 @@ namespace remesher {
 namespace {
 
 constexpr std::uint32_t kSeed = 2003;
-// With .25 15 cases at 7 neighboring counts have .1 points more triangles above 50° and worst
-// angles .2° smaller, means of medians.
 constexpr double kStartProbability = 0.5;
-// Not a rung of the ladder: with 28° worst angles of 10 cases at 7 neighboring counts are 1.5°
-// smaller, with 15° distances 1.06 times as large, means of medians.
 constexpr double kSmallestAngle = radians(25);
-// Rounds. Without these flips 15 cases at 7 neighboring counts have .1 points fewer triangles above
-// 50°, and RMS distances are 1.01 times as large, means of medians.
+// Rounds.
 constexpr int kDelaunayEvery = 5;
 // The weight of a boundary vertex: it has fewer neighbours to even out an irregular valence, which
-// is better inside. Not on kept boundaries, whose edges are as long as they happen to be. With 1
-// quads of the hand at 2500 deviate by .9° more, median of 7 neighboring counts.
+// is better inside. Not on kept boundaries, whose edges are as long as they happen to be.
 constexpr int kAtBoundary = 2;
 
 // At a boundary, the number of edges that divides the angle there into parts of about 60°.

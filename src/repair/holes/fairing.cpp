@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -104,6 +105,7 @@ class Smoothest {
     double before = dot(residual, step);
     const double enough = kResidual * before;
     for (int round = 0; round < kMostRounds && before > enough; ++round) {
+      if (round + 1 == kMostRounds) fires("hole fairing: most rounds");
       const std::vector<Vec3> image = gradient(step);  // zero for fixed vertices
       const double along = dot(step, image);
       if (!(along > 0)) break;

@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 
 namespace remesher {
@@ -255,6 +256,7 @@ Plug triangulated(const BuiltMesh& built, const Loop& loop) {
   if (polygon.vertices.size() <= kMostByTables && !isTriangle(built.mesh, loop, polygon)) {
     const std::vector<char> taken = takenChords(built.mesh, loop, plug, polygon);
     const Tables tables(polygon, plug.points, taken);
+    if (!tables.isComplete()) fires("hole triangulation: no triangulation by tables");
     if (tables.isComplete()) {
       const std::vector<Corners3> rest = tables.triangles();
       plug.triangles.insert(plug.triangles.end(), rest.begin(), rest.end());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/fires.h"
 #include "geometry/triangle.h"
 #include "mesh/edge_groups.h"
 
@@ -29,7 +30,9 @@ class PlugMesh {
 
   void run() {
     relax();
-    for (int round = 0; round < kMostRounds && insertAll(); ++round) relax();
+    int round = 0;
+    for (; round < kMostRounds && insertAll(); ++round) relax();
+    if (round == kMostRounds) fires("hole refinement: most rounds");
     plug_.triangles.clear();
     for (std::size_t c = 0; c < corners_.size(); c += 3)
       plug_.triangles.push_back({corners_[c], corners_[c + 1], corners_[c + 2]});

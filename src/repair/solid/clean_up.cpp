@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/fires.h"
 #include "geometry/triangle_meeting.h"
 #include "geometry/triangle_tree.h"
 #include "measure/self_intersections.h"
@@ -348,6 +349,7 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
   std::vector<Index> crossed = selfIntersections(mesh);
   std::vector<char> isLocked(contour.points.size(), 0);
   for (int i = 0; i < kTries && !crossed.empty(); ++i) {
+    fires("lattice: cleaned again around crossings");
     const std::vector<Index> corners = cornersOf(crossed, mesh);
     lockAround(TriangleTree(mesh.positions, corners), (i + 0.5) * rule.spacing, contour, isLocked);
     cleaner.emplace(contour, rule);
@@ -356,6 +358,7 @@ Contour cleanedUp(const Contour& contour, const CleaningRule& rule) {
     mesh = meshFrom(result.contour);
     crossed = selfIntersectionsFrom(mesh, result.firstOther);
   }
+  if (!crossed.empty()) fires("lattice: contour not cleaned");
   return crossed.empty() ? std::move(result.contour) : contour;
 }
 

@@ -37,32 +37,6 @@ std::size_t countTurned(const TriangleMesh& input, const BuiltMesh& built,
   return turned;
 }
 
-// Per patch a corner of its first triangle.
-std::vector<Vec3> cornersOf(const BuiltMesh& built, const OrientedPatches& patches) {
-  std::vector<Vec3> corners(patches.count);
-  for (std::size_t f = patches.patches.size(); f-- > 0;)
-    corners[patches.patches[f]] = built.positions[built.mesh.vertices(Face(Index(f)))[0]];
-  return corners;
-}
-
-bool isInsideOut(const OrientedPatches& patches, std::size_t patch) {
-  return patches.isClosed[patch] && patches.isSeen[patch] && patches.turn[patch];
-}
-
-// Lists the exceptions to the rule: a piece that is seen faces outwards; a piece that is not seen
-// is the wall of a cavity, and faces into it.
-void countPieces(const BuiltMesh& built, const OrientedPatches& patches, Enclosure& result) {
-  const std::vector<Vec3> corners = cornersOf(built, patches);
-  for (std::size_t p = 0; p < patches.count; ++p) {
-    if (!patches.isClosed[p]) continue;
-    if (!patches.isSeen[p] && !patches.isCavity[p]) result.innerAt.push_back(corners[p]);
-    if (isInsideOut(patches, p)) result.insideOutAt.push_back(corners[p]);
-  }
-  for (Index f = 0; f < patches.patches.size(); ++f)
-    if (isInsideOut(patches, patches.patches[f]))
-      result.insideOut.push_back(built.triangles[Face(f)]);
-}
-
 // Both ends of the lattice edges that cross walls of kept cavities.
 std::vector<std::size_t> keptPoints(const Lattice& lattice, const OrientedPatches& patches,
                                     std::span<const EdgeCrossing> crossings) {
@@ -185,7 +159,6 @@ Enclosure SolidGround::enclosure() const {
   const std::vector<char>& isInside = known_->field.isInside;
   Enclosure result;
   result.turned = countTurned(known_->input, known_->built, known_->patches);
-  countPieces(known_->built, known_->patches, result);
   result.shells = countShells(
       known_->patches, known_->rule.keepsCavities
                            ? onBorder(known_->lattice, known_->patches, known_->crossings, isInside)

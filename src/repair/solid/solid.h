@@ -17,13 +17,9 @@ struct Enclosure {
   std::size_t shells = 0;  // closed pieces that nobody sees, removed
   double lost = 0;         // percent of the lines that do not find what they see on the border
   std::size_t sheets = 0;  // open pieces with nothing behind them, in part or as a whole
-  // A corner of each closed piece that nobody sees and that is no cavity; a corner of each closed
-  // piece that is seen and faces inwards.
-  std::vector<Vec3> innerAt, insideOutAt;
-  std::vector<Index> insideOut;  // the triangles of the latter
-  double unsure = 0;             // share of the points beside the surface whose side is in dispute
-  double sheetShare = 0;         // of the area: triangles with the outside on both sides
-  bool isAny = false;            // whether anything is enclosed
+  double unsure = 0;       // share of the points beside the surface whose side is in dispute
+  double sheetShare = 0;   // of the area: triangles with the outside on both sides
+  bool isAny = false;      // whether anything is enclosed
 };
 
 struct Solid {

@@ -20,8 +20,7 @@ namespace remesher {
 namespace {
 
 const double kLeastCosine = std::cos(kMostTilt);
-// How much more a bent union costs than a flat one. Charts of 14 cases at 7 neighboring counts
-// cover 1.06 times as much with 4, but .67 times on a sphere, and .89 times with 16.
+// How much more a bent union costs than a flat one.
 constexpr double kBending = 8;
 
 // A set of triangles that grows to a chart.

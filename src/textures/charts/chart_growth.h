@@ -13,9 +13,6 @@
 
 namespace remesher {
 
-// With 30° charts of 18 cases at 7 neighboring counts cover 1.01 times as much, but they are 1.6
-// times as many. With 60° they cover .98 times as much, and areas may
-// differ by a factor of 2, not 1.4.
 inline constexpr double kMostTilt = radians(44);
 
 struct ChartSurface {

@@ -9,8 +9,6 @@ namespace remesher {
 
 namespace {
 
-// Charts of 18 cases at 7 neighboring counts cover .96 times as much with 5 and 1.00 with 20, which
-// takes 1.05 times as long.
 constexpr int kRounds = 10;
 // Bounds on an area's ratio to its true size: areas are even to within 1 / cos(kMostTilt).
 const double kMostArea = 1 / std::sqrt(std::cos(kMostTilt)), kLeastArea = 1 / kMostArea;

@@ -13,21 +13,13 @@ namespace remesher {
 namespace {
 
 // The least jump that is a border, in levels of a map from 0 to 1: filters may mix smaller ones.
-// Of 12 cases at 7 neighboring counts, .05 makes 1.5 times as many charts (up to 9 times), and .2
-// leaves colors as they are (0.96 to 1.03 times as far off). Without such borders the colors of a
-// rounded cube are 6.7 times as far off.
 constexpr double kLeastJump = 0.1;
-// In texels: the precision with which a jump is located, and its largest distance from the edge. Of
-// 12 cases at 7 neighboring counts, a precision of 1/16 takes fine pictures for jumps: 4 times as
-// many charts (up to 30 times). With 1/256, 78 of 124 results are the same. A distance of .25
-// changes colors by up to .03 of their error; with 1 charts cover .84 times as much.
+// In texels: the precision with which a jump is located, and its largest distance from the edge.
 constexpr double kNarrow = 1.0 / 64, kAt = 0.5;
 // The least height of a triangle above its edge, in new texels: in a lower one every texel touches
-// the edge. With .75 the test of small triangles fails; with 3 the colors of a rounded cube at 7
-// neighboring counts are 1.1 times as far off.
+// the edge.
 constexpr double kLowest = 1.5;
-// Places along an edge. With the middle alone, 9 cases at 7 neighboring counts have 1.5 times as
-// many charts; with .05 and .95 as the outer places, 8 cases have as many.
+// Places along an edge.
 constexpr std::array<double, 3> kPlaces = {0.2, 0.5, 0.8};
 
 // What is visible at a place, in levels about as bytes have them.

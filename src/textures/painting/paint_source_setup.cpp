@@ -124,8 +124,7 @@ double PaintSource::texels(Index triangle) const {
 }
 
 double PaintSource::colorTexels(Index triangle) const {
-  // About eight of a byte's levels per texel. With 1/16 colors of 2 cases at 7 neighboring counts
-  // are 1.6 and 2.2 times as far off, with 1/64 .9 and .7 times, in four times as many texels.
+  // About eight of a byte's levels per texel.
   constexpr double kStep = 1.0 / 32;
   double most = 0;
   std::array<Eigen::Vector4d, 3> shown;

@@ -15,9 +15,7 @@ namespace {
 // Normals on the two sides of a curve that differ by more are intended to be two.
 const double kHard = std::cos(radians(kFeatureAngle));
 // Normals that differ from their own shape by more are intended: those of a rounded cube are 55°
-// off. With 45° normals of such a cube at 7 neighboring counts are 1.14 times as far off. Those of
-// upright leaves lit from above are .83 times as far off with 80°, and 19 times if none is
-// intended.
+// off.
 const double kForeign = std::cos(radians(60));
 
 class Shader {

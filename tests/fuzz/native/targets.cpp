@@ -9,13 +9,16 @@
 namespace remesher::fuzz {
 namespace {
 
-constexpr std::array<Target, 8> kTargets = {{
+constexpr std::array<Target, 11> kTargets = {{
     {"glb", readGlb, changedGlb},
     {"gltf", readGltf, changedGltf},
     {"obj", readObj, nullptr},
     {"off", readOff, nullptr},
     {"ply", readPly, nullptr},
     {"stl", readStl, nullptr},
+    {"msh", readGmsh, nullptr},
+    {"vtu", readVtu, nullptr},
+    {"3mf", readThreemf, nullptr},
     {"builder", buildAnyMesh, nullptr},
     {"remesh", remeshSmallMesh, nullptr},
 }};

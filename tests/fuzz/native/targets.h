@@ -21,6 +21,9 @@ void readObj(Input input);   // up to the first zero byte the model, then its ma
 void readOff(Input input);
 void readPly(Input input);
 void readStl(Input input);
+void readGmsh(Input input);
+void readVtu(Input input);
+void readThreemf(Input input);  // the XML of the model
 // See small_mesh.h for the bytes of these two.
 void buildAnyMesh(Input input);
 void remeshSmallMesh(Input input);

@@ -12,8 +12,10 @@
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "support/volume_of.h"
 
 using namespace remesher;
+using shapes::volumeOf;
 
 namespace {
 
@@ -43,16 +45,9 @@ ArrangementInput inputOf(const std::vector<TriangleMesh>& bodies, bool isEachAnO
 
 ArrangementInput inputOf(const TriangleMesh& mesh) { return inputOf(std::vector{mesh}); }
 
-double volumeOf(const std::vector<Vec3>& positions, const std::vector<Index>& indices) {
-  double sum = 0;
-  for (std::size_t i = 0; i < indices.size(); i += 3)
-    sum += positions[indices[i]].dot(positions[indices[i + 1]].cross(positions[indices[i + 2]]));
-  return sum / 6;
-}
 double volumeOf(const ArrangementResult& result) {
-  return volumeOf(result.positions, result.indices);
+  return shapes::volumeOf(result.positions, result.indices);
 }
-double volumeOf(const TriangleMesh& mesh) { return volumeOf(mesh.positions, mesh.indices); }
 
 TriangleMesh meshOf(const ArrangementResult& result) {
   TriangleMesh mesh;

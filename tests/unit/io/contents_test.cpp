@@ -77,7 +77,7 @@ TEST_CASE("contents: what cannot be read is called what it is, by any name, with
       {"\xFF\xD8\xFF\xE0", "a picture (JPEG)", "model itself"},
       {"%PDF-1.7", "PDF", "model itself"},
       {"PK\x03\x04..........file.txt", "a ZIP archive", "Unpack"},
-      {"PK\x03\x04..........3D/3dmodel.model", "a 3MF file", "Export"},
+      {"PK\x03\x04..........3D/3dmodel.model", "a 3MF package", "Unpack"},
       {"Kaydara FBX Binary  \0\x1A"sv, "an FBX file", "Export"},
       {"; FBX 7.3.0 project file", "an FBX file", "Export"},
       {"ISO-10303-21;\nHEADER;", "a STEP file", "Export"},

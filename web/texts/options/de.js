@@ -3,6 +3,7 @@
 
 export default {
   'option.vertices': 'Punkte',
+  'option.faces': 'Dreiecke',
   'option.ratio': 'Anteil',
   'option.edgeLength': 'Kantenlänge',
   'option.scheme': 'Verfahren',
@@ -23,9 +24,11 @@ export default {
   'option.exact': 'Genaue Zahl',
   'option.symmetry': 'Spiegelung',
   'help.vertices': 'genaue Zahl der Punkte des Ergebnisses; ohne Angabe die des Originals',
+  'help.faces': 'höchstens so viele Dreiecke, oder Vierecke mit --quads, so nah daran, '
+    + 'wie die Fläche es zulässt',
   'help.ratio': 'die Zahl der Punkte als Anteil an denen des Originals',
   'help.edgeLength': 'die Zahl der Punkte aus einer mittleren Kantenlänge',
-  'help.scheme': 'rounds: Algorithmus 2 des Berichts, Schritt für Schritt; best: unser eigener',
+  'help.scheme': 'rounds: das veröffentlichte Verfahren, Schritt für Schritt; best: unser eigenes',
   'help.quality': 'draft: in einem Bruchteil der Zeit, fast so gut, Abstände nur grob gemessen',
   'help.prefer': 'even: gleichmäßige Dreiecke; shape: die Punkte des Originals, die Form und '
     + 'Aussehen am meisten brauchen; auto: gleichmäßige, wo sie beides erhalten, sonst shape',
@@ -34,8 +37,8 @@ export default {
   'help.fidelity': 'ein Schritt wird verweigert, wenn nicht jedes Paar von Normalen innerhalb der '
     + 'Winkel unten liegt (strict), wenn nicht wenigstens eines (loose), oder nur, wo ein Dreieck '
     + 'umklappte (fold)',
-  'help.vertexAngle': 'θ1: zwischen den Punktnormalen eines Dreiecks',
-  'help.triangleAngle': 'θ2: zwischen der Normale eines Dreiecks und denen seiner Punkte',
+  'help.vertexAngle': 'zwischen den Normalen an den Punkten eines Dreiecks',
+  'help.triangleAngle': 'zwischen der Normale eines Dreiecks und denen seiner Punkte',
   'help.splitObtuse': 'am Ziel wird jede Kante gegenüber einem stumpfen Winkel einmal geteilt',
   'help.adaptivity': '0: gleichmäßige Dreiecke; 1: Größen folgen der Krümmung, für den kleinsten '
     + 'Fehler; dazwischen: gemischt',
@@ -106,7 +109,7 @@ export default {
   'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie verlangt.',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
-  'landmark.selfIntersections': '{count} Dreiecke durchdringen andere',
+  'landmark.selfIntersections': '{count} Dreiecke schneiden andere',
   'landmark.innerShells': '{count} innere Hüllen',
   'landmark.insideOut': '{count} Körper mit dem Inneren nach außen',
   'mend.needs': ' (etwa {seconds} s, {size})',

@@ -3,6 +3,7 @@
 
 export default {
   'option.vertices': 'Sommets',
+  'option.faces': 'Triangles',
   'option.ratio': 'Part',
   'option.edgeLength': 'Longueur d’arête',
   'option.scheme': 'Méthode',
@@ -23,9 +24,11 @@ export default {
   'option.exact': 'Nombre exact',
   'option.symmetry': 'Symétrie',
   'help.vertices': 'nombre exact de sommets du résultat ; sinon celui de l’original',
+  'help.faces': 'au plus tant de triangles, ou de quadrilatères avec --quads, aussi '
+    + 'près que la surface le permet',
   'help.ratio': 'le nombre de sommets comme part de ceux de l’original',
   'help.edgeLength': 'le nombre de sommets d’après une longueur moyenne d’arête',
-  'help.scheme': 'rounds : l’algorithme 2 du rapport, pas à pas ; best : le nôtre',
+  'help.scheme': 'rounds : la méthode publiée, pas à pas ; best : la nôtre',
   'help.quality': 'draft : en une fraction du temps, presque aussi bon, distances peu mesurées',
   'help.prefer': 'even : des triangles réguliers ; shape : les sommets de l’original dont la '
     + 'forme et l’aspect ont le plus besoin ; auto : réguliers là où ils gardent les deux, '
@@ -35,8 +38,8 @@ export default {
   'help.fidelity': 'un pas est refusé si une paire de normales dépasse les angles ci-dessous '
     + '(strict), si toutes les dépassent (loose), ou seulement là où un triangle se retournerait '
     + '(fold)',
-  'help.vertexAngle': 'θ1 : entre les normales aux sommets d’un triangle',
-  'help.triangleAngle': 'θ2 : entre la normale d’un triangle et celles de ses sommets',
+  'help.vertexAngle': 'entre les normales aux sommets d’un triangle',
+  'help.triangleAngle': 'entre la normale d’un triangle et celles de ses sommets',
   'help.splitObtuse': 'au but, chaque arête face à un angle obtus est coupée une fois',
   'help.adaptivity': '0 : triangles réguliers ; 1 : les tailles suivent la courbure, pour la '
     + 'moindre erreur ; entre les deux : un mélange',
@@ -108,7 +111,7 @@ export default {
   'warning.HIDDEN_DROPPED': 'Des triangles que personne ne voit ont été omis, comme demandé.',
   'choice.sheets.thicken': 'en faire des solides minces',
   'choice.sheets.drop': 'les omettre',
-  'landmark.selfIntersections': '{count} triangles en traversent d’autres',
+  'landmark.selfIntersections': '{count} triangles en coupent d’autres',
   'landmark.innerShells': '{count} coques intérieures',
   'landmark.insideOut': '{count} corps à l’envers',
   'mend.needs': ' (environ {seconds} s, {size})',

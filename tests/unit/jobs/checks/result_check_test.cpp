@@ -63,15 +63,17 @@ TEST_CASE("result check: new holes, joined sheets and lines are counted") {
 }
 
 TEST_CASE("result check: each says where") {
-  const auto messageOf = [](const MeshReport& after, const TriangleMesh& mesh) {
-    return worseThanGiven({MeshReport{}, after}, {io::Part{"", mesh, {}}}).front().message;
+  const auto found = [](const MeshReport& after, const TriangleMesh& mesh) {
+    return worseThanGiven({MeshReport{}, after}, {io::Part{"", mesh, {}}}).front();
   };
+  const auto messageOf = [&](const auto&... args) { return found(args...).message; };
   MeshReport after;
   after.boundaryEdges = 3;
   TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 8, 0}, {0, -8, 0}, {0, 0, 8}};
   mesh.indices = {0, 1, 2};
   CHECK(messageOf(after, mesh).find("the first near (2, 0, 0)") != std::string::npos);
+  CHECK(found(after, mesh).at == Vec3(2, 0, 0));
   after = {};
   after.nonManifoldEdges = 1;
   mesh.indices = {0, 1, 2, 1, 0, 3, 0, 1, 4};
@@ -83,6 +85,7 @@ TEST_CASE("result check: each says where") {
   // In coordinates of a survey, too, to less than its size.
   for (Vec3& p : mesh.positions) p += Vec3(431234.5, 5412345.75, 312.25);
   CHECK(messageOf(after, mesh).find("as near (431234.5, 5412345.75, 312.25)") != std::string::npos);
+  CHECK(found(after, mesh).at == Vec3(431234.5, 5412345.75, 312.25));
 }
 
 TEST_CASE("result check: a model smaller than what it is rounded to is said, with the place") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "remesh/schemes/rival.h"
+#include "remesh/schemes/shape_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,10 @@ namespace remesher {
 
 namespace {
 
-// How many times nearer the rival must be: on models with textures, colours or flat sides, which
-// show errors, and on other models. These may also be off by kMuchNearerPlain × kSeen. With 2 there
-// 104 of 105 results (15 cases at 7 neighboring counts) are the same, but a torus of 288 vertices
-// that is to have as many is given back as it was.
+// How many times nearer the simplified mesh must be: on models with textures, colours or flat
+// sides, which show errors, and on other models. These may also be off by kMuchNearerPlain × kSeen.
 constexpr double kMuchNearer = 2, kMuchNearerPlain = 4;
-// Finishing never halves a distance. With 1.5 105 of 105 results are the same, with 1 7 of 35 (5
-// cases) have thinner triangles.
+// Finishing never halves a distance.
 constexpr double kFinishing = 2;
 constexpr Samples kGlimpse = {1000, 1};
 // Up to so many times its own vertices a model with flat sides may keep its own triangles, divided;
@@ -88,16 +85,16 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
 
 }  // namespace
 
-Rival::Rival(const Prepared& original, const TriangleMesh& input, Textures textures)
+ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& input,
+                                 Textures textures)
     : original_(original),
       input_(input),
       textures_(textures),
       isPlain_(isPlain(input, textures)),
-      unseen_(kSeen * original.surface().diagonal()),
-      seen_(unseen_) {}
+      unseen_(kSeen * original.surface().diagonal()) {}
 
 // Whether the original has flat sides, on which each dent shows.
-bool Rival::hasFlats() {
+bool ShapeComparison::hasFlats() {
   const BuiltMesh& built = original_.surface().built();
   if (!hasFlats_) hasFlats_ = !findFlatRegions(built.mesh, built.positions, 0).empty();
   return *hasFlats_;
@@ -106,7 +103,7 @@ bool Rival::hasFlats() {
 // Whether the target is about the original's own number of places: within kCountTolerance, rounded.
 // Places are not counted if the numbers differ by more than a factor of two: a surface that was cut
 // apart has up to twice as many vertices as places.
-bool Rival::isOwn() {
+bool ShapeComparison::isOwn() {
   if (isOwn_) return *isOwn_;
   const BuiltMesh& built = original_.surface().built();
   const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
@@ -118,7 +115,7 @@ bool Rival::isOwn() {
 }
 
 // Whether the target is about the original's own number of places, or more.
-bool Rival::hasEnough() {
+bool ShapeComparison::hasEnough() {
   if (hasEnough_) return *hasEnough_;
   const BuiltMesh& built = original_.surface().built();
   const std::size_t vertices = original_.vertices(), most = built.mesh.vertexCount();
@@ -127,68 +124,80 @@ bool Rival::hasEnough() {
   return *hasEnough_;
 }
 
+double ShapeComparison::muchNearer() {
+  return isPlain_ && !hasFlats() ? kMuchNearerPlain : kMuchNearer;
+}
+
+// Plain models without flat sides may be off by more.
+double ShapeComparison::seenOnAverage() {
+  return isPlain_ && !hasFlats() ? kMuchNearerPlain * unseen_ : unseen_;
+}
+
 // With its own number of vertices or more a model with flat sides can do without any dent, however
 // small: so the largest distances in both directions count. Otherwise a glimpse is exact enough if
-// muchNearer() times its distance is not seen.
-Away Rival::awayOf(const WorkingMesh& even) {
+// muchNearer() times its distance is not seen even on a model with flat sides.
+Away ShapeComparison::measured(const WorkingMesh& isotropic) {
   const HalfedgeMesh& mesh = original_.surface().mesh();
   const VertexData<Vec3>& positions = original_.surface().positions();
-  const MeshTree tree(even.mesh(), even.positions());
+  const MeshTree tree(isotropic.mesh(), isotropic.positions());
   if (hasEnough() && hasFlats()) {
     const Away lost = awayFrom(tree, mesh, positions);
-    const Away made = awayFrom({mesh, positions}, even.mesh(), even.positions());
+    const Away made = awayFrom({mesh, positions}, isotropic.mesh(), isotropic.positions());
     return {lost.rms, std::max(lost.farthest, made.farthest)};
   }
   const double glimpsed = awayFrom(tree, mesh, positions, kGlimpse).rms;
-  // Plain models without flat sides may be off by more.
-  if (isPlain_ && muchNearer() * glimpsed > seen_ && !hasFlats())
-    seen_ = kMuchNearerPlain * unseen_;
-  return {muchNearer() * glimpsed <= seen_ ? glimpsed : awayFrom(tree, mesh, positions).rms, 0};
+  return {
+      muchNearer() * glimpsed <= seenOnAverage() ? glimpsed : awayFrom(tree, mesh, positions).rms,
+      0};
 }
 
-double Rival::muchNearer() { return isPlain_ && !hasFlats() ? kMuchNearerPlain : kMuchNearer; }
+const Away& ShapeComparison::awayOf(const WorkingMesh& isotropic) {
+  if (!finished_) finished_ = measured(isotropic);
+  return *finished_;
+}
 
-void Rival::look() {
-  if (hasLooked_) return;
-  hasLooked_ = true;
+bool ShapeComparison::isSeen(const Away& away) {
+  return away.rms > seenOnAverage() || away.farthest > unseen_;
+}
+
+std::optional<Followed>& ShapeComparison::simplified() {
+  if (std::exchange(isSimplified_, true)) return simplified_;
   const BuiltMesh& built = original_.surface().built();
   const std::size_t own = distinctPositions(built.mesh, built.positions);
   const std::size_t vertices = original_.vertices(), more = vertices > own ? vertices - own : 0;
   const bool isNearOwn = double(vertices) <= kMostDivided * double(own) && hasFlats();
-  if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn)) return;
-  followed_ = follow(built, input_, vertices - more, textures_);
-  if (followed_ && more > 0) followed_ = bestDivided(*followed_, own, vertices, textures_);
+  if (!isWorthFollowing(built, vertices) || (more > 0 && !isOwn() && !isNearOwn))
+    return simplified_;
+  simplified_ = follow(built, input_, vertices - more, textures_);
+  if (simplified_ && more > 0) simplified_ = bestDivided(*simplified_, own, vertices, textures_);
+  return simplified_;
 }
 
-bool Rival::hasWon(const WorkingMesh& even) {
-  const Away away = awayOf(even);
-  isSettled_ = away.rms <= seen_ && away.farthest <= unseen_;
-  if (away.rms <= kFinishing * seen_) return false;
-  look();
-  return isSettled_ = followed_ && away.rms > kFinishing * muchNearer() * followed_->away.rms;
+bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
+  const Away away = measured(unfinished);
+  if (!isSeen(away)) unfinished_ = Unfinished::Near;
+  if (away.rms <= kFinishing * seenOnAverage()) return false;
+  const bool isFar = simplified() && away.rms > kFinishing * muchNearer() * simplified()->away.rms;
+  if (isFar) unfinished_ = Unfinished::Far;
+  return isFar;
 }
 
-bool Rival::mayMiss() {
+bool ShapeComparison::refinesFlatSides() {
   return original_.vertices() > original_.surface().built().mesh.vertexCount() && hasFlats();
 }
 
-bool Rival::isMissedBy(const WorkingMesh& even) {
-  const Away away = awayOf(even);
-  return away.rms > seen_ || away.farthest > unseen_;
-}
+bool ShapeComparison::isSeen(const WorkingMesh& isotropic) { return isSeen(awayOf(isotropic)); }
 
-std::optional<Followed> Rival::winner(const WorkingMesh& even, bool isReached) {
-  if (isSettled_ && isReached) return std::move(followed_);
-  const Away away = awayOf(even);
-  if (isReached && away.rms <= seen_ && away.farthest <= unseen_) return {};
-  look();
-  if (!isReached || !followed_) return std::move(followed_);
-  const Away& nearest = followed_->away;
-  // On models that are not plain, seen_ is half a pixel.
-  const bool isMuchNearer = away.rms > muchNearer() * nearest.rms ||
-                            away.farthest > std::max(kMuchNearer * nearest.farthest, unseen_) ||
-                            (!isPlain_ && away.rms - nearest.rms > seen_);
-  return isMuchNearer ? std::move(followed_) : std::nullopt;
+bool ShapeComparison::hasSimplified() { return simplified().has_value(); }
+
+bool ShapeComparison::isSimplifiedNearer(const WorkingMesh& isotropic) {
+  if (!simplified()) return false;
+  const Away& away = awayOf(isotropic);
+  const Away& nearest = simplified()->away;
+  // On models that are not plain, half a pixel is not seen on average either.
+  return away.rms > muchNearer() * nearest.rms ||
+         away.farthest > std::max(kMuchNearer * nearest.farthest, unseen_) ||
+         (!isPlain_ && away.rms - nearest.rms > unseen_);
 }
 
 }  // namespace remesher

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// THE table of presets: options for a purpose, for the command line, JavaScript and the page. No
+// preset sets a target: that is the caller's.
+
+/** @typedef {'asset' | 'print' | 'simulation' | 'quads' | 'accurate'} PresetName */
+
+/**
+ * A row of the table.
+ * @typedef {object} Preset
+ * @property {PresetName} name What `preset` is set to.
+ * @property {string} help What it is for.
+ * @property {Readonly<Record<string, string | number | boolean>>} values The options that it stands
+ *   for, by their names.
+ */
+
+/** The table of presets. @type {readonly Preset[]} */
+export const presets = [
+  { name: 'asset', help: 'a generated or scanned model for a scene, a game or AR: mended where it '
+    + 'is broken, vertices where shape and looks need them, new textures in one set',
+  values: { repair: 'auto', prefer: 'shape', textures: 'bake', textureFormat: 'webp' } },
+  { name: 'print', help: 'a closed body for printing, within 0.2 % of the diagonal',
+    values: { adaptivity: 0.7, maxError: 0.2, repair: 'auto' } },
+  { name: 'simulation', help: 'a closed surface of triangles whose sizes change slowly',
+    values: { adaptivity: 0.3, gradation: 1.3, featureAngle: 30, repair: 'auto' } },
+  { name: 'quads', help: 'pure quads', values: { quads: true } },
+  { name: 'accurate', help: 'the least error for a number of vertices', values: { adaptivity: 1 } },
+];
+
+/** Options that only baked textures have. */
+const ofBaking = ['textureSize', 'textureFormat'];
+
+/** @typedef {Record<string, unknown>} Options */
+
+/** @param {() => void} check */
+function passes(check) {
+  try {
+    check();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * The options with those of their preset added. What is given overrides the preset: the same
+ * option, and one that contradicts it.
+ * @param {Options} given
+ * @param {(options: Options) => void} [check] throws for options that contradict each other
+ * @returns {Options} the options; `preset` holds those that the preset stands for here
+ */
+export function withPreset(given, check = () => {}) {
+  const { preset: asked, ...options } = given;
+  const preset = presets.find(({ name }) => name === asked);
+  if (!preset) return given;
+  const isFree = (/** @type {string} */ option) => options[option] === undefined
+    && !(ofBaking.includes(option) && (options.textures ?? preset.values.textures) !== 'bake');
+  const all = Object.entries(preset.values).filter(([option]) => isFree(option));
+  const whole = (/** @type {typeof all} */ values) =>
+    ({ ...options, ...Object.fromEntries(values) });
+  const without = (/** @type {string} */ name) => all.filter(([option]) => option !== name);
+  const fits = (/** @type {typeof all} */ values) => passes(() => check(whole(values)));
+  const contradicting = fits(all) ? undefined : all.find(([option]) => fits(without(option)));
+  const added = contradicting ? without(contradicting[0]) : all;
+  return { ...whole(added), preset: Object.fromEntries(added) };
+}
+
+/**
+ * The options without the baking that their preset stands for, where nothing can be baked.
+ * @param {Options} options as withPreset makes them
+ * @returns {Options}
+ */
+export function withoutPresetBaking(options) {
+  const names = ['textures', ...ofBaking];
+  const preset = /** @type {Options | undefined} */ (options.preset);
+  if (preset?.textures !== 'bake') return options;
+  const left = (/** @type {Options} */ all) => Object.fromEntries(Object.entries(all)
+    .filter(([name]) => !names.includes(name)));
+  return { ...left(options), preset: left(preset) };
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/checks/option_checks.h"
+
+#include "base/error.h"
+
+namespace remesher {
+
+void checkTogether(const RemeshOptions& options) {
+  const bool namesVertices = !options.density.empty() || !options.featureEdges.empty();
+  if (options.repair != Repair::Off && namesVertices)
+    throw Error(ErrorCode::InvalidOption,
+                "density and featureEdges number the input's vertices, and repair makes others.",
+                "Repair the mesh first, then remesh the result.");
+  if (options.textures == Textures::Bake && !options.lods.empty())
+    throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
+                "Ask for one of them: --textures, --lods.");
+}
+
+}  // namespace remesher

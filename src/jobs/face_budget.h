@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A budget in triangles, or in quads: the number of vertices whose result has that many faces, or
+// as many fewer as the surface asks for.
+#pragma once
+
+#include <cstddef>
+
+#include "base/options.h"
+#include "base/report.h"
+
+namespace remesher {
+
+// How many faces a result has: quads where it is of quads, else triangles.
+std::size_t facesOf(const MeshReport& report);
+
+// The number of vertices of so many faces on a surface like the input, by its Euler characteristic
+// and its open edges, whose number goes with the square root of the faces. At least 1.
+Index verticesFor(Index faces, const RemeshOptions& options, const MeshReport& input);
+
+// Results of one number of vertices after the other. A vertex more is two triangles more, or one
+// quad; how many vertices lie on boundaries is known only of results.
+class FaceSearch {
+ public:
+  FaceSearch(const RemeshOptions& options, const MeshReport& input);
+
+  // Of the next result.
+  Index vertices() const { return next_; }
+
+  // Takes note of that result. Returns whether it is the best so far.
+  bool take(const MeshReport& made);
+
+  // Whether no further result can be expected to come nearer.
+  bool isSettled() const { return isSettled_; }
+
+ private:
+  bool isBetter(std::size_t faces) const;
+
+  std::size_t budget_;
+  double facesPerVertex_;
+  std::size_t closeEnough_;  // so many faces fewer than the budget are no reason to go on
+  Index next_;
+  std::size_t best_ = 0;  // faces of the best result; 0: none yet
+  int tries_ = 0;
+  bool isSettled_ = false;
+};
+
+}  // namespace remesher

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Which mesh comes out of a run: one ordered table of rules. Strategies make candidates; a rule
+// asks for facts about the request and the candidates, and takes one of them. src/README.md lists
+// the rows.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "base/report.h"
+
+namespace remesher {
+
+// The decisions of a run, in order. Each has rows of its own; a later one may replace the mesh that
+// an earlier one took.
+enum class Decision {
+  Surface,     // triangles of one surface
+  Quads,       // quads of one surface
+  Bound,       // the fewest vertices within an error bound
+  Repaired,    // a simplified mesh of a surface that was repaired
+  Crossings,   // a result that intersects itself where the input does not
+  Written,     // a result rounded to the digits that are written
+  Part,        // a mesh of a file that may be no surface
+  RepairOnly,  // repair without remeshing
+};
+
+enum class Candidate {
+  AsMade,      // the mesh that is there already
+  Isotropic,   // isotropic triangles of the number asked for
+  Bounded,     // isotropic triangles within a distance that is not seen, proven
+  Simplified,  // the vertices of the original that its shape needs most, or its triangles divided
+  Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
+  Own,         // the input's own triangles
+  MirroredQuads,
+  Quads,
+  Repaired,  // the surface that repair made
+  Input,     // the mesh as it was given
+};
+
+// A fact is answered by whoever has the candidates; what its answer needs is made on first use.
+enum class Fact {
+  Always,
+  // About the request.
+  RoundsAsked,
+  IsotropicAsked,
+  ShapeAsked,
+  QuadsAsked,
+  VerticesPlaced,  // by an option: density, edges, a bound, kept boundaries, repair …
+  MoreThanInput,   // vertices are wanted
+  // About the candidates for one surface. A distance is seen if it is above kSeen.
+  CornersExceedNumber,  // more corners of curves than vertices, where textures are baked
+  SimplifiedToNumber,   // simplification reaches the number asked for
+  SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
+  NumberReached,        // by the isotropic triangles
+  UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
+  UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away
+  IsotropicFar,         // the finished isotropic triangles are seen to be away
+  SimplifiedNearer,     // the simplified mesh is so much nearer that it is worth its angles
+  FlatSidesRefined,     // more vertices than the input's are wanted, and flat sides show dents
+  BoundedReached,       // the number, within the bound
+  // About quads.
+  MirrorsKept,  // planes mirror the input, and quads that they mirror reach the number
+  PartsPaired,  // some connected part has no map to squares
+  // About the result.
+  OwnWithinBound,      // the input's own triangles are fewer and keep the bound
+  SimplifiedTaken,     // instead of isotropic triangles
+  ResultUnsound,       // open, not a 2-manifold, degenerate or self-intersecting
+  OriginalSound,       // none of these
+  CrossingsMade,       // by a run that may mend them, of an input without any
+  UncrossedReplaces,   // same number, hardly farther away, angles hardly worse, no crossing
+  SimplifiedReplaces,  // same number, hardly farther away, no crossing
+  NoArea,              // each triangle is a line
+  Unchanged,           // repair left every coordinate and triangle as it was
+};
+
+struct Condition {
+  Fact fact = Fact::Always;
+  bool holds = true;
+};
+
+struct Rule {
+  Decision decision;
+  std::string_view name;
+  std::array<Condition, 5> when;  // all of them must hold
+  Candidate taken;
+  std::string_view reason;
+};
+
+// The table. The last row of each decision has no condition.
+std::span<const Rule> chooserRules();
+
+// The first row of the decision whose conditions all hold. A row's conditions are asked in order,
+// and only until one fails.
+const Rule& choose(Decision decision, const std::function<bool(Fact)>& isSo);
+
+// The row as the report has it.
+Chosen inReport(const Rule& rule);
+
+}  // namespace remesher

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Strategy: isotropic triangles on an original surface.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "original/surface/original_tree.h"
+#include "remesh/gate/grain.h"
+#include "remesh/operators/projection.h"
+#include "remesh/operators/working_mesh.h"
+#include "remesh/schemes/bodies.h"
+#include "remesh/schemes/plan.h"
+#include "remesh/schemes/remesh.h"
+#include "remesh/schemes/shape_comparison.h"
+
+namespace remesher {
+
+// The result of a run on the original.
+struct Remeshed {
+  WorkingMesh mesh;
+  Stopped stopped;
+  std::size_t coincident;  // see moveApart
+};
+
+// Whether a result may intersect itself.
+enum class CrossingRule { Leave, Mend };
+
+inline CrossingRule crossingsAfter(const RemeshOptions& options) {
+  return options.repair == Repair::Off ? CrossingRule::Leave : CrossingRule::Mend;
+}
+
+// The settings of a run besides its original.
+struct RunSettings {
+  const RemeshOptions& options;
+  double stagger;  // see Run
+  Grain grain;
+  ShapeComparison* comparison;  // with the mesh that may be taken instead, or null
+  OriginalTree& tree;
+  const Bodies& bodies;
+  CrossingRule crossings = CrossingRule::Leave;
+};
+
+Grain grainOf(const TriangleMesh& input);
+
+// Projects onto the surface that remeshing begins with.
+Projector projectorFor(const Prepared& original, const RemeshOptions& options);
+
+// Throws CANCELLED.
+Remeshed remeshOriginal(const Prepared& original, const RunSettings& settings,
+                        const Progress& progress);
+
+// Isotropic triangles of a plan, and the original that they are made on.
+class Isotropic {
+ public:
+  Isotropic(Plan plan, const TriangleMesh& input, const RemeshOptions& options,
+            const Progress& progress)
+      : input_(input),
+        options_(options),
+        original_(std::move(plan), options_, progress),
+        comparison_(original_, input, options_.textures),
+        tree_(original_.surface(), &input),
+        bodies_(input, options_.bodies) {}
+
+  const Prepared& original() const { return original_; }
+  ShapeComparison& comparison() { return comparison_; }
+  const WorkingMesh& mesh() const { return made_->mesh; }
+  bool isReached() const { return made_->stopped == Stopped::Target; }
+
+  // comparison: may end the run early; or null.
+  void make(CrossingRule crossings, ShapeComparison* comparison, const Progress& progress);
+  // prefer: what the report calls it.
+  RemeshOutcome outcome(Prefer prefer, const Progress& progress);
+
+ private:
+  const TriangleMesh& input_;
+  const RemeshOptions options_;
+  const Prepared original_;
+  ShapeComparison comparison_;
+  OriginalTree tree_;
+  const Bodies bodies_;
+  std::optional<Remeshed> made_;
+};
+
+}  // namespace remesher

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#include "reading.h"
+
+void remesher::fuzz::readVtu(Input input) {
+  readAndWrite({{"made.vtu", Bytes(input.begin(), input.end())}, {}}, "made.inp");
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Presets: options for a purpose, from one table, which the options given beside them override.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { remesh, remeshFile } from 'remesher';
+import { checkOptions, optionTable, presets } from 'remesher/options';
+
+import { parseCommandLine } from '../../dist/cli/cli_arguments.js';
+import { reportInWords } from '../../dist/cli/report_in_words.js';
+import { rejectsWith } from '../support/errors.js';
+import { offText, sheet, torus } from '../support/shapes.js';
+
+const names = optionTable.map(({ name }) => name);
+const ring = torus({ columns: 24, rows: 12 });
+
+test('a preset stands for options of the table, and sets no target', () => {
+  for (const { name, values } of presets) {
+    const { preset, ...whole } = checkOptions({ preset: name });
+    assert.deepEqual(whole, values);
+    assert.deepEqual(preset, values);
+    assert.ok(Object.keys(values).every((option) => names.includes(option)));
+    checkOptions({ ...values, faces: 100 });
+  }
+});
+
+test('an option given beside a preset overrides it', () => {
+  for (const { name, values } of presets) {
+    for (const [option, value] of Object.entries(values)) {
+      const row = optionTable.find((one) => one.name === option);
+      const other = row.choices?.find((choice) => choice !== value)
+        ?? (typeof value === 'boolean' ? !value : value * 0.9);
+      const checked = checkOptions({ preset: name, [option]: other });
+      assert.equal(checked[option], other);
+      assert.ok(!(option in checked.preset));
+    }
+  }
+});
+
+test('what contradicts an option of a preset overrides it, and the others stay', () => {
+  for (const given of [{ quads: true }, { maxError: 0.1 }, { boundary: 'keep' }]) {
+    const { preset: stood } = checkOptions({ preset: 'asset', ...given });
+    assert.deepEqual(stood, { repair: 'auto', textures: 'bake', textureFormat: 'webp' });
+  }
+  const kept = checkOptions({ preset: 'asset', textures: 'keep' });
+  assert.deepEqual(kept.preset, { repair: 'auto', prefer: 'shape' });
+  assert.equal(checkOptions({ preset: 'print', holesUpTo: 5 }).repair, 'auto');
+  assert.equal(checkOptions({ preset: 'print', prefer: 'shape' }).maxError, undefined);
+});
+
+test('a run with a preset is the run with its options, and the report names them', async () => {
+  const { values } = presets.find(({ name }) => name === 'simulation');
+  const asked = { vertices: 200, quality: 'draft' };
+  const [one, other] = [await remesh(ring, { preset: 'simulation', ...asked }),
+    await remesh(ring, { ...values, ...asked })];
+  assert.deepEqual(one.mesh, other.mesh);
+  assert.deepEqual(one.report.preset, values);
+  assert.equal(other.report.preset, undefined);
+  assert.match(reportInWords(one.report),
+    /^preset, in full: --adaptivity 0.3 --gradation 1.3 --feature-angle 30 --repair auto\n/);
+});
+
+test('nothing is baked where there is nothing to bake from, or no file that would hold it',
+  async () => {
+    const bytes = new TextEncoder().encode(offText(sheet(8)));
+    const asked = { name: 'sheet.off', preset: 'asset', vertices: 60, quality: 'draft' };
+    const bare = { repair: 'auto', prefer: 'shape' };
+    assert.deepEqual((await remeshFile(bytes, { ...asked, output: 'glb' })).report.preset, bare);
+    assert.deepEqual((await remesh(ring, { preset: 'asset', vertices: 99 })).report.preset, bare);
+  });
+
+test('an unknown preset is refused, and the command line takes one', async () => {
+  await rejectsWith(remesh(ring, { preset: 'game' }), 'INVALID_OPTION');
+  const words = ['a.glb', '-o', 'b.glb', '--preset', 'asset', '--triangles', '500'];
+  const { options } = parseCommandLine([...words, '--texture-size', '64']);
+  assert.deepEqual(options, { preset: 'asset', faces: 500, textureSize: 64 });
+  assert.throws(() => parseCommandLine(['repair', ...words]), { code: 'INVALID_OPTION' });
+});

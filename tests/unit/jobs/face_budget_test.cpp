@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "jobs/face_budget.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace remesher {
+
+namespace {
+
+RemeshOptions budgetOf(Index faces) {
+  RemeshOptions options;
+  options.faces = faces;
+  return options;
+}
+
+MeshReport surface(std::size_t triangles, long euler, std::size_t open) {
+  MeshReport report;
+  report.triangles = triangles;
+  report.eulerCharacteristic = euler;
+  report.boundaryEdges = open;
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("face budget: closed surfaces meet it with their first number") {
+  for (const long euler : {2L, 0L, -6L})
+    for (const Index budget : {100U, 101U, 5000U}) {
+      FaceSearch search(budgetOf(budget), surface(8000, euler, 0));
+      const Index vertices = search.vertices();
+      const auto faces = std::size_t(2 * (long(vertices) - euler));
+      CHECK(faces <= budget);
+      CHECK(budget - faces <= 1);
+      CHECK(search.take(surface(faces, euler, 0)));
+      CHECK(search.isSettled());
+    }
+}
+
+TEST_CASE("face budget: open surfaces with more open edges than expected come within a triangle") {
+  for (const double more : {0.7, 1.0, 1.6}) {
+    const Index budget = 3000;
+    FaceSearch search(budgetOf(budget), surface(8000, 1, 400));
+    std::size_t best = 0;
+    while (!search.isSettled()) {
+      const Index vertices = search.vertices();
+      const auto open = std::size_t(more * 400 * std::sqrt(vertices / 4000.0));
+      const std::size_t faces = 2 * std::size_t{vertices} - 2 - open;
+      if (search.take(surface(faces, 1, open))) best = faces;
+    }
+    CHECK(best <= budget);
+    CHECK(budget - best <= 2);
+  }
+}
+
+TEST_CASE("face budget: of results beyond it the smallest is kept, of others the largest") {
+  FaceSearch search(budgetOf(100), surface(8000, 2, 0));
+  CHECK(search.take(surface(140, 2, 0)));
+  CHECK_FALSE(search.take(surface(150, 2, 0)));
+  CHECK(search.take(surface(90, 2, 0)));
+  CHECK_FALSE(search.take(surface(88, 2, 0)));
+  CHECK_FALSE(search.take(surface(102, 2, 0)));
+}
+
+TEST_CASE("face budget: quads have as many vertices as faces, but for open edges") {
+  RemeshOptions options = budgetOf(400);
+  options.quads = true;
+  CHECK(verticesFor(400, options, surface(8000, 2, 0)) == 402);
+  CHECK(verticesFor(400, options, surface(800, 1, 80)) > 420);
+}
+
+}  // namespace remesher

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What a model is remeshed for: each purpose stands for options, and has one number in the
+// visitor's unit. Names and texts are purpose.ID and dial.ID in the texts.
+import { presets } from 'remesher/options';
+import { roundLength } from './units.js';
+
+/** @typedef {import('./address.js').Values} Values */
+/** @typedef {'asset' | 'print' | 'simulation' | 'quads'} Purpose */
+
+/** What is known of the model; diagonal and unit in the model's own units; unit: of the dial;
+ * isBaked: whether a lighter one gets new textures.
+ * @typedef {{ triangles: number, diagonal: number, unit: number,
+ *   isPaintable: boolean, isBaked: boolean }} Subject */
+
+/** @type {Purpose[]} */
+export const purposes = ['asset', 'print', 'simulation', 'quads'];
+
+/** The purposes whose number is a length. */
+export const measured = /** @type {Purpose[]} */ (['print', 'simulation']);
+
+/** Rounds to two significant digits, as a person would type. @param {number} value */
+function rounded(value) {
+  const unit = 10 ** Math.max(0, Math.floor(Math.log10(value)) - 1);
+  return Math.round(value / unit) * unit;
+}
+
+/** Most triangles of a model for the web, if nobody says otherwise. */
+const forWeb = 20_000;
+/** Fewer triangles are few enough. */
+const few = 400;
+/** A tolerance that printers keep, and edges that show a part, in shares of the diagonal. */
+const shares = { tolerance: 1 / 1000, edge: 1 / 80 };
+
+/** The number that a purpose begins with. @param {Purpose} purpose @param {Subject} subject */
+export function firstDial(purpose, { triangles, diagonal, unit }) {
+  switch (purpose) {
+    case 'asset':
+      return triangles < few ? triangles
+        : rounded(Math.min(forWeb, Math.max(triangles / 10, Math.min(triangles / 2, 2000))));
+    case 'print': return roundLength(shares.tolerance * diagonal / unit);
+    case 'simulation': return roundLength(shares.edge * diagonal / unit);
+    default: return rounded(Math.min(5000, Math.max(500, triangles / 2)));
+  }
+}
+
+/** The limits of a purpose's slider. @param {Purpose} purpose @param {Subject} subject */
+export function rangeOf(purpose, subject) {
+  const first = firstDial(purpose, subject);
+  if (purpose === 'asset') {
+    return { least: Math.max(20, Math.min(first, subject.triangles / 100)),
+      most: Math.max(2 * first, subject.triangles) };
+  }
+  return { least: first / 20, most: first * 20 };
+}
+
+const digits = 4;
+
+/** What a purpose's number means as an option. @param {Purpose} purpose @param {number} dial
+ * @param {Subject} subject @returns {Values} */
+function targetOf(purpose, dial, { diagonal, unit }) {
+  switch (purpose) {
+    case 'print':
+      return { maxError: Number((100 * dial * unit / diagonal).toPrecision(digits)) };
+    case 'simulation': return { edgeLength: Number((dial * unit).toPrecision(digits)) };
+    default: return { faces: Math.max(1, Math.round(dial)) };
+  }
+}
+
+/** The options of a purpose besides its number: those of the package's preset. New textures are
+ * painted only where the old ones lie in many pieces.
+ * @param {Purpose} purpose @param {Subject} subject @returns {Values} */
+function optionsOf(purpose, { isBaked }) {
+  const values = Object.entries(presets.find(({ name }) => name === purpose)?.values ?? {});
+  return Object.fromEntries(values.filter(([name]) =>
+    !name.startsWith('texture') || isBaked));
+}
+
+/** All options of a purpose. For printing the model is only repaired, unless that is asked for.
+ * @param {Purpose} purpose @param {number} dial @param {Subject} subject
+ * @param {{ isRepairOnly?: boolean }} [how] @returns {Values} */
+export function valuesFor(purpose, dial, subject, { isRepairOnly = purpose === 'print' } = {}) {
+  if (purpose === 'print' && isRepairOnly) return { purpose, work: 'repair', repair: 'auto' };
+  return { purpose, ...optionsOf(purpose, subject), ...targetOf(purpose, dial, subject) };
+}
+
+/** The purpose's number among some options; null if it is not set there.
+ * @param {Values} values @param {Subject} subject @returns {number | null} */
+export function dialOf({ purpose, faces, maxError, edgeLength }, { diagonal, unit }) {
+  const value = { asset: Number(faces),
+    print: Number(maxError) * diagonal / 100 / unit, simulation: Number(edgeLength) / unit,
+    quads: Number(faces) }[/** @type {Purpose} */ (purpose)] ?? NaN;
+  if (!Number.isFinite(value)) return null;
+  const isLength = measured.includes(/** @type {Purpose} */ (purpose));
+  return isLength ? Number(value.toPrecision(3)) : Math.round(value);
+}
+
+/** The options that the engine takes: a purpose and the work are the page's own.
+ * @param {Values} values @returns {Values} */
+export function optionsIn(values) {
+  const rest = { ...values };
+  delete rest.purpose;
+  delete rest.work;
+  return rest;
+}
+
+/** Whether the model is only repaired. @param {Values} values */
+export const isRepairOnly = ({ work }) => work === 'repair';

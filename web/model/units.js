@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The unit of a model's lengths. glTF is in metres; of other formats the visitor says it, and the
+// browser keeps it with the model.
+import { Setting } from '../base/memory.js';
+
+/** @typedef {'mm' | 'cm' | 'm' | 'in'} Unit */
+
+/** @type {Unit[]} */
+export const units = ['mm', 'cm', 'm', 'in'];
+
+/** Most models whose units are kept. */
+const most = 50;
+
+/** @param {any} entry @returns {entry is [string, Unit]} */
+const isEntry = (entry) => Array.isArray(entry) && entry.length === 2
+  && typeof entry[0] === 'string' && units.includes(entry[1]);
+
+/** Models by name and size, with their units, the latest first. */
+const kept = new Setting('units', (text) => {
+  const entries = JSON.parse(text);
+  return Array.isArray(entries) && entries.length > 0 && entries.every(isEntry)
+    ? entries : undefined;
+});
+
+/** @typedef {{ name: string, bytes: Uint8Array }} Named */
+
+/** @param {Named} model */
+const keyOf = ({ name, bytes }) => `${name.slice(0, 200)} ${bytes.length}`;
+
+/** The unit kept for a model; millimetres if none is. @param {Named} model @returns {Unit} */
+export function unitOf(model) {
+  return kept.recall()?.find(([key]) => key === keyOf(model))?.[1] ?? 'mm';
+}
+
+/** @param {Named} model @param {Unit} unit */
+export function keepUnit(model, unit) {
+  const others = (kept.recall() ?? []).filter(([key]) => key !== keyOf(model));
+  kept.remember(JSON.stringify([[keyOf(model), unit], ...others].slice(0, most)));
+}
+
+/** A unit for people: its name, and how many of the model's units it has.
+ * @typedef {{ name: Unit, size: number }} Scale */
+
+/** Metres above which a glTF model is spoken of in metres, below which in millimetres. */
+const large = 5;
+
+/** How lengths of a model are said.
+ * @param {Unit | null} unit of the model; null: it is glTF @param {number} diagonal
+ * @returns {Scale} */
+export function scaleOf(unit, diagonal) {
+  if (unit) return { name: unit, size: 1 };
+  return diagonal > large ? { name: 'm', size: 1 } : { name: 'mm', size: 0.001 };
+}
+
+/** The nearest of 1, 2 and 5 times a power of ten. @param {number} value above 0 */
+export function roundLength(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 2, 5, 10].reduce((best, next) =>
+    (Math.abs(Math.log(next * power / value)) < Math.abs(Math.log(best * power / value))
+      ? next : best));
+  return Number((step * power).toPrecision(6));
+}

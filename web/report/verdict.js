@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// The verdict on a result in words: closed or not, how far from the original, how large, what was
+// repaired and what was lost, with places to look at.
+import { element } from '../base/dom.js';
+import { count, degrees, fileSize, length, number, percent } from '../base/format.js';
+import { t } from '../base/i18n.js';
+import { wasRepaired } from '../model/names.js';
+
+/** @typedef {import('../model/result.js').Report} Report */
+/** @typedef {import('../model/units.js').Scale} Scale */
+
+/** report, values: of the result; largest: the largest distance from the original in the model's
+ * units, null while it is not known; size: bytes of the file to download, null if not known;
+ * original: bytes of the model.
+ * @typedef {{ report: Report, values: import('../model/address.js').Values, scale: Scale,
+ *   diagonal: number, largest: number | null, format: string, size: number | null,
+ *   original: number }} Judged */
+
+/** @typedef {{ onLargest: () => void, onPlace: (place: [number, number, number]) => void,
+ *   onThicken: () => void, onWithin: () => void, onMore: () => void,
+ *   onNotes: () => void }} VerdictActs */
+
+/** @typedef {{ kind: 'good' | 'bad' | 'plain', text: string,
+ *   act?: { label: string, run: () => void } | null }} Line */
+
+/** Percent of the diagonal: what is farther away anyone sees. */
+const seenByAnyone = 0.5;
+/** A share of the diagonal that is rounding alone. */
+const nothing = 1e-6;
+/** Degrees: smaller angles make solvers slow or wrong. */
+const smallAngle = 20;
+/** Percent of the area: less is not worth a word. */
+const leastLoss = 0.005;
+
+/** A length in the visitor's unit, and in percent of the diagonal. @param {number} value
+ * @param {Pick<Judged, 'scale' | 'diagonal'>} model */
+const lengthInWords = (value, { scale, diagonal }) =>
+  `${length(value / scale.size)} ${scale.name} (${percent(100 * value / diagonal)})`;
+
+/** @param {Judged} judged @param {VerdictActs} acts @returns {Line} */
+function closedLine({ report: { output }, values }, { onThicken }) {
+  const { boundaryEdges, nonManifoldEdges } = output;
+  const needs = values.purpose === 'print' || values.purpose === 'simulation';
+  if (boundaryEdges) {
+    return { kind: needs ? 'bad' : 'plain',
+      text: t('verdict.open', { count: count(boundaryEdges) }),
+      act: needs && values.repair === 'auto'
+        ? { label: t('verdict.thicken'), run: onThicken } : null };
+  }
+  return nonManifoldEdges
+    ? { kind: needs ? 'bad' : 'plain',
+      text: t('verdict.shared', { count: count(nonManifoldEdges) }) }
+    : { kind: 'good', text: t('verdict.closed') };
+}
+
+/** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
+function distanceLines(judged, { onLargest }) {
+  const { report, largest, diagonal } = judged;
+  if (report.repair?.reason === 'sound' && !report.fidelity) {
+    return [{ kind: 'good', text: t('verdict.unchanged') }];
+  }
+  if (largest === null) return [];
+  if (largest < nothing * diagonal) return [{ kind: 'good', text: t('verdict.exact') }];
+  const isFar = 100 * largest / diagonal > seenByAnyone;
+  const distance = lengthInWords(largest, judged);
+  return [{ kind: isFar ? 'bad' : 'good',
+    text: t(isFar ? 'verdict.far' : 'verdict.near', { distance }),
+    act: { label: t('visit'), run: onLargest } }];
+}
+
+/** @param {Judged} judged @returns {Line} */
+function facesLine({ report: { input, output } }) {
+  const { quads } = output;
+  if (quads) {
+    return { kind: 'plain', text: t('verdict.quads', { count: count(quads.count),
+      irregular: count(quads.irregular) }) };
+  }
+  return { kind: 'plain', text: t('verdict.triangles',
+    { count: count(output.triangles), before: count(input.triangles) }) };
+}
+
+/** @param {Judged} judged @returns {Line[]} */
+function sizeLines({ size, original, format }) {
+  if (size === null) return [];
+  const share = number(size / original, { style: 'percent', maximumSignificantDigits: 2 });
+  return [{ kind: 'plain', text: t('verdict.size',
+    { size: fileSize(size), format: format.toUpperCase(), share, original: fileSize(original) }) }];
+}
+
+/** @param {Judged} judged @returns {Line[]} */
+function angleLines({ report: { output }, values }) {
+  if (values.purpose !== 'simulation') return [];
+  const { worst, mean } = output.minAngle;
+  return [{ kind: worst >= smallAngle ? 'good' : 'bad',
+    text: t('verdict.angle', { worst: degrees(worst), mean: degrees(mean) }) }];
+}
+
+const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
+
+/** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
+function repairLines({ report, diagonal, scale }, { onPlace }) {
+  const { repair } = report;
+  if (!repair) return [];
+  const [before, after] = repair.selfIntersections;
+  const done = counted.filter((name) => repair[name])
+    .map((name) => t(`repair.${name}`, { count: count(repair[name]) }));
+  const [x, y, z] = repair.lostAt;
+  /** @type {Line[]} */
+  const lines = [
+    { kind: 'good', text: t('verdict.repaired', { what: done.join(', ') }) },
+    { kind: after ? 'bad' : 'good', text: t('repair.crossings',
+      { before: count(before), after: count(after) }) },
+    { kind: 'bad', text: repair.lostBeyond > 0
+      ? t('repair.far', { share: percent(repair.lost),
+        distance: lengthInWords(repair.lostBeyond * diagonal / 100, { scale, diagonal }) })
+      : t('repair.lost', { share: percent(repair.lost) }),
+    act: z === undefined ? null : { label: t('visit'), run: () => onPlace([x, y, z]) } },
+  ];
+  const isSaid = [wasRepaired(report) && done.length > 0, before > 0 || after > 0,
+    repair.lost >= leastLoss];
+  return lines.filter((_, i) => isSaid[i]);
+}
+
+/** Where shape was lost, or kept at the cost of even triangles: the way out.
+ * @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
+function shapeLines({ report, values, largest, diagonal }, { onWithin, onMore }) {
+  if (!report.fidelity) return [];
+  const keepsOwn = report.prefer?.includes('shape') && values.prefer !== 'shape';
+  if (keepsOwn) {
+    return [{ kind: 'bad', text: t('verdict.own'),
+      act: { label: t('verdict.within'), run: onWithin } }];
+  }
+  if (largest === null || 100 * largest / diagonal <= seenByAnyone) return [];
+  return [{ kind: 'plain', text: t('verdict.lost'),
+    act: { label: t('verdict.more'), run: onMore } }];
+}
+
+/** @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
+function noteLines({ report: { warnings } }, { onNotes }) {
+  if (!warnings.length) return [];
+  return [{ kind: 'plain', text: t('verdict.notes', { count: count(warnings.length) }),
+    act: { label: t('verdict.read'), run: onNotes } }];
+}
+
+/** @param {Line} line */
+function lineView({ kind, text, act }) {
+  return element('li', { className: kind }, element('span', {}, text, act && ' ',
+    act && element('button', { type: 'button', className: 'link', onclick: act.run },
+      act.label)));
+}
+
+/** @param {Judged} judged @param {VerdictActs} acts */
+export function verdictView(judged, acts) {
+  const lines = [closedLine(judged, acts), ...distanceLines(judged, acts), facesLine(judged),
+    ...angleLines(judged), ...sizeLines(judged), ...repairLines(judged, acts),
+    ...shapeLines(judged, acts), ...noteLines(judged, acts)];
+  return element('ul', {}, ...lines.map(lineView));
+}
