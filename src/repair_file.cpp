@@ -38,7 +38,7 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
-  if (options.textures == Textures::Bake) requireTextured(outputName, options);
+  if (options.textures == Textures::Bake) requireTextured(outputName);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
   if (options.textures == Textures::Drop) dropTextures(model);
