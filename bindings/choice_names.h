@@ -24,8 +24,10 @@ inline constexpr Names<Fidelity, 3> kFidelities = {
     {{"strict", Fidelity::Strict}, {"loose", Fidelity::Loose}, {"fold", Fidelity::Fold}}};
 inline constexpr Names<Boundary, 2> kBoundaries = {
     {{"resample", Boundary::Resample}, {"keep", Boundary::Keep}}};
-inline constexpr Names<Textures, 3> kTextures = {
-    {{"auto", Textures::Auto}, {"keep", Textures::Keep}, {"bake", Textures::Bake}}};
+inline constexpr Names<Textures, 4> kTextures = {{{"auto", Textures::Auto},
+                                                  {"keep", Textures::Keep},
+                                                  {"drop", Textures::Drop},
+                                                  {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
 inline constexpr Names<Symmetry, 2> kSymmetries = {

@@ -53,6 +53,7 @@ val repairBytes(const val& request, const val& options, const val& onProgress) {
                    progressFrom(onProgress));
     val result = val::object();
     result.set("files", objectFrom(run.files));
+    if (!run.pictures.empty()) result.set("pictures", objectFrom(run.pictures));
     result.set("report", objectFrom(run.report));
     return result;
   });
@@ -120,6 +121,28 @@ val coordinatesOf(const std::vector<Vec3>& places) {
   return result;
 }
 
+// { at: [x, y, z], across } each
+val sizedPlaces(const std::vector<SizedPlace>& places) {
+  val result = val::array();
+  for (const SizedPlace& place : places) {
+    val one = val::object();
+    one.set("at", coordinatesOf({place.at}));
+    one.set("across", place.across);
+    result.call<void>("push", one);
+  }
+  return result;
+}
+
+val writtenDrop(const DropReport& dropped) {
+  val result = val::object();
+  result.set("pieces", double(dropped.pieces));
+  result.set("hidden", double(dropped.hidden));
+  result.set("lost", dropped.lost);
+  result.set("piecesAt", sizedPlaces(dropped.piecesAt));
+  result.set("hiddenAt", coordinatesOf(dropped.hiddenAt));
+  return result;
+}
+
 val writtenRepair(const RepairReport& repair) {
   val result = val::object();
   val selfIntersections = val::array();
@@ -131,6 +154,10 @@ val writtenRepair(const RepairReport& repair) {
   result.set("islands", double(repair.islands));
   result.set("shells", double(repair.shells));
   result.set("turned", double(repair.turned));
+  result.set("rims", double(repair.rims));
+  result.set("bodies", double(repair.bodies));
+  result.set("closedAt", sizedPlaces(repair.closedAt));
+  result.set("rimsAt", sizedPlaces(repair.rimsAt));
   result.set("lost", repair.lost);
   result.set("lostBeyond", repair.lostBeyond);
   result.set("lostAt", coordinatesOf(repair.lostAt));
@@ -225,6 +252,7 @@ void readRest(const val& object, RemeshOptions& options) {
 EMSCRIPTEN_BINDINGS(remesher_whole) {
   readWholeOptions = &readRest;
   repairInJs = &writtenRepair;
+  droppedInJs = &writtenDrop;
   emscripten::function("repair", &repairArrays);
   emscripten::function("remeshFile", &remeshBytes);
   emscripten::function("repairFile", &repairBytes);

@@ -81,6 +81,7 @@ RemeshOptions optionsFrom(const val& object) {
   forEachOption(options, OptionReader{object});
   if (readWholeOptions) readWholeOptions(object, options);
   options.detectFeatures = !object["featureAngle"].isString();
+  options.dropFloaters = object["dropBelow"].isString();
   return options;
 }
 

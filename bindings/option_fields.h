@@ -48,6 +48,12 @@ void forEachWholeOption(Options& options, const Visit& visit) {
   visit("gap", options.gap);
   visit("cavities", options.cavities);
   visit("sheets", options.sheets);
+  visit("keepRims", options.keepRims);
+  visit("thickness", options.thickness);
+  visit("base", options.base);
+  visit("unite", options.unite);
+  visit("dropBelow", options.dropBelow);
+  visit("dropHidden", options.dropHidden);
   visit("lodFiles", options.lodFiles);
 }
 

@@ -15,6 +15,7 @@ using emscripten::typed_memory_view;
 using emscripten::val;
 
 val (*repairInJs)(const RepairReport& repair) = nullptr;
+val (*droppedInJs)(const DropReport& dropped) = nullptr;
 
 namespace {
 
@@ -181,6 +182,7 @@ val objectFrom(const Report& report) {
   if (report.output) result.set("output", objectFrom(*report.output));
   if (report.fidelity) result.set("fidelity", objectFrom(*report.fidelity));
   if (report.repair && repairInJs) result.set("repair", repairInJs(*report.repair));
+  if (report.dropped && droppedInJs) result.set("dropped", droppedInJs(*report.dropped));
   if (!report.prefer.empty()) result.set("prefer", ofParts(report.prefer));
   if (!report.chosen.empty()) result.set("chosen", ofParts(report.chosen));
   result.set("timings", objectFrom(report.timings));

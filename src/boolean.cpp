@@ -10,6 +10,7 @@
 #include "io/formats.h"
 #include "io/model/bake.h"
 #include "io/model/near_origin.h"
+#include "jobs/bare_materials.h"
 #include "jobs/operands.h"
 #include "jobs/part_boolean.h"
 #include "jobs/parts/part_joining.h"
@@ -69,30 +70,6 @@ void roundFor(const std::string& outputName, OperandPair& pair) {
     for (Vec3& p : part.mesh.positions) p = inSingle(p, 1);
     part.mesh.isSingle = true;
   }
-}
-
-bool hasImages(const io::Material& look) {
-  return look.baseColorMap || look.metalRoughMap || look.occlusionMap || look.emissiveMap ||
-         look.normalMap;
-}
-
-io::Material withoutImages(io::Material look, const std::string& name) {
-  look.name = name, look.number = -1;
-  look.baseColorMap = look.metalRoughMap = look.occlusionMap = look.emissiveMap =
-      look.normalMap = {};
-  return look;
-}
-
-// The number of this material among those of the result.
-std::size_t numberOf(const io::Material& look, std::vector<io::Material>& all) {
-  const auto same = std::find_if(all.begin(), all.end(), [&](const io::Material& known) {
-    return known.name == look.name && known.baseColor == look.baseColor &&
-           known.metallic == look.metallic && known.roughness == look.roughness &&
-           known.emissive == look.emissive && known.isOpaque == look.isOpaque;
-  });
-  if (same != all.end()) return std::size_t(same - all.begin());
-  all.push_back(look);
-  return all.size() - 1;
 }
 
 // Writes the materials of both files anew, where the format has any: colours and factors in glTF,

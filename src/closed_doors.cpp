@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/whole_steps.h"
+#include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/mirror_door.h"
@@ -23,6 +24,9 @@ namespace {
 PartsRepair repairParts(std::vector<io::Part>, const RemeshOptions&, const Progress&) {
   refuse("Repair");
 }
+
+Dropped dropSmallPieces(std::vector<io::Part>&, const RemeshOptions&) { refuse("Leaving out"); }
+Dropped dropHiddenTriangles(std::vector<io::Part>&, Hidden) { refuse("Leaving out"); }
 
 RoundedMesh inSoundPrecisionOf(const TriangleMesh&, RemeshOutcome&) { refuse("Repair"); }
 bool isSound(const TriangleMesh&) { refuse("Repair"); }

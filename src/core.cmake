@@ -100,11 +100,13 @@ set(small
   src/io/gltf/gltf_reader.cpp
   src/io/gltf/gltf_references.cpp
   src/io/gltf/gltf_scene.cpp
+  src/io/gltf/gltf_union.cpp
   src/io/gltf/gltf_writer.cpp
   src/io/gltf/library/tinygltf.cpp
   src/io/gltf/tree/gltf_extensions.cpp
   src/io/gltf/tree/gltf_levels.cpp
   src/io/gltf/tree/gltf_pointers.cpp
+  src/io/model/appending.cpp
   src/io/model/bake.cpp
   src/io/model/companions.cpp
   src/io/model/conventions.cpp
@@ -141,6 +143,7 @@ set(small
   src/io/text/text_writer.cpp
   src/io/text/xml_scanner.cpp
   src/jobs/baking.cpp
+  src/jobs/bare_materials.cpp
   src/jobs/checks/crossing_check.cpp
   src/jobs/checks/option_checks.cpp
   src/jobs/checks/precision.cpp
@@ -153,7 +156,6 @@ set(small
   src/jobs/operands.cpp
   src/jobs/part_boolean.cpp
   src/jobs/part_run.cpp
-  src/jobs/parts/appending.cpp
   src/jobs/parts/part_borders.cpp
   src/jobs/parts/part_joining.cpp
   src/jobs/parts/part_places.cpp
@@ -179,6 +181,7 @@ set(small
   src/mesh/orientation.cpp
   src/mesh/space_order.cpp
   src/mesh/topology.cpp
+  src/mesh/used_vertices.cpp
   src/original/curves/chain_tracing.cpp
   src/original/curves/curve_simplification.cpp
   src/original/curves/feature_curves.cpp
@@ -279,6 +282,7 @@ set(small
   src/repair/diagnosis.cpp
   src/repair/exact_repair.cpp
   src/repair/fineness.cpp
+  src/repair/flat_base.cpp
   src/repair/holes/close_holes.cpp
   src/repair/holes/fairing.cpp
   src/repair/holes/kept_surface.cpp
@@ -286,10 +290,13 @@ set(small
   src/repair/holes/plug.cpp
   src/repair/holes/plug_attributes.cpp
   src/repair/holes/refinement.cpp
+  src/repair/holes/rims.cpp
   src/repair/holes/turn_over.cpp
-  src/repair/holes/used_vertices.cpp
+  src/repair/loose_pieces.cpp
   src/repair/pieces.cpp
   src/repair/repair.cpp
+  src/repair/sheet_bodies.cpp
+  src/repair/sight.cpp
   src/repair/solid/apex.cpp
   src/repair/solid/cell_loops.cpp
   src/repair/solid/contour.cpp
@@ -322,6 +329,7 @@ set(small
 set(doors
   src/jobs/checks/quad_checks.cpp
   src/jobs/checks/whole_steps.cpp
+  src/jobs/dropping.cpp
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp
   src/remesh/schemes/mirror_door.cpp

@@ -6,6 +6,7 @@
 #include "io/formats.h"
 #include "io/model/levels.h"
 #include "jobs/baking.h"
+#include "jobs/bare_materials.h"
 #include "jobs/checks/option_checks.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/level_files.h"
@@ -19,21 +20,30 @@ namespace remesher {
 namespace {
 
 // Reads the model and prepares its coordinates for the output format.
-io::Model readFor(const std::string& outputName, const FileBundle& input) {
+io::Model readFor(const std::string& outputName, const FileBundle& input,
+                  const RemeshOptions& options) {
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
+  if (options.textures == Textures::Drop) dropTextures(model);
   if (model.parts.empty())
     model.warnings.push_back(
         {"NOTHING_TO_REMESH", "There are no triangles: the file is passed on as it came."});
   return model;
 }
 
-std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
-  std::vector<Picture> pictures;
-  for (io::PaintedImage& image : images)
-    pictures.push_back({std::move(image.name), std::move(image.type), image.image.width,
-                        image.image.height, std::move(image.image.texels)});
-  return pictures;
+void requireUnpainted(const RemeshOptions& options) {
+  if (options.textures != Textures::Bake) return;
+  throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
+              "Give the file, with its images, to remeshFile or repairFile.");
+}
+
+// The meshes that are left, and an empty one for each that is gone.
+std::vector<TriangleMesh> withEmpty(std::vector<TriangleMesh>& left,
+                                    const std::vector<char>& isGone) {
+  std::vector<TriangleMesh> meshes;
+  std::size_t next = 0;
+  for (const char gone : isGone) meshes.push_back(gone ? TriangleMesh{} : std::move(left[next++]));
+  return meshes;
 }
 
 }  // namespace
@@ -48,15 +58,14 @@ RemeshResult remesh(const TriangleMesh& mesh, const RemeshOptions& options,
 
 RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions& options,
                               const Progress& progress) {
-  if (options.textures == Textures::Bake)
-    throw Error(ErrorCode::InvalidOption, "textures can be baked of files only.",
-                "Give the file, with its images, to remeshFile.");
+  requireUnpainted(options);
   checkTogether(options);
   PhaseClock clock;
   std::vector<io::Part> parts;
   for (PlacedMesh& placed : scene) {
     parts.push_back({"", std::move(placed.mesh), std::move(placed.places)});
     parts.back().finer = std::move(placed.finer);
+    if (options.textures == Textures::Drop) dropTexcoords(parts.back().mesh);
   }
   parts = joinedPlaces(std::move(parts), options.weld);
   const std::vector<Warning> settled = settleAttributes(parts);
@@ -71,6 +80,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     levels.emplace_back();
     for (io::Part& part : run.parts) levels.back().push_back(std::move(part.mesh));
   }
+  for (std::vector<TriangleMesh>& level : levels) level = withEmpty(level, mending.isGone());
   RemeshSceneResult result{
       std::move(levels.front()), timed(std::move(runs.front().report), clock), {}};
   result.lods.assign(levels.begin() + 1, levels.end());
@@ -80,7 +90,9 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
 RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
                     const Progress& progress) {
   PhaseClock clock;
+  requireUnpainted(options);
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
+  if (options.textures == Textures::Drop) dropTexcoords(parts.front().mesh);
   const std::vector<Warning> settled = settleAttributes(parts);
   RepairedParts repaired = repairOnly(parts, options, progress.timedBy(clock));
   repaired.report.warnings = joined(settled, repaired.report.warnings);
@@ -96,19 +108,23 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
-  io::Model model = readFor(outputName, input);
+  io::Model model = readFor(outputName, input, options);
   model.isExact = options.repair != Repair::Off;
-  if (model.isExact) io::unite(model, outputName);
+  if (options.unite)
+    io::uniteAll(model, outputName);
+  else if (model.isExact)
+    io::unite(model, outputName);
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options.weld);
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
+    model.leftOut = mending.leftOut();
     const Progress body = whole.part(mended, 1);
     std::vector<SceneRun> all;
     RemeshOptions chosen = mending.chosen(options);
-    if (!input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
-      chosen = mending.withPaint(std::move(chosen), model);
+    if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
+      chosen = withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
       all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));
     else

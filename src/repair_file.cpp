@@ -6,6 +6,8 @@
 
 #include "io/formats.h"
 #include "io/model/same_mesh.h"
+#include "jobs/baking.h"
+#include "jobs/bare_materials.h"
 #include "jobs/mending.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
@@ -32,24 +34,39 @@ bool mayStay(const FileBundle& input, const std::string& outputName, const io::M
 RemeshFileResult repairFile(const FileBundle& input, const std::string& outputName,
                             const RemeshOptions& options, const Progress& progress) {
   io::requireWritable(outputName);
+  constexpr double kPainted = 0.6;  // the share of the run before painting
   PhaseClock clock;
   const Progress whole = progress.timedBy(clock);
   whole.phase("read", 0, kReadShare);
+  if (options.textures == Textures::Bake) requireTextured(outputName);
   io::Model model = io::read(input.file, input.resources);
   io::prepare(model, outputName);
-  io::unite(model, outputName);
+  if (options.textures == Textures::Drop) dropTextures(model);
+  if (options.unite)
+    io::uniteAll(model, outputName);
+  else
+    io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
   RepairedParts repaired = inFile(
       input.file.name, [&] { return repairOnly(model.parts, options, whole.part(kReadShare, 1)); });
+  model.leftOut = repaired.leftOut;
   Report& report = repaired.report;
+  const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);
+  const RemeshOptions painting =
+      repaired.isRemade && mayPaint ? withPaint(options, model) : options;
+  if (painting.textures == Textures::Bake)
+    inFile(input.file.name,
+           [&] { paintRepaired(model, input.pictures, painting, whole.part(kPainted, 1)); });
   whole.phase("write", 1, 1);
-  if (repaired.isUnchanged && mayStay(input, outputName, model)) {
+  const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;
+  if (keepsLook && repaired.isUnchanged && mayStay(input, outputName, model)) {
     report.warnings = joined(model.warnings, report.warnings);
     return {{{outputName, input.file.bytes}}, {}, timed(std::move(report), clock)};
   }
   io::WrittenFiles written = inFile(input.file.name, [&] { return io::write(model, outputName); });
   report.warnings = joined(joined(model.warnings, report.warnings), written.warnings);
-  return {std::move(written.files), {}, timed(std::move(report), clock)};
+  return {std::move(written.files), picturesFrom(std::move(written.images)),
+          timed(std::move(report), clock)};
 }
 
 }  // namespace remesher

@@ -53,6 +53,7 @@ add_executable(unit_tests
   tests/unit/jobs/checks/quad_checks_test.cpp
   tests/unit/jobs/checks/result_check_test.cpp
   tests/unit/jobs/checks/whole_steps_test.cpp
+  tests/unit/jobs/dropping_test.cpp
   tests/unit/jobs/face_budget_test.cpp
   tests/unit/jobs/fewest_vertices_test.cpp
   tests/unit/jobs/part_repair_test.cpp
@@ -82,6 +83,7 @@ add_executable(unit_tests
   tests/unit/mesh/orientation_test.cpp
   tests/unit/mesh/space_order_test.cpp
   tests/unit/mesh/topology_test.cpp
+  tests/unit/mesh/used_vertices_test.cpp
   tests/unit/mesh/welding_test.cpp
   tests/unit/original/curves/curve_simplification_test.cpp
   tests/unit/original/curves/feature_curves_test.cpp
@@ -171,9 +173,12 @@ add_executable(unit_tests
   tests/unit/repair/boolean_test.cpp
   tests/unit/repair/fineness_test.cpp
   tests/unit/repair/holes/close_holes_test.cpp
-  tests/unit/repair/holes/used_vertices_test.cpp
+  tests/unit/repair/holes/rims_test.cpp
+  tests/unit/repair/loose_pieces_test.cpp
   tests/unit/repair/pieces_test.cpp
   tests/unit/repair/repair_test.cpp
+  tests/unit/repair/sheet_bodies_test.cpp
+  tests/unit/repair/sight_test.cpp
   tests/unit/repair/solid/cell_loops_test.cpp
   tests/unit/repair/solid/clean_up_test.cpp
   tests/unit/repair/solid/lattice_test.cpp

@@ -22,7 +22,7 @@ const plainTypes = {
 /** @param {Option} option */
 function typeOf(option) {
   if (option.choices) return option.choices.map((choice) => `'${choice}'`).join(' | ');
-  return plainTypes[option.type] + (option.off ? " | 'off'" : '');
+  return plainTypes[option.type] + (option.word ? ` | '${option.word}'` : '');
 }
 
 /** Adds a full stop, and a capital unless a name or a sign comes first. @param {string} text */

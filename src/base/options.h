@@ -18,9 +18,9 @@ enum class Projection { Patches, Current };  // onto the original | on the curre
 enum class Fidelity { Strict, Loose, Fold };
 enum class Boundary { Resample, Keep };
 enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where shape needs them
-// Texture coordinates along their seams | painted anew | painted where repair makes another
-// surface.
-enum class Textures { Auto, Keep, Bake };
+// Painted anew where repair makes another surface | texture coordinates along their seams | left
+// out | painted anew.
+enum class Textures { Auto, Keep, Drop, Bake };
 enum class TextureFormat { Png, Jpeg, Webp };
 enum class Symmetry { Auto, Off };  // of quads: mirrored exactly where the input is mirrored
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
@@ -85,9 +85,16 @@ struct RemeshOptions {
   std::optional<double> gap;  // the widest opening that repair closes, percent of the diagonal
   bool cavities = false;      // of solids, the inner ones: kept, not filled
   Sheets sheets = Sheets::Thicken;
-  std::vector<double> lods;       // shares of the number of vertices, each > 0
-  std::vector<double> lodPixels;  // instead: how many pixels of a screen a level may be off
-  bool lodFiles = false;          // a file for each level, not one for all
+  bool keepRims = false;            // loops that look meant stay open
+  std::optional<double> thickness;  // of the bodies that sheets become, a length in the world
+  bool base = false;                // open reliefs get upright walls and a flat base
+  bool unite = false;               // of files: all meshes become one surface
+  std::optional<double> dropBelow;  // smaller pieces are left out, percent of the diagonal
+  bool dropFloaters = false;        // so are small pieces away from the rest: dropBelow auto
+  bool dropHidden = false;          // so are triangles that nobody sees from outside
+  std::vector<double> lods;         // shares of the number of vertices, each > 0
+  std::vector<double> lodPixels;    // instead: how many pixels of a screen a level may be off
+  bool lodFiles = false;            // a file for each level, not one for all
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,
   // part_repair.cpp.

@@ -82,14 +82,26 @@ struct Timings {  // milliseconds
   double write = 0;
 };
 
+// A loop or a piece: its middle, and twice the largest distance from there, in model units.
+struct SizedPlace {
+  Vec3 at = Vec3::Zero();
+  double across = 0;
+};
+
+// The most places that a report lists of a kind, the widest first.
+inline constexpr std::size_t kMostSizedPlaces = 10;
+
 // What repair did. For files of several parts: sums, and the mode that mended most triangles.
 struct RepairReport {
   std::string mode;
-  std::string reason;        // why that one: asked, sound, shells, enclosed, open
-  std::size_t holes = 0;     // open loops closed
-  std::size_t islands = 0;   // open pieces removed
-  std::size_t shells = 0;    // bodies inside other bodies, removed
-  std::size_t turned = 0;    // triangles turned over
+  std::string reason;                        // why that one: asked, sound, shells, enclosed, open
+  std::size_t holes = 0;                     // open loops closed
+  std::size_t islands = 0;                   // open pieces removed
+  std::size_t shells = 0;                    // bodies inside other bodies, removed
+  std::size_t turned = 0;                    // triangles turned over
+  std::size_t rims = 0;                      // open loops that look meant, left open
+  std::size_t bodies = 0;                    // sheets that became bodies: thickened, or with a base
+  std::vector<SizedPlace> closedAt, rimsAt;  // some of the loops closed, and of those rims
   double lost = 0;           // percent of the area that the result lacks: seen and farther than:
   double lostBeyond = 0;     // percent of the diagonal
   std::vector<Vec3> lostAt;  // a few places of it, apart from each other, the farthest first
@@ -129,6 +141,15 @@ struct EdgeReport {
   std::vector<Index> first;        // per vertex the first at its place
 };
 
+// Pieces and triangles that were left out on request.
+struct DropReport {
+  std::size_t pieces = 0;            // smaller than asked for
+  std::size_t hidden = 0;            // triangles that nobody sees
+  double lost = 0;                   // percent of the area, both together
+  std::vector<SizedPlace> piecesAt;  // some of the pieces
+  std::vector<Vec3> hiddenAt;        // a corner of some of the triangles
+};
+
 // The row of the chooser that took the resulting mesh; src/README.md lists the rows.
 struct Chosen {
   std::string rule;
@@ -142,6 +163,7 @@ struct Report {
   std::optional<MeshReport> output;  // none after an inspection
   std::optional<FidelityReport> fidelity;
   std::optional<RepairReport> repair;  // only if requested
+  std::optional<DropReport> dropped;   // likewise
   Timings timings;
   std::vector<Phase> phases;  // in order; together they make up the run
   std::uint64_t peakBytes = 0;

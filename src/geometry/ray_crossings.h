@@ -14,6 +14,10 @@ namespace remesher {
 // it, 0 if it misses the triangle or p lies in its plane.
 int rayCrossing(const Vec3& p, const Triangle& t);
 
+// The whole line through p along x, moved in the same way: 1 if it crosses the triangle beyond p,
+// -1 if before, 0 if it misses the triangle or p lies in its plane.
+int lineCrossing(const Vec3& p, const Triangle& t);
+
 // Calls visit(triangle, crossing) for each triangle of the tree that the ray from p crosses. The
 // sum of the crossings over a closed surface is its winding number around p.
 template <class Visit>

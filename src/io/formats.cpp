@@ -10,6 +10,7 @@
 #include "base/legible.h"
 #include "io/contents.h"
 #include "io/gltf/gltf.h"
+#include "io/gltf/gltf_union.h"
 #include "io/model/bake.h"
 #include "io/model/companions.h"
 #include "io/model/near_origin.h"
@@ -179,6 +180,15 @@ void unite(Model& model, const std::string& outputName) {
   });
   model.parts.clear();
   model.parts.push_back({"", std::move(merged), {Transform::Identity()}});
+}
+
+void uniteAll(Model& model, const std::string& outputName) {
+  if (!canHold(outputName, kHoldsParts)) return unite(model, outputName);
+  const bool isScene = canHold(outputName, kHoldsScenes) && model.source != nullptr;
+  if (isScene && model.conventions == Conventions::Gltf)
+    uniteGltf(model);
+  else
+    uniteParts(model);
 }
 
 WrittenFiles write(const Model& model, const std::string& outputName) {

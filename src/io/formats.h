@@ -43,6 +43,9 @@ void prepare(Model& model, const std::string& outputName);
 // the attributes that all have, except normals and tangents.
 void unite(Model& model, const std::string& outputName);
 
+// The parts of a prepared model become one mesh in any format, with their attributes and materials.
+void uniteAll(Model& model, const std::string& outputName);
+
 // The format follows the extension of `outputName`, whose last path component names the first file.
 // A model written in the format it came from keeps its whole scene; in another format it becomes
 // its parts at the places of their instances. Throws Error: UNKNOWN_FORMAT, NO_TRIANGLES.

@@ -6,6 +6,7 @@
 
 #include "base/legible.h"
 #include "io/formats.h"
+#include "jobs/part_run.h"
 #include "jobs/run_guards.h"
 #include "textures/repaint.h"
 
@@ -56,6 +57,14 @@ std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures) {
   return images;
 }
 
+Repaint repaintOf(io::Model& model, std::vector<Picture> pictures) {
+  requirePaint(model);
+  requireImages(model, pictures);
+  std::erase_if(model.warnings,
+                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
+  return Repaint(model, imagesFrom(std::move(pictures)));
+}
+
 }  // namespace
 
 void requireTextured(const std::string& outputName) {
@@ -67,11 +76,7 @@ void requireTextured(const std::string& outputName) {
 
 SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
                      const Progress& progress) {
-  requirePaint(model);
-  requireImages(model, pictures);
-  std::erase_if(model.warnings,
-                [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
-  const Repaint repaint(model, imagesFrom(std::move(pictures)));
+  const Repaint repaint = repaintOf(model, std::move(pictures));
   SceneRun run = remeshParts(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
   model.parts = std::move(run.parts);
   withinMemory([&] {
@@ -79,6 +84,23 @@ SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const Reme
   });
   run.parts = std::move(model.parts);
   return run;
+}
+
+std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
+  std::vector<Picture> pictures;
+  for (io::PaintedImage& image : images)
+    pictures.push_back({std::move(image.name), std::move(image.type), image.image.width,
+                        image.image.height, std::move(image.image.texels)});
+  return pictures;
+}
+
+void paintRepaired(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+                   const Progress& progress) {
+  const Repaint repaint = repaintOf(model, std::move(pictures));
+  model.parts = repaint.bareParts();
+  std::vector<std::vector<InputPlace>> places;
+  for (const io::Part& part : model.parts) places.push_back(ownPlaces(part.mesh));
+  withinMemory([&] { repaint.paint(model, places, options, progress.phase("paint", 0, 1)); });
 }
 
 }  // namespace remesher

@@ -22,4 +22,11 @@ void requireTextured(const std::string& outputName);
 SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
                      const Progress& progress);
 
+// Painted images, as results hand them over.
+std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images);
+
+// Paints textures for the parts as they are, repaired but not remeshed. Throws as above.
+void paintRepaired(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+                   const Progress& progress);
+
 }  // namespace remesher

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
 #include "jobs/face_budget.h"
@@ -17,9 +18,29 @@
 
 namespace remesher {
 
-double mendShare(const RemeshOptions& options) { return options.repair == Repair::Off ? 0 : 0.1; }
-
 namespace {
+
+bool leavesOut(const RemeshOptions& options) {
+  return options.dropBelow || options.dropFloaters || options.dropHidden;
+}
+
+// Takes out the parts without triangles; says which. Other parts' numbers in `finer` follow.
+std::vector<char> withoutEmpty(std::vector<io::Part>& parts) {
+  std::vector<char> isEmpty;
+  std::vector<std::size_t> numbers;
+  std::size_t left = 0;
+  for (const io::Part& part : parts) {
+    isEmpty.push_back(char(part.mesh.indices.empty()));
+    numbers.push_back(left);
+    left += std::size_t(!isEmpty.back());
+  }
+  for (io::Part& part : parts) {
+    std::erase_if(part.finer, [&](std::size_t p) { return isEmpty[p] != 0; });
+    for (std::size_t& p : part.finer) p = numbers[p];
+  }
+  std::erase_if(parts, [](const io::Part& part) { return part.mesh.indices.empty(); });
+  return isEmpty;
+}
 
 // Whether the number of vertices depends on the input's number.
 bool isByInput(const RemeshOptions& options) {
@@ -27,22 +48,81 @@ bool isByInput(const RemeshOptions& options) {
          (options.ratio || !options.maxError);
 }
 
+void requireNoVertexNumbers(const RemeshOptions& options) {
+  if (options.density.empty() && options.featureEdges.empty()) return;
+  throw Error(ErrorCode::InvalidOption,
+              "density and featureEdges number the input's vertices, and some are left out.",
+              "Leave them out first, then remesh what is left.");
+}
+
 }  // namespace
 
+double mendShare(const RemeshOptions& options) {
+  return options.repair == Repair::Off && !leavesOut(options) ? 0 : 0.1;
+}
+
 Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
-                 const Progress& progress, Purpose purpose) {
-  if (options.repair == Repair::Off) return;
+                 const Progress& progress, Purpose purpose)
+    : isGone_(parts.size(), 0) {
+  for (const io::Part& part : parts) sources_.push_back(part.source);
+  if (options.repair == Repair::Off && !leavesOut(options)) return;
   input_ = inspectScaled(parts);
+  if (leavesOut(options)) {
+    requireNoVertexNumbers(options);
+    dropped_.emplace();
+  }
+  withinMemory([&] {
+    dropPieces(parts, options);
+    repair(parts, options, progress, purpose);
+    dropHidden(parts, options);
+  });
+}
+
+void Mending::dropPieces(std::vector<io::Part>& parts, const RemeshOptions& options) {
+  if (!options.dropBelow && !options.dropFloaters) return;
+  take(dropSmallPieces(parts, options));
+  isGone_ = withoutEmpty(parts);
+}
+
+void Mending::repair(std::vector<io::Part>& parts, const RemeshOptions& options,
+                     const Progress& progress, Purpose purpose) {
+  if (options.repair == Repair::Off) return;
   RemeshOptions sized = options;
   if (options.faces) sized.vertices = verticesFor(*options.faces, options, {});
   const bool isSized = purpose == Purpose::Remeshing && isByInput(options);
-  const double target = options.ratio.value_or(1) * double(input_.vertices);
+  const MeshReport given = dropped_ ? inspectScaled(parts) : input_;
+  const double target = options.ratio.value_or(1) * double(given.vertices);
   if (isSized) sized.vertices = Index(std::max(1.0, std::round(target)));
-  repair_ = withinMemory(
-      [&] { return repairParts(std::move(parts), sized, progress.phase("repair", 0, 1)); });
+  repair_ = repairParts(std::move(parts), sized, progress.phase("repair", 0, 1));
   parts = std::move(repair_->parts);
   const double mended = isSized ? double(inspectScaled(parts).vertices) : 0;
   if (mended > 0) ratio_ = target / mended;
+}
+
+void Mending::dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options) {
+  if (!options.dropHidden) return;
+  take(dropHiddenTriangles(parts, repair_ ? Hidden::Pieces : Hidden::Triangles));
+  const std::vector<char> isEmpty = withoutEmpty(parts);
+  std::size_t p = 0;
+  for (char& isGone : isGone_)
+    if (!isGone) isGone = isEmpty[p++];
+}
+
+std::vector<int> Mending::leftOut() const {
+  std::vector<int> numbers;
+  for (std::size_t p = 0; p < isGone_.size(); ++p)
+    if (isGone_[p] && sources_[p] >= 0) numbers.push_back(sources_[p]);
+  return numbers;
+}
+
+void Mending::take(Dropped dropped) {
+  DropReport& sum = dropped_->report;
+  sum.pieces += dropped.report.pieces;
+  sum.hidden += dropped.report.hidden;
+  sum.lost += dropped.report.lost;
+  if (!dropped.report.piecesAt.empty()) sum.piecesAt = std::move(dropped.report.piecesAt);
+  if (!dropped.report.hiddenAt.empty()) sum.hiddenAt = std::move(dropped.report.hiddenAt);
+  dropped_->warnings = joined(std::move(dropped_->warnings), dropped.warnings);
 }
 
 RemeshOptions Mending::chosen(RemeshOptions options) const {
@@ -55,22 +135,34 @@ RemeshOptions Mending::chosen(RemeshOptions options) const {
   return options;
 }
 
-RemeshOptions Mending::withPaint(RemeshOptions options, io::Model& model) const {
-  const bool isImplied = repair_ && repair_->isRemade && options.lods.empty() &&
-                         options.textures == Textures::Auto &&
-                         model.conventions == io::Conventions::Gltf;
-  if (!isImplied) return options;
+void Mending::note(Report& report) const {
+  if (!repair_ && !dropped_) return;
+  report.input = input_;
+  if (repair_) {
+    report.repair = repair_->report;
+    report.warnings = joined(repair_->warnings, report.warnings);
+  }
+  if (!dropped_) return;
+  report.dropped = dropped_->report;
+  report.warnings = joined(dropped_->warnings, report.warnings);
+  if (report.repair) report.repair->lost += dropped_->report.lost;
+}
+
+RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
+  if (!options.lods.empty() || options.textures != Textures::Auto ||
+      model.conventions != io::Conventions::Gltf)
+    return options;
   options.textures = Textures::Bake;
   model.warnings.push_back(
       {"TEXTURES_PAINTED", "Repair has made another surface, so its textures were baked onto it."});
   return options;
 }
 
-void Mending::note(Report& report) const {
-  if (!repair_) return;
-  report.input = input_;
-  report.repair = repair_->report;
-  report.warnings = joined(repair_->warnings, report.warnings);
+std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<char>& isGone) {
+  std::vector<io::Part> left;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (!isGone[p]) left.push_back(std::move(parts[p]));
+  return left;
 }
 
 RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
@@ -79,8 +171,9 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
   parts = joinedPlaces(std::move(parts), options.weld);
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
+  const std::vector<io::Part> left = without(originals, mending.isGone());
   for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i].mesh = inPrecisionOf(originals[i].mesh, std::move(parts[i].mesh)).mesh;
+    parts[i].mesh = inPrecisionOf(left[i].mesh, std::move(parts[i].mesh)).mesh;
   progress.phase("measure", 1, 1);
   Report report;
   report.output = inspectScaled(parts);
@@ -89,14 +182,16 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =
           joined(std::move(report.warnings), {passedOn(part, "No triangle has an area.")});
-  bool isUnchanged = true;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool isSame = io::isSame(parts[i].mesh, given[i].mesh);
+  // Parts that lost pieces or went are not as they were given.
+  bool isUnchanged = parts.size() == given.size();
+  for (std::size_t i = 0, p = 0; i < given.size(); ++i) {
+    if (mending.isGone()[i]) continue;
+    const bool isSame = io::isSame(parts[p++].mesh, given[i].mesh);
     report.chosen.push_back(inReport(choose(
         Decision::RepairOnly, [&](Fact fact) { return fact == Fact::Unchanged && isSame; })));
     isUnchanged = isUnchanged && isSame;
   }
-  return {std::move(report), isUnchanged};
+  return {std::move(report), mending.isRemade(), isUnchanged, mending.leftOut()};
 }
 
 }  // namespace remesher

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Repairs the parts of a file before any other step, if asked for.
+// Repairs the parts of a file before any other step, and leaves out what nobody wants, if asked
+// for.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
+#include "jobs/dropping.h"
 #include "jobs/part_repair.h"
 
 namespace remesher {
@@ -16,7 +18,8 @@ namespace remesher {
 // The approximate share of a run's time.
 double mendShare(const RemeshOptions& options);
 
-// Repairs the parts in place, if asked for, and keeps the report.
+// Repairs the parts in place and leaves out what nobody wants, if asked for, and keeps the reports.
+// Small pieces go before repair, hidden triangles afterwards. A part that keeps no triangle goes.
 class Mending {
  public:
   // Before remeshing the surface is as fine as the target asks for.
@@ -30,27 +33,48 @@ class Mending {
   // may be many times larger.
   RemeshOptions chosen(RemeshOptions options) const;
 
-  // Sets textures to be painted anew if the options leave it open and repair has made another
-  // surface (more than closed holes), because charts may end anywhere on it. Adds a warning to the
-  // model.
-  RemeshOptions withPaint(RemeshOptions options, io::Model& model) const;
+  // Whether a lattice has replaced the triangles of any part.
+  bool isRemade() const { return repair_ && repair_->isRemade; }
 
   // Adds the repair to the report; the report's input is the given one, not the repaired one.
   void note(Report& report) const;
 
+  // Per part given whether it is gone.
+  const std::vector<char>& isGone() const { return isGone_; }
+  // The numbers in the file of the meshes that are gone.
+  std::vector<int> leftOut() const;
+
  private:
+  void dropPieces(std::vector<io::Part>& parts, const RemeshOptions& options);
+  void repair(std::vector<io::Part>& parts, const RemeshOptions& options, const Progress& progress,
+              Purpose purpose);
+  void dropHidden(std::vector<io::Part>& parts, const RemeshOptions& options);
+  void take(Dropped dropped);
+
   MeshReport input_;
   std::optional<PartsRepair> repair_;
+  std::optional<Dropped> dropped_;
+  std::vector<char> isGone_;
+  std::vector<int> sources_;     // per part given its number in the file
   std::optional<double> ratio_;  // of the repaired parts' vertices, where the input's number counts
 };
 
 struct RepairedParts {
   Report report;
-  bool isUnchanged;  // whether every part is as it was given, bit for bit
+  bool isRemade;             // see Mending
+  bool isUnchanged;          // whether every part is as it was given, bit for bit
+  std::vector<int> leftOut;  // see Mending::leftOut
 };
 
 // Repairs the parts in place. The report lacks only the times.
 RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
                          const Progress& progress);
+
+// Sets textures to be painted anew if the options leave it open and repair has made another surface
+// (more than closed holes), because charts may end anywhere on it. Adds a warning to the model.
+RemeshOptions withPaint(RemeshOptions options, io::Model& model);
+
+// The parts that are not gone.
+std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<char>& isGone);
 
 }  // namespace remesher

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/triangle.h"
-#include "jobs/parts/appending.h"
+#include "io/model/appending.h"
 #include "jobs/run_guards.h"
 
 namespace remesher {

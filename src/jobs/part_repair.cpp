@@ -28,6 +28,15 @@ std::vector<Vec3> inWorld(std::vector<Vec3> places, const io::Part& part, const 
   return places;
 }
 
+void addPlaces(std::vector<SizedPlace>& all, const std::vector<SizedPlace>& more,
+               const io::Part& part, const PartScale& scale) {
+  for (const SizedPlace& place : more)
+    all.push_back({scale.inWorld(part, place.at), scale.growth(part) * place.across});
+  std::stable_sort(all.begin(), all.end(),
+                   [](const SizedPlace& a, const SizedPlace& b) { return a.across > b.across; });
+  if (all.size() > kMostSizedPlaces) all.resize(kMostSizedPlaces);
+}
+
 void addPlaces(std::vector<Vec3>& all, std::vector<Vec3> more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -109,6 +118,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
   for (std::size_t i = 0; i < result.parts.size(); ++i) {
     io::Part& part = result.parts[i];
     own.spacing = spacings[i];
+    if (options.thickness) own.thickness = *options.thickness / scale.growth(part);
     progress.at(total > 0 ? done / total : 0);
     const std::size_t triangles = part.mesh.triangleCount();
     if (result.parts.size() > 1 && !isSurface(part.mesh)) continue;
@@ -121,6 +131,8 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     result.isRemade |= repaired.isRemade;
     add(result.report, repaired.report);
     result.report.lost += total > 0 ? repaired.report.lost * double(triangles) / total : 0;
+    addPlaces(result.report.closedAt, repaired.report.closedAt, part, scale);
+    addPlaces(result.report.rimsAt, repaired.report.rimsAt, part, scale);
     addPlaces(result.report.lostAt, inWorld(repaired.report.lostAt, part, scale));
     if (triangles >= most) {
       result.report.mode = repaired.report.mode;
@@ -129,6 +141,7 @@ PartsRepair repairParts(std::vector<io::Part> parts, const RemeshOptions& option
     most = std::max(most, triangles);
     for (PlacedWarning& warning : repaired.warnings) {
       if (warning.at) warning.at = scale.inWorld(part, *warning.at);
+      warning.across *= scale.growth(part);
       join(warnings, std::move(warning));
     }
     done += double(triangles);

@@ -77,9 +77,15 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
       return fact == Fact::ResultUnsound && !isSound(outcome.mesh);
     });
     if (rule.taken == Candidate::AsMade) return outcome;
-    options.prefer = Prefer::Even;
+    const bool isAsked = std::exchange(options.prefer, Prefer::Even) == Prefer::Shape;
     outcome = remeshPart(std::move(part), options, progress);
     outcome.chosen = inReport(rule);
+    if (isAsked)
+      outcome.warnings.push_back(
+          {"SHAPE_NOT_PREFERRED",
+           "Vertices where the shape needs them most would make triangles of "
+           "the repaired surface intersect: isotropic triangles were made instead.",
+           1});
     return outcome;
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);

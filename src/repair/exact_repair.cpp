@@ -9,9 +9,9 @@
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "measure/self_intersections.h"
+#include "mesh/used_vertices.h"
 #include "repair/diagnosis.h"
 #include "repair/holes/turn_over.h"
-#include "repair/holes/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/stitch.h"
 #include "repair/united.h"
@@ -43,6 +43,8 @@ ExactRepair withLoopsClosed(const TriangleMesh& input, const LoopRule& rule) {
   result.holes = holes.holes;
   result.trianglesRemoved = holes.trianglesRemoved;
   result.openAt = std::move(holes.openAt), result.removedAt = std::move(holes.removedAt);
+  result.closedAt = std::move(holes.closedAt), result.meantAt = std::move(holes.meantAt);
+  result.rimsAt = std::move(holes.rimsAt);
   result.islands = holes.islands;
   result.sheetsAt = std::move(holes.sheetsAt);
   const double before = areaOf(input, input.triangleCount());
@@ -149,6 +151,19 @@ bool unite(ExactRepair& repair, const Diagnosis& diagnosis) {
   return true;
 }
 
+// Open pieces become bodies.
+void makeBodies(ExactRepair& repair, const BodyRule& rule) {
+  SheetBodies bodies = bodiesOfSheets(repair.mesh, rule);
+  repair.madeAt = std::move(bodies.madeAt);
+  repair.noBaseAt = std::move(bodies.leftAt);
+  repair.sheetsAt = repair.noBaseAt;
+  repair.rimsAt.clear(), repair.openAt.clear();
+  if (repair.madeAt.empty()) return;
+  repair.mesh = std::move(bodies.mesh);
+  keepUsedVertices(repair.mesh);
+  if (countUnbalancedEdges(repair.mesh) > 0) stitchOpenEdges(repair.mesh);
+}
+
 }  // namespace
 
 TriangleMesh atOnePosition(const TriangleMesh& input) {
@@ -176,20 +191,24 @@ ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule) {
   return result;
 }
 
-std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const LoopRule& rule) {
+std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const ExactRule& rule) {
   ExactRepair result;
   result.mesh = atOnePosition(input);
   Diagnosis diagnosis = diagnose(result.mesh);
   const std::size_t before = diagnosis.crossings.size();
   if (isSound(diagnosis)) return result;
-  if (diagnosis.unbalanced > 0) {
-    weldOpenVertices(result.mesh);
+  // A triangle without area that closes a T-junction joins nothing once triangles are cut.
+  const bool hasLines = !haveAreas(result.mesh);
+  if (diagnosis.unbalanced > 0) weldOpenVertices(result.mesh);
+  if (diagnosis.unbalanced > 0 || hasLines) {
     stitchOpenEdges(result.mesh);
     if (result.mesh.indices.empty()) {
       fires("exact repair: no triangle has an area");
       return std::nullopt;
     }
-    result = withLoopsClosed(result.mesh, rule);
+    result.way = ExactRepair::Way::Closed;
+    if (countUnbalancedEdges(result.mesh) > 0) result = withLoopsClosed(result.mesh, rule.loops);
+    if (rule.bodies) makeBodies(result, *rule.bodies);
     diagnosis = diagnose(result.mesh);
   }
   if (!result.sheetsAt.empty() && openShare(diagnosis) > ladder::kMostSheets) {
@@ -201,6 +220,7 @@ std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const Loop
   result.crossings = diagnosis.crossings;
   if ((!diagnosis.crossings.empty() || hasShells) && !unite(result, diagnosis)) return std::nullopt;
   keepUsedVertices(result.mesh);
+  if (!result.madeAt.empty()) result.way = ExactRepair::Way::Made;
   result.crossingsBefore = before;
   return result;
 }

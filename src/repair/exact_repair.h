@@ -9,6 +9,8 @@
 
 #include "base/triangle_mesh.h"
 #include "repair/holes/close_holes.h"
+#include "repair/ladder.h"
+#include "repair/sheet_bodies.h"
 
 namespace remesher {
 
@@ -17,23 +19,32 @@ struct ExactRepair {
     Unchanged,  // the input was sound
     Closed,     // closing and turning made it so
     United,     // bodies were united
+    Made,       // bodies were made of sheets
   };
   Way way = Way::Unchanged;
   TriangleMesh mesh;
   std::size_t holes = 0, turned = 0, islands = 0, trianglesRemoved = 0;
   double lost = 0;  // percent of the area: of small open pieces, and at pinches
+  std::vector<SizedPlace> closedAt, meantAt, rimsAt;  // of loops, see ClosedHoles
   // Corners of: loops left open, triangles removed, sheets left, bodies removed as hidden.
   std::vector<Vec3> openAt, removedAt, sheetsAt, hiddenAt;
   std::vector<Vec3> filledAt;       // a corner of each cavity filled
+  std::vector<SizedPlace> madeAt;   // of sheets that became bodies
+  std::vector<Vec3> noBaseAt;       // of sheets that got no base, see SheetBodies
   std::size_t crossingsBefore = 0;  // triangles of the input that intersect others
   std::vector<Index> crossings;     // and of the result
   // Per triangle of the result, if bodies were united: whether it bounded a cavity before.
   std::vector<char> isOfCavity;
 };
 
+struct ExactRule {
+  LoopRule loops = {kInfinity, ladder::kMostDisk};
+  std::optional<BodyRule> bodies = {};  // that are made of what stays open
+};
+
 // None where the surface has no exact outside: where most of it is sheets, or where the result of
 // uniting would not be sound. Throws Error as buildMesh does.
-std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const LoopRule& rule);
+std::optional<ExactRepair> exactlyRepaired(const TriangleMesh& input, const ExactRule& rule = {});
 
 // Only closes loops, and turns closed pieces that are inside out. Throws the Errors of closeHoles.
 ExactRepair closedOnly(const TriangleMesh& input, const LoopRule& rule);

@@ -9,7 +9,9 @@ namespace remesher::ladder {
 // whose union keeps more than kMostCrossingsLeft of the self-intersections that there were.
 // An open piece is a sheet if disks over its loops have more than kMostDisk of its area: half a
 // sphere has 1/2, a flat card 1.
-inline constexpr double kMostDisk = 0.6;            // ratio of areas
+inline constexpr double kMostDisk = 0.6;  // ratio of areas
+// Where sheets become bodies a bowl is a sheet, too, and a small hole in one is still closed.
+inline constexpr double kMostDiskOfBody = 0.05;     // ratio of areas
 inline constexpr double kMostSheets = 0.3;          // ratio of areas
 inline constexpr double kMostCrossingsLeft = 0.05;  // ratio of triangles
 

@@ -13,13 +13,13 @@
 #include "geometry/triangle_meeting.h"
 #include "measure/self_intersections.h"
 #include "mesh/joining.h"
+#include "mesh/used_vertices.h"
 #include "repair/diagnosis.h"
 #include "repair/exact_repair.h"
 #include "repair/fineness.h"
 #include "repair/holes/close_holes.h"
 #include "repair/holes/plug.h"
 #include "repair/holes/turn_over.h"
-#include "repair/holes/used_vertices.h"
 #include "repair/ladder.h"
 #include "repair/solid/solid.h"
 #include "repair/stitch.h"
@@ -44,15 +44,49 @@ void warn(RepairedMesh& result, Warning warning, const std::vector<Vec3>& places
   if (!places.empty()) result.warnings.back().at = places.front();
 }
 
+void sortByWidth(std::vector<SizedPlace>& places) {
+  std::stable_sort(places.begin(), places.end(),
+                   [](const SizedPlace& a, const SizedPlace& b) { return a.across > b.across; });
+}
+
+// The widest first, as many as a report lists.
+std::vector<SizedPlace> listed(std::vector<SizedPlace> places) {
+  sortByWidth(places);
+  if (places.size() > kMostSizedPlaces) places.resize(kMostSizedPlaces);
+  return places;
+}
+
+void warnOfLoops(RepairedMesh& result, Warning warning, std::vector<SizedPlace> loops) {
+  if (loops.empty()) return;
+  sortByWidth(loops);
+  warning.count = loops.size();
+  result.warnings.push_back({std::move(warning), loops.front().at, loops.front().across});
+}
+
 void warnOfCrossings(RepairedMesh& result, const std::vector<Index>& crossings) {
   result.report.selfIntersections[1] = crossings.size();
   warn(result, {"CROSSINGS_LEFT", "Triangles intersect others.", crossings.size()},
        firstOf(result.mesh, crossings));
 }
 
-double longestLoop(const TriangleMesh& input, const RemeshOptions& options) {
-  if (!options.holesUpTo) return kInfinity;
-  return *options.holesUpTo / 100 * diagonalOf(input);
+bool makesBodies(const RemeshOptions& options) { return options.thickness || options.base; }
+
+LoopRule loopRule(const TriangleMesh& input, const RemeshOptions& options, double mostDisk) {
+  LoopRule rule;
+  if (options.holesUpTo) rule.longest = *options.holesUpTo / 100 * diagonalOf(input);
+  rule.mostDisk = makesBodies(options) ? std::min(mostDisk, ladder::kMostDiskOfBody) : mostDisk;
+  rule.keepsRims = options.keepRims;
+  rule.isForBodies = makesBodies(options);
+  return rule;
+}
+
+std::optional<BodyRule> bodyRule(const TriangleMesh& input, const RemeshOptions& options) {
+  constexpr double kUsualBase = 0.02;  // of the diagonal
+  if (options.base)
+    return BodyRule{BodyRule::Kind::Base,
+                    options.thickness.value_or(kUsualBase * diagonalOf(input))};
+  if (options.thickness) return BodyRule{BodyRule::Kind::Thick, *options.thickness};
+  return std::nullopt;
 }
 
 void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
@@ -61,8 +95,7 @@ void warnOfSheets(RepairedMesh& result, Sheets sheets, std::size_t count) {
   else
     warn(result,
          {"SHEETS_THICKENED",
-          "Sheets, which enclose nothing, became thin solids behind their visible side.",
-          count});
+          "Sheets, which enclose nothing, became thin solids behind their visible side.", count});
 }
 
 // The report and the warnings of the exact steps.
@@ -76,6 +109,14 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
   result.report.turned = exact.turned;
   result.report.lost = exact.lost;
   result.report.selfIntersections[0] = exact.crossingsBefore;
+  result.report.rims = exact.rimsAt.size();
+  result.report.bodies = exact.madeAt.size();
+  result.report.closedAt = listed(exact.closedAt);
+  result.report.rimsAt = listed(exact.rimsAt);
+  warnOfLoops(result,
+              {"RIMS_CLOSED", "Loops that look meant were closed; --keep-rims leaves them open."},
+              exact.meantAt);
+  warnOfLoops(result, {"RIMS_LEFT_OPEN", "Loops that look meant were left open."}, exact.rimsAt);
   warn(result,
        {"HOLES_LEFT_OPEN", "Holes that are longer around than asked for were left open.",
         exact.openAt.size()},
@@ -100,12 +141,18 @@ RepairedMesh asRepaired(ExactRepair exact, const char* mode) {
         "wrapping makes them thin solids.",
         exact.sheetsAt.size()},
        exact.sheetsAt);
+  warnOfLoops(result, {"SHEETS_MADE_BODIES", "Sheets became closed bodies."}, exact.madeAt);
+  warn(result,
+       {"BASE_NOT_MADE",
+        "Sheets whose outline folds over itself, seen along the axis that they face, got no base.",
+        exact.noBaseAt.size()},
+       exact.noBaseAt);
   warnOfCrossings(result, exact.crossings);
   return result;
 }
 
 RepairedMesh withHolesClosed(const TriangleMesh& input, const RemeshOptions& options) {
-  return asRepaired(closedOnly(input, {longestLoop(input, options)}), "holes");
+  return asRepaired(closedOnly(input, loopRule(input, options, kInfinity)), "holes");
 }
 
 RepairedMesh asRepaired(Solid solid, const TriangleMesh& input, const SolidRule& rule) {
@@ -176,7 +223,8 @@ RepairedMesh because(const char* reason, RepairedMesh result) {
 }
 
 const char* modeOf(const ExactRepair& exact) {
-  return exact.way == ExactRepair::Way::United ? "solid" : "holes";
+  return exact.way == ExactRepair::Way::United || exact.way == ExactRepair::Way::Made ? "solid"
+                                                                                      : "holes";
 }
 
 const char* reasonOf(const ExactRepair& exact) {
@@ -185,6 +233,8 @@ const char* reasonOf(const ExactRepair& exact) {
       return "sound";
     case ExactRepair::Way::Closed:
       return "closed";
+    case ExactRepair::Way::Made:
+      return "made";
     default:
       return "united";
   }
@@ -206,16 +256,29 @@ RepairedMesh remade(const TriangleMesh& input, const RemeshOptions& options) {
   return because("open", wrapped(input, options));
 }
 
+// Says what was asked for and cannot be had of a surface that a lattice made, or of one left alone.
+RepairedMesh withBroken(const RemeshOptions& options, RepairedMesh result) {
+  if (options.keepRims && result.isRemade)
+    warn(result,
+         {"RIMS_NOT_KEPT", "The surface was made anew by a lattice, which leaves no loop open."});
+  if (makesBodies(options))
+    warn(result,
+         {"SHEETS_NOT_MADE_BODIES",
+          "Sheets did not become bodies as asked: their sides intersect in ways that cannot "
+          "be cut exactly. Ask for less thickness."});
+  return result;
+}
+
 RepairedMesh automatic(const TriangleMesh& input, const RemeshOptions& options) {
-  std::optional<ExactRepair> exact =
-      exactlyRepaired(input, {longestLoop(input, options), ladder::kMostDisk});
-  if (!exact) return remade(input, options);
+  std::optional<ExactRepair> exact = exactlyRepaired(
+      input, {loopRule(input, options, ladder::kMostDisk), bodyRule(input, options)});
+  if (!exact) return withBroken(options, remade(input, options));
   if (!options.cavities) fillCavities(*exact, Filled::Made);
   return because(reasonOf(*exact), asRepaired(std::move(*exact), modeOf(*exact)));
 }
 
 RepairedMesh solid(const TriangleMesh& input, const RemeshOptions& options) {
-  if (std::optional<ExactRepair> exact = exactlyRepaired(input, {kInfinity, ladder::kMostDisk})) {
+  if (std::optional<ExactRepair> exact = exactlyRepaired(input)) {
     if (exact->sheetsAt.empty()) {
       if (!options.cavities) fillCavities(*exact, Filled::All);
       return asRepaired(std::move(*exact), "solid");
@@ -246,18 +309,9 @@ TriangleMesh stitched(const TriangleMesh& input) {
   return mesh;
 }
 
-bool haveAreas(const TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    if (!hasArea({mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                  mesh.positions[mesh.indices[i + 2]]}))
-      return false;
-  return true;
-}
-
 // Which repair mends it, without the work of the lattice's surface.
 Repair repairFor(const TriangleMesh& input) {
-  if (const std::optional<ExactRepair> exact =
-          exactlyRepaired(input, {kInfinity, ladder::kMostDisk}))
+  if (const std::optional<ExactRepair> exact = exactlyRepaired(input))
     return exact->way == ExactRepair::Way::United ? Repair::Solid : Repair::Holes;
   RemeshOptions coarse;
   coarse.vertices = 1;
@@ -293,7 +347,7 @@ FaultReport faultsOf(const TriangleMesh& input) {
 std::optional<RepairedMesh> exactBodies(const TriangleMesh& input) {
   const TriangleMesh mesh = haveAreas(input) ? input : stitched(input);
   if (mesh.indices.empty()) return std::nullopt;
-  std::optional<ExactRepair> exact = exactlyRepaired(mesh, {kInfinity, ladder::kMostDisk});
+  std::optional<ExactRepair> exact = exactlyRepaired(mesh);
   if (!exact || !exact->sheetsAt.empty() || countUnbalancedEdges(exact->mesh) > 0)
     return std::nullopt;
   const char* const reason = reasonOf(*exact);

@@ -14,6 +14,7 @@ namespace remesher {
 struct PlacedWarning {
   Warning warning;
   std::optional<Vec3> at;  // the first place that it is about
+  double across = 0;       // how wide that is, a length; 0: not said
 };
 
 struct RepairedMesh {
@@ -23,9 +24,9 @@ struct RepairedMesh {
   std::vector<PlacedWarning> warnings;
 };
 
-// Follows the options repair, holesUpTo, gap, cavities and sheets. Throws the Errors of
-// requireValid, NO_TRIANGLES if nothing can be kept, and OUT_OF_MEMORY, before the work, if no
-// memory can hold it.
+// Follows the options repair, holesUpTo, keepRims, gap, cavities, sheets, thickness and base.
+// Throws the Errors of requireValid, NO_TRIANGLES if nothing can be kept, and OUT_OF_MEMORY, before
+// the work, if no memory can hold it.
 RepairedMesh repairSurface(const TriangleMesh& input, const RemeshOptions& options);
 
 // The mesh as closed bodies that intersect nowhere, facing outwards, by the exact steps of repair

@@ -197,6 +197,14 @@ std::size_t countUnbalancedEdges(const TriangleMesh& mesh) {
   return countUnbalanced(Welding(mesh));
 }
 
+bool haveAreas(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    if (!hasArea({mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
+                  mesh.positions[mesh.indices[i + 2]]}))
+      return false;
+  return true;
+}
+
 void weldOpenVertices(TriangleMesh& mesh) {
   const Welding before(mesh);
   std::size_t fewest = countUnbalanced(before);

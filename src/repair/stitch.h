@@ -17,6 +17,9 @@ std::size_t countUnbalancedEdges(const TriangleMesh& mesh);
 // most a ten-thousandth of the diagonal, and no triangle loses a corner.
 void weldOpenVertices(TriangleMesh& mesh);
 
+// Whether no triangle has its corners on a line, decided exactly.
+bool haveAreas(const TriangleMesh& mesh);
+
 // Divides triangles at T-junctions; new vertices take the attributes between the edge's ends.
 // Triangles whose corners lie on one line are left out. Triangles that are not divided keep their
 // order and corners, and come first. Returns per triangle of the result the input's.

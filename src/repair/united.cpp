@@ -10,8 +10,8 @@
 #include "base/place.h"
 #include "geometry/triangle_meeting.h"
 #include "mesh/attribute_mix.h"
+#include "mesh/used_vertices.h"
 #include "repair/holes/turn_over.h"
-#include "repair/holes/used_vertices.h"
 
 namespace remesher {
 

@@ -9,7 +9,7 @@ import { optionTable } from 'remesher/options';
 /** @param {Option} option @param {string} text */
 function parse(option, text) {
   if (option.type === 'boolean') return text !== 'false';
-  if (option.type === 'choice' || (option.off && text === 'off')) return text;
+  if (option.type === 'choice' || text === option.word) return text;
   return Number(text);
 }
 

@@ -40,7 +40,7 @@ function controlFor(option) {
     return element('input', { ...described, type: 'range', ...limits, step: '0.05' });
   }
   // A field that also takes a word cannot be of type number.
-  if (option.off) return element('input', { ...described, type: 'text', autocomplete: 'off' });
+  if (option.word) return element('input', { ...described, type: 'text', autocomplete: 'off' });
   return element('input', { ...described, type: 'number', ...limits, step: 'any' });
 }
 
@@ -88,7 +88,7 @@ function valueOf(option, control) {
   if (control.type === 'range' && !control.dataset.touched) return undefined;
   const text = control.value.trim();
   if (!text) return undefined;
-  const isWord = option.type === 'choice' || (option.off && text.toLowerCase() === 'off');
+  const isWord = option.type === 'choice' || text.toLowerCase() === option.word;
   return isWord ? text.toLowerCase() : Number(text.replace(',', '.'));
 }
 
@@ -98,7 +98,8 @@ const belongsInForm = ({ name, flag, form }) =>
   flag && form !== false && !TargetField.names.includes(name);
 
 const ofTextures = ['textures', 'textureSize', 'textureFormat'];
-const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets'];
+const ofRepair = ['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
+  'base', 'unite', 'dropBelow', 'dropHidden'];
 
 /** Whether a control chooses the work, which runs by itself. @param {EventTarget | null} target */
 const isWork = (target) => target instanceof HTMLInputElement && target.name === 'work';

@@ -6,7 +6,7 @@ import { t, textIfAny } from '../base/i18n.js';
 
 /** @typedef {NonNullable<import('remesher').RemeshReport['repair']>} RepairSummary */
 
-const counted = /** @type {const} */ (['holes', 'islands', 'shells', 'turned']);
+const counted = /** @type {const} */ (['holes', 'rims', 'bodies', 'islands', 'shells', 'turned']);
 
 /** @param {RepairSummary} repair */
 const lossOf = ({ lost, lostBeyond }) => (lostBeyond > 0

@@ -13,8 +13,9 @@ import { RemeshError } from '../base/errors.js';
 export function neededBy(job) {
   if (job.kind === 'inspect') return job.closely ? 'whole' : 'arrays';
   if (job.kind !== 'remesh') return 'whole';
-  const { repair = 'off', quads = false } = job.options;
-  return repair === 'off' && !quads ? 'arrays' : 'whole';
+  const { repair = 'off', quads, dropBelow, dropHidden } = job.options;
+  const isPlain = repair === 'off' && !quads && dropBelow === undefined && !dropHidden;
+  return isPlain ? 'arrays' : 'whole';
 }
 
 const wholeIsMissing = () => new RemeshError('UNSUPPORTED',

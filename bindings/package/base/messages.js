@@ -273,17 +273,37 @@
  */
 
 /**
+ * @typedef {object} SizedPlace
+ * @property {number[]} at The middle: three coordinates.
+ * @property {number} across Twice the largest distance from there, in model units.
+ */
+
+/**
+ * What was left out on request.
+ * @typedef {object} DropSummary
+ * @property {number} pieces Pieces smaller than asked for.
+ * @property {number} hidden Triangles that nobody sees from outside.
+ * @property {number} lost Both together, in percent of the area.
+ * @property {SizedPlace[]} piecesAt Some of the pieces, the largest first.
+ * @property {number[]} hiddenAt A corner of some of the triangles, three coordinates each.
+ */
+
+/**
  * What repair did.
  * @typedef {object} RepairSummary
  * @property {string} mode How the mesh was repaired.
- * @property {'asked' | 'sound' | 'closed' | 'united' | 'sheets' | 'enclosed' | 'open'} reason Why
- *   in that mode: it was asked for; nothing was wrong, and the mesh is unchanged; the surface is
- *   sound once its loops are closed; bodies that intersect were united exactly; sheets, which
+ * @property {'asked' | 'sound' | 'closed' | 'united' | 'made' | 'sheets' | 'enclosed' | 'open'}
+ *   reason Why in that mode: it was asked for; nothing was wrong, and the mesh is unchanged; the surface is
+ *   sound once its loops are closed; bodies that intersect were united exactly; sheets became bodies; sheets, which
  *   enclose nothing, were left; a lattice found bodies; a lattice found the outside.
  * @property {number} holes Open loops closed.
  * @property {number} islands Small open components removed.
  * @property {number} shells Bodies inside others, removed because nobody sees them.
  * @property {number} turned Triangles turned over.
+ * @property {number} rims Open loops that look meant, left open.
+ * @property {number} bodies Sheets that became bodies.
+ * @property {SizedPlace[]} closedAt Some of the loops closed, the widest first.
+ * @property {SizedPlace[]} rimsAt Some of those rims, likewise.
  * @property {number} lost Percent of the area that the result lacks: of what is seen from outside,
  *   what is farther from the result than `lostBeyond`. Where only holes are closed, of all.
  * @property {number} lostBeyond In percent of the diagonal; 0 where only holes are closed.
@@ -293,7 +313,8 @@
 
 /**
  * `chosen` says whether the mesh was kept or repaired.
- * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, chosen: Chosen | Chosen[] }}
+ * @typedef {Inspection & { output: MeshReport, repair: RepairSummary, dropped?: DropSummary,
+ *   chosen: Chosen | Chosen[] }}
  *   RepairReport
  */
 
@@ -318,6 +339,7 @@
 
 /**
  * @typedef {Inspection & RunReport & { preset?: PresetOptions, repair?: RepairSummary,
+ *   dropped?: DropSummary,
  *   lods?: RemeshReport[] }} RemeshReport
  */
 

@@ -31,7 +31,7 @@ export { presets } from './presets.js';
  * @property {number} [max] The largest value allowed.
  * @property {number} [above] Allowed values are larger than this.
  * @property {readonly string[]} [choices] The values allowed.
- * @property {boolean} [off] 'off' is a value too.
+ * @property {'off' | 'auto'} [word] A value too, beside numbers.
  * @property {boolean} [form] false: the page's form has no field for it.
  * @property {readonly import('./option_rules.js').Others[]} [needs] Without any of these it has no
  *   effect.
@@ -95,12 +95,12 @@ export const optionTable = [
   { name: 'gradation', flag: '--gradation G', type: 'number', above: 1, default: 1.5,
     help: 'largest ratio between the sizes at the two ends of an edge' },
   { name: 'featureAngle', flag: '--feature-angle D', type: 'number', min: 0, max: 180,
-    unit: 'degrees', off: true, default: { best: 40, rounds: 'off' },
+    unit: 'degrees', word: 'off', default: { best: 40, rounds: 'off' },
     help: 'dihedral angle from which an edge can belong to a feature curve, which survives' },
   { name: 'boundary', flag: '--boundary B', type: 'choice', choices: ['resample', 'keep'],
     default: 'resample', help: 'move vertices along open boundaries, or keep them exactly' },
   { name: 'maxError', flag: '--max-error P', type: 'number', above: 0,
-    unit: '% of the diagonal', off: true, default: 'off',
+    unit: '% of the diagonal', word: 'off', default: 'off',
     help: 'the largest distance allowed between original and result, both ways' },
   { name: 'weld', flag: '--weld P', type: 'number', above: 0, unit: '% of the diagonal',
     help: 'join places that are nearer to each other; only those that are equal but for rounding '
@@ -115,10 +115,11 @@ export const optionTable = [
     default: 'auto',
     needs: [{ quads: [true] }],
     help: 'of quads; auto: where planes mirror the model they mirror the quads exactly' },
-  { name: 'textures', flag: '--textures T', type: 'choice', choices: ['auto', 'keep', 'bake'],
-    default: 'auto',
+  { name: 'textures', flag: '--textures T', type: 'choice',
+    choices: ['auto', 'keep', 'drop', 'bake'], default: 'auto',
     excludes: { value: 'bake', others: { lods: true }, why: 'levels would share no texture' },
-    help: 'keep: texture coordinates, along their seams; bake (to glTF): new textures, painted '
+    help: 'keep: texture coordinates, along their seams; drop: leave them out; bake (to glTF): '
+      + 'new textures, painted '
       + 'from the old, so that seams hold no vertices; auto: keep, but bake from glTF to glTF '
       + 'where repair makes another surface' },
   { name: 'textureSize', flag: '--texture-size N', type: 'integer', min: 1, max: 8192,
@@ -153,6 +154,23 @@ export const optionTable = [
     needs: [{ repair: ['wrap', 'solid', 'auto'] }],
     help: 'of sheets, which enclose nothing, wrap makes thin solids behind what is seen of them, '
       + 'or leaves them out' },
+  { name: 'keepRims', flag: '--keep-rims', type: 'boolean', default: false,
+    needs: [{ repair: ['holes', 'auto'] }],
+    help: 'loops that look meant stay open: round ones, and straight ones at which walls end' },
+  { name: 'thickness', flag: '--thickness T', type: 'number', above: 0, unit: 'model units',
+    needs: [{ repair: ['auto'] }],
+    help: 'sheets become bodies that are so thick, half of it on each side' },
+  { name: 'base', flag: '--base', type: 'boolean', default: false,
+    needs: [{ repair: ['auto'] }],
+    help: 'an open relief, such as a terrain, becomes a body with upright walls and a flat base, '
+      + 'which lies --thickness below its lowest point' },
+  { name: 'unite', flag: '--unite', type: 'boolean', default: false,
+    help: 'the meshes of a file become one surface, with their materials' },
+  { name: 'dropBelow', flag: '--drop-below P', type: 'number', above: 0, word: 'auto',
+    unit: '% of the diagonal',
+    help: 'leave out smaller pieces; auto: floaters, which are small and away from the rest' },
+  { name: 'dropHidden', flag: '--drop-hidden', type: 'boolean', default: false,
+    help: 'leave out triangles that nobody sees from outside; all others stay as they are' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
       + 'the original; in a glTF file by MSFT_lod' },
@@ -232,7 +250,7 @@ export function rangeInWords(option) {
   if (option.type === 'floats') return 'a Float32Array with one value per vertex';
   if (option.type === 'pairs') return 'a Uint32Array of vertex pairs, or an array of pairs';
   const kind = option.type === 'integer' ? 'a whole number' : 'a number';
-  const off = option.off ? ', or off' : '';
+  const off = option.word ? `, or ${option.word}` : '';
   const most = option.max === undefined ? '' : `, up to ${option.max}`;
   if (option.above !== undefined) return `${kind} above ${option.above}${most}${off}`;
   return `${kind} from ${option.min} to ${option.max}${off}`;
@@ -258,7 +276,7 @@ function isAllowed(option, value) {
     case 'pairs':
       return value instanceof Uint32Array || Array.isArray(value);
     default:
-      return (value === 'off' && option.off === true) || isInRange(option, value);
+      return (option.word !== undefined && value === option.word) || isInRange(option, value);
   }
 }
 
@@ -347,7 +365,8 @@ export const targetNames = /** @type {const} */ ([
 
 /** The names of the options for repair. */
 export const repairNames =
-  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'weld']);
+  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
+    'base', 'unite', 'dropBelow', 'dropHidden', 'textures', 'textureSize', 'textureFormat', 'weld']);
 
 /** @typedef {typeof repairNames[number]} RepairName */
 

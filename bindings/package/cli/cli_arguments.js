@@ -66,7 +66,7 @@ function wrongUse(message, hint = 'remesher --help lists the options.') {
 /** @param {Option} option @param {string} text */
 function valueFrom(option, text) {
   const numberOf = (/** @type {string} */ word) => (word.trim() === '' ? NaN : Number(word));
-  const isNumber = (option.type === 'integer' || option.type === 'number') && text !== 'off';
+  const isNumber = (option.type === 'integer' || option.type === 'number') && text !== option.word;
   const value = option.type === 'shares' ? text.split(',').map(numberOf)
     : isNumber ? numberOf(text) : text;
   checkValue(option, value, String(flagOf(option)), Number.isFinite(value) ? value : text);
@@ -273,7 +273,8 @@ function helpRow(flag, text) {
 function optionHelp(option) {
   const flag = option.choices
     ? `${flagOf(option)} ${option.choices.join('|')}`
-    : `${option.flag}${option.alias ? `, ${option.alias}` : ''}${option.off ? '|off' : ''}`;
+    : `${option.flag}${option.alias ? `, ${option.alias}` : ''}`
+      + `${option.word ? `|${option.word}` : ''}`;
   const value = option.type === 'boolean' ? '' : defaultInWords(option);
   const shown = value && ` (default: ${value})`;
   const unit = option.unit ? `; ${option.unit}` : '';

@@ -50,6 +50,7 @@ const reasons = {
   sound: 'it was sound and is unchanged',
   closed: 'with its loops closed it is sound',
   united: 'bodies that intersect were united exactly',
+  made: 'sheets became bodies',
   sheets: 'sheets enclose nothing and were left as they are',
   enclosed: 'remade as a lattice surface that encloses the visible bodies',
   open: 'remade as a lattice surface around the input, which encloses nothing clearly',
@@ -66,13 +67,26 @@ function lossInWords({ lost, lostBeyond, lostAt }) {
     + `${lostBeyond.toFixed(3)} % of the diagonal${firstOf(lostAt)}` : `${share}lost`;
 }
 
+/** ` (the widest 2.5 across)` @param {import('../base/messages.js').SizedPlace[]} places */
+const widest = (places) => (places.length === 0 ? ''
+  : ` (the widest ${Number(places[0].across.toPrecision(3))} across, near `
+    + `(${places[0].at.map((x) => Number(x.toPrecision(4))).join(', ')}))`);
+
+/** @param {import('../base/messages.js').DropSummary} dropped */
+function dropInWords({ pieces, hidden, lost, piecesAt }) {
+  return `left out: ${counted(pieces, 'piece')}${widest(piecesAt)}, `
+    + `${counted(hidden, 'hidden triangle')}; ${lost.toFixed(2)} % of the area`;
+}
+
 /** @param {import('../base/messages.js').RepairSummary} repair */
 function repairInWords(repair) {
-  const { mode, reason, holes, islands, shells, turned, selfIntersections } = repair;
+  const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
   return `repair (${mode}, ${reasons[reason]}):\n`
-    + `  ${counted(holes, 'hole')} closed, ${counted(islands, 'island')} and `
+    + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, ${counted(islands, 'island')} and `
     + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
+    + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt)}\n` : '')
+    + (bodies > 0 ? `  ${counted(bodies, 'sheet')} made a closed body\n` : '')
     + `${lossInWords(repair)}\n`
     + `  self-intersecting triangles: ${before} before, ${after} after`;
 }
@@ -139,6 +153,7 @@ export function reportInWords(report) {
   if (report.preset) parts.push(presetInWords(report.preset));
   if (report.input) parts.push(meshInWords('input', report.input));
   if (report.faults) parts.push(faultsInWords(report.faults));
+  if (report.dropped) parts.push(dropInWords(report.dropped));
   if (report.repair) parts.push(repairInWords(report.repair));
   if (report.boolean) parts.push(booleanInWords(report.boolean));
   if (report.output) parts.push(meshInWords('output', report.output));

@@ -144,7 +144,7 @@ function modelOf([a, b]) {
   };
 }
 
-/** @typedef {Extract<Job, { kind: 'remeshFile' }>} FileJob */
+/** @typedef {Extract<Job, { kind: 'remeshFile' | 'repairFile' }>} FileJob */
 
 const namesGltf = (/** @type {string} */ name) => /\.gl(b|tf)$/i.test(name);
 
@@ -227,9 +227,8 @@ export class Engine {
    * @returns {Promise<any>}
    */
   async #painted(plainJob, onProgress) {
-    if (plainJob.kind !== 'remeshFile' || !mayPaint(plainJob)) {
-      return this.#run(plainJob, onProgress);
-    }
+    const isOfFile = plainJob.kind === 'remeshFile' || plainJob.kind === 'repairFile';
+    if (!isOfFile || !mayPaint(plainJob)) return this.#run(plainJob, onProgress);
     const { Bakery } = await import('../textures/bake.js');
     const bakery = new Bakery(this.#codecs, onProgress);
     try {

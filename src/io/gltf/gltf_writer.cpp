@@ -205,7 +205,9 @@ std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> p
   for (VertexPool& pool : pools) {
     std::erase_if(pool.accessors, [](const auto& entry) {
       const std::string own = entry.first.substr(entry.first.find('/') + 1);
-      return own == "TANGENT" || own.starts_with("TEXCOORD_") || own.starts_with("COLOR_");
+      const bool isOfLook =
+          own == "TANGENT" || own.starts_with("TEXCOORD_") || own.starts_with("COLOR_");
+      return isOfLook && findAttribute(part.mesh, own) == nullptr;
     });
     for (const char* made : {"NORMAL", "TANGENT", "TEXCOORD_0"})
       if (hasAny(part, pool, made)) pool.accessors[made] = -1;
@@ -257,7 +259,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
                            const std::string& outputName, Container container) {
   const Container before = document.isBinary ? Container::Binary : Container::Text;
   const std::vector<std::size_t> replaced = replacedParts(document, model);
-  if (replaced.empty() && container == before && !hasLods(model) && !model.replacesLevels)
+  if (replaced.empty() && container == before && !hasLods(model) && !model.replacesLevels &&
+      model.leftOut.empty() && !document.original.bytes.empty())
     if (std::optional<WrittenFiles> same = asItCame(document, outputName)) return std::move(*same);
 
   GltfEditor editor(document.tree, &document);
@@ -289,6 +292,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   }
   editor.lost().accessors.merge(dropNodes(editor.tree(), oldLevels));
   settlePointers(document.tree, editor.tree(), editor.lost());
+  editor.lost().accessors.merge(
+      dropMeshes(editor.tree(), {model.leftOut.begin(), model.leftOut.end()}));
   Abandoned abandoned = abandonedBy(editor, document);
   if (isPainted) {
     dropUnusedVariants(editor.tree());
@@ -306,9 +311,8 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   written.images = model.images;
   written.warnings = warningsOf(editor.lost());
   if (lostVariants > 0)
-    written.warnings.push_back({"MAP_NOT_PAINTED",
-                                "Variants of materials cannot be baked and are lost.",
-                                lostVariants});
+    written.warnings.push_back(
+        {"MAP_NOT_PAINTED", "Variants of materials cannot be baked and are lost.", lostVariants});
   passOn(std::move(images), written);
   return written;
 }

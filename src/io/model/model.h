@@ -69,6 +69,7 @@ struct Model {
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // null if the parts hold everything
   bool replacesLevels = false;           // drop the source's levels of detail
+  std::vector<int> leftOut = {};         // the numbers of meshes of the file that are shown no more
   bool isExact = false;             // in text coordinates get the digits of doubles, floats as well
   std::vector<Material> paintings;  // their maps name images below by number
   std::vector<PaintedImage> images;

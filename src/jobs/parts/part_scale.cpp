@@ -147,4 +147,9 @@ Vec3 PartScale::inWorld(const io::Part& part, const Vec3& p) const {
   return part.instances.empty() ? p : part.instances.front() * p / world_ + worldOrigin_;
 }
 
+double PartScale::growth(const io::Part& part) const {
+  if (part.instances.empty()) return 1;
+  return std::cbrt(std::abs(part.instances.front().linear().determinant())) / world_;
+}
+
 }  // namespace remesher

@@ -34,6 +34,12 @@ class PartScale {
   // is needed.
   Vec3 inWorld(const io::Part& part, const Vec3& p) const;
 
+  // How many times as long a length in the part's own space is there.
+  double growth(const io::Part& part) const;
+
+  // A point of the applied world in the world as it was given.
+  Vec3 unscaled(const Vec3& p) const { return p / world_ + worldOrigin_; }
+
  private:
   std::vector<double> local_;  // per part
   std::vector<Vec3> origins_;  // per part, what moves to the origin before it is scaled

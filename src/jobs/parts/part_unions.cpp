@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/place.h"
+#include "io/model/appending.h"
 #include "io/model/bake.h"
-#include "jobs/parts/appending.h"
 #include "jobs/parts/part_borders.h"
 #include "remesh/schemes/targets.h"
 

@@ -14,6 +14,7 @@
 #include "repair/holes/loop_triangulation.h"
 #include "repair/holes/plug_attributes.h"
 #include "repair/holes/refinement.h"
+#include "repair/holes/rims.h"
 
 namespace remesher {
 
@@ -126,8 +127,9 @@ double areaOfDisk(const Plug& disk) {
 }
 
 // Takes out the loops of sheets.
-void leaveSheets(const BuiltMesh& built, double mostDisk, std::vector<Loop>& loops,
+void leaveSheets(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>& loops,
                  ClosedHoles& result) {
+  const double mostDisk = rule.mostDisk;
   if (mostDisk == kInfinity || loops.empty()) return;
   DisjointSets components(built.mesh.vertexCapacity());
   for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
@@ -142,12 +144,23 @@ void leaveSheets(const BuiltMesh& built, double mostDisk, std::vector<Loop>& loo
     own[components.find(a.index)] +=
         area(built.positions[a], built.positions[b], built.positions[c]);
   }
-  for (const Loop& loop : loops)
-    disks[componentOf(loop)] += areaOfDisk(plugOf(built, loop, Shape::Bare));
+  std::vector<double> areas;  // per loop
+  for (const Loop& loop : loops) {
+    areas.push_back(areaOfDisk(plugOf(built, loop, Shape::Bare)));
+    disks[componentOf(loop)] += areas.back();
+  }
   const auto isSheet = [&](Index component) {
     return disks[component] > mostDisk * own[component];
   };
-  std::erase_if(loops, [&](const Loop& loop) { return isSheet(componentOf(loop)); });
+  const auto staysOpen = [&](std::size_t l) {
+    const Index component = componentOf(loops[l]);
+    if (!isSheet(component) || !rule.isForBodies) return isSheet(component);
+    return areas[l] > mostDisk * own[component] || looksMeant(built, loops[l]);
+  };
+  std::vector<Loop> closing;
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    if (!staysOpen(l)) closing.push_back(loops[l]);
+  loops = std::move(closing);
   for (Index v = 0; v < own.size(); ++v) {
     if (!built.mesh.isAlive(Vertex(v)) || components.find(v) != v || !isSheet(v)) continue;
     result.sheetsAt.push_back(built.positions[Vertex(v)]);
@@ -155,17 +168,36 @@ void leaveSheets(const BuiltMesh& built, double mostDisk, std::vector<Loop>& loo
   }
 }
 
+// Takes out the loops that are too long, and with the rule those that look meant.
+void leaveOpen(const BuiltMesh& built, const LoopRule& rule, std::vector<Loop>& loops,
+               ClosedHoles& result) {
+  std::vector<Loop> closing;
+  for (Loop& loop : loops) {
+    if (loop.length > rule.longest) {
+      result.openAt.push_back(built.positions[loop.vertices.front()]);
+      continue;
+    }
+    const SizedPlace place = placeOf(built, loop);
+    const bool isMeant = looksMeant(built, loop);
+    if (isMeant && rule.keepsRims) {
+      result.rimsAt.push_back(place);
+      continue;
+    }
+    result.closedAt.push_back(place);
+    if (isMeant) result.meantAt.push_back(place);
+    closing.push_back(std::move(loop));
+  }
+  loops = std::move(closing);
+}
+
 }  // namespace
 
 ClosedHoles closeHoles(const TriangleMesh& input, const LoopRule& rule) {
-  const KeptSurface kept = keptSurface(input);
+  const KeptSurface kept = keptSurface(input, rule.isForBodies ? Debris::Kept : Debris::Removed);
   std::vector<Loop> loops = boundaryLoops(kept.built);
   ClosedHoles result;
-  leaveSheets(kept.built, rule.mostDisk, loops, result);
-  for (const Loop& loop : loops)
-    if (loop.length > rule.longest)
-      result.openAt.push_back(kept.built.positions[loop.vertices.front()]);
-  std::erase_if(loops, [&](const Loop& loop) { return loop.length > rule.longest; });
+  leaveSheets(kept.built, rule, loops, result);
+  leaveOpen(kept.built, rule, loops, result);
   result.holes = loops.size();
   result.islands = kept.islands;
   result.removedAt = kept.removedAt;

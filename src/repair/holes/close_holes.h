@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/report.h"
 #include "base/triangle_mesh.h"
 #include "repair/holes/kept_surface.h"
 
@@ -15,12 +16,19 @@ struct LoopRule {
   // A component whose disks would have more than this share of its own area is a sheet, such as a
   // card or a terrain: its loops stay open.
   double mostDisk = kInfinity;
+  bool keepsRims = false;  // loops that look meant stay open
+  // Sheets become bodies afterwards: their small loops that do not look meant are closed, and open
+  // components stay, however small.
+  bool isForBodies = false;
 };
 
 struct ClosedHoles {
   TriangleMesh mesh;                 // vertices: all given, then new; triangles: kept, then disks
   std::vector<InputTriangle> kept;   // per triangle that is in no disk the input's, ascending
   std::size_t holes = 0;             // loops closed
+  std::vector<SizedPlace> closedAt;  // each of them
+  std::vector<SizedPlace> meantAt;   // those of them that look meant
+  std::vector<SizedPlace> rimsAt;    // loops left open because they look meant
   std::vector<Vec3> openAt;          // a vertex of each loop too long to be closed
   std::vector<Vec3> sheetsAt;        // a vertex of each sheet
   double sheetArea = 0;              // of all sheets

@@ -140,12 +140,12 @@ KeptSurface withoutPinches(Selection& selection, std::vector<Vec3>& places) {
 // surface; closing it would make a flake.
 constexpr double kDebrisShare = 0.01;
 
-struct Debris {
+struct FoundDebris {
   FaceData<char> faces;
   std::vector<Vec3> at;  // a corner of each component
 };
 
-Debris debrisOf(const BuiltMesh& built) {
+FoundDebris debrisOf(const BuiltMesh& built) {
   DisjointSets components = componentsOf(built);
   std::vector<double> areas(built.mesh.vertexCapacity(), 0);
   std::vector<char> isOpen(areas.size(), 0);
@@ -159,7 +159,7 @@ Debris debrisOf(const BuiltMesh& built) {
   const auto isDebris = [&](Index root) {
     return isOpen[root] && areas[root] < kDebrisShare * largest;
   };
-  Debris debris{FaceData<char>(built.mesh.faceCapacity(), 0), {}};
+  FoundDebris debris{FaceData<char>(built.mesh.faceCapacity(), 0), {}};
   for (Index f = 0; f < built.mesh.faceCapacity(); ++f)
     debris.faces[Face(f)] = isDebris(components.find(built.mesh.vertices(Face(f))[0].index));
   for (Index v = 0; v < areas.size(); ++v)
@@ -170,17 +170,19 @@ Debris debrisOf(const BuiltMesh& built) {
 
 }  // namespace
 
-KeptSurface keptSurface(const TriangleMesh& input) {
+KeptSurface keptSurface(const TriangleMesh& input, Debris debris) {
   Selection selection(input);
   std::vector<Vec3> pinches;
   KeptSurface kept = withoutPinches(selection, pinches);
-  Debris debris = debrisOf(kept.built);
-  if (!debris.at.empty()) {
-    selection.remove(kept, debris.faces);
-    kept = selection.surface();
+  if (debris == Debris::Removed) {
+    FoundDebris found = debrisOf(kept.built);
+    if (!found.at.empty()) {
+      selection.remove(kept, found.faces);
+      kept = selection.surface();
+    }
+    kept.islands = found.at.size();
+    kept.removedAt = std::move(found.at);
   }
-  kept.islands = debris.at.size();
-  kept.removedAt = std::move(debris.at);
   kept.removedAt.insert(kept.removedAt.end(), pinches.begin(), pinches.end());
   kept.trianglesRemoved = input.triangleCount() - kept.built.mesh.faceCount();
   return kept;

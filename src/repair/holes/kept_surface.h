@@ -23,7 +23,10 @@ struct KeptSurface {
   std::size_t trianglesRemoved = 0;   // of debris, at pinches, given twice
 };
 
+// What becomes of small open components.
+enum class Debris { Removed, Kept };
+
 // Throws Error as buildMesh does; NO_TRIANGLES if no triangle stays.
-KeptSurface keptSurface(const TriangleMesh& input);
+KeptSurface keptSurface(const TriangleMesh& input, Debris debris = Debris::Removed);
 
 }  // namespace remesher

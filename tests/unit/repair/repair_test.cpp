@@ -203,3 +203,53 @@ TEST_CASE("repair: auto does what faults say would mend") {
     CHECK(mode == (repair == Repair::Holes ? "holes" : repair == Repair::Solid ? "solid" : "wrap"));
   }
 }
+
+TEST_CASE("repair: a triangle without area that closes a T-junction keeps no bodies apart") {
+  TriangleMesh box = shapes::cube(1);  // with a vertex in the middle of an edge, on one side only
+  const Index middle = shapes::addVertex(box, {0.5, 0, 0});
+  const std::size_t sides = box.indices.size();
+  const auto isAt = [&](Index v, double x) { return box.positions[v] == Vec3(x, 0, 0); };
+  for (std::size_t i = 0; i < sides; i += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = box.indices[i + k], b = box.indices[i + (k + 1) % 3],
+                  c = box.indices[i + (k + 2) % 3];
+      if (!isAt(a, 0) || !isAt(b, 1)) continue;
+      box.indices[i] = a, box.indices[i + 1] = middle, box.indices[i + 2] = c;
+      shapes::addTriangle(box, middle, b, c);
+      shapes::addTriangle(box, a, b, middle);
+      i = sides;
+      break;
+    }
+  const TriangleMesh both = soups::joined({box, soups::moved(shapes::cube(1), {0.3, 0.4, 0.5})});
+  const RepairedMesh result = mended(both);
+  CHECK(result.report.reason == "united");
+  CHECK(inspectMesh(result.mesh).boundaryEdges == 0);
+  CHECK(result.mesh.triangleCount() < 80);
+}
+
+TEST_CASE("repair: rims stay open where that is asked for; closed they are named with their size") {
+  TriangleMesh vase;
+  shapes::addSheet(vase, 24, 6, [](int k, int row) {
+    return Vec3((2 + std::sin(row)) * shapes::onCircle(k, 24) + Vec3(0, 0, 2 * row));
+  });
+  for (int k = 0; k < 24; ++k)
+    shapes::addTriangle(vase, shapes::addVertex(vase, {0, 0, 0}), Index(k + 1), Index(k));
+  RemeshOptions options;
+  options.repair = Repair::Auto;
+  const RepairedMesh closed = repairSurface(vase, options);
+  CHECK(inspectMesh(closed.mesh).boundaryEdges == 0);
+  REQUIRE(closed.report.closedAt.size() == 1);
+  CHECK(closed.report.closedAt[0].across == doctest::Approx(2 * (2 + std::sin(6))));
+  CHECK(closed.warnings.front().warning.code == "RIMS_CLOSED");
+  for (const Repair repair : {Repair::Auto, Repair::Holes}) {
+    options.repair = repair;
+    options.keepRims = true;
+    TriangleMesh torn = vase;  // a missing triangle is closed all the same
+    torn.indices.erase(torn.indices.begin() + 300, torn.indices.begin() + 303);
+    const RepairedMesh open = repairSurface(torn, options);
+    CHECK(inspectMesh(open.mesh).boundaryEdges == 24);
+    CHECK(open.report.holes == 1);
+    REQUIRE(open.report.rimsAt.size() == 1);
+    CHECK(open.report.rimsAt[0].at.z() == doctest::Approx(12));
+  }
+}

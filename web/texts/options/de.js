@@ -67,7 +67,7 @@ export default {
   'option.textures': 'Texturen',
   'option.textureSize': 'Texturgröße',
   'option.textureFormat': 'Texturformat',
-  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; bake (in glTF): neue '
+  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; drop: weglassen; bake (in glTF): neue '
     + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
   'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
     + 'Originals, bis 4096',
@@ -80,6 +80,33 @@ export default {
     + 'sie umschließen',
   'help.sheets': 'aus Blättern, die nichts umschließen, macht wrap dünne Körper hinter dem, was '
     + 'von ihnen zu sehen ist, oder lässt sie weg',
+  'option.keepRims': 'Ränder behalten',
+  'option.thickness': 'Dicke',
+  'option.base': 'Sockel',
+  'option.unite': 'Vereinigen',
+  'option.dropBelow': 'Kleines weglassen',
+  'option.dropHidden': 'Verdecktes weglassen',
+  'help.keepRims': 'Schleifen, die gewollt aussehen, bleiben offen: runde, und gerade, an denen '
+    + 'Wände enden',
+  'help.thickness': 'aus Blättern werden so dicke Körper, die Hälfte auf jeder Seite',
+  'help.base': 'ein offenes Relief wie ein Gelände bekommt senkrechte Wände und einen flachen '
+    + 'Boden, der um die Dicke unter seiner tiefsten Stelle liegt',
+  'help.unite': 'die Netze einer Datei werden eine Fläche, mit ihren Materialien',
+  'help.dropBelow': 'kleinere Stücke weglassen; auto: was klein ist und abseits vom Rest schwebt',
+  'help.dropHidden': 'Dreiecke weglassen, die von außen niemand sieht; alle anderen bleiben, wie '
+    + 'sie sind',
+  'warning.RIMS_CLOSED': 'Schleifen, die gewollt aussehen, wurden geschlossen; mit „Ränder behalten“ '
+    + 'bleiben sie offen.',
+  'warning.RIMS_LEFT_OPEN': 'Schleifen, die gewollt aussehen, blieben offen.',
+  'warning.RIMS_NOT_KEPT': 'Ein Gitter hat die Fläche neu gemacht, und es lässt keine Schleife offen.',
+  'warning.SHEETS_MADE_BODIES': 'Aus Blättern wurden geschlossene Körper.',
+  'warning.SHEETS_NOT_MADE_BODIES': 'Aus Blättern wurden nicht die verlangten Körper: ihre Seiten '
+    + 'schneiden sich so, dass sie nicht exakt zu trennen sind.',
+  'warning.BASE_NOT_MADE': 'Blätter, deren Umriss sich überschlägt, bekamen keinen Sockel.',
+  'warning.PIECES_DROPPED': 'Kleine Stücke wurden weggelassen, wie verlangt.',
+  'warning.SHAPE_NOT_PREFERRED': 'Punkte nach der Form ließen Dreiecke der reparierten Fläche sich '
+    + 'schneiden: es wurden gleichmäßige Dreiecke.',
+  'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie verlangt.',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
   'landmark.selfIntersections': '{count} Dreiecke schneiden andere',
@@ -90,6 +117,7 @@ export default {
   'reason.sound': 'Fehlerfrei: unverändert.',
   'reason.closed': 'Mit geschlossenen Rändern ist die Fläche fehlerfrei.',
   'reason.united': 'Körper, die sich schneiden, wurden exakt vereinigt.',
+  'reason.made': 'Aus Blättern wurden geschlossene Körper.',
   'reason.sheets': 'Blätter blieben, wie sie waren.',
   'reason.enclosed': 'Mit einem Gitter um Körper neu gemacht.',
   'reason.open': 'Mit einem Gitter neu gemacht.',

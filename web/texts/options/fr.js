@@ -68,7 +68,7 @@ export default {
   'option.textures': 'Textures',
   'option.textureSize': 'Taille des textures',
   'option.textureFormat': 'Format des textures',
-  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; bake (en '
+  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; drop : les omettre ; bake (en '
     + 'glTF) : de nouvelles textures, peintes d’après les anciennes, si bien que les coutures ne '
     + 'coûtent aucun point',
   'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
@@ -82,6 +82,33 @@ export default {
     + 'qu’elles enferment',
   'help.sheets': 'des feuilles, qui n’enferment rien, wrap fait des solides minces derrière ce '
     + 'que l’on en voit, ou les omet',
+  'option.keepRims': 'Garder les bords',
+  'option.thickness': 'Épaisseur',
+  'option.base': 'Socle',
+  'option.unite': 'Réunir',
+  'option.dropBelow': 'Omettre le petit',
+  'option.dropHidden': 'Omettre le caché',
+  'help.keepRims': 'les boucles qui semblent voulues restent ouvertes : les rondes, et les droites où '
+    + 'finissent des parois',
+  'help.thickness': 'les feuilles deviennent des corps de cette épaisseur, une moitié de chaque côté',
+  'help.base': 'un relief ouvert, comme un terrain, reçoit des parois verticales et un fond plat, '
+    + 'situé à cette épaisseur sous son point le plus bas',
+  'help.unite': 'les maillages d’un fichier deviennent une seule surface, avec leurs matériaux',
+  'help.dropBelow': 'omettre les pièces plus petites ; auto : ce qui est petit et flotte à l’écart',
+  'help.dropHidden': 'omettre les triangles que personne ne voit de l’extérieur ; les autres restent '
+    + 'tels quels',
+  'warning.RIMS_CLOSED': 'Des boucles qui semblent voulues ont été fermées ; « garder les bords » les '
+    + 'laisse ouvertes.',
+  'warning.RIMS_LEFT_OPEN': 'Des boucles qui semblent voulues sont restées ouvertes.',
+  'warning.RIMS_NOT_KEPT': 'Une grille a refait la surface, et ne laisse aucune boucle ouverte.',
+  'warning.SHEETS_MADE_BODIES': 'Des feuilles sont devenues des corps fermés.',
+  'warning.SHEETS_NOT_MADE_BODIES': 'Les feuilles ne sont pas devenues les corps demandés : leurs '
+    + 'côtés se coupent sans pouvoir être séparés exactement.',
+  'warning.BASE_NOT_MADE': 'Des feuilles dont le contour se replie n’ont pas reçu de socle.',
+  'warning.PIECES_DROPPED': 'De petites pièces ont été omises, comme demandé.',
+  'warning.SHAPE_NOT_PREFERRED': 'Des points selon la forme feraient se couper des triangles de la '
+    + 'surface réparée : les triangles sont réguliers.',
+  'warning.HIDDEN_DROPPED': 'Des triangles que personne ne voit ont été omis, comme demandé.',
   'choice.sheets.thicken': 'en faire des solides minces',
   'choice.sheets.drop': 'les omettre',
   'landmark.selfIntersections': '{count} triangles en coupent d’autres',
@@ -92,6 +119,7 @@ export default {
   'reason.sound': 'Sain : inchangé.',
   'reason.closed': 'Ses bords fermés, la surface est saine.',
   'reason.united': 'Les corps qui se coupent ont été réunis exactement.',
+  'reason.made': 'Les feuilles sont devenues des corps fermés.',
   'reason.sheets': 'Les feuilles sont restées telles quelles.',
   'reason.enclosed': 'Refaite par une grille autour des corps.',
   'reason.open': 'Refaite par une grille.',

@@ -214,6 +214,15 @@ void collectAccessors(const Json& mesh, std::set<int>& accessors) {
   }
 }
 
+// Takes out meshes that no node names; returns their accessors.
+std::set<int> takeOutMeshes(Json& tree, const std::set<std::size_t>& meshes) {
+  std::set<int> accessors;
+  for (const std::size_t mesh : meshes) collectAccessors(tree["meshes"][mesh], accessors);
+  const std::vector<std::size_t> numbers = takeOut(tree, "meshes", meshes);
+  forEachMesh(tree, renumbering(numbers));
+  return accessors;
+}
+
 // Drops the channels that move dropped nodes, and animations without any other channel.
 void stopAnimations(Json& tree, const std::set<std::size_t>& gone) {
   if (!tree.contains("animations")) return;
@@ -324,11 +333,20 @@ std::set<int> dropNodes(Json& tree, const std::set<std::size_t>& nodes) {
   forEachMesh(tree, [&](Json& number) {
     if (isWholeNumber(number)) meshes.erase(number.get<std::size_t>());
   });
-  std::set<int> accessors;
-  for (const std::size_t mesh : meshes) collectAccessors(tree["meshes"][mesh], accessors);
-  const std::vector<std::size_t> meshNumbers = takeOut(tree, "meshes", meshes);
-  forEachMesh(tree, renumbering(meshNumbers));
-  return accessors;
+  return takeOutMeshes(tree, meshes);
+}
+
+std::set<int> dropMeshes(Json& tree, const std::set<std::size_t>& meshes) {
+  if (meshes.empty()) return {};
+  visitMembers(tree, "nodes", [&](Json& node) {
+    const Json mesh = node.value("mesh", Json());
+    if (!isWholeNumber(mesh) || meshes.count(mesh.get<std::size_t>()) == 0) return;
+    for (const char* key : {"mesh", "skin", "weights"}) node.erase(key);
+    if (!node.contains("extensions")) return;
+    node["extensions"].erase("EXT_mesh_gpu_instancing");
+    if (node["extensions"].empty()) node.erase("extensions");
+  });
+  return mayNameNodes(tree) ? std::set<int>() : takeOutMeshes(tree, meshes);
 }
 
 }  // namespace remesher::io

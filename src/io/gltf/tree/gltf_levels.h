@@ -25,4 +25,8 @@ std::set<std::size_t> takeLevels(Json& tree);
 // extension may name a node by number, all stay. Returns the accessors of the dropped meshes.
 std::set<int> dropNodes(Json& tree, const std::set<std::size_t>& nodes);
 
+// Nodes of these meshes stay and show nothing. The meshes are dropped, unless an unknown extension
+// may name a mesh by number. Returns the accessors of the dropped meshes.
+std::set<int> dropMeshes(Json& tree, const std::set<std::size_t>& meshes);
+
 }  // namespace remesher::io

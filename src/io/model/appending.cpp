@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "jobs/parts/appending.h"
+#include "io/model/appending.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "repair/holes/used_vertices.h"
+#include "mesh/used_vertices.h"
 
 #include <doctest/doctest.h>
 

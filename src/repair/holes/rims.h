@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Which open loops look meant, such as a vase's mouth, mounting holes or the sides of a box without
+// a lid: round ones, and straight ones at which walls end. What scanning or cutting has torn is
+// ragged, or a cell that lacks its triangles.
+#pragma once
+
+#include "base/report.h"
+#include "repair/holes/plug.h"
+
+namespace remesher {
+
+bool looksMeant(const BuiltMesh& built, const Loop& loop);
+
+// The middle of the loop by length, and twice the largest distance from there.
+SizedPlace placeOf(const BuiltMesh& built, const Loop& loop);
+
+}  // namespace remesher
