@@ -7,9 +7,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { convertFile } from 'remesher';
+import { convertFile, inspect, remesh } from 'remesher';
 
+import { printedExample, tableRows } from '../bench/readme.js';
 import { linkInstalled } from '../support/installed.js';
+import { loadModel } from '../bench/models.js';
 import { offText, plyText, sheet, stl, torus } from '../support/shapes.js';
 import { readText } from '../support/tree.js';
 
@@ -72,6 +74,47 @@ test('the programs do what is said beside them', { timeout: 240_000 }, () => {
   }
   const [, said] = text.match(/prints\n\n((?: {4}.+\n)+)/) ?? [];
   assert.match(said.replace(/^ {4}/gm, '').trim(), programs[0].answer);
+});
+
+/** The numbers of a sentence of README. @param {RegExp} sentence */
+const printedIn = (sentence) => {
+  const found = sentence.exec(text.replace(/\s+/g, ' '));
+  assert.ok(found, String(sentence));
+  return found.slice(1).map(Number);
+};
+
+/** As near as one version of remesher is to the next. */
+function near(what, printed, now, far) {
+  assert.ok(Math.abs(printed - now) <= far, `${what}: ${printed} in README, ${now} now`);
+}
+
+test('the bunny of the pictures has the printed figures', async () => {
+  const bunny = loadModel('npm:bunny', undefined);
+  const [vertices, ...printed] = printedIn(new RegExp('bunny has (\\d+) vertices on both sides.'
+    + ' .* from ([\\d.]+)° to ([\\d.]+)° .* worst from ([\\d.]+)° to ([\\d.]+)°, .* from (\\d+) %'
+    + ' to (\\d+) %'));
+  const { input } = await inspect(bunny);
+  const { report: { output } } = await remesh(bunny, {});
+  assert.deepEqual([input.vertices, output.vertices], [vertices, vertices]);
+  const now = [input.minAngle.mean, output.minAngle.mean, input.minAngle.worst,
+    output.minAngle.worst, input.minAngle.histogram[5], output.minAngle.histogram[5]];
+  now.forEach((figure, i) => near('bunny', printed[i], figure, i < 4 ? 0.6 : 3));
+  const [count, irregular, angle] = printedIn(new RegExp('bunny has (\\d+) quads and (\\d+)'
+    + ' irregular vertices, and its angles are ([\\d.]+)°'));
+  const quads = (await remesh(bunny, { quads: true, vertices: 3000 })).report.output.quads;
+  near('quads', count, quads.count, 0.01 * count);
+  near('irregular vertices', irregular, quads.irregular, 0.3 * irregular);
+  near('angles of quads', angle, quads.angleDeviation.mean, 0.3);
+});
+
+test('figures that are printed twice are the same', () => {
+  const { lines, medians } = printedExample(text);
+  const horse = tableRows(text).find(({ model, scheme }) => model === 'horse' && scheme === 'best');
+  const [, mean, worst, distance] = horse.figures;
+  assert.deepEqual(medians.slice(0, 3), [mean, worst, distance]);
+  assert.equal(tableRows(text).length, 6);
+  const [[one], [far]] = [lines[2], medians[3]].map((words) => words.match(/\d+\.\d+/));
+  assert.ok(Number(one) <= Number(far), 'one count is no worse than the worst of seven');
 });
 
 test('the commands work', { timeout: 240_000 }, () => {
