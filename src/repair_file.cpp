@@ -9,6 +9,7 @@
 #include "jobs/mending.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
+#include "jobs/scene_run.h"
 #include "remesher.h"
 
 namespace remesher {
@@ -39,8 +40,9 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   io::prepare(model, outputName);
   io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
-  RepairedParts repaired = inFile(
-      input.file.name, [&] { return repairOnly(model.parts, options, whole.part(kReadShare, 1)); });
+  RepairedParts repaired = inFile(input.file.name, [&] {
+    return repairOnly(model.parts, heldIn(outputName), options, whole.part(kReadShare, 1));
+  });
   Report& report = repaired.report;
   whole.phase("write", 1, 1);
   if (repaired.isUnchanged && mayStay(input, outputName, model)) {

@@ -10,6 +10,7 @@
 #include "base/report.h"
 #include "io/model/model.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/part_report.h"
 
 namespace remesher {
 
@@ -49,8 +50,9 @@ struct RepairedParts {
   bool isUnchanged;  // whether every part is as it was given, bit for bit
 };
 
-// Repairs the parts in place. The report lacks only the times.
-RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+// Repairs the parts in place. The report describes them as the file holds them, and lacks only the
+// times.
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
                          const Progress& progress);
 
 }  // namespace remesher

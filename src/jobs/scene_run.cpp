@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/formats.h"
 #include "jobs/checks/crossing_check.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/result_check.h"
@@ -58,14 +59,20 @@ void passOn(SceneRun& run, std::size_t number, const io::Part& original, const E
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
+// What the result is made of, and what for.
+struct SceneInput {
+  const InspectedParts& originals;
+  Held held;
+};
+
 // Remeshes the surfaces of a scene one by one.
 class SurfaceRuns {
  public:
-  SurfaceRuns(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options)
+  SurfaceRuns(SceneRun& run, const SceneInput& input, const RemeshOptions& options)
       : run_(run),
-        originals_(originals),
+        originals_(input.originals),
         options_(options),
-        unions_(originals.parts(), options),
+        unions_(originals_.parts(), input.held, options),
         places_(placesOf(unions_.surfaces())),
         targets_(unions_.surfaces(), places_, options) {}
 
@@ -141,21 +148,45 @@ void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions
                  isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
 }
 
-SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& wanted,
+// Adds the warnings on a result, both as the file holds them.
+void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossings,
+            const RemeshOptions& wanted) {
+  for (const std::vector<Warning>& more :
+       {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
+        bordersOffGiven(parts.originals, parts.results)})
+    report.warnings = joined(std::move(report.warnings), more);
+}
+
+// Describes several parts as the one surface that they are in the file.
+void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshOptions& wanted) {
+  const std::vector<io::Part> given = asHeld(originals.given(), Held::AsOne);
+  const std::vector<io::Part> made = asHeld(run.parts, Held::AsOne);
+  const std::vector<PartPlace> places = placesOf(given);
+  const std::size_t mirrors = run.mirrors;
+  run.report.output = inspectScaled(made);
+  if (run.report.output->quads) run.report.output->quads->symmetry = mirrors;
+  const PartPairs parts = {given, made, places};
+  const std::vector<Index> crossings = crossingsMade(given.front().mesh, made.front().mesh);
+  warnOf(run.report, parts, crossingsMade(parts, {crossings}), wanted);
+}
+
+SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
                          const Progress& progress) {
+  const InspectedParts& originals = input.originals;
   const RemeshOptions options = originals.scaled(wanted);
   SceneRun run = begun(originals);
-  std::optional<ListedTree> tree = SurfaceRuns(run, originals, options).all(progress);
+  std::optional<ListedTree> tree = SurfaceRuns(run, input, options).all(progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   measure(run, originals, options, std::move(tree));
+  if (input.held == Held::AsOne && run.parts.size() > 1) {
+    run.parts = originals.unscaled(std::move(run.parts));
+    describeAsOne(run, originals, wanted);
+    return run;
+  }
   const MadeCrossings crossings =
       crossingsMade({originals.parts(), run.parts, originals.places()}, run.crossings);
   run.parts = originals.unscaled(std::move(run.parts));
-  run.report.warnings = joined(std::move(run.report.warnings), warningsOf(crossings, run.parts));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, wanted));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), bordersOffGiven(originals.parts(), run.parts));
+  warnOf(run.report, {originals.parts(), run.parts, originals.places()}, crossings, wanted);
   return run;
 }
 
@@ -174,7 +205,7 @@ RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
 }
 
 // The coarser levels that were asked for.
-std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const RemeshOptions& options,
+std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
                                     const Progress& progress) {
   std::vector<SceneRun> runs;
   const double count = double(options.lods.size());
@@ -182,7 +213,7 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
     PhaseClock clock;
     const double begin = double(runs.size()) / count;
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-    runs.push_back(remeshInspected(originals, optionsOfLevel(options, share), part));
+    runs.push_back(remeshInspected(input, optionsOfLevel(options, share), part));
     runs.back().report = timed(std::move(runs.back().report), clock);
   }
   return runs;
@@ -190,23 +221,30 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
 
 }  // namespace
 
+Held heldIn(const std::string& outputName) {
+  return io::canHold(outputName, io::kHoldsScenes) ? Held::Apart : Held::AsOne;
+}
+
 SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                      const Progress& progress) {
   progress.phase("inspect", 0, 0);
-  return withinMemory(
-      [&] { return remeshInspected(InspectedParts(originals), options, progress); });
+  return withinMemory([&] {
+    const InspectedParts inspected(originals);
+    return remeshInspected({inspected, Held::Apart}, options, progress);
+  });
 }
 
-std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
+std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
                                    const RemeshOptions& options, const Progress& progress) {
   progress.phase("inspect", 0, 0);
   return withinMemory([&] {
     const InspectedParts inspected(originals);
+    const SceneInput input = {inspected, held};
     const double share = 1 / double(1 + options.lods.size());
-    std::vector<SceneRun> runs = {remeshInspected(inspected, options, progress.part(0, share))};
+    std::vector<SceneRun> runs = {remeshInspected(input, options, progress.part(0, share))};
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
-    for (SceneRun& run : remeshCoarser(inspected, optionsOfLevels(options, runs.front().report),
+    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, runs.front().report),
                                        progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));

@@ -9,7 +9,7 @@
 namespace remesher::fuzz {
 namespace {
 
-constexpr std::array<Target, 8> kTargets = {{
+constexpr std::array<Target, 9> kTargets = {{
     {"glb", readGlb, changedGlb},
     {"gltf", readGltf, changedGltf},
     {"obj", readObj, nullptr},
@@ -18,6 +18,7 @@ constexpr std::array<Target, 8> kTargets = {{
     {"stl", readStl, nullptr},
     {"builder", buildAnyMesh, nullptr},
     {"remesh", remeshSmallMesh, nullptr},
+    {"repair", repairSmallMesh, nullptr},
 }};
 
 }  // namespace

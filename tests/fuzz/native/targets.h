@@ -21,9 +21,10 @@ void readObj(Input input);   // up to the first zero byte the model, then its ma
 void readOff(Input input);
 void readPly(Input input);
 void readStl(Input input);
-// See small_mesh.h for the bytes of these two.
+// See small_mesh.h for the bytes of these three.
 void buildAnyMesh(Input input);
 void remeshSmallMesh(Input input);
+void repairSmallMesh(Input input);  // with groups and attributes, as arrays and as files
 
 struct Target {
   std::string_view name;
