@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All figures of a written file, by its bytes alone. A mesh that several nodes show counts once, in
-// its own space, its angles where it shows most, as reports count it; crossings are also counted in the world, across all parts.
+// its own space, its angles where it shows most, as reports count it; crossings are also counted in
+// the world, across all parts.
 import { angleFigures, borderOf, crossingsOf, diagonalOf, edgesOf, piecesOf, surfaceOf }
   from './surface.js';
 
