@@ -72,31 +72,20 @@ void roundFor(const std::string& outputName, OperandPair& pair) {
   }
 }
 
-// Writes the materials of both files anew, where the format has any: colours and factors in glTF,
-// names in OBJ.
+// Writes the materials of both files anew in glTF: colours and factors.
 void nameMaterials(io::Model& model, const std::string& outputName) {
-  std::size_t images = 0, names = 0;
+  if (!holds(outputName, io::kHoldsImages)) return;
+  std::size_t images = 0;
   for (io::GroupInfo& group : model.parts.front().groups) {
     if (group.material.empty()) continue;
-    ++names;
     images += hasImages(group.look);
     group.painted = int(numberOf(withoutImages(group.look, group.material), model.paintings));
   }
-  if (holds(outputName, io::kHoldsImages)) {
-    if (images > 0)
-      model.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
-                                "The images of the materials are not passed on: a Boolean keeps "
-                                "their colours and factors only.",
-                                images});
-    return;
-  }
-  model.paintings.clear();
-  for (io::GroupInfo& group : model.parts.front().groups) group.painted = -1;
-  if (names > 0 && holds(outputName, io::kHoldsParts))
-    model.warnings.push_back({"MATERIALS_BY_NAME",
-                              "The materials keep their names, and the result refers to no .mtl: "
-                              "write a .glb to keep their colours.",
-                              names});
+  if (images > 0)
+    model.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",
+                              "The images of the materials are not passed on: a Boolean keeps "
+                              "their colours and factors only.",
+                              images});
 }
 
 Carried carriedBy(const std::string& outputName) {

@@ -74,7 +74,8 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
   const Progress whole = progress.timedBy(clock);
   const double mended = mendShare(options);
   const Mending mending(parts, options, whole.part(0, mended));
-  std::vector<SceneRun> runs = remeshLevels(parts, mending.chosen(options), whole.part(mended, 1));
+  std::vector<SceneRun> runs =
+      remeshLevels(parts, Held::Apart, mending.chosen(options), whole.part(mended, 1));
   mending.note(runs.front().report);
   runs.front().report.warnings = joined(settled, runs.front().report.warnings);
   std::vector<std::vector<TriangleMesh>> levels;
@@ -96,7 +97,7 @@ RepairResult repair(const TriangleMesh& mesh, const RemeshOptions& options,
   std::vector<io::Part> parts = {io::Part{"", mesh, {}}};
   if (options.textures == Textures::Drop) dropTexcoords(parts.front().mesh);
   const std::vector<Warning> settled = settleAttributes(parts);
-  RepairedParts repaired = repairOnly(parts, options, progress.timedBy(clock));
+  RepairedParts repaired = repairOnly(parts, Held::Apart, options, progress.timedBy(clock));
   repaired.report.warnings = joined(settled, repaired.report.warnings);
   return {std::move(parts.front().mesh), timed(std::move(repaired.report), clock)};
 }
@@ -131,7 +132,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     if (chosen.textures == Textures::Bake)
       all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));
     else
-      all = remeshLevels(model.parts, chosen, body);
+      all = remeshLevels(model.parts, heldIn(outputName), chosen, body);
     mending.note(all.front().report);
     return all;
   });

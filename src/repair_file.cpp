@@ -11,6 +11,7 @@
 #include "jobs/mending.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
+#include "jobs/scene_run.h"
 #include "remesher.h"
 
 namespace remesher {
@@ -47,8 +48,9 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   else
     io::unite(model, outputName);
   model.isExact = true;  // a repaired surface must not intersect itself for any reader
-  RepairedParts repaired = inFile(
-      input.file.name, [&] { return repairOnly(model.parts, options, whole.part(kReadShare, 1)); });
+  RepairedParts repaired = inFile(input.file.name, [&] {
+    return repairOnly(model.parts, heldIn(outputName), options, whole.part(kReadShare, 1));
+  });
   model.leftOut = repaired.leftOut;
   Report& report = repaired.report;
   const bool mayPaint = !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages);

@@ -252,6 +252,7 @@ set(fuzz_targets
   tests/fuzz/native/ply.cpp
   tests/fuzz/native/reading.cpp
   tests/fuzz/native/remesh.cpp
+  tests/fuzz/native/repair.cpp
   tests/fuzz/native/small_mesh.cpp
   tests/fuzz/native/stl.cpp
   tests/fuzz/native/targets.cpp

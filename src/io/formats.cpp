@@ -13,6 +13,7 @@
 #include "io/gltf/gltf_union.h"
 #include "io/model/bake.h"
 #include "io/model/companions.h"
+#include "io/model/dropped.h"
 #include "io/model/near_origin.h"
 #include "io/model/resources.h"
 #include "io/named/abaqus.h"
@@ -88,6 +89,11 @@ bool isUtf16(const File& file) {
   const auto& b = file.bytes;
   return b.size() >= 4 && ((b[0] == 0xFF && b[1] == 0xFE && b[3] == 0) ||
                            (b[0] == 0xFE && b[1] == 0xFF && b[2] == 0));
+}
+
+// Whether a PLY is written in its own layout, which tells the textures of faces apart.
+bool isOwnPly(const Model& model, const Format& format) {
+  return format.write == writePly && dynamic_cast<const PlySource*>(model.source.get()) != nullptr;
 }
 
 bool hasMaps(const GroupInfo& group) {
@@ -169,15 +175,16 @@ void prepare(Model& model, const std::string& outputName) {
 
 void unite(Model& model, const std::string& outputName) {
   if (model.parts.size() < 2 || canHold(outputName, kHoldsParts)) return;
-  model.warnings.push_back({"PARTS_MERGED",
-                            "A file of this format is one solid: parts are merged into it.",
-                            model.parts.size()});
+  for (const Warning& warning : mergedParts(model)) model.warnings.push_back(warning);
   TriangleMesh merged = mergeParts(model.parts);
   merged.groups.clear();
-  // Normals of bodies that pass through each other jump where the one surface bends anyway.
+  // Normals of bodies that intersect jump where the one surface bends anyway.
   std::erase_if(merged.attributes, [](const Attribute& attribute) {
     return attribute.semantic == "NORMAL" || attribute.semantic == "TANGENT";
   });
+  for (const Part& part : model.parts)
+    for (const Attribute& attribute : part.mesh.attributes)
+      if (!findAttribute(merged, attribute.semantic)) model.lost.push_back(attribute.semantic);
   model.parts.clear();
   model.parts.push_back({"", std::move(merged), {Transform::Identity()}});
 }
@@ -195,6 +202,8 @@ WrittenFiles write(const Model& model, const std::string& outputName) {
   requireWritable(outputName);
   const Format& format = *findByExtension(outputName);
   WrittenFiles written = format.write(model, plainName(outputName));
+  if (!format.has(kHoldsParts) && !isOwnPly(model, format))
+    for (const Warning& warning : mergedParts(model)) written.warnings.push_back(warning);
   const bool keepsMaps = model.conventions != Conventions::Gltf || format.has(kHoldsImages);
   if (const std::size_t lost = keepsMaps ? 0 : mappedGroups(model); lost > 0)
     written.warnings.push_back({"MATERIAL_IMAGES_NOT_READ",

@@ -18,6 +18,7 @@ class InspectedParts {
   // `parts` must outlive the object. Throws the Errors of requireValid.
   explicit InspectedParts(const std::vector<io::Part>& parts);
 
+  const std::vector<io::Part>& given() const { return given_; }
   // At about unit size, as are weldings and places.
   const std::vector<io::Part>& parts() const { return scale_.isNeeded() ? scaled_ : given_; }
   const std::vector<Welding>& weldings() const { return weldings_; }  // per part

@@ -8,12 +8,14 @@
 #include "base/error.h"
 #include "io/model/same_mesh.h"
 #include "jobs/checks/precision.h"
+#include "jobs/checks/result_check.h"
 #include "jobs/face_budget.h"
 #include "jobs/inspected_parts.h"
 #include "jobs/part_run.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
 #include "jobs/run_guards.h"
+#include "measure/self_intersections.h"
 #include "remesh/schemes/chooser.h"
 
 namespace remesher {
@@ -55,6 +57,21 @@ void requireNoVertexNumbers(const RemeshOptions& options) {
               "Leave them out first, then remesh what is left.");
 }
 
+// What will be written in single precision is rounded first, so that rounding cannot undo a repair.
+void roundToSingle(std::vector<io::Part>& parts) {
+  for (io::Part& part : parts)
+    for (Vec3& p : part.mesh.positions)
+      if (part.mesh.isSingle) p = inSingle(p, part.mesh.scale);
+}
+
+// Angles are no concern of a repair.
+std::vector<Warning> damageIn(const Report& report, const std::vector<io::Part>& result) {
+  std::vector<Warning> warnings = joined(worseThanGiven({report.input, *report.output}, result),
+                                         lostToRounding(report, result));
+  std::erase_if(warnings, [](const Warning& warning) { return warning.code == "ANGLES_WORSE"; });
+  return warnings;
+}
+
 }  // namespace
 
 double mendShare(const RemeshOptions& options) {
@@ -71,6 +88,7 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
     requireNoVertexNumbers(options);
     dropped_.emplace();
   }
+  roundToSingle(parts);
   withinMemory([&] {
     dropPieces(parts, options);
     repair(parts, options, progress, purpose);
@@ -165,7 +183,7 @@ std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<cha
   return left;
 }
 
-RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
                          const Progress& progress) {
   const std::vector<io::Part> given = parts;
   parts = joinedPlaces(std::move(parts), options.weld);
@@ -176,8 +194,12 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& opti
     parts[i].mesh = inPrecisionOf(left[i].mesh, std::move(parts[i].mesh)).mesh;
   progress.phase("measure", 1, 1);
   Report report;
-  report.output = inspectScaled(parts);
+  const std::vector<io::Part> shown = asHeld(parts, held);
+  report.output = inspectScaled(shown);
   mending.note(report);
+  if (shown.size() < parts.size())
+    report.repair->selfIntersections[1] = selfIntersections(shown.front().mesh).size();
+  report.warnings = joined(std::move(report.warnings), damageIn(report, shown));
   for (const io::Part& part : parts)
     if (parts.size() > 1 && !isSurface(part.mesh))
       report.warnings =

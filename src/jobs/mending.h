@@ -12,6 +12,7 @@
 #include "io/model/model.h"
 #include "jobs/dropping.h"
 #include "jobs/part_repair.h"
+#include "jobs/parts/part_report.h"
 
 namespace remesher {
 
@@ -66,8 +67,9 @@ struct RepairedParts {
   std::vector<int> leftOut;  // see Mending::leftOut
 };
 
-// Repairs the parts in place. The report lacks only the times.
-RepairedParts repairOnly(std::vector<io::Part>& parts, const RemeshOptions& options,
+// Repairs the parts in place. The report describes them as the file holds them, and lacks only the
+// times.
+RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOptions& options,
                          const Progress& progress);
 
 // Sets textures to be painted anew if the options leave it open and repair has made another surface

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/formats.h"
 #include "jobs/checks/crossing_check.h"
 #include "jobs/checks/quad_checks.h"
 #include "jobs/checks/result_check.h"
@@ -65,14 +66,20 @@ void passOn(SceneRun& run, std::size_t number, const io::Part& original, const E
   run.report.warnings = joined(std::move(run.report.warnings), {passedOn(original, reason.what())});
 }
 
+// What the result is made of, and what for.
+struct SceneInput {
+  const InspectedParts& originals;
+  Held held;
+};
+
 // Remeshes the surfaces of a scene one by one.
 class SurfaceRuns {
  public:
-  SurfaceRuns(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options)
+  SurfaceRuns(SceneRun& run, const SceneInput& input, const RemeshOptions& options)
       : run_(run),
-        originals_(originals),
+        originals_(input.originals),
         options_(options),
-        unions_(originals.parts(), options),
+        unions_(originals_.parts(), input.held, options),
         places_(placesOf(unions_.surfaces())),
         targets_(unions_.surfaces(), places_, options) {}
 
@@ -138,14 +145,17 @@ class SurfaceRuns {
   std::optional<ListedTree> tree_;
 };
 
+// What only the making of quads knows of them.
+void addMaking(QuadReport& quads, const SceneRun& run) {
+  quads.symmetry = run.mirrors;
+  quads.parts = run.quadParts;
+  quads.paired = run.paired;
+}
+
 void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options,
              std::optional<ListedTree> tree) {
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
-  if (std::optional<QuadReport>& quads = run.report.output->quads) {
-    quads->symmetry = run.mirrors;
-    quads->parts = run.quadParts;
-    quads->paired = run.paired;
-  }
+  if (std::optional<QuadReport>& quads = run.report.output->quads) addMaking(*quads, run);
   if (run.parts.empty()) return;
   // Only the two-sided distance shows whether a bound is kept.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
@@ -154,39 +164,62 @@ void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions
                  isGlimpsed ? Maximum::Glimpsed : Maximum::Sampled, std::move(tree));
 }
 
-SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& wanted,
+// Adds the warnings on a result, both as the file holds them.
+void warnOf(Report& report, const PartPairs& parts, const MadeCrossings& crossings,
+            const RemeshOptions& wanted) {
+  for (const std::vector<Warning>& more :
+       {warningsOf(crossings, parts.results), resultWarnings(report, parts.results, wanted),
+        bordersOffGiven(parts.originals, parts.results)})
+    report.warnings = joined(std::move(report.warnings), more);
+  if (report.output->quads)
+    report.warnings =
+        joined(std::move(report.warnings), pairedParts(*report.output->quads, parts.results));
+}
+
+// Describes several parts as the one surface that they are in the file.
+void describeAsOne(SceneRun& run, const InspectedParts& originals, const RemeshOptions& wanted) {
+  const std::vector<io::Part> given = asHeld(originals.given(), Held::AsOne);
+  const std::vector<io::Part> made = asHeld(run.parts, Held::AsOne);
+  const std::vector<PartPlace> places = placesOf(given);
+  run.report.output = inspectScaled(made);
+  if (std::optional<QuadReport>& quads = run.report.output->quads) addMaking(*quads, run);
+  const PartPairs parts = {given, made, places};
+  const std::vector<Index> crossings = crossingsMade(given.front().mesh, made.front().mesh);
+  warnOf(run.report, parts, crossingsMade(parts, {crossings}), wanted);
+}
+
+SceneRun remeshInspected(const SceneInput& input, const RemeshOptions& wanted,
                          const Progress& progress) {
+  const InspectedParts& originals = input.originals;
   const RemeshOptions options = originals.scaled(wanted);
   SceneRun run = begun(originals);
-  std::optional<ListedTree> tree = SurfaceRuns(run, originals, options).all(progress);
+  std::optional<ListedTree> tree = SurfaceRuns(run, input, options).all(progress);
   progress.phase("measure", 1 - kMeasureShare, 1);
   measure(run, originals, options, std::move(tree));
+  if (input.held == Held::AsOne && run.parts.size() > 1) {
+    run.parts = originals.unscaled(std::move(run.parts));
+    describeAsOne(run, originals, wanted);
+    return run;
+  }
   const MadeCrossings crossings =
       crossingsMade({originals.parts(), run.parts, originals.places()}, run.crossings);
   run.parts = originals.unscaled(std::move(run.parts));
-  run.report.warnings = joined(std::move(run.report.warnings), warningsOf(crossings, run.parts));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, wanted));
-  run.report.warnings =
-      joined(std::move(run.report.warnings), bordersOffGiven(originals.parts(), run.parts));
-  if (run.report.output->quads)
-    run.report.warnings =
-        joined(std::move(run.report.warnings), pairedParts(*run.report.output->quads, run.parts));
+  warnOf(run.report, {originals.parts(), run.parts, originals.places()}, crossings, wanted);
   return run;
 }
 
 // Remeshes with one number of vertices after the other, until the result has as many faces as the
 // budget allows. Most results meet it at once; later ones show no progress.
-SceneRun remeshInBudget(const InspectedParts& originals, const RemeshOptions& wanted,
+SceneRun remeshInBudget(const SceneInput& input, const RemeshOptions& wanted,
                         const Progress& progress) {
-  if (!wanted.faces) return remeshInspected(originals, wanted, progress);
+  if (!wanted.faces) return remeshInspected(input, wanted, progress);
   RemeshOptions options = wanted;
   options.tooFew = TooFew::Raise;
-  FaceSearch search(options, originals.report());
+  FaceSearch search(options, input.originals.report());
   std::optional<SceneRun> best;
   while (!search.isSettled()) {
     options.vertices = search.vertices();
-    SceneRun run = remeshInspected(originals, options, best ? progress.part(1, 1) : progress);
+    SceneRun run = remeshInspected(input, options, best ? progress.part(1, 1) : progress);
     const bool isHeld = run.report.stopped == Stopped::MaxError;
     if (search.take(*run.report.output)) best = std::move(run);
     if (isHeld) break;
@@ -214,7 +247,7 @@ RemeshOptions optionsOfLevel(RemeshOptions options, double share) {
 }
 
 // The coarser levels that were asked for.
-std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const RemeshOptions& options,
+std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions& options,
                                     const Progress& progress) {
   std::vector<SceneRun> runs;
   const double count = double(options.lods.size());
@@ -222,7 +255,7 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
     PhaseClock clock;
     const double begin = double(runs.size()) / count;
     const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
-    runs.push_back(remeshInBudget(originals, optionsOfLevel(options, share), part));
+    runs.push_back(remeshInBudget(input, optionsOfLevel(options, share), part));
     runs.back().report = timed(std::move(runs.back().report), clock);
   }
   return runs;
@@ -230,22 +263,30 @@ std::vector<SceneRun> remeshCoarser(const InspectedParts& originals, const Remes
 
 }  // namespace
 
+Held heldIn(const std::string& outputName) {
+  return io::canHold(outputName, io::kHoldsScenes) ? Held::Apart : Held::AsOne;
+}
+
 SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                      const Progress& progress) {
   progress.phase("inspect", 0, 0);
-  return withinMemory([&] { return remeshInBudget(InspectedParts(originals), options, progress); });
+  return withinMemory([&] {
+    const InspectedParts inspected(originals);
+    return remeshInBudget({inspected, Held::Apart}, options, progress);
+  });
 }
 
-std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
+std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
                                    const RemeshOptions& options, const Progress& progress) {
   progress.phase("inspect", 0, 0);
   return withinMemory([&] {
     const InspectedParts inspected(originals);
+    const SceneInput input = {inspected, held};
     const double share = 1 / double(1 + options.lods.size());
-    std::vector<SceneRun> runs = {remeshInBudget(inspected, options, progress.part(0, share))};
+    std::vector<SceneRun> runs = {remeshInBudget(input, options, progress.part(0, share))};
     if (options.lods.empty()) return runs;
     progress.phase("levels of detail", share, share);
-    for (SceneRun& run : remeshCoarser(inspected, optionsOfLevels(options, runs.front().report),
+    for (SceneRun& run : remeshCoarser(input, optionsOfLevels(options, runs.front().report),
                                        progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));

@@ -2,12 +2,14 @@
 // Remeshes all parts of a scene, once or to several levels of detail.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/options.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "io/model/model.h"
+#include "jobs/parts/part_report.h"
 #include "remesh/schemes/remesh.h"
 
 namespace remesher {
@@ -22,14 +24,18 @@ struct SceneRun {
   std::vector<PairedPart> paired;          // likewise
 };
 
-// Remeshes parts of any size; the options' levels of detail are left out. Throws the Errors of
-// requireValid, of remeshSurface and of PartTargets.
+// How a file of this name holds parts.
+Held heldIn(const std::string& outputName);
+
+// Remeshes parts of any size, for a file that holds each by itself; the options' levels of detail
+// are left out. Throws the Errors of requireValid, of remeshSurface and of PartTargets.
 SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,
                      const Progress& progress);
 
 // All levels of detail, each from the originals. The finest is the first: it is remeshed with the
-// options as given, and its report has those of the others.
-std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals,
+// options as given, and its report has those of the others. Reports describe the parts as the file
+// holds them.
+std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
                                    const RemeshOptions& options, const Progress& progress);
 
 }  // namespace remesher

@@ -10,6 +10,7 @@
 //   npm run bench -- page --models FOLDER [--runs N]          how long visitors of the page wait
 //   npm run bench -- quads --models FOLDER [case…]                          quads, by one evaluator
 //   npm run bench -- repair [--models FOLDER] [--json FILE] [--wrap] [case…]   broken surfaces
+//   npm run bench -- readme --models FOLDER           the figures that README.md prints
 //   npm run bench -- trust --models FOLDER [FOLDER…]  files under the laws of trust, by their bytes
 //   npm run bench -- wait --models FOLDER [--runs N] [case…]    how long people wait, in units
 // A case is named as in limits.json, or by the beginning of its name. Without a folder of models
@@ -24,6 +25,7 @@ import { runFires } from './fires.js';
 import { runPage } from './page.js';
 import { runParts } from './parts.js';
 import { runQuads } from './quads.js';
+import { runReadme } from './readme.js';
 import { runRepair } from './repair.js';
 import { runScale } from './scale.js';
 import { runTable1 } from './table1.js';
@@ -61,6 +63,7 @@ function run() {
     case 'repair':
       return runRepair(limits.repair, { folder: values.models, names: rest, json: values.json,
         wrap: values.wrap });
+    case 'readme': return runReadme(values.models);
     case 'trust': return runTrust([values.models, ...rest].filter(Boolean));
     case 'wait':
       return runWait(limits.wait,

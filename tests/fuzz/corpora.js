@@ -194,6 +194,10 @@ function meshBytes({ positions, triangles }) {
 const optionBytes = [[2, 20, 0, 3, 0, 0, 0, 0, 0], [2, 60, 1, 0, 0, 0, 0, 0, 7],
   [1, 120, 2, 1, 99, 0, 60, 0, 8], [2, 40, 8, 2, 0, 9, 0, 63, 2], [0, 0, 20, 3, 200, 0, 0, 0, 1]];
 
+/** The options of repair.cpp, byte for byte: kind, flags, extras, formats given and asked for. */
+const repairBytes = [[0, 0, 15, 0, 0], [1, 4, 3, 1, 2], [2, 1, 15, 2, 0], [3, 2, 7, 0, 1],
+  [0, 16, 1, 0, 0]];
+
 async function compressed() {
   const shape = shapes.ball(1);
   const { positions, indices, attributes } = meshOf(shape);
@@ -231,6 +235,8 @@ export async function makeCorpora() {
       '<component objectid=', '<![CDATA['], inputs: [packageModel] },
     builder: { length: 4096, words: [], inputs: chosen.map(meshBytes) },
     remesh: { length: 1200, words: [], inputs: chosen.flatMap((shape) => optionBytes.map((bytes) =>
+      joined(Uint8Array.from(bytes), meshBytes(shape)))) },
+    repair: { length: 1200, words: [], inputs: chosen.flatMap((shape) => repairBytes.map((bytes) =>
       joined(Uint8Array.from(bytes), meshBytes(shape)))) },
   };
 }

@@ -60,6 +60,18 @@ test('a material that the input does not have is noticed', () => {
   assert.match(lawsOfWriting(written, truth(written), file).join(), /material "\\u0001"/);
 });
 
+test('what is lost without a word is noticed', () => {
+  const written = ofShape(shapes.ball(1));
+  const before = { ...written, holds: new Set(['COLOR_0', 'materials', 'looks']) };
+  const laws = (...warnings) => lawsOfWriting(written, { ...truth(written), warnings },
+    { name: 'made.obj', before });
+  assert.match(laws().join(), /COLOR_0.*nothing said.*materials.*nothing said.*looks/);
+  const named = (message) => ({ code: 'ATTRIBUTE_NOT_CARRIED', message });
+  assert.equal(laws(named('The STL has no place for NORMAL, materials.')).length, 1);
+  assert.deepEqual(laws(named('COLOR_0, materials'), { code: 'MATERIALS_BY_NAME' }), []);
+  assert.equal(laws(named('COLOR_0'), { code: 'MATERIALS_BY_NAME' }).length, 1);
+});
+
 test('an open edge that only rounding hides is noticed in the file', () => {
   const noisy = shapes.ball(2);
   noisy.positions.push(noisy.positions[0].map((x) => x + 1e-17 + Math.abs(x) * 2e-16));

@@ -279,6 +279,15 @@ Material readMaterial(const Json& tree, int number) {
   return material;
 }
 
+Json plainMaterial(Material material) {
+  material.number = -1;
+  for (Map* map : {&material.baseColorMap, &material.metalRoughMap, &material.normalMap,
+                   &material.occlusionMap, &material.emissiveMap})
+    *map = {};
+  Json tree;
+  return paintedMaterial(tree, {}, material);
+}
+
 std::size_t addPaintings(Json& tree, const Model& model) {
   const std::size_t first = tree.contains("materials") ? tree["materials"].size() : 0;
   bool anyWebp = false;

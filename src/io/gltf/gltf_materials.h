@@ -14,6 +14,9 @@ namespace remesher::io {
 // number in the tree.
 Material readMaterial(const Json& tree, int number);
 
+// A material without maps, as JSON.
+Json plainMaterial(Material material);
+
 // Appends the model's paintings to the tree's materials; returns the first one's number. Their
 // images refer to the model's images as `painting:n`.
 std::size_t addPaintings(Json& tree, const Model& model);

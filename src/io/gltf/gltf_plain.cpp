@@ -36,10 +36,12 @@ class Materials {
  public:
   explicit Materials(Json& tree) : tree_(tree) {}
 
-  // The number of the material of this name; adds a new one if there is none.
-  std::size_t numberOf(const std::string& name) {
-    const auto [entry, isNew] = numbers_.emplace(name, numbers_.size());
-    if (isNew) tree_["materials"].push_back({{"name", name}});
+  // The number of the group's material; adds a new one if none has its name.
+  std::size_t numberOf(const GroupInfo& group) {
+    const auto [entry, isNew] = numbers_.emplace(group.material, numbers_.size());
+    if (isNew)
+      tree_["materials"].push_back(group.look.name.empty() ? Json{{"name", group.material}}
+                                                           : plainMaterial(group.look));
     return entry->second;
   }
 
@@ -60,7 +62,7 @@ Json plainMesh(Materials& materials, const Part& part, const std::vector<VertexP
       if (isKnown && part.groups[group].painted >= 0)
         primitives[group]["material"] = part.groups[group].painted;
       else if (isKnown && !part.groups[group].material.empty())
-        primitives[group]["material"] = materials.numberOf(part.groups[group].material);
+        primitives[group]["material"] = materials.numberOf(part.groups[group]);
     }
   }
   return {{"name", part.name}, {"primitives", primitives}};

@@ -7,19 +7,54 @@
 #include "base/legible.h"
 
 namespace remesher::io {
+namespace {
+
+std::size_t groupsIn(const Model& model) {
+  std::size_t groups = 0;
+  for (const Part& part : model.parts) groups += std::max<std::size_t>(part.groups.size(), 1);
+  return groups;
+}
+
+std::size_t materialsIn(const Model& model) {
+  std::set<std::string> names;
+  for (const Part& part : model.parts)
+    for (const GroupInfo& group : part.groups)
+      if (!group.material.empty() || group.look.number >= 0) names.insert(group.material);
+  return names.size();
+}
+
+}  // namespace
 
 std::vector<Warning> droppedAttributes(const Model& model, const std::vector<std::string>& kept,
                                        const std::string& format) {
-  std::set<std::string> dropped;
+  std::set<std::string> dropped(model.lost.begin(), model.lost.end());
   for (const Part& part : model.parts)
     for (const Attribute& attribute : part.mesh.attributes)
       if (std::find(kept.begin(), kept.end(), attribute.semantic) == kept.end())
         dropped.insert(attribute.semantic);
+  const bool keepsMaterials = std::find(kept.begin(), kept.end(), kMaterial) != kept.end();
+  if (groupsIn(model) == 1 && materialsIn(model) > 0 && !keepsMaterials) dropped.insert(kMaterial);
   if (dropped.empty()) return {};
   return {
       {"ATTRIBUTE_NOT_CARRIED",
        "The " + format + " has no place for " + legibleList({dropped.begin(), dropped.end()}) + ".",
        dropped.size()}};
+}
+
+std::vector<Warning> mergedParts(const Model& model) {
+  const std::size_t groups = groupsIn(model);
+  if (groups < 2) return {};
+  return {{"PARTS_MERGED",
+           "A file of this format is one solid: parts and materials are merged into it.", groups}};
+}
+
+std::vector<Warning> namedMaterials(const Model& model) {
+  const std::size_t count = materialsIn(model);
+  if (count == 0) return {};
+  return {{"MATERIALS_BY_NAME",
+           "The materials keep their names, and the result refers to no .mtl: write a .glb to keep "
+           "their colours.",
+           count}};
 }
 
 }  // namespace remesher::io

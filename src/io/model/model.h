@@ -26,7 +26,6 @@ namespace remesher::io {
 // feature curve.
 // `groups` serves the writers of other formats: by group number, empty where the format has nothing
 // to say.
-// format has nothing to say.
 struct GroupInfo {
   std::string material;            // its name
   std::vector<std::string> lacks;  // semantics of the mesh that this group lacks
@@ -68,6 +67,7 @@ struct Model {
   Conventions conventions = Conventions::Gltf;
   std::vector<Warning> warnings;
   std::shared_ptr<const Source> source;  // null if the parts hold everything
+  std::vector<std::string> lost;         // semantics lost when parts became one
   bool replacesLevels = false;           // drop the source's levels of detail
   std::vector<int> leftOut = {};         // the numbers of meshes of the file that are shown no more
   bool isExact = false;             // in text coordinates get the digits of doubles, floats as well

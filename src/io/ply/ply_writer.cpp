@@ -35,14 +35,25 @@ struct Layout {
   std::vector<double> textureNumbers;
 };
 
-// Widens float positions to double if the mesh has coordinates beyond float's range.
+// Whether a type holds a coordinate: it is in the type's range, and whole if that has to be.
+bool canHold(PlyType type, double x) {
+  if (type == PlyType::Float64) return true;
+  if (type == PlyType::Float32) return std::abs(x) <= double{std::numeric_limits<float>::max()};
+  return x == std::round(x) && x >= smallestOf(type) && x <= largestOf(type);
+}
+
+// Positions get a wider type if theirs does not hold the mesh's coordinates: floats if these are
+// single, else doubles.
 void widenPositions(std::vector<PlyField>& fields, const TriangleMesh& mesh) {
-  constexpr auto kLargest = double{std::numeric_limits<float>::max()};
-  const bool isWide = std::any_of(
-      mesh.positions.begin(), mesh.positions.end(),
-      [](const Vec3& position) { return position.lpNorm<Eigen::Infinity>() > kLargest; });
-  for (PlyField& field : fields)
-    if (isWide && field.semantic == "POSITION") field.property.type = PlyType::Float64;
+  for (PlyField& field : fields) {
+    const auto holds = [&](PlyType type) {
+      return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                         [&](const Vec3& p) { return canHold(type, p[field.component]); });
+    };
+    if (field.semantic != "POSITION" || holds(field.property.type)) continue;
+    const bool isEnough = mesh.isSingle && holds(PlyType::Float32);
+    field.property.type = isEnough ? PlyType::Float32 : PlyType::Float64;
+  }
 }
 
 // The layout of the file that the mesh comes from.
@@ -128,6 +139,7 @@ std::vector<std::string> semanticsOf(const Layout& layout) {
   std::vector<std::string> semantics;
   for (const PlyField& field : layout.fields) semantics.push_back(field.semantic);
   if (layout.hasCornerTexcoords) semantics.emplace_back("TEXCOORD_0");
+  if (!layout.textureNumbers.empty()) semantics.emplace_back(kMaterial);
   return semantics;
 }
 

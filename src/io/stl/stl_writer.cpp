@@ -63,23 +63,12 @@ std::vector<std::uint8_t> stlBytes(const TriangleMesh& mesh) {
   return bytes;
 }
 
-// The number of groups: materials, or the solids of an STL in text.
-std::size_t groupsOf(const Model& model) {
-  std::size_t groups = 0;
-  for (const Part& part : model.parts) groups += std::max<std::size_t>(part.groups.size(), 1);
-  return groups;
-}
-
 }  // namespace
 
 WrittenFiles writeStl(const Model& model, const std::string& outputName) {
   WrittenFiles written;
   written.files.push_back({outputName, stlBytes(mergeParts(bakeInstances(model)))});
   written.warnings = droppedAttributes(model, {}, "STL");
-  if (const std::size_t groups = groupsOf(model); groups > 1)
-    written.warnings.push_back(
-        {"PARTS_MERGED", "A binary STL is one solid: parts and materials are merged into it.",
-         groups});
   return written;
 }
 

@@ -9,6 +9,7 @@
 
 #include "io/model/bake.h"
 #include "io/model/companions.h"
+#include "io/model/dropped.h"
 #include "io/model/faces.h"
 #include "io/text/obj.h"
 #include "io/text/text_writer.h"
@@ -237,6 +238,11 @@ WrittenFiles writeObj(const Model& model, const std::string& outputName) {
   WrittenFiles written;
   written.files.push_back({outputName, writer.bytes()});
   written.files.insert(written.files.end(), libraries.begin(), libraries.end());
+  if (source != nullptr) return written;
+  written.warnings =
+      droppedAttributes(model, {"NORMAL", "COLOR_0", "TEXCOORD_0", kMaterial}, "OBJ");
+  const std::vector<Warning> names = namedMaterials(model);
+  written.warnings.insert(written.warnings.end(), names.begin(), names.end());
   return written;
 }
 

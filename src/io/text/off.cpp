@@ -342,8 +342,10 @@ Model readOff(const File& file, const std::vector<File>&) {
 WrittenFiles writeOff(const Model& model, const std::string& outputName) {
   const TriangleMesh merged = mergeParts(bakeInstances(model));
   const Digits wanted = model.isExact ? Digits::OfDoubles : Digits::Fewest;
+  std::vector<std::string> kept;
+  for (const Attribute* attribute : writableAttributes(merged)) kept.push_back(attribute->semantic);
   return {{{outputName, offBytes(merged, digitsFor({&merged}, wanted))}},
-          droppedAttributes(model, {"NORMAL", "COLOR_0", "TEXCOORD_0"}, "OFF")};
+          droppedAttributes(model, kept, "OFF")};
 }
 
 }  // namespace remesher::io

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/triangle.h"
+#include "io/model/bake.h"
 #include "measure/mesh_report.h"
 #include "measure/quad_report.h"
 
@@ -94,6 +95,11 @@ Transform placeFor(const PartPlace& place) {
 }
 
 }  // namespace
+
+std::vector<io::Part> asHeld(const std::vector<io::Part>& parts, Held held) {
+  if (held == Held::Apart || parts.size() < 2) return parts;
+  return {io::Part{"", io::mergeParts(parts), {Transform::Identity()}}};
+}
 
 std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts) {
   std::vector<Welding> weldings;

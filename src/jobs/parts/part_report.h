@@ -14,6 +14,13 @@
 
 namespace remesher {
 
+// How a file holds parts: each by itself, or all as one surface, which a reader joins wherever
+// vertices have the same position.
+enum class Held { Apart, AsOne };
+
+// The parts as a reader finds them in the file. Parts held as one are in the world already.
+std::vector<io::Part> asHeld(const std::vector<io::Part>& parts, Held held);
+
 // Throws the Errors of requireValid.
 std::vector<Welding> weldingsOf(const std::vector<io::Part>& parts);
 

@@ -34,9 +34,8 @@ bool isThere(const io::Part& part) {
 // Models with levels of detail keep their parts, and boundaries that are kept need no union.
 bool mayUnite(const std::vector<io::Part>& parts, const RemeshOptions& options) {
   const auto isLevel = [](const io::Part& part) { return !part.finer.empty(); };
-  return parts.size() > 1 && options.boundary != Boundary::Keep && !options.quads &&
-         options.density.empty() && options.featureEdges.empty() &&
-         std::none_of(parts.begin(), parts.end(), isLevel);
+  return parts.size() > 1 && options.boundary != Boundary::Keep && options.density.empty() &&
+         options.featureEdges.empty() && std::none_of(parts.begin(), parts.end(), isLevel);
 }
 
 std::size_t countCornerPlaces(const TriangleMesh& mesh) {
@@ -112,6 +111,7 @@ class Parting {
       }
     }
     made.scale = original.scale;
+    made.isQuads = whole_.mesh.isQuads;
     return made;
   }
 
@@ -121,8 +121,8 @@ class Parting {
 
 }  // namespace
 
-PartUnions::PartUnions(const std::vector<io::Part>& parts, const RemeshOptions& options)
-    : parts_(parts) {
+PartUnions::PartUnions(const std::vector<io::Part>& parts, Held held, const RemeshOptions& options)
+    : parts_(parts), held_(held) {
   std::vector<std::vector<std::size_t>> sets;
   std::vector<TriangleMesh> placed(parts.size());
   if (mayUnite(parts, options)) {
@@ -173,12 +173,13 @@ const PartUnions::Union* PartUnions::unionOf(std::size_t surface) const {
   return found == unions_.end() ? nullptr : &*found;
 }
 
-// A place on a common border counts once for each part that meets there. The number of such places
-// is estimated from the input's, in proportion to the square root of the vertex count.
+// In files that hold parts apart a place on a common border counts once for each part that meets
+// there. The number of such places is estimated from the input's, in proportion to the square root
+// of the vertex count.
 RemeshOptions PartUnions::optionsOf(std::size_t surface, RemeshOptions options) const {
   const Union* const whole = unionOf(surface);
-  if (!whole) return options;
-  options.bodies = whole->bodies;
+  if (!whole || held_ == Held::AsOne) return options;
+  if (!options.quads) options.bodies = whole->bodies;
   if (options.edgeLength) return options;
   const double bodies = double(members_[surface].size());
   const double ratio = options.ratio.value_or(1);
@@ -198,7 +199,7 @@ RemeshOptions PartUnions::optionsOf(std::size_t surface, RemeshOptions options) 
   }
   const double shared = own - double(countCornerPlaces(surfaces_[surface].mesh));
   options.ratio.reset();
-  options.inBodies = Index(asked);
+  if (!options.quads) options.inBodies = Index(asked);
   options.vertices =
       Index(std::lround(std::max(asked / bodies, asked - shared * std::sqrt(asked / own))));
   return options;
@@ -213,6 +214,10 @@ std::vector<RemeshOutcome> PartUnions::parted(std::size_t surface, RemeshOutcome
   }
   const std::vector<std::size_t>& members = members_[surface];
   std::vector<std::vector<Index>> triangles(members.size());
+  // The two halves of a quad stay together.
+  if (outcome.mesh.isQuads)
+    for (Index t = 1; t < outcome.mesh.triangleCount(); t += 2)
+      outcome.mesh.groups[t] = outcome.mesh.groups[t - 1];
   for (Index t = 0; t < outcome.mesh.triangleCount(); ++t)
     triangles[whole->bodies[outcome.mesh.groups[t]]].push_back(t);
   const std::vector<Vec3>& placed = surfaces_[surface].mesh.positions;

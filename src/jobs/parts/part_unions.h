@@ -8,14 +8,15 @@
 
 #include "base/options.h"
 #include "io/model/model.h"
+#include "jobs/parts/part_report.h"
 #include "remesh/schemes/remesh.h"
 
 namespace remesher {
 
 class PartUnions {
  public:
-  // The parts must be valid and outlive the object.
-  PartUnions(const std::vector<io::Part>& parts, const RemeshOptions& options);
+  // held: how the results will be. The parts must be valid and outlive the object.
+  PartUnions(const std::vector<io::Part>& parts, Held held, const RemeshOptions& options);
 
   // The surfaces to remesh: single parts, and each union as one part in the world.
   const std::vector<io::Part>& surfaces() const { return unions_.empty() ? parts_ : surfaces_; }
@@ -40,6 +41,7 @@ class PartUnions {
   const Union* unionOf(std::size_t surface) const;
 
   const std::vector<io::Part>& parts_;
+  const Held held_;
   std::vector<io::Part> surfaces_;  // empty if there are no unions
   std::vector<std::vector<std::size_t>> members_;
   std::vector<Union> unions_;

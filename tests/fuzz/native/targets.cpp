@@ -9,7 +9,7 @@
 namespace remesher::fuzz {
 namespace {
 
-constexpr std::array<Target, 11> kTargets = {{
+constexpr std::array<Target, 12> kTargets = {{
     {"glb", readGlb, changedGlb},
     {"gltf", readGltf, changedGltf},
     {"obj", readObj, nullptr},
@@ -21,6 +21,7 @@ constexpr std::array<Target, 11> kTargets = {{
     {"3mf", readThreemf, nullptr},
     {"builder", buildAnyMesh, nullptr},
     {"remesh", remeshSmallMesh, nullptr},
+    {"repair", repairSmallMesh, nullptr},
 }};
 
 }  // namespace

@@ -24,9 +24,10 @@ void readStl(Input input);
 void readGmsh(Input input);
 void readVtu(Input input);
 void readThreemf(Input input);  // the XML of the model
-// See small_mesh.h for the bytes of these two.
+// See small_mesh.h for the bytes of these three.
 void buildAnyMesh(Input input);
 void remeshSmallMesh(Input input);
+void repairSmallMesh(Input input);  // with groups and attributes, as arrays and as files
 
 struct Target {
   std::string_view name;

@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: MIT
 // All figures of a written file, by its bytes alone. A mesh that several nodes show counts once, in
-// its own space, as reports count it; crossings are also counted in the world, across all parts.
+// its own space, its angles where it shows most, as reports count it; crossings are also counted in
+// the world, across all parts.
 import { angleFigures, borderOf, crossingsOf, diagonalOf, edgesOf, piecesOf, surfaceOf }
   from './surface.js';
 
-/** The parts of each mesh, joined; of other formats the only part.
+/** The area of parts where they are shown. @param {any[]} parts */
+function areaOf(parts) {
+  const { positions: p, triangles } = surfaceOf(parts);
+  let sum = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = [...triangles.subarray(i, i + 3)].map((v) => 3 * v);
+    const [u, v] = [b, c].map((end) => [0, 1, 2].map((k) => p[end + k] - p[a + k]));
+    sum += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+      u[0] * v[1] - u[1] * v[0]) / 2;
+  }
+  return sum;
+}
+
+/** Of several places those parts that show most. @param {any[][]} places */
+function largest(places) {
+  if (places.length === 1) return places[0];
+  const areas = places.map(areaOf);
+  return places[areas.findIndex((area) => area * (1 + 1e-9) >= Math.max(...areas))];
+}
+
+/** The parts of each mesh, joined, where they show most; of other formats the only part.
  * @param {any[]} parts @returns {any[][]} */
 function meshesOf(parts) {
   const meshes = new Map();
@@ -14,7 +35,7 @@ function meshesOf(parts) {
     nodes.set(part.node ?? 0, [...nodes.get(part.node ?? 0) ?? [], part]);
     meshes.set(key, nodes);
   }
-  return [...meshes.values()].map((nodes) => nodes.values().next().value);
+  return [...meshes.values()].map((nodes) => largest([...nodes.values()]));
 }
 
 /** A surface in its own space, whose numbers are the written ones. */
@@ -64,13 +85,14 @@ function crossingsAcross(parts) {
  * The figures of parts that were read: `vertices` … under the report's names, `crossings`
  * (triangles that meet others of their mesh), `crossingsAcross` (of other meshes and nodes), and
  * the `surface` of all parts in the world. OBJ also has the `materials` that its faces name.
- * @param {{ parts: any[], materials?: Set<string> }} file
+ * `holds`: the attributes by glTF's names, `materials` (their names), `looks` (what those are).
+ * @param {{ parts: any[], materials?: Set<string>, holds?: Set<string> }} file
  */
-export function figuresOf({ parts, materials }) {
+export function figuresOf({ parts, materials, holds = new Set() }) {
   const meshes = meshesOf(parts).map(figuresOfMesh);
   const sums = Object.fromEntries(counts.map((name) =>
     [name, meshes.reduce((sum, mesh) => sum + mesh[name], 0)]));
   const surface = surfaceOf(parts);
   return { ...sums, ...angles(meshes, sums.triangles), crossingsAcross: crossingsAcross(parts),
-    shown: new Set(parts.map(({ node }) => node)).size, surface, materials };
+    shown: new Set(parts.map(({ node }) => node)).size, surface, materials, holds };
 }

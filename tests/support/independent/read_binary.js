@@ -62,7 +62,11 @@ function plyRow(properties, next) {
   return row;
 }
 
-/** @param {Uint8Array} bytes */
+/** Properties of vertices and faces, by what they are. */
+const plyNames = { nx: 'NORMAL', red: 'COLOR_0', s: 'TEXCOORD_0', u: 'TEXCOORD_0',
+  texture_u: 'TEXCOORD_0', texcoord: 'TEXCOORD_0', texnumber: 'materials' };
+
+/** See figures.js for `holds`. @param {Uint8Array} bytes */
 export function readPly(bytes) {
   const text = Buffer.from(bytes.subarray(0, 65536)).toString('latin1');
   const { format, elements, length } = plyHeader(text);
@@ -76,7 +80,9 @@ export function readPly(bytes) {
     if (name === 'vertex') positions = Float64Array.from(rows.flatMap(({ x, y, z }) => [x, y, z]));
     if (name === 'face') faces = rows.map((row) => row.vertex_indices ?? row.vertex_index);
   }
-  return { parts: [{ name: '', positions, faces }] };
+  const holds = new Set(elements.flatMap(({ properties }) =>
+    properties.flatMap(({ name }) => plyNames[name] ?? [])));
+  return { parts: [{ name: '', positions, faces }], holds };
 }
 
 /** Each facet has vertices of its own. @param {Uint8Array} bytes */

@@ -148,7 +148,7 @@ function placed(part, matrix, node) {
 
 /**
  * The parts that the scene shows, a primitive of a node each, in the world; and in `levels` the
- * parts of the coarser levels of detail, the finer first.
+ * parts of the coarser levels of detail, the finer first. See figures.js for `holds`.
  * @param {Uint8Array} bytes @param {Record<string, Uint8Array>} [resources]
  */
 export function readGltf(bytes, resources = {}) {
@@ -171,7 +171,12 @@ export function readGltf(bytes, resources = {}) {
     for (const child of node.children ?? []) visit(child, matrix, into);
   };
   const scene = tree.scenes?.[tree.scene ?? 0];
+  const primitives = (tree.meshes ?? []).flatMap((mesh) => mesh.primitives);
+  const isMaterial = primitives.some(({ material }) => material !== undefined);
+  const holds = new Set([...primitives.flatMap(({ attributes }) => Object.keys(attributes)),
+    ...(isMaterial ? ['materials', 'looks'] : [])]);
+  holds.delete('POSITION');
   const roots = scene?.nodes ?? (tree.nodes ?? []).map((_, i) => i);
   for (const number of roots) visit(number, identity, shown.parts);
-  return shown;
+  return { ...shown, holds };
 }

@@ -18,21 +18,30 @@ function objIndex(word, count) {
 }
 
 /** One part for the whole file: groups and objects share their vertices. The names of the materials
- * that faces use are in `materials`. @param {string} text */
+ * that faces use are in `materials`; see figures.js for `holds`. @param {string} text */
 export function readObj(text) {
   const positions = [];
   const faces = [];
   const materials = new Set();
+  const holds = new Set();
   const joined = text.replace(/\\\r?\n/g, ' ');
   let material;
   for (const [key, ...words] of linesOf(joined)) {
-    if (key === 'v') positions.push(...words.slice(0, 3).map(Number));
+    if (key === 'v') {
+      positions.push(...words.slice(0, 3).map(Number));
+      if (words.length > 4) holds.add('COLOR_0');
+    }
     if (key === 'usemtl') material = words.join(' ');
     if (key !== 'f') continue;
     if (material !== undefined) materials.add(material);
+    if (/^\d+\/\d/.test(words[0])) holds.add('TEXCOORD_0');
+    if (/\/\d*\/\d/.test(words[0])) holds.add('NORMAL');
     faces.push(words.map((word) => objIndex(word, positions.length / 3)));
   }
-  return { parts: [{ name: '', positions: Float64Array.from(positions), faces }], materials };
+  if (materials.size > 0) holds.add('materials');
+  if (materials.size > 0 && /^\s*mtllib\s/m.test(text)) holds.add('looks');
+  const part = { name: '', positions: Float64Array.from(positions), faces };
+  return { parts: [part], materials, holds };
 }
 
 /** OFF with whatever follows a position (colours, normals, texture coordinates). */
@@ -48,7 +57,9 @@ export function readOff(text) {
   const faces = lines.slice(first + vertices, first + vertices + faceCount)
     .map((row) => row.slice(1, 1 + Number(row[0])).map(Number));
   if (faces.length !== faceCount) throw new Error(`${faces.length} of ${faceCount} faces`);
-  return { parts: [{ name: '', positions, faces }] };
+  const letters = { COLOR_0: 'C', NORMAL: 'N', TEXCOORD_0: 'ST' };
+  const holds = new Set(Object.keys(letters).filter((name) => keyword.includes(letters[name])));
+  return { parts: [{ name: '', positions, faces }], holds };
 }
 
 /** STL in text: each facet has vertices of its own. */

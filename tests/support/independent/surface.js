@@ -48,11 +48,18 @@ export function cornersOf({ positions, triangles }) {
   return corners;
 }
 
-/** The triangles at each edge; those with equal corners have edges too, as they are written.
- * @param {Surface} surface @returns {Map<number, number[]>} by smaller · 2^26 + larger vertex */
-export function edgesOf({ triangles }) {
+/** Whether a triangle has equal corners: reports count it as degenerate, and none of its edges.
+ * @param {Surface} surface @param {number} t */
+const isLine = ({ triangles }, t) => triangles[3 * t] === triangles[3 * t + 1]
+  || triangles[3 * t + 1] === triangles[3 * t + 2] || triangles[3 * t + 2] === triangles[3 * t];
+
+/** The triangles at each edge. @param {Surface} surface
+ * @returns {Map<number, number[]>} by smaller · 2^26 + larger vertex */
+export function edgesOf(surface) {
+  const { triangles } = surface;
   const edges = new Map();
   triangles.forEach((from, i) => {
+    if (isLine(surface, Math.floor(i / 3))) return;
     const to = triangles[i % 3 === 2 ? i - 2 : i + 1];
     const key = Math.min(from, to) * 2 ** 26 + Math.max(from, to);
     const list = edges.get(key);
@@ -94,6 +101,7 @@ export function piecesOf(surface, edges = edgesOf(surface)) {
   for (const list of edges.values()) list.slice(1).forEach((t) => sets.unite(t, list[0]));
   const pieces = new Map();
   for (let t = 0; t < count; t += 1) {
+    if (isLine(surface, t)) continue;
     const root = sets.find(t);
     if (!pieces.has(root)) pieces.set(root, []);
     pieces.get(root).push(t);

@@ -46,15 +46,28 @@ function lawsOfMaterials(written, before) {
     .map((name) => `a material ${JSON.stringify(name)} that the input does not have is written`);
 }
 
+/** Codes that say that materials are lost, and that they are lost but for their names. */
+const ofMaterials = { materials: ['PARTS_MERGED'],
+  looks: ['PARTS_MERGED', 'MATERIALS_BY_NAME', 'RESOURCE_NOT_GIVEN'] };
+
+/** Attributes and materials that the result lacks are named by a warning. */
+function lawsOfLosses(written, before, { warnings }) {
+  const isSaid = (name) => warnings.some(({ code, message }) => ofMaterials[name]?.includes(code)
+    || (code === 'ATTRIBUTE_NOT_CARRIED' && message.includes(name === 'looks' ? 'materials' : name)));
+  return [...before.holds].filter((name) => !written.holds.has(name) && !isSaid(name))
+    .map((name) => `${name}: in the input, not written, nothing said`);
+}
+
 /** Crossings within meshes and across them: counted by repair, or by a warning. */
 function lawsOfCrossings(written, report) {
   const within = report.repair?.selfIntersections[1];
-  const warning = warningOf(report, 'CROSSINGS_LEFT', 'CROSSINGS_MADE', 'CROSSINGS');
-  const across = warningOf(report, 'PARTS_MEET');
+  const warning = warningOf(report, 'CROSSINGS_LEFT', 'SELF_INTERSECTIONS_MADE');
+  const across = warningOf(report, 'PARTS_MEET', 'SELF_INTERSECTIONS_MADE');
   const broken = [];
   if (within !== undefined && within !== written.crossings) {
     broken.push(`crossings: ${within} said, ${written.crossings} written`);
-  } else if (within === undefined && warning && warning.count !== written.crossings) {
+  } else if (within === undefined && warning && warning.count !== written.crossings
+    && written.crossingsAcross === 0) {
     broken.push(`crossings: ${warning.count} warned of, ${written.crossings} written`);
   } else if (written.crossings > 0 && within === undefined && !warning) {
     broken.push(`crossings: nothing said, ${written.crossings} written`);
@@ -86,6 +99,7 @@ export function lawsOfWriting(written, report, { name, before }) {
   const isCrossed = !report.repair && before.crossings + before.crossingsAcross > 0;
   return [...lawsOfCounts(written, said), ...lawsOfAngles(written, said),
     ...lawsOfQuads(written, said, name), ...lawsOfMaterials(written, before),
+    ...lawsOfLosses(written, before, report),
     ...(isCrossed ? [] : lawsOfCrossings(written, report)),
     ...(report.repair ? [] : lawsOfDistance(before, written, report))];
 }

@@ -49,7 +49,7 @@ std::vector<Vec3> seamOf(const TriangleMesh& mesh, const Transform& place) {
 }
 
 std::size_t surfacesOf(const std::vector<io::Part>& parts) {
-  return PartUnions(parts, {}).surfaces().size();
+  return PartUnions(parts, Held::Apart, {}).surfaces().size();
 }
 
 }  // namespace
