@@ -531,8 +531,6 @@ export default {
     + 'stammt, und exportieren Sie sie als GLB.',
   'live': 'Neu vernetzen, während sich Optionen ändern',
   'repair.nothing': 'Es gab nichts zu reparieren.',
-  'repair.rims': '{count} Ränder offen gelassen',
-  'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
   'repair.islands': '{count} kleine lose Stücke entfernt',
   'repair.crossings': '{before} Dreiecke schnitten andere; jetzt {after}',
   'phase.repair': 'Reparieren',

@@ -534,8 +534,6 @@ export default {
     + 'exportez-le en GLB.',
   'live': 'Remailler pendant que les options changent',
   'repair.crossings': '{before} triangles en coupaient d’autres ; maintenant {after}',
-  'repair.rims': '{count} bords laissés ouverts',
-  'repair.bodies': '{count} feuilles devenues des corps fermés',
   'repair.islands': '{count} petits morceaux isolés retirés',
   'purpose.asset.about': 'Moins de triangles, le même aspect ; le modèle reçoit de nouvelles '
     + 'textures s’il en a.',

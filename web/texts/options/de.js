@@ -118,6 +118,8 @@ export default {
   'reason.sound': 'Fehlerfrei: unverändert.',
   'reason.closed': 'Mit geschlossenen Rändern ist die Fläche fehlerfrei.',
   'reason.united': 'Körper, die sich schneiden, wurden exakt vereinigt.',
+  'repair.rims': '{count} Ränder offen gelassen',
+  'repair.bodies': '{count} Blätter zu geschlossenen Körpern gemacht',
   'reason.made': 'Aus Blättern wurden geschlossene Körper.',
   'reason.sheets': 'Blätter blieben, wie sie waren.',
   'reason.enclosed': 'Mit einem Gitter um Körper neu gemacht.',

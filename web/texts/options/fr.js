@@ -120,6 +120,8 @@ export default {
   'reason.sound': 'Sain : inchangé.',
   'reason.closed': 'Ses bords fermés, la surface est saine.',
   'reason.united': 'Les corps qui se coupent ont été réunis exactement.',
+  'repair.rims': '{count} bords laissés ouverts',
+  'repair.bodies': '{count} feuilles devenues des corps fermés',
   'reason.made': 'Les feuilles sont devenues des corps fermés.',
   'reason.sheets': 'Les feuilles sont restées telles quelles.',
   'reason.enclosed': 'Refaite par une grille autour des corps.',
