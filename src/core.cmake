@@ -55,6 +55,10 @@ set(linear
   src/original/patches/disk_patch.cpp
   src/original/patches/patch_atlas.cpp
   src/original/patches/point_location.cpp
+  src/remesh/conforming/facet_flips.cpp
+  src/remesh/conforming/faceted_mesh.cpp
+  src/remesh/conforming/refinement.cpp
+  src/remesh/conforming/smoothing_facets.cpp
   src/remesh/gate/crossings.cpp
   src/remesh/gate/error_bound.cpp
   src/remesh/gate/excess.cpp
@@ -203,6 +207,9 @@ set(small
   src/remesh/accuracy/refine_excess.cpp
   src/remesh/accuracy/tips.cpp
   src/remesh/accuracy/uncross.cpp
+  src/remesh/conforming/conforming.cpp
+  src/remesh/conforming/line_corners.cpp
+  src/remesh/conforming/thinning.cpp
   src/remesh/gate/crossing_guard.cpp
   src/remesh/ground/stand_in.cpp
   src/remesh/operators/shift.cpp
@@ -250,6 +257,7 @@ set(small
   src/remesh/schemes/bodies.cpp
   src/remesh/schemes/chart_needs.cpp
   src/remesh/schemes/chooser.cpp
+  src/remesh/schemes/conformed.cpp
   src/remesh/schemes/curve_choice.cpp
   src/remesh/schemes/follow.cpp
   src/remesh/schemes/isotropic.cpp

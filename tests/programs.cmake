@@ -109,6 +109,7 @@ add_executable(unit_tests
   tests/unit/remesh/accuracy/poor_regions_test.cpp
   tests/unit/remesh/accuracy/refine_excess_test.cpp
   tests/unit/remesh/accuracy/uncross_test.cpp
+  tests/unit/remesh/conforming/conforming_test.cpp
   tests/unit/remesh/gate/angles_test.cpp
   tests/unit/remesh/gate/crossing_guard_test.cpp
   tests/unit/remesh/gate/crossings_test.cpp
@@ -149,6 +150,7 @@ add_executable(unit_tests
   tests/unit/remesh/quads/shape/smoothing_test.cpp
   tests/unit/remesh/schemes/chart_needs_test.cpp
   tests/unit/remesh/schemes/chooser_test.cpp
+  tests/unit/remesh/schemes/conformed_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/opposite_angles.h"
 #include "mesh/edge_groups.h"
 
 namespace remesher {
@@ -14,16 +15,6 @@ namespace {
 
 // An edge must be this much better turned, so that rounding turns none to and fro.
 constexpr double kClearlyBetter = 1e-9;
-
-// Of the opposite angles' sum, with the sign of its sine: below 0 where the edge between a and b
-// should join c and d instead [Delaunay].
-double sineOfOpposite(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const Vec2 ca = a - c, cb = b - c, da = a - d, db = b - d;
-  const double scale = std::sqrt(ca.squaredNorm() * cb.squaredNorm()) *
-                       std::sqrt(da.squaredNorm() * db.squaredNorm());
-  const double sine = cross(ca, cb) * da.dot(db) + ca.dot(cb) * cross(db, da);
-  return scale > 0 ? sine / scale : 0;
-}
 
 }  // namespace
 

@@ -320,10 +320,14 @@ export default {
   'chosen.isotropic-asked': 'Gleichmäßige Dreiecke waren verlangt.',
   'chosen.vertices-placed': 'Eine Einstellung bestimmt, wo Punkte liegen: Vereinfachen kann ihr '
     + 'nicht folgen.',
+  'chosen.shape-conforming': 'Die Form geht vor: Jede ebene Fläche wurde für sich vernetzt.',
   'chosen.shape-refined': 'Die Form geht vor, mit mehr Punkten als im Original: gleichmäßige '
     + 'Dreiecke, die nirgends sichtbar abweichen.',
   'chosen.shape-asked': 'Die Form geht vor.',
   'chosen.corners-exceed-number': 'Es sind zu wenige Punkte für die Ecken aller Linien.',
+  'chosen.facets-conforming': 'Jede ebene Fläche wurde für sich vernetzt, sodass die Form genau '
+    + 'die des Originals ist; andere gleichmäßige Dreiecke würden sie ändern oder die Zahl der '
+    + 'Punkte verfehlen.',
   'chosen.isotropic-far-unfinished': 'Gleichmäßige Dreiecke würden die Form viel stärker ändern '
     + 'als Vereinfachen.',
   'chosen.number-missed': 'Gleichmäßige Dreiecke erreichten die Zahl der Punkte nicht; '

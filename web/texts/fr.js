@@ -324,11 +324,15 @@ export default {
   'chosen.isotropic-asked': 'Des triangles réguliers étaient demandés.',
   'chosen.vertices-placed': 'Un réglage décide de la place des sommets : la simplification ne '
     + 'peut pas le suivre.',
+  'chosen.shape-conforming': 'La forme est préférée : chaque facette a été maillée dans son plan.',
   'chosen.shape-refined': 'La forme est préférée, avec plus de sommets que l’original : des '
     + 'triangles réguliers qui ne s’en écartent visiblement nulle part.',
   'chosen.shape-asked': 'La forme est préférée.',
   'chosen.corners-exceed-number': 'Il y a trop peu de sommets pour les coins de toutes les '
     + 'lignes.',
+  'chosen.facets-conforming': 'Chaque facette a été maillée dans son plan, la forme est donc '
+    + 'exactement celle de l’original ; d’autres triangles réguliers la changeraient ou '
+    + 'manqueraient le nombre de sommets.',
   'chosen.isotropic-far-unfinished': 'Des triangles réguliers changeraient la forme bien plus '
     + 'que la simplification.',
   'chosen.number-missed': 'Les triangles réguliers n’ont pas atteint le nombre de sommets ; la '

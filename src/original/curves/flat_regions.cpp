@@ -7,6 +7,7 @@
 #include "base/options.h"
 #include "geometry/triangle.h"
 #include "mesh/coordinate_step.h"
+#include "original/curves/facets.h"
 #include "original/curves/shape_angles.h"
 
 namespace remesher {
@@ -27,34 +28,52 @@ struct Plane {
 
 class RegionGrowth {
  public:
-  RegionGrowth(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions)
+  RegionGrowth(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions, double tolerance)
       : mesh_(mesh),
         positions_(positions),
         bearers_(bearingFaces(mesh, positions)),
         areas_(areaVectors(mesh, positions)),
-        tolerance_(coordinateStep(positions.values())),
+        tolerance_(tolerance),
         seen_(mesh.faceCapacity(), 0),
         of_(mesh.faceCapacity(), kNone) {}
 
   FlatRegions run(double width) {
-    FlatRegions result;
+    FlatRegions result{{}, growAll(width)};
+    dropFacets(result.widths);
+    if (result.widths.empty() || flatShare() < kLeastShare) return {};
+    result.of = ofBearers();
+    return result;
+  }
+
+  FaceData<Index> facets() {
+    auto count = Index(growAll(0).size());
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i)
+      if (of_[Face(i)] == kNone && hasArea(Face(i))) of_[Face(i)] = count++;
+    return ofBearers();
+  }
+
+ private:
+  // Returns the widths of the regions.
+  std::vector<double> growAll(double width) {
+    std::vector<double> widths;
     for (const Face seed : seeds()) {
       if (of_[seed] != kNone || seen_[seed] != 0) continue;
       grow(seed, planeOf(seed));
       grow(seed, meanPlane());
       const double own = widthOfGrown();
       if (faces_.size() < 2 || own < width) continue;
-      for (const Face f : faces_) of_[f] = Index(result.widths.size());
-      result.widths.push_back(own);
+      for (const Face f : faces_) of_[f] = Index(widths.size());
+      widths.push_back(own);
     }
-    dropFacets(result.widths);
-    if (result.widths.empty() || flatShare() < kLeastShare) return {};
-    result.of.assign(mesh_.faceCapacity(), kNone);
-    for (Index i = 0; i < mesh_.faceCapacity(); ++i) result.of[Face(i)] = of_[bearers_[Face(i)]];
+    return widths;
+  }
+
+  FaceData<Index> ofBearers() const {
+    FaceData<Index> result(mesh_.faceCapacity(), kNone);
+    for (Index i = 0; i < mesh_.faceCapacity(); ++i) result[Face(i)] = of_[bearers_[Face(i)]];
     return result;
   }
 
- private:
   bool hasArea(Face f) const { return bearers_[f] == f; }
 
   static FaceData<Vec3> areaVectors(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
@@ -224,7 +243,12 @@ class RegionGrowth {
 FlatRegions findFlatRegions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
                             double width) {
   if (coplanarShare(mesh, positions) < kLeastShare) return {};
-  return RegionGrowth(mesh, positions).run(width);
+  return RegionGrowth(mesh, positions, coordinateStep(positions.values())).run(width);
+}
+
+FaceData<Index> findFacets(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions,
+                           double tolerance) {
+  return RegionGrowth(mesh, positions, tolerance).facets();
 }
 
 std::vector<Halfedge> bordersOf(const FlatRegions& regions, const HalfedgeMesh& mesh) {

@@ -31,6 +31,7 @@ enum class Candidate {
   Isotropic,   // isotropic triangles of the number asked for
   Bounded,     // isotropic triangles within a distance that is not seen, proven
   Simplified,  // the vertices of the original that its shape needs most, or its triangles divided
+  Conforming,  // triangles within the original's facets, on its shape exactly
   Uncrossed,   // isotropic triangles, made again by steps that add no self-intersection
   Own,         // the input's own triangles
   MirroredQuads,
@@ -54,6 +55,8 @@ enum class Fact {
   SimplifiedToNumber,   // simplification reaches the number asked for
   SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
   NumberReached,        // by the isotropic triangles
+  FacetsMeshed,         // facet by facet, with the number asked for
+  FacetsBetter,         // the same, and isotropic triangles are seen to be away or angles are alike
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
   UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away
   IsotropicFar,         // the finished isotropic triangles are seen to be away

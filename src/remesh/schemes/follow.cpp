@@ -30,23 +30,6 @@ bool sameAttributes(const TriangleMesh& input, Index a, Index b) {
          });
 }
 
-// The edges across which an attribute jumps, or the group changes. Jumps of normals do not count
-// for a result that keeps attributes, for it has normals of its own.
-HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, bool keepsLook) {
-  const HalfedgeMesh& m = built.mesh;
-  HalfedgeData<char> seams(m.halfedgeCapacity(), 0);
-  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
-    const Halfedge h(i), t = m.isAlive(h) ? m.twin(h) : Halfedge();
-    if (!t) continue;
-    const auto group = [&](Halfedge e) { return groupOf(input, built.triangles[m.face(e)]); };
-    const auto wedge = [&](Halfedge e) { return built.wedges[e]; };
-    const auto areSame = keepsLook ? haveSameLook : sameAttributes;
-    seams[h] = group(h) != group(t) || !areSame(input, wedge(h), wedge(m.next(t))) ||
-               !areSame(input, wedge(m.next(h)), wedge(t));
-  }
-  return seams;
-}
-
 // The triangles of a simplified surface, each corner with the corner of the original that it stands
 // for.
 class Extraction {
@@ -132,12 +115,36 @@ class Extraction {
 
 }  // namespace
 
+HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Textures textures) {
+  const HalfedgeMesh& m = built.mesh;
+  const bool keepsLook = textures != Textures::Bake;
+  HalfedgeData<char> seams(m.halfedgeCapacity(), 0);
+  for (Index i = 0; i < m.halfedgeCapacity(); ++i) {
+    const Halfedge h(i), t = m.isAlive(h) ? m.twin(h) : Halfedge();
+    if (!t) continue;
+    const auto group = [&](Halfedge e) { return groupOf(input, built.triangles[m.face(e)]); };
+    const auto wedge = [&](Halfedge e) { return built.wedges[e]; };
+    const auto areSame = keepsLook ? haveSameLook : sameAttributes;
+    seams[h] = group(h) != group(t) || !areSame(input, wedge(h), wedge(m.next(t))) ||
+               !areSame(input, wedge(m.next(h)), wedge(t));
+  }
+  return seams;
+}
+
 std::size_t distinctPositions(const HalfedgeMesh& mesh, const VertexData<Vec3>& positions) {
   std::vector<Vec3> places;
   places.reserve(mesh.vertexCount());
   for (Index i = 0; i < mesh.vertexCapacity(); ++i)
     if (mesh.isAlive(Vertex(i))) places.push_back(positions[Vertex(i)]);
   return countPlaces(places);
+}
+
+bool hasLines(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    if (flatness(at(0), at(1), at(2)) <= kFlattest) return true;
+  }
+  return false;
 }
 
 // Samples lie away from a triangle's corners, for vertices may have stayed there.
@@ -176,7 +183,7 @@ std::optional<Followed> follow(const BuiltMesh& original, const TriangleMesh& in
   std::size_t now = distinctPositions(original.mesh, original.positions);
   const bool keepsLook = textures != Textures::Bake;
   if (now < positions || (now == positions && !keepsLook)) return {};
-  SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, keepsLook)};
+  SimpleSurface surface{original.mesh, original.positions, seamsOf(original, input, textures)};
   KeptAttributes attributes = attributesAsLengths(original, input);
   KeptAttributes* kept = keepsLook && attributes.itemSize > 0 ? &attributes : nullptr;
   // A collapse takes one position at most, and none if other vertices share it.

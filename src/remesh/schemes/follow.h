@@ -32,6 +32,13 @@ struct Followed {
   Away away;                       // the original from the mesh
 };
 
+// The edges across which an attribute jumps, or the group changes. Jumps of normals do not count
+// unless textures are baked: a result that keeps attributes has normals of its own.
+HalfedgeData<char> seamsOf(const BuiltMesh& built, const TriangleMesh& input, Textures textures);
+
+// Whether a triangle has no area.
+bool hasLines(const TriangleMesh& mesh);
+
 // Whether the original has so few vertices, at most 32 per position, that its own triangles show.
 // If the caller prefers shape, `follow` is tried without this test.
 bool isWorthFollowing(const BuiltMesh& original, std::size_t positions);

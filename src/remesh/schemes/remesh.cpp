@@ -16,6 +16,7 @@
 #include "remesh/quads/quads.h"
 #include "remesh/schemes/bodies.h"
 #include "remesh/schemes/chooser.h"
+#include "remesh/schemes/conformed.h"
 #include "remesh/schemes/follow.h"
 #include "remesh/schemes/isotropic.h"
 #include "remesh/schemes/mirror_door.h"
@@ -200,6 +201,11 @@ class SurfaceCandidates {
              countCorners(plan_.curves, plan_.built.mesh) > vertices_ &&
              isWorthFollowing(plan_.built, vertices_);
     if (fact == Fact::SimplifiedToNumber) return isSimplified();
+    if (fact == Fact::FacetsMeshed) return areFacetsMeshed();
+    if (fact == Fact::FacetsBetter)
+      return isotropic().isReached()
+                 ? isotropic().comparison().isConformingBetter(isotropic().mesh())
+                 : isotropic().comparison().hasConforming();
     if (fact == Fact::NumberReached) return isotropic().isReached();
     if (fact == Fact::FlatSidesRefined) return isotropic().comparison().refinesFlatSides();
     if (fact == Fact::UnfinishedFar) return isotropic().comparison().isUnfinishedFar();
@@ -214,6 +220,14 @@ class SurfaceCandidates {
   bool isSimplified() {
     if (!simplified_) simplified_ = follow(plan_.built, input_, vertices_, options_.textures);
     return simplified_->has_value();
+  }
+
+  bool areFacetsMeshed() {
+    if (!conformed_)
+      conformed_ = isFaceted(plan_.built)
+                       ? conformed(plan_.built, input_, vertices_, options_.textures)
+                       : std::nullopt;
+    return conformed_->has_value();
   }
 
   // If it may have to be made within a bound, it takes half of the progress.
@@ -242,11 +256,14 @@ class SurfaceCandidates {
   RemeshOutcome taken(Candidate candidate) {
     if (candidate == Candidate::Bounded) return bounded().outcome(Prefer::Shape, progress_);
     if (candidate == Candidate::Isotropic) return isotropic().outcome(Prefer::Even, progress_);
+    const bool conforms = candidate == Candidate::Conforming;
     if (!isotropic_)
-      return outcomeOf(std::move(**simplified_), vertices_, std::move(plan_.warnings));
+      return outcomeOf(std::move(conforms ? **conformed_ : **simplified_), vertices_,
+                       std::move(plan_.warnings));
     const Prepared& original = isotropic().original();
-    return outcomeOf(isotropic().comparison().takeSimplified(), original.vertices(),
-                     original.warnings());
+    ShapeComparison& comparison = isotropic().comparison();
+    return outcomeOf(conforms ? comparison.takeConforming() : comparison.takeSimplified(),
+                     original.vertices(), original.warnings());
   }
 
   static constexpr double kHalf = 0.5;
@@ -259,7 +276,7 @@ class SurfaceCandidates {
   Plan plan_;  // empty once a candidate was made of it
   const std::size_t vertices_;
   const bool isRefined_;  // whether more vertices are wanted than the input has
-  std::optional<std::optional<Followed>> simplified_;  // of the plan
+  std::optional<std::optional<Followed>> simplified_, conformed_;  // of the plan
   std::unique_ptr<Isotropic> isotropic_, bounded_;
 };
 

@@ -9,7 +9,9 @@
 #include "base/place.h"
 #include "geometry/triangle.h"
 #include "original/curves/flat_regions.h"
+#include "original/curves/shape_angles.h"
 #include "remesh/quads/quads.h"
+#include "remesh/schemes/conformed.h"
 #include "simplify/divide.h"
 
 namespace remesher {
@@ -37,21 +39,31 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
 
-bool hasLines(const TriangleMesh& mesh) {
+// The smallest angles of triangles, in degrees.
+struct Angles {
+  double least = 180, mean = 0;
+
+  void add(const Triangle& triangle, std::size_t count) {
+    const double angle = degrees(minAngle(triangle[0], triangle[1], triangle[2]));
+    least = std::min(least, angle);
+    mean += angle / double(count);
+  }
+};
+
+Angles anglesOf(const TriangleMesh& mesh) {
+  Angles angles;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    if (flatness(at(0), at(1), at(2)) <= kFlattest) return true;
+    angles.add({at(0), at(1), at(2)}, mesh.triangleCount());
   }
-  return false;
+  return angles;
 }
 
-double meanAngle(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    sum += minAngle(at(0), at(1), at(2));
-  }
-  return 3 * sum / double(mesh.indices.size());
+Angles anglesOf(const WorkingMesh& mesh) {
+  Angles angles;
+  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
+    if (mesh.mesh().isAlive(Face(f))) angles.add(mesh.corners(Face(f)), mesh.mesh().faceCount());
+  return angles;
 }
 
 // Adds vertices to a mesh of so many places, all at once or a third at a time; then, edges flip
@@ -80,10 +92,16 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
   std::optional<Followed> plain = divided(followed, places, vertices, {});
   std::optional<Followed> flipped = divided(followed, places, vertices, textures);
   if (!plain || !flipped) return plain ? std::move(plain) : std::move(flipped);
-  return meanAngle(plain->mesh) >= meanAngle(flipped->mesh) ? std::move(plain) : std::move(flipped);
+  return anglesOf(plain->mesh).mean >= anglesOf(flipped->mesh).mean ? std::move(plain)
+                                                                    : std::move(flipped);
 }
 
 }  // namespace
+
+bool isFaceted(const BuiltMesh& built) {
+  constexpr double kLeastShare = 0.5;
+  return coplanarShare(built.mesh, built.positions) >= kLeastShare;
+}
 
 ShapeComparison::ShapeComparison(const Prepared& original, const TriangleMesh& input,
                                  Textures textures)
@@ -173,11 +191,30 @@ std::optional<Followed>& ShapeComparison::simplified() {
   return simplified_;
 }
 
+std::optional<Followed>& ShapeComparison::conforming() {
+  if (std::exchange(isConforming_, true) || !hasFlats()) return conforming_;
+  const BuiltMesh& built = original_.surface().built();
+  conforming_ = conformed(built, input_, original_.vertices(), textures_);
+  return conforming_;
+}
+
+bool ShapeComparison::hasConforming() { return conforming().has_value(); }
+
+bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
+  constexpr double kNearlySame = 1;  // degrees between means
+  constexpr double kSlim = 20;       // a smallest angle from which on a triangle is no needle
+  if (!hasFlats() || !(hasEnough() || isSeen(isotropic)) || !conforming()) return false;
+  if (isSeen(isotropic)) return true;
+  const Angles own = anglesOf(conforming()->mesh), other = anglesOf(isotropic);
+  return own.mean > other.mean - kNearlySame && own.least >= std::min(other.least, kSlim);
+}
+
 bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {
   const Away away = measured(unfinished);
   if (!isSeen(away)) unfinished_ = Unfinished::Near;
   if (away.rms <= kFinishing * seenOnAverage()) return false;
-  const bool isFar = simplified() && away.rms > kFinishing * muchNearer() * simplified()->away.rms;
+  const std::optional<Followed>& other = conforming() ? conforming() : simplified();
+  const bool isFar = other && away.rms > kFinishing * muchNearer() * other->away.rms;
   if (isFar) unfinished_ = Unfinished::Far;
   return isFar;
 }

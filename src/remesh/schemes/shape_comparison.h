@@ -16,7 +16,11 @@ namespace remesher {
 // thousand pixels wide.
 constexpr double kSeen = 5e-4;
 
-// The simplified original is made on first use.
+// Whether a surface is made of facets, flat or about something round, which may be meshed by
+// themselves.
+bool isFaceted(const BuiltMesh& built);
+
+// The other candidates are made on first use.
 class ShapeComparison {
  public:
   ShapeComparison(const Prepared& original, const TriangleMesh& input, Textures textures);
@@ -33,11 +37,16 @@ class ShapeComparison {
   bool hasSimplified();
   // Whether the simplified mesh exists and is so much nearer that it is worth its uneven triangles.
   bool isSimplifiedNearer(const WorkingMesh& isotropic);
+  // Whether a mesh conforms to the facets of flat sides and is better than finished isotropic
+  // triangles: these are seen to be away, or its angles are as good.
+  bool isConformingBetter(const WorkingMesh& isotropic);
+  bool hasConforming();
   // Whether more vertices are wanted than the original has, and flat sides show each dent.
   bool refinesFlatSides();
 
   // Leaves none here.
   Followed takeSimplified() { return std::move(*simplified()); }
+  Followed takeConforming() { return std::move(*conforming()); }
 
  private:
   enum class Unfinished { Unknown, Near, Far };
@@ -51,6 +60,7 @@ class ShapeComparison {
   double muchNearer();     // how many times nearer the simplified mesh must be
   double seenOnAverage();  // the largest RMS distance that is not seen, model units
   std::optional<Followed>& simplified();
+  std::optional<Followed>& conforming();
 
   const Prepared& original_;
   const TriangleMesh& input_;
@@ -62,6 +72,8 @@ class ShapeComparison {
   std::optional<Away> finished_;  // of the finished isotropic triangles
   bool isSimplified_ = false;     // whether simplification was tried
   std::optional<Followed> simplified_;
+  bool isConforming_ = false;  // whether facets were tried
+  std::optional<Followed> conforming_;
 };
 
 }  // namespace remesher

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A mesh that conforms to the original's facets, as a result: with attributes and places.
+#pragma once
+
+#include <optional>
+
+#include "remesh/schemes/follow.h"
+
+namespace remesher {
+
+// A mesh with exactly so many distinct positions, nowhere away from the original. None where that
+// is impossible: see makeConforming.
+std::optional<Followed> conformed(const BuiltMesh& original, const TriangleMesh& input,
+                                  std::size_t positions, Textures textures);
+
+}  // namespace remesher
