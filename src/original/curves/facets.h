@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The facets of a surface: what is flat, however small. See flat_regions.h for those that are walls.
+// The facets of a surface: what is flat, however small. See flat_regions.h for those that are
+// walls.
 #pragma once
 
 #include "mesh/halfedge_mesh.h"
