@@ -69,7 +69,7 @@ async function exampleOf(path) {
 
 /** @param {string | undefined} folder of the models */
 export async function runReadme(folder) {
-  const text = readText("docs/javascript.md") + readText("docs/quality.md");
+  const text = readText('docs/javascript.md') + readText('docs/quality.md');
   const rows = [], broken = [];
   const compare = (what, printed, now) => {
     rows.push([what, printed.join(' '), now.join(' ')]);

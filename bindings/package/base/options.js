@@ -366,8 +366,9 @@ export const targetNames = /** @type {const} */ ([
 
 /** The names of the options for repair. */
 export const repairNames =
-  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims', 'thickness',
-    'base', 'unite', 'dropBelow', 'dropHidden', 'textures', 'textureSize', 'textureFormat', 'weld']);
+  /** @type {const} */ (['repair', 'holesUpTo', 'gap', 'cavities', 'sheets', 'keepRims',
+    'thickness', 'base', 'unite', 'dropBelow', 'dropHidden', 'textures', 'textureSize',
+    'textureFormat', 'weld']);
 
 /** @typedef {typeof repairNames[number]} RepairName */
 

@@ -85,7 +85,8 @@ function repairInWords(repair) {
   const { mode, reason, holes, rims, bodies, islands, shells, turned, selfIntersections } = repair;
   const [before, after] = selfIntersections;
   return `repair (${mode}, ${reasons[reason]}):\n`
-    + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, ${counted(islands, 'island')} and `
+    + `  ${counted(holes, 'hole')} closed${widest(repair.closedAt)}, `
+    + `${counted(islands, 'island')} and `
     + `${counted(shells, 'hidden piece')} removed, ${counted(turned, 'triangle')} turned over\n`
     + (rims > 0 ? `  ${counted(rims, 'rim')} left open${widest(repair.rimsAt)}\n` : '')
     + (bodies > 0 ? `  ${counted(bodies, 'sheet')} made a closed body\n` : '')

@@ -53,7 +53,8 @@ const ofMaterials = { materials: ['PARTS_MERGED'],
 /** Attributes and materials that the result lacks are named by a warning. */
 function lawsOfLosses(written, before, { warnings }) {
   const isSaid = (name) => warnings.some(({ code, message }) => ofMaterials[name]?.includes(code)
-    || (code === 'ATTRIBUTE_NOT_CARRIED' && message.includes(name === 'looks' ? 'materials' : name)));
+    || (code === 'ATTRIBUTE_NOT_CARRIED'
+      && message.includes(name === 'looks' ? 'materials' : name)));
   return [...before.holds].filter((name) => !written.holds.has(name) && !isSaid(name))
     .map((name) => `${name}: in the input, not written, nothing said`);
 }

@@ -68,7 +68,8 @@ export default {
   'option.textures': 'Texturen',
   'option.textureSize': 'Texturgröße',
   'option.textureFormat': 'Texturformat',
-  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; drop: weglassen; bake (in glTF): neue '
+  'help.textures': 'keep: die Texturkoordinaten, entlang ihrer Nähte; drop: weglassen; bake '
+    + '(in glTF): neue '
     + 'Texturen, von den alten abgemalt, sodass Nähte keine Punkte kosten',
   'help.textureSize': 'der neuen Texturen, an einer Seite; ohne Angabe so fein wie die des '
     + 'Originals, bis 4096',
@@ -96,10 +97,12 @@ export default {
   'help.dropBelow': 'kleinere Stücke weglassen; auto: was klein ist und abseits vom Rest schwebt',
   'help.dropHidden': 'Dreiecke weglassen, die von außen niemand sieht; alle anderen bleiben, wie '
     + 'sie sind',
-  'warning.RIMS_CLOSED': 'Schleifen, die gewollt aussehen, wurden geschlossen; mit „Ränder behalten“ '
+  'warning.RIMS_CLOSED': 'Schleifen, die gewollt aussehen, wurden geschlossen; mit „Ränder '
+    + 'behalten“ '
     + 'bleiben sie offen.',
   'warning.RIMS_LEFT_OPEN': 'Schleifen, die gewollt aussehen, blieben offen.',
-  'warning.RIMS_NOT_KEPT': 'Ein Gitter hat die Fläche neu gemacht, und es lässt keine Schleife offen.',
+  'warning.RIMS_NOT_KEPT': 'Ein Gitter hat die Fläche neu gemacht, und es lässt keine '
+    + 'Schleife offen.',
   'warning.SHEETS_MADE_BODIES': 'Aus Blättern wurden geschlossene Körper.',
   'warning.SHEETS_NOT_MADE_BODIES': 'Aus Blättern wurden nicht die verlangten Körper: ihre Seiten '
     + 'schneiden sich so, dass sie nicht exakt zu trennen sind.',
@@ -107,7 +110,8 @@ export default {
   'warning.PIECES_DROPPED': 'Kleine Stücke wurden weggelassen, wie verlangt.',
   'warning.SHAPE_NOT_PREFERRED': 'Punkte nach der Form ließen Dreiecke der reparierten Fläche sich '
     + 'schneiden: es wurden gleichmäßige Dreiecke.',
-  'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie verlangt.',
+  'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie '
+    + 'verlangt.',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
   'landmark.selfIntersections': '{count} Dreiecke schneiden andere',

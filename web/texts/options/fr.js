@@ -69,7 +69,8 @@ export default {
   'option.textures': 'Textures',
   'option.textureSize': 'Taille des textures',
   'option.textureFormat': 'Format des textures',
-  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; drop : les omettre ; bake (en '
+  'help.textures': 'keep : les coordonnées de texture, le long de leurs coutures ; drop : '
+    + 'les omettre ; bake (en '
     + 'glTF) : de nouvelles textures, peintes d’après les anciennes, si bien que les coutures ne '
     + 'coûtent aucun point',
   'help.textureSize': 'des nouvelles textures, d’un côté ; sans indication aussi fine que celle de '
@@ -89,16 +90,20 @@ export default {
   'option.unite': 'Réunir',
   'option.dropBelow': 'Omettre le petit',
   'option.dropHidden': 'Omettre le caché',
-  'help.keepRims': 'les boucles qui semblent voulues restent ouvertes : les rondes, et les droites où '
+  'help.keepRims': 'les boucles qui semblent voulues restent ouvertes : les rondes, et les '
+    + 'droites où '
     + 'finissent des parois',
-  'help.thickness': 'les feuilles deviennent des corps de cette épaisseur, une moitié de chaque côté',
+  'help.thickness': 'les feuilles deviennent des corps de cette épaisseur, une moitié de '
+    + 'chaque côté',
   'help.base': 'un relief ouvert, comme un terrain, reçoit des parois verticales et un fond plat, '
     + 'situé à cette épaisseur sous son point le plus bas',
   'help.unite': 'les maillages d’un fichier deviennent une seule surface, avec leurs matériaux',
   'help.dropBelow': 'omettre les pièces plus petites ; auto : ce qui est petit et flotte à l’écart',
-  'help.dropHidden': 'omettre les triangles que personne ne voit de l’extérieur ; les autres restent '
+  'help.dropHidden': 'omettre les triangles que personne ne voit de l’extérieur ; les autres '
+    + 'restent '
     + 'tels quels',
-  'warning.RIMS_CLOSED': 'Des boucles qui semblent voulues ont été fermées ; « garder les bords » les '
+  'warning.RIMS_CLOSED': 'Des boucles qui semblent voulues ont été fermées ; « garder les '
+    + 'bords » les '
     + 'laisse ouvertes.',
   'warning.RIMS_LEFT_OPEN': 'Des boucles qui semblent voulues sont restées ouvertes.',
   'warning.RIMS_NOT_KEPT': 'Une grille a refait la surface, et ne laisse aucune boucle ouverte.',
