@@ -203,7 +203,7 @@ bool hasAny(const Part& part, const VertexPool& pool, const char* semantic) {
 // ones.
 std::vector<VertexPool> paintedPools(const Part& part, std::vector<VertexPool> pools) {
   for (VertexPool& pool : pools) {
-    std::erase_if(pool.accessors, [](const auto& entry) {
+    std::erase_if(pool.accessors, [&](const auto& entry) {
       const std::string own = entry.first.substr(entry.first.find('/') + 1);
       const bool isOfLook =
           own == "TANGENT" || own.starts_with("TEXCOORD_") || own.starts_with("COLOR_");
