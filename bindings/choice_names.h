@@ -28,8 +28,15 @@ inline constexpr Names<Textures, 3> kTextures = {
     {{"auto", Textures::Auto}, {"keep", Textures::Keep}, {"bake", Textures::Bake}}};
 inline constexpr Names<TextureFormat, 3> kTextureFormats = {
     {{"png", TextureFormat::Png}, {"jpeg", TextureFormat::Jpeg}, {"webp", TextureFormat::Webp}}};
-inline constexpr Names<Symmetry, 2> kSymmetries = {
-    {{"auto", Symmetry::Auto}, {"off", Symmetry::Off}}};
+inline constexpr Names<Symmetry, 9> kSymmetries = {{{"auto", Symmetry::Auto},
+                                                    {"off", Symmetry::Off},
+                                                    {"x", Symmetry::X},
+                                                    {"y", Symmetry::Y},
+                                                    {"z", Symmetry::Z},
+                                                    {"xy", Symmetry::XY},
+                                                    {"xz", Symmetry::XZ},
+                                                    {"yz", Symmetry::YZ},
+                                                    {"xyz", Symmetry::XYZ}}};
 inline constexpr Names<Repair, 5> kRepairs = {{{"off", Repair::Off},
                                                {"holes", Repair::Holes},
                                                {"solid", Repair::Solid},

@@ -41,6 +41,20 @@ val objectFrom(const QuadReport& quads) {
   result.set("scaledJacobian", jacobian);
   result.set("edgeVariation", quads.edgeVariation);
   result.set("symmetry", double(quads.symmetry));
+  val loops = val::object(), paired = val::array();
+  loops.set("count", double(quads.loops.count));
+  loops.set("longest", quads.loops.longest);
+  loops.set("selfCrossing", quads.loops.selfCrossing);
+  for (const PairedPart& part : quads.paired) {
+    val one = val::object(), at = val::array();
+    for (const double x : part.at) at.call<void>("push", x);
+    one.set("at", at);
+    one.set("quads", double(part.quads));
+    paired.call<void>("push", one);
+  }
+  result.set("loops", loops);
+  result.set("parts", double(quads.parts));
+  result.set("paired", paired);
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include "jobs/checks/whole_steps.h"
 #include "jobs/part_repair.h"
 #include "remesh/quads/quads.h"
-#include "remesh/schemes/mirror_door.h"
+#include "remesh/schemes/quads_door.h"
 
 namespace remesher {
 namespace {
@@ -31,13 +31,15 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>&, const std::ve
   return {};
 }
 
+std::vector<Warning> pairedParts(const QuadReport&, const std::vector<io::Part>&) { return {}; }
+
 MadeQuads makeQuads(const QuadGoal&, const TriangleMaker&) { refuse("The making of quads"); }
 
 std::size_t wholeCount(const QuadMesh&, const Mirrors&) { return 0; }
 
-std::optional<RemeshOutcome> remeshIfMirrored(const TriangleMesh&, const RemeshOptions&,
-                                              const HalfRemesher&) {
-  return {};
+RemeshOutcome remeshAsQuads(const TriangleMesh&, const Welding&, const RemeshOptions&,
+                            const PlainRemesher&, const Progress&) {
+  refuse("The making of quads");
 }
 
 std::optional<std::vector<Vec3>> inWholeSteps(const TriangleMesh&, const WholeSteps&) { return {}; }

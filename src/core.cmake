@@ -161,6 +161,7 @@ set(small
   src/jobs/parts/part_scale.cpp
   src/jobs/parts/part_targets.cpp
   src/jobs/parts/part_unions.cpp
+  src/jobs/parts/quad_diagonals.cpp
   src/jobs/repair_words.cpp
   src/jobs/scene_run.cpp
   src/measure/distance_bound.cpp
@@ -255,6 +256,7 @@ set(small
   src/remesh/schemes/isotropic.cpp
   src/remesh/schemes/land.cpp
   src/remesh/schemes/mirrored.cpp
+  src/remesh/schemes/part_by_part.cpp
   src/remesh/schemes/plan.cpp
   src/remesh/schemes/remesh.cpp
   src/remesh/schemes/rounds.cpp
@@ -267,10 +269,13 @@ set(small
   src/remesh/steps/left_out.cpp
   src/remesh/steps/split_obtuse.cpp
   src/remesh/steps/subdivide.cpp
+  src/remesh/symmetry/forced_planes.cpp
   src/remesh/symmetry/half.cpp
   src/remesh/symmetry/joined.cpp
   src/remesh/symmetry/mirror_planes.cpp
+  src/remesh/symmetry/mirrored_edges.cpp
   src/remesh/symmetry/mirroring.cpp
+  src/remesh/symmetry/own_mirrors.cpp
   src/remesh/transfer/attribute_transfer.cpp
   src/remesh/transfer/chart_keeper.cpp
   src/remesh/transfer/input_attributes.cpp
@@ -324,5 +329,5 @@ set(doors
   src/jobs/checks/whole_steps.cpp
   src/jobs/part_repair.cpp
   src/remesh/quads/quads.cpp
-  src/remesh/schemes/mirror_door.cpp
+  src/remesh/schemes/quads_door.cpp
 )

@@ -12,6 +12,7 @@
 #include "jobs/mending.h"
 #include "jobs/parts/part_joining.h"
 #include "jobs/parts/part_report.h"
+#include "jobs/parts/quad_diagonals.h"
 #include "jobs/run_guards.h"
 #include "jobs/scene_run.h"
 
@@ -59,6 +60,7 @@ RemeshSceneResult remeshScene(std::vector<PlacedMesh> scene, const RemeshOptions
     parts.back().finer = std::move(placed.finer);
   }
   parts = joinedPlaces(std::move(parts), options.weld);
+  if (options.quads) parts = cutAlongShorter(std::move(parts));
   const std::vector<Warning> settled = settleAttributes(parts);
   const Progress whole = progress.timedBy(clock);
   const double mended = mendShare(options);
@@ -102,6 +104,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options.weld);
+    if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     const Progress body = whole.part(mended, 1);

@@ -62,6 +62,7 @@ add_executable(unit_tests
   tests/unit/jobs/parts/part_scale_test.cpp
   tests/unit/jobs/parts/part_targets_test.cpp
   tests/unit/jobs/parts/part_unions_test.cpp
+  tests/unit/jobs/parts/quad_diagonals_test.cpp
   tests/unit/main.cpp
   tests/unit/measure/edge_report_test.cpp
   tests/unit/measure/hausdorff_test.cpp
@@ -151,6 +152,8 @@ add_executable(unit_tests
   tests/unit/remesh/schemes/chooser_test.cpp
   tests/unit/remesh/schemes/curve_choice_test.cpp
   tests/unit/remesh/schemes/follow_test.cpp
+  tests/unit/remesh/schemes/mirrored_test.cpp
+  tests/unit/remesh/schemes/part_by_part_test.cpp
   tests/unit/remesh/schemes/remesh_test.cpp
   tests/unit/remesh/schemes/rounds_test.cpp
   tests/unit/remesh/schemes/targets_test.cpp
@@ -163,8 +166,10 @@ add_executable(unit_tests
   tests/unit/remesh/steps/relax_test.cpp
   tests/unit/remesh/steps/subdivide_test.cpp
   tests/unit/remesh/steps/sweeps_test.cpp
+  tests/unit/remesh/symmetry/forced_planes_test.cpp
   tests/unit/remesh/symmetry/half_test.cpp
   tests/unit/remesh/symmetry/mirror_planes_test.cpp
+  tests/unit/remesh/symmetry/mirrored_edges_test.cpp
   tests/unit/remesh/symmetry/mirroring_test.cpp
   tests/unit/remesh/transfer/chart_keeper_test.cpp
   tests/unit/remesher_test.cpp

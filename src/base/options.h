@@ -22,7 +22,13 @@ enum class Prefer { Auto, Even, Shape };  // even triangles, or vertices where s
 // surface.
 enum class Textures { Auto, Keep, Bake };
 enum class TextureFormat { Png, Jpeg, Webp };
-enum class Symmetry { Auto, Off };  // of quads: mirrored exactly where the input is mirrored
+// Of quads: mirrored exactly where the input is mirrored, or never, or about planes at right angles
+// to these axes, whatever the input is.
+enum class Symmetry { Auto, Off, X, Y, Z, XY, XZ, YZ, XYZ };
+// Whether the caller names the planes.
+inline bool isForced(Symmetry symmetry) {
+  return symmetry != Symmetry::Auto && symmetry != Symmetry::Off;
+}
 enum class Repair { Off, Holes, Solid, Wrap, Auto };  // what is mended before remeshing
 enum class Sheets { Thicken, Drop };                  // what wrap does with open sheets
 enum class TooFew { Refuse, Raise };                  // for a target below what the surface needs

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/options.h"
+#include "base/paired_part.h"
 #include "base/types.h"
 
 namespace remesher {
@@ -33,6 +34,7 @@ struct AngleStatistics {
 // |angle − 90°| over all corners. scaledJacobian: of each quad's worst corner, 1 in a square,
 // negative in a fold. edgeVariation: standard deviation of the edge lengths over their mean.
 // symmetry: planes about which the quads were made their own mirror images, in all parts together.
+// parts: connected ones; paired: those of them for which no map to squares was found.
 struct QuadReport {
   struct Deviation {
     double mean = 0, p95 = 0, worst = 0;
@@ -40,12 +42,22 @@ struct QuadReport {
   struct Jacobian {
     double min = 0, mean = 0;
   };
+  // Loops go from each quad to the one across the opposite side, until they close or come to a
+  // boundary. longest: percent of all edges that one loop crosses; selfCrossing: percent of the
+  // quads in which a loop crosses itself.
+  struct Loops {
+    std::size_t count = 0;
+    double longest = 0, selfCrossing = 0;
+  };
   std::size_t count = 0;
   std::size_t irregular = 0;
   Deviation angleDeviation;
   Jacobian scaledJacobian;
   double edgeVariation = 0;
   std::size_t symmetry = 0;
+  Loops loops;
+  std::size_t parts = 0;
+  std::vector<PairedPart> paired = {};
 };
 
 struct MeshReport {

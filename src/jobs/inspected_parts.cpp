@@ -23,6 +23,10 @@ std::vector<io::Part> InspectedParts::unscaled(std::vector<io::Part> results) co
   return scale_.isNeeded() ? scale_.undone(std::move(results), given_) : results;
 }
 
+Vec3 InspectedParts::given(std::size_t part, const Vec3& p) const {
+  return scale_.isNeeded() ? scale_.undone(part, p) : p;
+}
+
 MeshReport inspectScaled(const std::vector<io::Part>& parts) {
   return InspectedParts(parts).report();
 }

@@ -28,6 +28,8 @@ class InspectedParts {
 
   // Results at the sizes and places of the given parts.
   std::vector<io::Part> unscaled(std::vector<io::Part> results) const;
+  // A place on a part's result, likewise.
+  Vec3 given(std::size_t part, const Vec3& p) const;
 
  private:
   const std::vector<io::Part>& given_;

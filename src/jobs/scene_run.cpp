@@ -52,7 +52,8 @@ void take(SceneRun& run, std::size_t part, RemeshOutcome& outcome, RoundedMesh r
   if (outcome.stopped != Stopped::Target) run.report.stopped = outcome.stopped;
   run.report.prefer[part] = outcome.prefer;
   run.report.chosen[part] = outcome.chosen;
-  run.mirrors += outcome.mirrors;
+  run.mirrors += outcome.mirrors.size();
+  run.quadParts += outcome.quadParts;
 }
 
 // Keeps a part that is no surface.
@@ -118,6 +119,8 @@ class SurfaceRuns {
     std::vector<RemeshOutcome> parted = unions_.parted(surface, std::move(made.outcome));
     for (std::size_t k = 0; k < parted.size(); ++k) {
       const TriangleMesh& original = originals_.parts()[members[k]].mesh;
+      for (const PairedPart& paired : parted[k].paired)
+        run_.paired.push_back({originals_.given(members[k], paired.at), paired.quads});
       take(run_, members[k], parted[k], roundedOutcome(original, parted[k], options_.repair));
       const bool isKnown = parted.size() == 1 && options_.repair == Repair::Off;
       run_.crossings[members[k]] = isKnown ? std::move(made.crossings)
@@ -138,7 +141,11 @@ class SurfaceRuns {
 void measure(SceneRun& run, const InspectedParts& originals, const RemeshOptions& options,
              std::optional<ListedTree> tree) {
   run.report.output = inspectParts(run.parts, weldingsOf(run.parts), placesOf(run.parts));
-  if (run.report.output->quads) run.report.output->quads->symmetry = run.mirrors;
+  if (std::optional<QuadReport>& quads = run.report.output->quads) {
+    quads->symmetry = run.mirrors;
+    quads->parts = run.quadParts;
+    quads->paired = run.paired;
+  }
   if (run.parts.empty()) return;
   // Only the two-sided distance shows whether a bound is kept.
   const bool isGlimpsed = options.quality == Quality::Draft && !options.maxError;
@@ -162,6 +169,9 @@ SceneRun remeshInspected(const InspectedParts& originals, const RemeshOptions& w
       joined(std::move(run.report.warnings), resultWarnings(run.report, run.parts, wanted));
   run.report.warnings =
       joined(std::move(run.report.warnings), bordersOffGiven(originals.parts(), run.parts));
+  if (run.report.output->quads)
+    run.report.warnings =
+        joined(std::move(run.report.warnings), pairedParts(*run.report.output->quads, run.parts));
   return run;
 }
 

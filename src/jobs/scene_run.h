@@ -18,7 +18,8 @@ struct SceneRun {
   std::vector<std::vector<InputPlace>> places;  // of each part's corners, where textures are baked
   std::vector<std::vector<Index>> crossings;    // per part, see crossingsMade
   Report report;
-  std::size_t mirrors = 0;  // of all parts; see RemeshOutcome
+  std::size_t mirrors = 0, quadParts = 0;  // of all parts; see RemeshOutcome
+  std::vector<PairedPart> paired;          // likewise
 };
 
 // Remeshes parts of any size; the options' levels of detail are left out. Throws the Errors of

@@ -18,6 +18,7 @@ class QuadStatistics {
 
  private:
   std::size_t count_ = 0, irregular_ = 0;
+  std::size_t loops_ = 0, longest_ = 0, edges_ = 0, selfCrossing_ = 0;
   std::vector<double> deviations_;  // of each corner, degrees
   std::vector<double> worstSines_;  // of each quad
   std::vector<double> lengths_;     // of each side

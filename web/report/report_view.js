@@ -33,6 +33,8 @@ const quadRows = [
   ['report.deviationMost', ({ angleDeviation }) => degrees(angleDeviation.p95)],
   ['report.deviationWorst', ({ angleDeviation }) => degrees(angleDeviation.worst)],
   ['report.jacobian', ({ scaledJacobian }) => decimal(scaledJacobian.min)],
+  ['report.loops', ({ loops }) => count(loops.count)],
+  ['report.longestLoop', ({ loops }) => share(loops.longest)],
   ['report.symmetry', ({ symmetry }) => (symmetry > 0 ? count(symmetry) : '–')],
 ];
 

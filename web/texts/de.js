@@ -95,6 +95,8 @@ export default {
   'report.deviationMost': 'Winkel neben 90°, 95 % in',
   'report.deviationWorst': 'Winkel neben 90°, größter',
   'report.jacobian': 'Kleinste skalierte Jacobi',
+  'report.loops': 'Ringe von Vierecken',
+  'report.longestLoop': 'Kanten, die der längste kreuzt',
   'report.symmetry': 'Ebenen, die spiegeln',
   'dots': 'Tupfen: Vierecke um einen Punkt:',
   'dots.three': '3',
@@ -402,12 +404,15 @@ export default {
   'warning.PARTS_MERGED': 'Eine Datei dieses Formats ist ein einziger Körper: Teile und '
     + 'Materialien gehen darin auf.',
   'warning.PASSED_ON': 'Netze ohne Fläche wurden weitergegeben, wie sie sind.',
+  'warning.QUADS_MADE_SYMMETRIC': 'Die Vierecke sind gespiegelt: die Seite mit mehr Fläche gilt.',
   'warning.QUADS_NUMBER_MISSED': 'Die Zahl der Punkte ist verfehlt: nähere Zahlen kosten '
     + 'unregelmäßige '
     + 'Punkte oder waren nicht möglich.',
   'warning.QUADS_OFF_BORDER': 'Der Rand der Vierecke liegt nicht überall auf dem gegebenen.',
   'warning.QUADS_PAIRED': 'Für Teile wurde keine Abbildung auf Quadrate gefunden: ihre Vierecke '
     + 'sind geteilte Paare von Dreiecken.',
+  'warning.QUADS_SYMMETRY_LOST': 'Ebenen spiegeln das Modell, aber nicht alle spiegeln die '
+    + 'Vierecke.',
   'warning.RESOURCE_NOT_GIVEN': 'Eine Datei, auf die das Modell verweist, war nicht dabei.',
   'warning.SCRAPS_REMOVED': 'Dreiecke wurden entfernt: von kleinen offenen Komponenten, solche, '
     + 'die neben einem Loch nur in einem Punkt an der Fläche hängen, und doppelte.',

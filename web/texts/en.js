@@ -91,6 +91,8 @@ export default {
   'report.deviationMost': 'Angles off 90°, 95 % within',
   'report.deviationWorst': 'Angles off 90°, worst',
   'report.jacobian': 'Smallest scaled Jacobian',
+  'report.loops': 'Loops of quads',
+  'report.longestLoop': 'Edges that the longest crosses',
   'report.symmetry': 'Mirrored by planes',
   'dots': 'Dots: quads around a vertex:',
   'dots.three': '3',

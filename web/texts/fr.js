@@ -96,6 +96,8 @@ export default {
   'report.deviationMost': 'Écart à 90°, 95 % en deçà de',
   'report.deviationWorst': 'Écart à 90°, le pire',
   'report.jacobian': 'Plus petit jacobien normalisé',
+  'report.loops': 'Boucles de quadrilatères',
+  'report.longestLoop': 'Arêtes que la plus longue croise',
   'report.symmetry': 'Plans de symétrie',
   'dots': 'Points : quadrilatères autour d’un sommet :',
   'dots.three': '3',
@@ -418,6 +420,8 @@ export default {
     + 'l’original ne se coupe pas.',
   'warning.SHAPE_LOST_TO_ROUNDING': 'Le modèle est plus petit que l’arrondi des nombres si loin '
     + 'de l’origine. Déplacez-le d’abord à l’origine.',
+  'warning.QUADS_MADE_SYMMETRIC': 'Les quadrilatères sont symétriques : le côté qui a le plus de '
+    + 'surface fait foi.',
   'warning.QUADS_NUMBER_MISSED': 'Le nombre de points est manqué : un nombre plus proche '
     + 'coûterait des '
     + 'points irréguliers ou n’était pas possible.',
@@ -425,6 +429,8 @@ export default {
     + 'donné.',
   'warning.QUADS_PAIRED': 'Pour des parties, aucune carte vers des carrés n’a été trouvée : leurs '
     + 'quadrilatères sont des paires de triangles divisées.',
+  'warning.QUADS_SYMMETRY_LOST': 'Le modèle a des plans de symétrie, mais les quadrilatères ne les '
+    + 'ont pas tous.',
   'warning.SPIKES_LEFT_COARSE': 'Des points qui dépassent de loin tiennent par des aiguilles ; '
     + 'celles-ci reçoivent peu de points.',
   'warning.SURFACE_OPENED': 'Le résultat a des arêtes ouvertes, alors que l’original était fermé.',

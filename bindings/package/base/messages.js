@@ -156,6 +156,13 @@
  * @property {number} edgeVariation The standard deviation of the edges’ lengths over their mean.
  * @property {number} symmetry Of a result: the planes about which quads were made their own mirror
  *   images, in all meshes together.
+ * @property {{ count: number, longest: number, selfCrossing: number }} loops Loops of quads go from
+ *   each quad to the one across the opposite side: how many there are; percent of all edges that
+ *   the longest crosses; percent of the quads in which a loop crosses itself.
+ * @property {number} parts Of a result: connected parts.
+ * @property {{ at: [number, number, number], quads: number }[]} paired Of a result: the connected
+ *   parts for which no map to squares was found, each with a place and its number of quads, which
+ *   are divided pairs of triangles.
  */
 
 /**

@@ -8,7 +8,7 @@ const counted = (count, thing) => `${count} ${thing}${count === 1 ? '' : 's'}`;
 
 /** @param {import('../base/messages.js').QuadReport} quads */
 function quadsInWords({
-  count, irregular, angleDeviation, scaledJacobian, edgeVariation, symmetry,
+  count, irregular, angleDeviation, scaledJacobian, edgeVariation, symmetry, loops,
 }) {
   return [
     `  ${count} quads, irregular vertices ${irregular}; off 90°: mean `
@@ -16,6 +16,8 @@ function quadsInWords({
       + `${angleDeviation.worst.toFixed(1)}°`,
     `  scaled Jacobian: worst ${scaledJacobian.min.toFixed(2)}, mean `
       + `${scaledJacobian.mean.toFixed(2)}; edge lengths vary by ${edgeVariation.toFixed(2)}`,
+    `  ${counted(loops.count, 'loop')} of quads, the longest across ${loops.longest.toFixed(1)} % `
+      + `of the edges; loops cross themselves in ${loops.selfCrossing.toFixed(1)} % of the quads`,
     ...(symmetry > 0 ? [`  mirrored exactly about ${counted(symmetry, 'plane')}`]
       : []),
   ];

@@ -89,4 +89,18 @@ std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
   return {{"QUADS_OFF_BORDER", text, all.corners + all.closed, all.first}};
 }
 
+std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result) {
+  if (quads.paired.empty()) return {};
+  const auto largest =
+      std::max_element(quads.paired.begin(), quads.paired.end(),
+                       [](const PairedPart& a, const PairedPart& b) { return a.quads < b.quads; });
+  std::string text = "No map to squares was found for " + std::to_string(quads.paired.size()) +
+                     " of " + std::to_string(quads.parts) +
+                     " connected parts: their quads are pairs of triangles, divided, with more "
+                     "irregular vertices. The largest has " +
+                     std::to_string(largest->quads) + " quads, near (";
+  text.append(placeInWords(largest->at, result)).append(").");
+  return {{"QUADS_PAIRED", text, quads.paired.size(), largest->at}};
+}
+
 }  // namespace remesher

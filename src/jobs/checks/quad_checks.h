@@ -14,4 +14,7 @@ namespace remesher {
 std::vector<Warning> bordersOffGiven(const std::vector<io::Part>& given,
                                      const std::vector<io::Part>& result);
 
+// QUADS_PAIRED for the connected parts without a map to squares.
+std::vector<Warning> pairedParts(const QuadReport& quads, const std::vector<io::Part>& result);
+
 }  // namespace remesher

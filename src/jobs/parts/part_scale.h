@@ -30,6 +30,9 @@ class PartScale {
   std::vector<io::Part> undone(std::vector<io::Part> parts,
                                const std::vector<io::Part>& originals) const;
 
+  // A place on such a part.
+  Vec3 undone(std::size_t part, const Vec3& p) const { return p / local_[part] + origins_[part]; }
+
   // Where the part's first place shows a point in the world; the part is an applied one if scaling
   // is needed.
   Vec3 inWorld(const io::Part& part, const Vec3& p) const;

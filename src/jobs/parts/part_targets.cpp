@@ -42,6 +42,11 @@ PartTargets::PartTargets(const std::vector<io::Part>& parts, const std::vector<P
                 "density and featureEdges need a file with one mesh, not with " +
                     std::to_string(parts.size()) + ".",
                 "Give the meshes one by one.");
+  if (parts.size() > 1 && options.quads && isForced(options.symmetry))
+    throw Error(ErrorCode::InvalidOption,
+                "symmetry names planes, which go through the middle of one mesh; the file has " +
+                    std::to_string(parts.size()) + ".",
+                "Join the meshes to one, or use symmetry: auto.");
   // A single part does not share.
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double area = parts.size() > 1 ? places[i].area : 1;

@@ -32,6 +32,8 @@ constexpr std::size_t kLeastForMap = 5000;
 // And no more than so many per vertex of the quads, so that work stays in proportion: of few quads
 // each has a hundred triangles then.
 constexpr std::size_t kMostForMap = 50;
+// Of one of many parts: together they take hardly more than a whole.
+constexpr std::size_t kMostForPart = 12;
 // A part that is not the last may miss its share by this much before single quads go: the parts
 // after it make up for it.
 constexpr double kFreeOfPart = 0.25;
@@ -110,10 +112,16 @@ QuadMesh pairsOf(const WorkingMesh& mesh, double length) {
 // As many vertices as a triangle has that is divided into quads at its middle.
 constexpr std::size_t kFewestOfPairs = 7;
 
+void appendPairs(MadeQuads& made, const QuadMesh& pairs) {
+  if (!pairs.quads.empty())
+    made.paired.push_back({pairs.position(pairs.quads.front()[0]), pairs.quads.size()});
+  append(made.mesh, pairs);
+}
+
 // Makes quads by pairs, not yet shaped, of the parts that get too few vertices for fewer triangles
 // to do; they leave the shares. What they take beyond theirs is taken from the others' shares.
-QuadMesh pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>& parts) {
-  QuadMesh quads;
+MadeQuads pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>& parts) {
+  MadeQuads quads{{}, parts.size()};
   std::vector<PartShare> others;
   double whole = 0, left = 0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -121,13 +129,13 @@ QuadMesh pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>
     const bool isTiny =
         shares[i].vertices < kFewestOfPairs && parts[i].mesh().vertexCount() <= kFewestOfPairs;
     if (isTiny) {
-      append(quads, pairsOf(parts[i], std::sqrt(areaOf(parts[i]) / shares[i].vertices)));
+      appendPairs(quads, pairsOf(parts[i], std::sqrt(areaOf(parts[i]) / shares[i].vertices)));
       continue;
     }
     left += shares[i].vertices;
     others.push_back(shares[i]);
   }
-  const double rest = std::max(whole - double(quads.vertices.size()), left / 2);
+  const double rest = std::max(whole - double(quads.mesh.vertices.size()), left / 2);
   for (PartShare& share : others) share.vertices *= rest / left;
   shares = std::move(others);
   return quads;
@@ -135,12 +143,12 @@ QuadMesh pairTiny(std::vector<PartShare>& shares, const std::vector<WorkingMesh>
 
 // Makes quads by pairs, not yet shaped, for the parts with these numbers. How many triangles stay
 // single is not known before: so the number of triangles is corrected, up to three meshes in all.
-QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
-                   const TriangleMaker& triangles) {
+MadeQuads pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
+                    const TriangleMaker& triangles) {
   double share = 0;
   for (const PartShare& one : wanted) share += one.vertices;
   std::size_t coarse = std::max<std::size_t>(vertices / 4, 4);
-  QuadMesh quads;
+  MadeQuads quads;
   for (int i = 0; i < 3; ++i) {
     WorkingMesh mesh = triangles(coarse);
     openSectors(mesh);
@@ -151,10 +159,11 @@ QuadMesh pairParts(const std::vector<PartShare>& wanted, std::size_t vertices,
       const auto isIt = [&](const PartShare& one) { return one.number == number; };
       const auto found = std::find_if(wanted.begin(), wanted.end(), isIt);
       if (found == wanted.end()) continue;
-      append(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices)));
+      appendPairs(quads, pairsOf(part, std::sqrt(areaOf(part) / found->vertices)));
     }
-    if (std::abs(double(quads.vertices.size()) / share - 1) <= kCountTolerance / 2) break;
-    const double factor = share / double(quads.vertices.size());
+    const auto count = double(quads.mesh.vertices.size());
+    if (std::abs(count / share - 1) <= kCountTolerance / 2) break;
+    const double factor = share / count;
     const auto next = std::size_t(std::max(4.0, std::round(double(coarse) * factor)));
     if (next == coarse) break;
     coarse = next;
@@ -188,8 +197,9 @@ class QuadMaking {
       // none.
       const bool isLast = best && share == above && goal_.isExact;
       const bool isMet = best && missedBy(*best) <= (goal_.isExact ? 0 : kCountTolerance);
-      if (isMet && (isLast || best->paired > 0 || best->collapsed == 0)) break;
-      if (best && best->paired > 0 && (share == above || (isHalf && best->paired == best->parts)))
+      if (isMet && (isLast || !best->paired.empty() || best->collapsed == 0)) break;
+      if (best && !best->paired.empty() &&
+          (share == above || (isHalf && best->paired.size() == best->parts)))
         break;
       MadeQuads one = made(share);
       if (!best || lackOf(one) < lackOf(*best)) best = std::move(one);
@@ -206,8 +216,8 @@ class QuadMaking {
 
   static std::size_t firstCount(const QuadGoal& goal) {
     const std::size_t dense = goal.vertices >> goal.mirrors.planes.size();
-    const std::size_t least =
-        std::min(kLeastForMap >> goal.mirrors.planes.size(), kMostForMap * dense);
+    const std::size_t least = std::min(kLeastForMap >> goal.mirrors.planes.size(),
+                                       (goal.isPart ? kMostForPart : kMostForMap) * dense);
     return std::max(std::size_t(double(dense) * (goal.isDraft ? 0.5 : kOfQuads)), least);
   }
 
@@ -222,7 +232,7 @@ class QuadMaking {
   std::array<double, 4> lackOf(const MadeQuads& made) const {
     const double missed = missedBy(made);
     const bool isFar = missed > (goal_.isExact ? 0 : kFreeTolerance);
-    return {double(isFar), double(made.paired), double(made.collapsed),
+    return {double(isFar), double(made.paired.size()), double(made.collapsed),
             std::max(missed, kCountTolerance)};
   }
 
@@ -230,7 +240,7 @@ class QuadMaking {
   // vertices their pairs take is known only then, and the others share the rest.
   MadeQuads made(double share) {
     std::vector<PartShare> shares = sharesOf(bases_.parts(), share * expected_, goal_.isGraded);
-    MadeQuads result{pairTiny(shares, bases_.parts()), bases_.parts().size()};
+    MadeQuads result = pairTiny(shares, bases_.parts());
     shape(result.mesh, bases_.first());
     std::vector<PartShare> failed;
     std::vector<Mapped> mapped;
@@ -241,12 +251,12 @@ class QuadMaking {
       else
         mapped.push_back({one, std::move(quads)});
     }
-    result.paired = result.parts - mapped.size();
     if (!failed.empty()) {
       const auto vertices = std::size_t(std::ceil(share * expected_));
-      QuadMesh pairs = pairParts(failed, vertices, triangles_);
-      shape(pairs, bases_.first());
-      append(result.mesh, pairs);
+      MadeQuads pairs = pairParts(failed, vertices, triangles_);
+      shape(pairs.mesh, bases_.first());
+      append(result.mesh, pairs.mesh);
+      result.paired.insert(result.paired.end(), pairs.paired.begin(), pairs.paired.end());
     }
     if (mapped.empty()) {
       const CountGoal count{goal_.vertices, goal_.isExact, goal_.mirrors, 0};

@@ -7,14 +7,15 @@
 #include <functional>
 
 #include "base/options.h"
+#include "base/paired_part.h"
 #include "remesh/quads/mesh/quad_mesh.h"
 
 namespace remesher {
 
 struct MadeQuads {
   QuadMesh mesh;
-  std::size_t parts = 0;      // connected parts
-  std::size_t paired = 0;     // of them, those made of pairs of triangles
+  std::size_t parts = 0;  // connected parts
+  std::vector<PairedPart> paired = {};
   std::size_t collapsed = 0;  // quads taken out to reach the number
 };
 
@@ -35,6 +36,7 @@ struct QuadGoal {
   Mirrors mirrors = {};      // the mesh is a half of the whole, cut off along these planes
   bool isGraded = false;     // sizes of quads vary as those of the triangles
   bool isDraft = false;      // on fewer triangles, and lost tips stay lost
+  bool isPart = false;       // one of several connected parts: on fewer triangles
 };
 
 // The number of vertices of the whole: those on a plane are their own image.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "base/place.h"
@@ -13,40 +14,59 @@
 #include "remesh/schemes/curve_choice.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/targets.h"
+#include "remesh/symmetry/forced_planes.h"
 #include "remesh/symmetry/joined.h"
 #include "remesh/symmetry/mirror_planes.h"
+#include "remesh/symmetry/mirrored_edges.h"
 
 namespace remesher {
 
 namespace {
 
 // What the caller painted, marked or keeps may lie on one side only.
-bool mayMirror(const RemeshOptions& options) {
-  return options.quads && options.symmetry == Symmetry::Auto && options.mirrors.planes.empty() &&
-         options.density.empty() && options.featureEdges.empty() &&
-         options.boundary == Boundary::Resample;
+std::string oneSided(const RemeshOptions& options) {
+  if (!options.density.empty()) return "density";
+  if (!options.featureEdges.empty()) return "featureEdges";
+  if (options.boundary != Boundary::Resample) return "boundary: keep";
+  return {};
 }
 
-// Whether the middle of each seam comes to a seam.
-bool areMirrored(const std::vector<Halfedge>& seams, const BuiltMesh& built,
-                 const MirrorPlane& plane, double tolerance) {
-  if (seams.empty()) return true;
-  std::vector<Index> lines;
-  for (const Halfedge h : seams) {
-    const Index from = built.mesh.origin(h).index, to = built.mesh.tip(h).index;
-    lines.insert(lines.end(), {from, to, to});
+// The edges of the whole that are edges of the half as well, by the half's vertices.
+std::vector<VertexPair> edgesIn(const Half& half, const std::vector<VertexPair>& edges,
+                                const TriangleMesh& whole) {
+  const std::vector<Index> first = Welding(whole).first;
+  std::map<Index, Index> numbers;  // of the half, by the whole's
+  const auto ofWhole = [&](Index v) {
+    const InputPlace& place = half.vertices[v];
+    for (Index k = 0; k < 3; ++k)
+      if (place.weights[k] == 1) return first[whole.indices[std::size_t{3} * place.triangle + k]];
+    return kNone;
+  };
+  std::set<VertexPair> known;
+  for (std::size_t i = 0; i < half.mesh.indices.size(); ++i) {
+    const std::size_t t = i / 3 * 3;
+    const Index a = half.mesh.indices[i], b = half.mesh.indices[t + (i + 1) % 3];
+    numbers.try_emplace(ofWhole(a), a);
+    known.insert(std::minmax(ofWhole(a), ofWhole(b)));
   }
-  const TriangleTree tree(built.positions.values(), lines);
-  return std::all_of(seams.begin(), seams.end(), [&](Halfedge h) {
-    const Vec3 ends = built.positions[built.mesh.origin(h)] + built.positions[built.mesh.tip(h)];
-    return tree.nearest(plane.mirrored(ends / 2)).squaredDistance <= tolerance * tolerance;
-  });
+  std::vector<VertexPair> own;
+  for (const auto& [a, b] : edges)
+    if (known.count(std::minmax(a, b)) > 0) own.emplace_back(numbers.at(a), numbers.at(b));
+  return own;
 }
+
+struct Wished {
+  const Mirrors& mirrors;
+  const std::vector<VertexPair>& edges;  // that sides of quads are to follow
+  Kind kind;                             // of surface
+};
 
 // Quads of the half that these planes cut off, joined with their images.
-std::optional<RemeshOutcome> mirroredBy(const Mirrors& mirrors, const InputAttributes& whole,
+std::optional<RemeshOutcome> mirroredBy(const Wished& wished, const InputAttributes& whole,
                                         RemeshOptions options, const HalfRemesher& remeshHalf) {
-  std::optional<Half> half = inFrontOf(mirrors, whole.input());
+  const Mirrors& mirrors = wished.mirrors;
+  std::optional<Half> half = inFrontOf(
+      mirrors, whole.input(), wished.kind == Kind::Any ? InPlane::LeftOut : InPlane::Refused);
   if (!half) return {};
   for (const Attribute& attribute : whole.input().attributes)
     half->mesh.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
@@ -56,53 +76,96 @@ std::optional<RemeshOutcome> mirroredBy(const Mirrors& mirrors, const InputAttri
   options.edgeLength.reset();
   options.tooFew = TooFew::Raise;
   options.mirrors = mirrors;
+  options.featureEdges = edgesIn(*half, wished.edges, whole.input());
   RemeshOutcome made = remeshHalf(half->mesh, options);
-  if (made.stopped != Stopped::Target) return {};
-  std::optional<PlacedQuads> joined =
-      joinedImages({std::move(made.mesh), std::move(made.places)}, *half, mirrors, whole);
+  if (made.stopped != Stopped::Target && wished.kind == Kind::AsGiven) return {};
+  std::optional<PlacedQuads> joined = joinedImages({std::move(made.mesh), std::move(made.places)},
+                                                   *half, {mirrors, wished.kind}, whole);
   if (!joined) return {};
   made.mesh = std::move(joined->mesh);
   made.places.clear();
   if (options.textures == Textures::Bake) made.places = std::move(joined->places);
   made.vertices = countPlaces(made.mesh.positions);
+  std::erase_if(made.warnings, isNumberNote);
   noteNumber(made, {mirrors.vertices, options.exact});
-  made.mirrors = mirrors.planes.size();
+  made.mirrors = mirrors.planes;
   return made;
+}
+
+// Takes away the planes that do not mirror seams and borders of materials onto edges; returns all
+// these edges and their images.
+std::vector<VertexPair> dropUnlessMirrored(std::vector<MirrorPlane>& planes,
+                                           const CurveCandidates& candidates,
+                                           const BuiltMesh& built, double tolerance) {
+  MirroredEdges edges(built, tolerance);
+  edges.add(candidates.seams.edges);
+  edges.add(candidates.seams.borders);
+  std::erase_if(planes, [&](const MirrorPlane& plane) { return !edges.addImages(plane); });
+  return edges.images();
 }
 
 }  // namespace
 
-std::optional<RemeshOutcome> remeshMirrored(const TriangleMesh& input, const RemeshOptions& options,
-                                            const HalfRemesher& remeshHalf) {
-  if (!mayMirror(options)) return {};
+MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
+                               const RemeshOptions& options, const HalfRemesher& remeshHalf) {
+  if (options.symmetry != Symmetry::Auto || !options.mirrors.planes.empty()) return {};
   const Extent extent = extentOf(input);
-  const double wished = options.vertices.value_or(Index(input.positions.size()));
+  const double wanted = options.vertices.value_or(Index(input.positions.size()));
   // The triangles of smooth models are seldom mirrored exactly.
-  const double tolerance = kPlainlyNear * evenEdgeLength(extent.area, wished);
-  Mirrors mirrors{findMirrorPlanes(input, tolerance), kSingleRoundOff * extent.diagonal()};
-  if (mirrors.planes.empty()) return {};
+  const double tolerance = kPlainlyNear * evenEdgeLength(extent.area, wanted);
+  Mirrors mirrors{findMirrorPlanes(input, tolerance, first), kSingleRoundOff * extent.diagonal()};
+  const std::size_t all = mirrors.planes.size();
+  if (all == 0) return {};
+  if (const std::string wish = oneSided(options); !wish.empty())
+    return {{}, all, {}, wish + " may ask for one side only"};
   BuiltMesh built = buildMesh(input);
   mirrors.vertices = targetVertices(built, options);
   std::vector<std::string> chartless;
+  std::vector<VertexPair> edges;
   if (!input.attributes.empty() || !input.groups.empty()) {
     const double size = evenEdgeLength(surfaceArea(built), double(mirrors.vertices));
     CurveCandidates candidates = curveCandidates(built, input, options, size);
-    std::erase_if(mirrors.planes, [&](const MirrorPlane& plane) {
-      return !areMirrored(candidates.seams.edges, built, plane, tolerance) ||
-             !areMirrored(candidates.seams.borders, built, plane, tolerance);
-    });
+    edges = dropUnlessMirrored(mirrors.planes, candidates, built, tolerance);
     chartless = std::move(candidates.seams.chartless);
   }
+  std::string lost = "with more, quads of this number have another surface";
+  if (options.exact) lost = "an exact number of vertices is not to be had with more";
+  if (mirrors.planes.size() < all)
+    lost = "seams or borders of materials are not mirrored onto edges";
+  const std::vector<MirrorPlane> free = mirrors.planes;
   const InputAttributes whole(input, std::move(built), std::move(chartless));
-  // Fewer planes may come nearer to the number; else as many as can be are kept.
+  // Rather a number that is off by a few hundredths than fewer planes.
   std::optional<RemeshOutcome> best;
-  for (; !mirrors.planes.empty(); mirrors.planes.pop_back()) {
-    std::optional<RemeshOutcome> outcome = mirroredBy(mirrors, whole, options, remeshHalf);
-    if (!outcome) continue;
-    if (isMet(outcome->vertices, {mirrors.vertices, options.exact})) return outcome;
-    if (!best) best = std::move(outcome);
-  }
-  return best;
+  for (; !best && !mirrors.planes.empty(); mirrors.planes.pop_back())
+    best = mirroredBy({mirrors, edges, Kind::AsGiven}, whole, options, remeshHalf);
+  return {std::move(best), all, free, std::move(lost)};
+}
+
+RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& options,
+                           const HalfRemesher& remeshHalf) {
+  if (const std::string wish = oneSided(options); !wish.empty())
+    throw Error(ErrorCode::InvalidOption,
+                "symmetry names planes, and " + wish + " may ask for one side only.",
+                "Give one of the two.");
+  BuiltMesh built = buildMesh(input);
+  ForcedPlanes forced = forcedPlanes(input, options.symmetry);
+  const double slack = kSingleRoundOff * extentOf(input).diagonal();
+  Mirrors mirrors{std::move(forced.planes), slack, targetVertices(built, options)};
+  const double size = evenEdgeLength(surfaceArea(built), double(mirrors.vertices));
+  CurveCandidates candidates = curveCandidates(built, input, options, size);
+  MirroredEdges edges(built, kPlainlyNear * size);
+  edges.add(candidates.seams.edges);
+  edges.add(candidates.seams.borders);
+  for (const MirrorPlane& plane : mirrors.planes) edges.addImages(plane);
+  const InputAttributes whole(input, std::move(built), std::move(candidates.seams.chartless));
+  std::optional<RemeshOutcome> made =
+      mirroredBy({mirrors, edges.images(), Kind::Any}, whole, options, remeshHalf);
+  if (!made)
+    throw Error(ErrorCode::InvalidOption,
+                "symmetry: the quads of one side and their mirror images make no surface.",
+                "Ask for another number of vertices, or leave symmetry out.");
+  made->warnings.push_back({"QUADS_MADE_SYMMETRIC", std::move(forced.said), mirrors.planes.size()});
+  return std::move(*made);
 }
 
 }  // namespace remesher

@@ -4,19 +4,42 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "remesh/schemes/remesh.h"
 
 namespace remesher {
 
+// Whether a surface is all of a mesh, or one of several connected parts: work on all of these
+// together stays in proportion.
+enum class Scope { Whole, Part };
+// Makes quads of a surface as it is.
+using PlainRemesher =
+    std::function<RemeshOutcome(const TriangleMesh& input, const RemeshOptions& options,
+                                Scope scope, const Progress& progress)>;
 // Makes quads of a half, with its boundary along the planes: see RemeshOptions::mirrors.
 using HalfRemesher =
     std::function<RemeshOutcome(const TriangleMesh& half, const RemeshOptions& options)>;
 
-// Mirrored by as many planes as possible. None if no plane mirrors the input, if seams, borders of
-// materials or the caller's own wishes for places are not mirrored, if the exact number or the
-// surface's kind cannot be had so, or if another number takes single quads out.
-std::optional<RemeshOutcome> remeshMirrored(const TriangleMesh& input, const RemeshOptions& options,
-                                            const HalfRemesher& remeshHalf);
+struct MirroredOutcome {
+  std::optional<RemeshOutcome> made;
+  std::size_t planes = 0;         // that mirror the input
+  std::vector<MirrorPlane> free;  // those by which quads may be mirrored
+  std::string lost;               // why the quads are mirrored by fewer
+};
+
+// Mirrored by as many planes as possible. None if no plane mirrors the input, if borders of
+// materials, seams or the caller's own wishes for places are not mirrored, if the exact number or
+// the surface's kind cannot be had so, or if another number takes single quads out. first: planes
+// that are tried before those through the input's own middle.
+MirroredOutcome remeshMirrored(const TriangleMesh& input, const std::vector<MirrorPlane>& first,
+                               const RemeshOptions& options, const HalfRemesher& remeshHalf);
+
+// Mirrored by the planes that the caller names, whatever the input is: the side with more surface
+// is taken. Throws INVALID_OPTION if the wishes for places exclude that, or where nothing can be
+// cut off so.
+RemeshOutcome remeshForced(const TriangleMesh& input, const RemeshOptions& options,
+                           const HalfRemesher& remeshHalf);
 
 }  // namespace remesher

@@ -20,6 +20,8 @@ inline bool isMet(std::size_t vertices, const AskedNumber& asked) {
   return off <= (asked.isExact ? 0 : kCountTolerance * double(asked.vertices));
 }
 
+inline bool isNumberNote(const Warning& warning) { return warning.code == "QUADS_NUMBER_MISSED"; }
+
 // Adds QUADS_NUMBER_MISSED if the number is not met; too many vertices of a run that stopped before
 // have a warning of their own, TOO_FEW_VERTICES.
 inline void noteNumber(RemeshOutcome& made, const AskedNumber& asked) {

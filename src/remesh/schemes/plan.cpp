@@ -139,18 +139,22 @@ CurveChoice chooseWithJoints(const BuiltMesh& built, const TriangleMesh& input,
   const std::vector<Halfedge> none;
   CurveChoice choice =
       chooseWithFlats(built, input, options, {vertices, {scale.size, scale.spikes, none}});
-  choice.warnings.push_back(
-      {"JOINTS_RELEASED",
-       std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
-                   "no longer meet: to keep them ") +
-           (options.quads ? "would make quads irregular."
-            : isTextured  ? "would cost a model with attributes its even triangles."
-                          : "takes more vertices than were asked for."),
-       scale.joints.size()});
+  choice.warnings.push_back(jointsReleased(input, options, scale.joints.size()));
   return choice;
 }
 
 }  // namespace
+
+Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, std::size_t count) {
+  return {
+      "JOINTS_RELEASED",
+      std::string("Edges at which the surface was cut apart were remeshed on either side, and may "
+                  "no longer meet: to keep them ") +
+          (options.quads               ? "would make quads irregular."
+           : !input.attributes.empty() ? "would cost a model with attributes its even triangles."
+                                       : "takes more vertices than were asked for."),
+      count};
+}
 
 Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
              const Progress& progress) {

@@ -32,6 +32,9 @@ struct Plan {
 Plan planRun(const TriangleMesh& input, Welding welding, const RemeshOptions& options,
              const Progress& progress);
 
+// The warning that so many edges at which the surface was cut apart may no longer meet.
+Warning jointsReleased(const TriangleMesh& input, const RemeshOptions& options, std::size_t count);
+
 // The original surface and its belongings, made from the plan; const afterwards.
 class Prepared {
  public:

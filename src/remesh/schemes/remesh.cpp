@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,9 +17,9 @@
 #include "remesh/schemes/chooser.h"
 #include "remesh/schemes/follow.h"
 #include "remesh/schemes/isotropic.h"
-#include "remesh/schemes/mirror_door.h"
 #include "remesh/schemes/number_note.h"
 #include "remesh/schemes/plan.h"
+#include "remesh/schemes/quads_door.h"
 #include "remesh/schemes/targets.h"
 #include "remesh/transfer/attribute_transfer.h"
 
@@ -54,15 +53,6 @@ RemeshOptions optionsForQuads(RemeshOptions options) {
   return options;
 }
 
-Warning pairedWarning(const MadeQuads& quads) {
-  return {"QUADS_PAIRED",
-          "No map to squares was found for " + std::to_string(quads.paired) + " of " +
-              std::to_string(quads.parts) +
-              " connected parts: their quads are pairs of triangles, divided, with more irregular "
-              "vertices.",
-          quads.paired};
-}
-
 // Vertices that lie on a curved surface leave their quads on its inner side: they move to where the
 // quads fit, and then the few around the largest distances to where these are smallest.
 void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOptions& options,
@@ -84,8 +74,14 @@ void bringNearer(WorkingMesh& mesh, const Prepared& original, const RemeshOption
   lowerHausdorff(run);
 }
 
+struct QuadRun {
+  Scope scope;
+  const Progress& progress;
+};
+
 RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOptions& wanted,
-                            const Progress& progress) {
+                            const QuadRun& run) {
+  const Progress& progress = run.progress;
   const RemeshOptions options = optionsForQuads(wanted);
   std::vector<std::unique_ptr<Prepared>> originals;  // all of the same surface
   // The map is made on the first mesh, pairs on the meshes that may follow.
@@ -108,8 +104,9 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   const bool isHalf = !options.mirrors.planes.empty();
   const std::size_t aim = isHalf ? options.mirrors.vertices : plan.vertices;
   const bool isGraded = *options.adaptivity > 0 || !options.density.empty();
-  const MadeQuads quads = makeQuads(
-      {aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft}, triangles);
+  QuadGoal goal{aim, wanted.exact, options.mirrors, isGraded, wanted.quality == Quality::Draft};
+  goal.isPart = run.scope == Scope::Part;
+  const MadeQuads quads = makeQuads(goal, triangles);
   progress.phase("extract", 1, 1);
   const Prepared& original = *originals.front();
   WorkingMesh mesh = triangulated(quads.mesh, original.surface());
@@ -117,7 +114,6 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   std::vector<InputPlace> places;
   if (options.textures == Textures::Bake || isHalf) places = cornerPlaces(mesh, input);
   std::vector<Warning> warnings = original.warnings();
-  if (quads.paired > 0) warnings.push_back(pairedWarning(quads));
   TriangleMesh result = extractMesh(mesh, input, original.transfer());
   result.isQuads = true;
   const std::size_t vertices = isHalf ? wholeCount(quads.mesh, options.mirrors)
@@ -130,6 +126,8 @@ RemeshOutcome remeshToQuads(Plan plan, const TriangleMesh& input, const RemeshOp
   RemeshOutcome outcome{std::move(result), std::move(places),
                         isReached ? Stopped::Target : Stopped::Fidelity, vertices,
                         std::move(warnings)};
+  outcome.quadParts = quads.parts;
+  outcome.paired = quads.paired;
   if (!isHalf) noteNumber(outcome, {aim, wanted.exact});
   return outcome;
 }
@@ -263,35 +261,19 @@ class SurfaceCandidates {
   std::unique_ptr<Isotropic> isotropic_, bounded_;
 };
 
-// With the options' quads, or triangles.
-RemeshOutcome remeshPlanned(const TriangleMesh& input, Welding welding,
-                            const RemeshOptions& options, const Progress& progress) {
-  if (options.quads)
-    return remeshToQuads(planRun(input, std::move(welding), options, progress), input, options,
-                         progress);
-  return SurfaceCandidates(input, std::move(welding), options, crossingsAfter(options), progress)
-      .chosen();
-}
-
-RemeshOutcome chosenQuads(const TriangleMesh& input, const RemeshOptions& options,
-                          const std::function<RemeshOutcome()>& remeshWhole,
-                          const Progress& progress) {
-  const auto remeshHalf = [&](const TriangleMesh& half, const RemeshOptions& own) {
-    return remeshPlanned(half, Welding(half), own, progress);
+RemeshOutcome chosenQuads(const TriangleMesh& input, const Welding& welding,
+                          const RemeshOptions& options, const Progress& progress) {
+  const auto plain = [](const TriangleMesh& part, const RemeshOptions& own, Scope scope,
+                        const Progress& stretch) {
+    return remeshToQuads(planRun(part, Welding(part), own, stretch), part, own, {scope, stretch});
   };
-  std::optional<RemeshOutcome> made;
+  RemeshOutcome made = remeshAsQuads(input, welding, options, plain, progress);
   const Rule& rule = choose(Decision::Quads, [&](Fact fact) {
-    if (fact == Fact::MirrorsKept) {
-      made = remeshIfMirrored(input, options, remeshHalf);
-      return made.has_value();
-    }
-    if (!made) made = remeshWhole();
-    return fact == Fact::PartsPaired &&
-           std::any_of(made->warnings.begin(), made->warnings.end(),
-                       [](const Warning& warning) { return warning.code == "QUADS_PAIRED"; });
+    if (fact == Fact::MirrorsKept) return !made.mirrors.empty();
+    return fact == Fact::PartsPaired && !made.paired.empty();
   });
-  made->chosen = inReport(rule);
-  return std::move(*made);
+  made.chosen = inReport(rule);
+  return made;
 }
 
 }  // namespace
@@ -299,16 +281,15 @@ RemeshOutcome chosenQuads(const TriangleMesh& input, const RemeshOptions& option
 RemeshOutcome remeshSurface(const TriangleMesh& input, Welding welding,
                             const RemeshOptions& options, const Progress& progress) {
   checkOptions(options, input.positions.size());
-  const auto remeshWhole = [&] {
-    try {
-      return remeshPlanned(input, std::move(welding), options, progress);
-    } catch (const TooFewVertices& error) {
-      if (error.code != ErrorCode::TargetBelowCurves) throw;
-      const std::size_t enough = enoughForCurves(input, options, error.needed);
-      throw TooFewVertices(error.code, {error.target, enough, enough});
-    }
-  };
-  return options.quads ? chosenQuads(input, options, remeshWhole, progress) : remeshWhole();
+  try {
+    if (options.quads) return chosenQuads(input, welding, options, progress);
+    return SurfaceCandidates(input, std::move(welding), options, crossingsAfter(options), progress)
+        .chosen();
+  } catch (const TooFewVertices& error) {
+    if (error.code != ErrorCode::TargetBelowCurves) throw;
+    const std::size_t enough = enoughForCurves(input, options, error.needed);
+    throw TooFewVertices(error.code, {error.target, enough, enough});
+  }
 }
 
 RemeshOutcome remeshUncrossed(const TriangleMesh& input, Welding welding,

@@ -7,6 +7,7 @@
 
 #include "base/input_place.h"
 #include "base/options.h"
+#include "base/paired_part.h"
 #include "base/progress.h"
 #include "base/report.h"
 #include "geometry/triangle_tree.h"
@@ -25,8 +26,11 @@ struct RemeshOutcome {
   // Present if the run needed a tree and all these triangles are in the surface.
   std::optional<ListedTree> tree = {};
   Prefer prefer = Prefer::Even;  // or Shape
-  std::size_t mirrors = 0;       // planes about which quads are their own mirror image
-  Chosen chosen = {};            // the rule by which this mesh was taken
+  // Planes about which quads, or connected parts of them, are their own mirror images.
+  std::vector<MirrorPlane> mirrors = {};
+  Chosen chosen = {};         // the rule by which this mesh was taken
+  std::size_t quadParts = 0;  // connected parts of quads
+  std::vector<PairedPart> paired = {};
 };
 
 // Throws Error as buildMesh does, and NO_TRIANGLES, INVALID_OPTION, TARGET_TOO_SMALL,

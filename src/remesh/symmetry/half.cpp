@@ -30,12 +30,12 @@ class PlaneCut {
     numbers_.assign(sides_.size(), kNone);
   }
 
-  std::optional<Half> run() {
+  std::optional<Half> run(InPlane inPlane) {
     for (std::size_t t = 0; t < old_.mesh.triangleCount(); ++t) {
       std::array<double, 3> sides{};
       for (std::size_t k = 0; k < 3; ++k) sides[k] = sides_[old_.mesh.indices[3 * t + k]];
       const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
-      if (*low == 0 && *high == 0) return {};
+      if (*low == 0 && *high == 0 && inPlane == InPlane::Refused) return {};
       if (*high > 0) addPiece(t);
     }
     if (made_.mesh.indices.empty()) return {};
@@ -132,10 +132,10 @@ Half wholeOf(const TriangleMesh& whole) {
 
 }  // namespace
 
-std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole) {
+std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole, InPlane inPlane) {
   std::optional<Half> half = wholeOf(whole);
   for (const MirrorPlane& plane : mirrors.planes) {
-    half = PlaneCut(std::move(*half), plane, mirrors.slack).run();
+    half = PlaneCut(std::move(*half), plane, mirrors.slack).run(inPlane);
     if (!half) return {};
   }
   return half;

@@ -18,7 +18,11 @@ struct Half {
   std::vector<std::array<InputPlace, 3>> places;  // per corner of each triangle, on one triangle
 };
 
-// What lies in front of all planes; none if a triangle lies in a plane.
-std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole);
+// Triangles in a plane: with them there is no half, or they are left out.
+enum class InPlane { Refused, LeftOut };
+
+// What lies in front of all planes; none if nothing does.
+std::optional<Half> inFrontOf(const Mirrors& mirrors, const TriangleMesh& whole,
+                              InPlane inPlane = InPlane::Refused);
 
 }  // namespace remesher

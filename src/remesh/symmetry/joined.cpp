@@ -26,7 +26,7 @@ class Joining {
       mesh_.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   }
 
-  bool isSound() const {
+  bool isSound(Kind kind) const {
     QuadMesh mesh;
     mesh.vertices.resize(1 + *std::max_element(placeOf_.begin(), placeOf_.end()));
     for (const MirroredQuad& quad : images_.quads) {
@@ -35,7 +35,8 @@ class Joining {
       mesh.quads.push_back(corners);
       mesh.curves.push_back({kNone, kNone, kNone, kNone});
     }
-    return check(mesh).empty() && kindOf(mesh) == kindOf(whole_.surface().mesh());
+    if (!check(mesh).empty()) return false;
+    return kind == Kind::Any || kindOf(mesh) == kindOf(whole_.surface().mesh());
   }
 
   PlacedQuads run() {
@@ -133,9 +134,9 @@ class Joining {
 }  // namespace
 
 std::optional<PlacedQuads> joinedImages(const PlacedQuads& made, const Half& half,
-                                        const Mirrors& mirrors, const InputAttributes& whole) {
-  Joining joining(made, half, mirrors, whole);
-  if (!joining.isSound()) return {};
+                                        const JoinGoal& goal, const InputAttributes& whole) {
+  Joining joining(made, half, goal.mirrors, whole);
+  if (!joining.isSound(goal.kind)) return {};
   return joining.run();
 }
 

@@ -16,9 +16,17 @@ struct PlacedQuads {
   std::vector<InputPlace> places;
 };
 
-// made: quads of the half; input: what `whole` was made of. None if the images do not join to a
-// surface of the input's kind.
+// Whether the images must make a surface of the input's kind, or of any.
+enum class Kind { AsGiven, Any };
+
+struct JoinGoal {
+  const Mirrors& mirrors;
+  Kind kind = Kind::AsGiven;
+};
+
+// made: quads of the half; whole: of the input that was cut. None if the images do not join to a
+// surface of the kind.
 std::optional<PlacedQuads> joinedImages(const PlacedQuads& made, const Half& half,
-                                        const Mirrors& mirrors, const InputAttributes& whole);
+                                        const JoinGoal& goal, const InputAttributes& whole);
 
 }  // namespace remesher

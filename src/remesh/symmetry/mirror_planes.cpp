@@ -98,7 +98,9 @@ class PlaneSearch {
   PlaneSearch(const TriangleMesh& mesh, double tolerance)
       : mesh_(mesh), tolerance_(tolerance), moments_(momentsOf(mesh)) {}
 
-  std::vector<MirrorPlane> run() {
+  std::vector<MirrorPlane> run(const std::vector<MirrorPlane>& first) {
+    for (const MirrorPlane& plane : first)
+      if (isAtRightAngles(plane.normal) && isMirror(plane)) planes_.push_back(plane);
     for (Eigen::Index axis = 0; axis < 3; ++axis) tryAxis(Vec3::Unit(axis));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_.squares);
     for (Eigen::Index i = 0; i < 3; ++i) tryAxis(solver.eigenvectors().col(i));
@@ -106,9 +108,15 @@ class PlaneSearch {
   }
 
  private:
+  // To all planes that were found.
+  bool isAtRightAngles(const Vec3& normal) const {
+    return std::all_of(planes_.begin(), planes_.end(), [&](const MirrorPlane& plane) {
+      return std::abs(plane.normal.dot(normal)) <= kSingleRoundOff;
+    });
+  }
+
   void tryAxis(Vec3 normal) {
-    for (const MirrorPlane& plane : planes_)
-      if (std::abs(plane.normal.dot(normal)) > kSingleRoundOff) return;
+    if (!isAtRightAngles(normal)) return;
     Eigen::Index largest = 0;
     normal.cwiseAbs().maxCoeff(&largest);
     if (normal[largest] < 0) normal = -normal;
@@ -120,7 +128,7 @@ class PlaneSearch {
     }
     const double middle = (low + high) / 2;
     // The center of the area moves a little with the diagonals of bent faces.
-    constexpr double kOfWidth = 0.01;
+    constexpr double kOfWidth = 0.05;
     const double off = std::abs(middle - normal.dot(moments_.center));
     if (off > std::max(tolerance_, kOfWidth * (high - low))) return;
     // A model that was made has its plane through the origin, exactly.
@@ -179,8 +187,9 @@ class PlaneSearch {
 
 }  // namespace
 
-std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance) {
-  return PlaneSearch(mesh, tolerance).run();
+std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance,
+                                          const std::vector<MirrorPlane>& first) {
+  return PlaneSearch(mesh, tolerance).run(first);
 }
 
 }  // namespace remesher

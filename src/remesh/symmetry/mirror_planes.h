@@ -13,6 +13,8 @@ namespace remesher {
 // are coordinate axes or principal axes of the surface. Mirrored, no vertex is farther from the
 // surface than `tolerance`; triangles may differ, but none is missing. Two triangles that are one
 // face of four corners may be mirrored as two cut along the other diagonal, however bent the face.
-std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance);
+// first: planes that are tried before these.
+std::vector<MirrorPlane> findMirrorPlanes(const TriangleMesh& mesh, double tolerance,
+                                          const std::vector<MirrorPlane>& first = {});
 
 }  // namespace remesher

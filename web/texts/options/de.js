@@ -52,7 +52,8 @@ export default {
   'help.quads': 'nur Vierecke statt Dreiecken, entlang von Kanten und Krümmung; die Zahl der '
     + 'Punkte auf 1 % genau',
   'help.exact': 'von Vierecken: genau so viele Punkte',
-  'help.symmetry': 'von Vierecken: auto: an Ebenen, die das Modell spiegeln, genau gespiegelte',
+  'help.symmetry': 'von Vierecken: auto: an Ebenen, die das Modell spiegeln, genau gespiegelte; '
+    + 'x, xy …: an Ebenen quer zu diesen Achsen gespiegelte, wie auch immer das Modell ist',
   'unit.degrees': 'Grad',
   'unit.model units': 'Modelleinheiten',
   'unit.% of the diagonal': '% der Diagonale',

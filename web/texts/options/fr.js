@@ -52,7 +52,8 @@ export default {
   'help.quads': 'seulement des quadrilatères, suivant arêtes et courbure ; points à 1 % près',
   'help.exact': 'des quadrilatères : exactement ce nombre de sommets',
   'help.symmetry': 'des quadrilatères : auto : exactement symétriques, si le modèle l’est par un '
-    + 'plan',
+    + 'plan ; x, xy … : symétriques par des plans perpendiculaires à ces axes, quel que soit le '
+    + 'modèle',
   'unit.degrees': 'degrés',
   'unit.model units': 'unités du modèle',
   'unit.% of the diagonal': '% de la diagonale',

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/part_by_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/place.h"
+#include "geometry/extent.h"
+#include "geometry/triangle.h"
+#include "geometry/triangle_tree.h"
+#include "mesh/joints.h"
+#include "remesh/operators/projection.h"
+#include "remesh/quads/mesh/quad_parts.h"
+#include "remesh/schemes/number_note.h"
+#include "remesh/schemes/plan.h"
+#include "remesh/schemes/targets.h"
+#include "remesh/symmetry/mirror_planes.h"
+
+namespace remesher {
+
+namespace {
+
+// Of the input's triangles the number of their connected part; kNone for those that are in none.
+struct PartNumbers {
+  std::vector<Index> ofTriangle;
+  Index count = 0;
+};
+
+PartNumbers numbersOf(const TriangleMesh& input, const BuiltMesh& built) {
+  const FaceData<Index> ofFace = partNumbers(built.mesh);
+  PartNumbers numbers{std::vector<Index>(input.triangleCount(), kNone)};
+  for (Index f = 0; f < ofFace.size(); ++f) {
+    numbers.ofTriangle[built.triangles[Face(f)]] = ofFace[Face(f)];
+    numbers.count = std::max(numbers.count, ofFace[Face(f)] + 1);
+  }
+  return numbers;
+}
+
+Triangle cornersAt(const TriangleMesh& mesh, Index t) {
+  const Index* const corners = &mesh.indices[std::size_t{3} * t];
+  return {mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]};
+}
+
+// How much of the vertices a triangle is due.
+double weightOf(const TriangleMesh& mesh, Index t, const std::vector<float>& density) {
+  const auto [a, b, c] = cornersAt(mesh, t);
+  double mean = 1;
+  if (!density.empty()) {
+    mean = 0;
+    for (std::size_t k = 0; k < 3; ++k) mean += density[mesh.indices[std::size_t{3} * t + k]] / 3;
+  }
+  return mean * area(a, b, c);
+}
+
+// Unites parts that a plane mirrors onto each other: those in which the middles of most of a few
+// triangles come to lie.
+void uniteImages(DisjointSets& sets, const TriangleMesh& input, const PartNumbers& numbers,
+                 const std::vector<MirrorPlane>& planes) {
+  constexpr std::size_t kFew = 9;
+  std::vector<std::vector<Index>> triangles(numbers.count);
+  for (Index t = 0; t < input.triangleCount(); ++t)
+    if (numbers.ofTriangle[t] != kNone) triangles[numbers.ofTriangle[t]].push_back(t);
+  const TriangleTree tree(input.positions, input.indices);
+  for (Index part = 0; part < numbers.count; ++part)
+    for (const MirrorPlane& plane : planes) {
+      std::vector<Index> images;
+      const std::size_t size = triangles[part].size(), step = (size + kFew - 1) / kFew;
+      for (std::size_t i = 0; i < size; i += step) {
+        const auto [a, b, c] = cornersAt(input, triangles[part][i]);
+        const Index near = tree.nearest(plane.mirrored((a + b + c) / 3)).triangle;
+        if (numbers.ofTriangle[near] != kNone) images.push_back(numbers.ofTriangle[near]);
+      }
+      if (images.empty()) continue;
+      std::sort(images.begin(), images.end());
+      sets.unite(part, images[images.size() / 2]);
+    }
+}
+
+// The planes that mirror the whole, if they are looked for.
+std::vector<MirrorPlane> planesOf(const TriangleMesh& input, const RemeshOptions& options) {
+  if (options.symmetry != Symmetry::Auto || !options.mirrors.planes.empty()) return {};
+  const double wished = options.vertices.value_or(Index(input.positions.size()));
+  return findMirrorPlanes(input, kPlainlyNear * evenEdgeLength(extentOf(input).area, wished));
+}
+
+// A mesh of some triangles alone.
+SurfacePart partOf(const TriangleMesh& input, std::vector<Index> triangles) {
+  SurfacePart part;
+  std::vector<Index> numbers(input.positions.size(), kNone);
+  for (const Index t : triangles)
+    for (std::size_t k = 0; k < 3; ++k) numbers[input.indices[std::size_t{3} * t + k]] = 0;
+  for (Index v = 0; v < numbers.size(); ++v) {
+    if (numbers[v] == kNone) continue;
+    numbers[v] = Index(part.vertices.size());
+    part.vertices.push_back(v);
+    part.mesh.positions.push_back(input.positions[v]);
+  }
+  part.mesh.isSingle = input.isSingle;
+  part.mesh.scale = input.scale;
+  part.mesh.steps = input.steps;
+  for (const Index t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k)
+      part.mesh.indices.push_back(numbers[input.indices[std::size_t{3} * t + k]]);
+    if (!input.groups.empty()) part.mesh.groups.push_back(input.groups[t]);
+  }
+  for (const Attribute& attribute : input.attributes) {
+    Attribute own{attribute.semantic, attribute.itemSize, {}};
+    for (const Index v : part.vertices) {
+      const auto first = attribute.values.begin() + std::ptrdiff_t(v) * attribute.itemSize;
+      own.values.insert(own.values.end(), first, first + attribute.itemSize);
+    }
+    part.mesh.attributes.push_back(std::move(own));
+  }
+  part.triangles = std::move(triangles);
+  return part;
+}
+
+// The caller's wishes for places, which are by vertices of the whole, and a number of vertices.
+RemeshOptions optionsOf(const SurfacePart& part, const RemeshOptions& whole, double vertices) {
+  RemeshOptions options = whole;
+  const auto number = Index(std::max(1LL, std::llround(vertices)));
+  options.mirrors.vertices = number;
+  options.vertices = Index(number >> whole.mirrors.planes.size());
+  options.ratio.reset();
+  options.edgeLength.reset();
+  options.inBodies.reset();
+  options.tooFew = TooFew::Raise;
+  options.density.clear();
+  options.featureEdges.clear();
+  if (!whole.density.empty())
+    for (const Index v : part.vertices) options.density.push_back(whole.density[v]);
+  const auto own = [&](Index v) {
+    const auto found = std::lower_bound(part.vertices.begin(), part.vertices.end(), v);
+    const bool isIn = found != part.vertices.end() && *found == v;
+    return isIn ? Index(found - part.vertices.begin()) : kNone;
+  };
+  for (const auto& [a, b] : whole.featureEdges)
+    if (own(a) != kNone && own(b) != kNone) options.featureEdges.emplace_back(own(a), own(b));
+  return options;
+}
+
+void appendMesh(TriangleMesh& to, const TriangleMesh& from) {
+  const auto first = Index(to.positions.size());
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  for (const Index v : from.indices) to.indices.push_back(first + v);
+  to.groups.insert(to.groups.end(), from.groups.begin(), from.groups.end());
+  for (std::size_t a = 0; a < to.attributes.size(); ++a)
+    to.attributes[a].values.insert(to.attributes[a].values.end(), from.attributes[a].values.begin(),
+                                   from.attributes[a].values.end());
+}
+
+void addPlanes(std::vector<MirrorPlane>& planes, const std::vector<MirrorPlane>& more) {
+  for (const MirrorPlane& plane : more) {
+    const auto isSame = [&](const MirrorPlane& other) {
+      return other.normal == plane.normal && other.offset == plane.offset;
+    };
+    if (std::none_of(planes.begin(), planes.end(), isSame)) planes.push_back(plane);
+  }
+}
+
+// A warning that the whole has already is not repeated for a part.
+void addWarnings(std::vector<Warning>& warnings, const std::vector<Warning>& more,
+                 const std::vector<Warning>& known) {
+  const auto find = [](auto& list, const std::string& code) {
+    return std::find_if(list.begin(), list.end(),
+                        [&](const Warning& one) { return one.code == code; });
+  };
+  for (const Warning& warning : more) {
+    if (find(known, warning.code) != known.end()) continue;
+    const auto same = find(warnings, warning.code);
+    if (same == warnings.end())
+      warnings.push_back(warning);
+    else
+      same->count += warning.count;
+  }
+}
+
+void takePart(RemeshOutcome& whole, RemeshOutcome made, const SurfacePart& part,
+              const std::vector<Warning>& known) {
+  if (whole.mesh.indices.empty())
+    whole.mesh = std::move(made.mesh);
+  else
+    appendMesh(whole.mesh, made.mesh);
+  for (const InputPlace& place : made.places)
+    whole.places.push_back({part.triangles[place.triangle], place.weights});
+  addPlanes(whole.mirrors, made.mirrors);
+  std::erase_if(made.warnings, isNumberNote);
+  addWarnings(whole.warnings, made.warnings, known);
+  whole.vertices += made.vertices;
+  whole.coincident += made.coincident;
+  whole.quadParts += made.quadParts;
+  whole.paired.insert(whole.paired.end(), made.paired.begin(), made.paired.end());
+}
+
+}  // namespace
+
+std::vector<SurfacePart> surfaceParts(const TriangleMesh& input, const BuiltMesh& built,
+                                      const RemeshOptions& options) {
+  const PartNumbers numbers = numbersOf(input, built);
+  if (numbers.count < 2) return {};
+  const std::vector<MirrorPlane> planes = planesOf(input, options);
+  DisjointSets sets(numbers.count);
+  if (!planes.empty()) uniteImages(sets, input, numbers, planes);
+  std::vector<std::vector<Index>> triangles(numbers.count);
+  std::vector<double> weights(numbers.count, 0), areas(numbers.count, 0);
+  double all = 0;
+  for (Index t = 0; t < input.triangleCount(); ++t) {
+    if (numbers.ofTriangle[t] == kNone) continue;
+    const Index set = sets.find(numbers.ofTriangle[t]);
+    triangles[set].push_back(t);
+    weights[set] += weightOf(input, t, options.density);
+    areas[set] += weightOf(input, t, {});
+    all += weightOf(input, t, options.density);
+  }
+  std::vector<SurfacePart> parts;
+  for (Index set = 0; set < numbers.count; ++set) {
+    if (!(areas[set] > 0)) continue;
+    parts.push_back(partOf(input, std::move(triangles[set])));
+    parts.back().planes = planes;
+    parts.back().share = all > 0 ? weights[set] / all : 0;
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const SurfacePart& a, const SurfacePart& b) { return a.share < b.share; });
+  return parts;
+}
+
+std::optional<RemeshOutcome> remeshPartByPart(const TriangleMesh& input, const Welding& welding,
+                                              const RemeshOptions& options,
+                                              const PartRemesher& remeshPart,
+                                              const Progress& progress) {
+  progress.phase("build", 0, 0);
+  const BuiltMesh built = buildMesh(input, welding);
+  const std::vector<SurfacePart> parts = surfaceParts(input, built, options);
+  if (parts.size() < 2) return {};
+  const std::size_t asked =
+      options.mirrors.planes.empty() ? targetVertices(built, options) : options.mirrors.vertices;
+  const std::vector<Halfedge> joints = findJoints(built);
+  RemeshOutcome whole;
+  whole.warnings = built.warnings;
+  if (!joints.empty()) whole.warnings.push_back(jointsReleased(input, options, joints.size()));
+  const std::vector<Warning> known = whole.warnings;
+  std::size_t flat = built.mesh.faceCount();
+  for (const SurfacePart& part : parts) flat -= part.triangles.size();
+  if (flat > 0)
+    whole.warnings.push_back(
+        {"DEGENERATE_TRIANGLES_REMOVED", "Connected parts without an area were left out.", flat});
+  double share = 1, done = 0;
+  for (const SurfacePart& part : parts) {
+    const bool isLast = &part == &parts.back();
+    const double left = std::max(0.0, double(asked) - double(whole.vertices));
+    RemeshOptions own = optionsOf(
+        part, options, isLast ? left : left * part.share / std::max({share, part.share, 1e-300}));
+    own.exact = options.exact && isLast;
+    const double portion = (part.share + 1 / double(parts.size())) / 2;
+    takePart(whole, remeshPart(part, own, progress.part(done, done + portion)), part, known);
+    done += portion;
+    share -= part.share;
+  }
+  const double off = std::abs(double(whole.vertices) - double(asked));
+  if (off > (options.exact ? 0 : kFreeTolerance * double(asked))) whole.stopped = Stopped::Fidelity;
+  noteNumber(whole, {asked, options.exact});
+  return whole;
+}
+
+}  // namespace remesher

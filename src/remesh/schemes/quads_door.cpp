@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "remesh/schemes/quads_door.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "remesh/schemes/part_by_part.h"
+#include "remesh/symmetry/own_mirrors.h"
+
+namespace remesher {
+
+namespace {
+
+// Of a part with fewer vertices hardly any quad is far from a plane.
+constexpr Index kWorthMirroring = 32;
+
+// A part may be mirrored even if the whole is not.
+RemeshOutcome remeshAlone(const SurfacePart& part, const RemeshOptions& options,
+                          const PlainRemesher& plain, Scope scope, const Progress& progress) {
+  const bool isTiny = part.planes.empty() && options.vertices.value_or(kNone) < kWorthMirroring;
+  if (scope == Scope::Part && isTiny) return plain(part.mesh, options, scope, progress);
+  MirroredOutcome mirrored = remeshMirrored(
+      part.mesh, part.planes, options,
+      [&](const auto& half, auto& own) { return plain(half, own, scope, progress); });
+  std::optional<RemeshOutcome>& made = mirrored.made;
+  if (!made || made->mirrors.size() < mirrored.free.size()) {
+    RemeshOutcome whole = plain(part.mesh, options, scope, progress);
+    whole.mirrors = mirrorOwn(whole.mesh, mirrored.free);
+    const bool isReached = whole.stopped == Stopped::Target;
+    if (!made || (isReached && whole.mirrors.size() > made->mirrors.size()))
+      made = std::move(whole);
+  }
+  const std::size_t used = made->mirrors.size(), all = mirrored.planes;
+  if (used < all)
+    made->warnings.push_back({"QUADS_SYMMETRY_LOST",
+                              "Of " + std::to_string(all) + " planes that mirror the surface " +
+                                  std::to_string(used) + " mirror the quads: " + mirrored.lost +
+                                  ".",
+                              all - used});
+  return std::move(*mirrored.made);
+}
+
+}  // namespace
+
+RemeshOutcome remeshAsQuads(const TriangleMesh& input, const Welding& welding,
+                            const RemeshOptions& options, const PlainRemesher& plain,
+                            const Progress& progress) {
+  if (isForced(options.symmetry))
+    return remeshForced(input, options, [&](const TriangleMesh& half, const RemeshOptions& own) {
+      const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
+                                const Progress& stretch) {
+        return plain(part.mesh, its, Scope::Part, stretch);
+      };
+      std::optional<RemeshOutcome> parts =
+          remeshPartByPart(half, Welding(half), own, remeshed, progress);
+      return parts ? std::move(*parts) : plain(half, own, Scope::Whole, progress);
+    });
+  const auto remeshed = [&](const SurfacePart& part, const RemeshOptions& its,
+                            const Progress& stretch) {
+    return remeshAlone(part, its, plain, Scope::Part, stretch);
+  };
+  std::optional<RemeshOutcome> parts =
+      remeshPartByPart(input, welding, options, remeshed, progress);
+  if (parts) return std::move(*parts);
+  SurfacePart all;
+  all.mesh = input;
+  return remeshAlone(all, options, plain, Scope::Whole, progress);
+}
+
+}  // namespace remesher
