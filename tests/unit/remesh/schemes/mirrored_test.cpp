@@ -57,9 +57,6 @@ TEST_CASE("mirrored: on request a lopsided model gets mirrored quads, from its l
   const RemeshOutcome made = quadsOf(ball, Symmetry::X);
   REQUIRE(made.mirrors.size() == 1);
   const MirrorPlane& plane = made.mirrors[0];
-  CHECK(std::abs(plane.normal.x()) == 1);
-  TriangleMesh moved = made.mesh;
-  for (Vec3& p : moved.positions) p -= plane.offset * plane.normal;
   CHECK(made.mesh.triangleCount() > 600);
   CHECK(plane.normal.x() == 1);
   const Warning* said = findWarning(made, "QUADS_MADE_SYMMETRIC");

@@ -9,9 +9,6 @@ using namespace remesher;
 
 namespace {
 
-// A sheet of squares, each cut along the same diagonal.
-BuiltMesh squares(const TriangleMesh& mesh) { return buildMesh(mesh); }
-
 Halfedge edgeAt(const BuiltMesh& built, const Vec3& a, const Vec3& b) {
   for (Index h = 0; h < built.mesh.halfedgeCapacity(); ++h)
     if ((built.positions[built.mesh.origin(Halfedge(h))] - a).norm() < 1e-9 &&
@@ -25,7 +22,7 @@ Halfedge edgeAt(const BuiltMesh& built, const Vec3& a, const Vec3& b) {
 TEST_CASE("mirrored edges: images of sides are edges, those of diagonals are none") {
   TriangleMesh sheet;
   shapes::addSheet(sheet, 4, 4, [](int x, int y) { return Vec3(x - 2, y, 0); });
-  const BuiltMesh built = squares(sheet);
+  const BuiltMesh built = buildMesh(sheet);
   const MirrorPlane middle{Vec3::UnitX(), 0};
   MirroredEdges sides(built, 1e-6);
   sides.add({edgeAt(built, {1, 1, 0}, {1, 2, 0})});
