@@ -140,7 +140,7 @@ Warning passedOn(const io::Part& part, const std::string& reason) {
 std::vector<InputPlace> ownPlaces(const TriangleMesh& mesh) {
   std::vector<InputPlace> places;
   for (Index i = 0; i < mesh.indices.size(); ++i)
-    places.push_back({i / 3, Vec3::Unit(Eigen::Index(i % 3))});
+    places.push_back({InputTriangle(i / 3), Vec3::Unit(Eigen::Index(i % 3))});
   return places;
 }
 

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Typed indices: a Face cannot be passed for a Vertex, at no cost.
+// The indices of a halfedge mesh, and arrays indexed by one kind of handle.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <vector>
 
-#include "base/types.h"
+#include "base/handle.h"
 
 namespace remesher {
-
-template <class Tag>
-struct Handle {
-  Index index = kNone;
-
-  constexpr Handle() = default;
-  constexpr explicit Handle(Index i) : index(i) {}
-  constexpr explicit operator bool() const { return index != kNone; }
-  constexpr auto operator<=>(const Handle&) const = default;
-};
 
 using Vertex = Handle<struct VertexTag>;
 using Halfedge = Handle<struct HalfedgeTag>;

@@ -143,9 +143,9 @@ class Repainting {
       const TriangleMesh& mesh = sources_[p]->mesh();
       for (Index t = 0; t < mesh.triangleCount(); ++t) {
         if (classOf(p, groupOf(mesh, t)) != number) continue;
-        texels += sources_[p]->texels(t);
+        texels += sources_[p]->texels(InputTriangle(t));
         bare += kBareTexels;
-        steps += sources_[p]->colorTexels(t);
+        steps += sources_[p]->colorTexels(InputTriangle(t));
       }
     }
     return std::max({texels, bare, std::min(steps, kMostForSteps)});

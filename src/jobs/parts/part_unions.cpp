@@ -80,7 +80,7 @@ class Parting {
     for (const Index t : triangles_)
       for (const Index k : {0U, isMirrored ? 2U : 1U, isMirrored ? 1U : 2U}) {
         result.push_back(whole_.places[3 * std::size_t{t} + k]);
-        result.back().triangle -= firstTriangle;
+        result.back().triangle.index -= firstTriangle;
         if (isMirrored) std::swap(result.back().weights.y(), result.back().weights.z());
       }
     return result;

@@ -90,9 +90,10 @@ class Extraction {
     const auto [copy, isNew] =
         copies_.emplace(std::pair(v.index, wedge), Index(result_.mesh.positions.size()));
     result_.mesh.indices.push_back(copy->second);
-    InputPlace place{original_.triangles[HalfedgeMesh::face(original)], Vec3::Zero()};
+    InputPlace place{InputTriangle(original_.triangles[HalfedgeMesh::face(original)]),
+                     Vec3::Zero()};
     for (Index k = 0; k < 3; ++k)
-      if (input_.indices[3 * place.triangle + k] == wedge) place.weights[k] = 1;
+      if (input_.indices[cornerOf(place.triangle, k)] == wedge) place.weights[k] = 1;
     result_.places.push_back(place);
     if (!isNew) return;
     result_.mesh.positions.push_back(surface_.positions[v]);

@@ -120,7 +120,7 @@ Half wholeOf(const TriangleMesh& whole) {
       continue;
     std::array<InputPlace, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = {t, Vec3::Unit(Eigen::Index(k))};
+      corners[k] = {InputTriangle(t), Vec3::Unit(Eigen::Index(k))};
       half.vertices[own[k]] = corners[k];
       half.mesh.indices.push_back(own[k]);
     }

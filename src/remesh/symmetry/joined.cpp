@@ -52,7 +52,7 @@ class Joining {
   // comes to, so that it is on the same side of seams.
   InputPlace placeOf(Index corner, Image image) const {
     const InputPlace& own = made_.places[corner];
-    const std::array<InputPlace, 3>& corners = half_.places[own.triangle];
+    const std::array<InputPlace, 3>& corners = half_.places[own.triangle.index];
     InputPlace place{corners[0].triangle, Vec3::Zero()};
     Vec3 middle = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,7 +115,8 @@ class Joining {
         trianglePlaces_.push_back(places_[4 * q + corner]);
       }
       if (whole_.input().groups.empty()) continue;
-      mesh_.groups.insert(mesh_.groups.end(), 2, whole_.input().groups[places_[4 * q].triangle]);
+      mesh_.groups.insert(mesh_.groups.end(), 2,
+                          whole_.input().groups[places_[4 * q].triangle.index]);
     }
   }
 

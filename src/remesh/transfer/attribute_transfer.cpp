@@ -126,11 +126,12 @@ TriangleMesh extractMesh(const WorkingMesh& mesh, const TriangleMesh& input,
 // The builder may have turned a triangle over: weights go to the corners that they belong to.
 InputPlace inputPlace(const SurfacePoint& point, const BuiltMesh& built,
                       const TriangleMesh& input) {
-  InputPlace place{built.triangles[point.face], Vec3::Zero()};
+  InputPlace place{InputTriangle(built.triangles[point.face]), Vec3::Zero()};
   for (int i = 0; i < 3; ++i) {
     const Index wedge = built.wedges[HalfedgeMesh::halfedge(point.face, i)];
     for (Index k = 0; k < 3; ++k)
-      if (input.indices[3 * place.triangle + k] == wedge) place.weights[k] = point.barycentric[i];
+      if (input.indices[cornerOf(place.triangle, k)] == wedge)
+        place.weights[k] = point.barycentric[i];
   }
   return place;
 }

@@ -33,11 +33,11 @@ InputAttributes::InputAttributes(const TriangleMesh& input, BuiltMesh built,
             TriangleTree::Listed::Anyhow),
       faces_(input.triangleCount()) {
   for (Index f = 0; f < surface_.mesh().faceCapacity(); ++f)
-    faces_[surface_.built().triangles[Face(f)]] = Face(f);
+    faces_[InputTriangle(surface_.built().triangles[Face(f)])] = Face(f);
 }
 
-Vec3 InputAttributes::position(Index triangle, const Vec3& weights) const {
-  const Index* const corners = &input_.indices[std::size_t{3} * triangle];
+Vec3 InputAttributes::position(InputTriangle triangle, const Vec3& weights) const {
+  const Index* const corners = &input_.indices[cornerOf(triangle, 0)];
   return weights[0] * input_.positions[corners[0]] + weights[1] * input_.positions[corners[1]] +
          weights[2] * input_.positions[corners[2]];
 }
@@ -56,7 +56,8 @@ SurfacePoint InputAttributes::pointOf(const InputPlace& place, Face face) const 
   for (int i = 0; i < 3; ++i) {
     const Index wedge = surface_.built().wedges[HalfedgeMesh::halfedge(face, i)];
     for (Index k = 0; k < 3; ++k)
-      if (input_.indices[3 * place.triangle + k] == wedge) point.barycentric[i] = place.weights[k];
+      if (input_.indices[cornerOf(place.triangle, k)] == wedge)
+        point.barycentric[i] = place.weights[k];
   }
   return point;
 }
@@ -67,7 +68,7 @@ void InputAttributes::append(const InputPlace& place, std::vector<Attribute>& va
   place.weights.maxCoeff(&nearest);
   if (face && place.weights[nearest] < 1)
     return mix_.append(mixPoint(surface_, pointOf(place, face), mix_), values);
-  const std::size_t wedge = input_.indices[3 * place.triangle + nearest];
+  const std::size_t wedge = input_.indices[cornerOf(place.triangle, nearest)];
   for (std::size_t a = 0; a < values.size(); ++a) {
     const std::vector<float>& all = input_.attributes[a].values;
     const auto first = all.begin() + std::ptrdiff_t(wedge * values[a].itemSize);

@@ -20,7 +20,7 @@ class InputAttributes {
   const TriangleMesh& input() const { return input_; }
   const OriginalSurface& surface() const { return surface_; }
   // weights: as in InputPlace.
-  Vec3 position(Index triangle, const Vec3& weights) const;
+  Vec3 position(InputTriangle triangle, const Vec3& weights) const;
   Face faceNear(const Vec3& p) const;
   InputPlace placeIn(Face face, const Vec3& p) const;  // the nearest to p
 
@@ -36,7 +36,7 @@ class InputAttributes {
   const OriginalSurface surface_;
   const AttributeMix mix_;
   const ListedTree tree_;
-  std::vector<Face> faces_;  // by the input's triangles; none for those that the builder left out
+  HandleData<InputTriangle, Face> faces_;  // none for triangles that the builder left out
 };
 
 }  // namespace remesher

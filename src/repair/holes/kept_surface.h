@@ -5,14 +5,11 @@
 
 #include <vector>
 
+#include "base/input_place.h"
 #include "base/triangle_mesh.h"
 #include "mesh/mesh_builder.h"
 
 namespace remesher {
-
-// A triangle of the mesh that a step was given. It does not convert to a number, so it cannot name
-// a triangle of the mesh that the step makes.
-using InputTriangle = Handle<struct InputTriangleTag>;
 
 struct KeptSurface {
   TriangleMesh mesh;                  // all vertices of the input; the triangles kept, in order

@@ -21,10 +21,11 @@ using CopyKey = std::array<double, 10>;
 // The triangles in the drawing order of the original triangles they lie on: with transparency later
 // triangles lie over earlier ones.
 std::vector<Index> drawingOrder(std::span<const InputPlace> places) {
-  std::vector<Index> middles, order(places.size() / 3);
+  std::vector<InputTriangle> middles;
+  std::vector<Index> order(places.size() / 3);
   for (std::size_t h = 0; h < places.size(); h += 3) {
-    std::array<Index, 3> drawn = {places[h].triangle, places[h + 1].triangle,
-                                  places[h + 2].triangle};
+    std::array<InputTriangle, 3> drawn = {places[h].triangle, places[h + 1].triangle,
+                                          places[h + 2].triangle};
     std::sort(drawn.begin(), drawn.end());
     middles.push_back(drawn[1]);
   }

@@ -26,25 +26,26 @@ InputPlace middleOf(std::span<const InputPlace> places) {
   return {places.front().triangle, sum / double(places.size())};
 }
 
-Triangle PaintSource::corners(Index triangle) const {
+Triangle PaintSource::corners(InputTriangle triangle) const {
   Triangle result;
-  for (Index k = 0; k < 3; ++k) result[k] = mesh().positions[mesh().indices[3 * triangle + k]];
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = mesh().positions[mesh().indices[cornerOf(triangle, k)]];
   return result;
 }
 
-std::span<const Index> PaintSource::around(Index corner) const {
-  const Index place = place_[mesh().indices[corner]];
+std::span<const InputTriangle> PaintSource::around(InputTriangle triangle, std::size_t k) const {
+  const Index place = place_[mesh().indices[cornerOf(triangle, k)]];
   return std::span(around_).subspan(starts_[place], starts_[place + 1] - starts_[place]);
 }
 
-const io::Material& PaintSource::materialOf(Index triangle) const {
-  const Index group = mesh().groups.empty() ? 0 : mesh().groups[triangle];
+const io::Material& PaintSource::materialOf(InputTriangle triangle) const {
+  const Index group = mesh().groups.empty() ? 0 : mesh().groups[triangle.index];
   return group < input_.materials.size() ? input_.materials[group] : plain_;
 }
 
-const PaintSource::Maps& PaintSource::mapsOf(Index triangle) const {
+const PaintSource::Maps& PaintSource::mapsOf(InputTriangle triangle) const {
   static const Maps kNoMaps{};
-  const Index group = mesh().groups.empty() ? 0 : mesh().groups[triangle];
+  const Index group = mesh().groups.empty() ? 0 : mesh().groups[triangle.index];
   return group < maps_.size() ? maps_[group] : kNoMaps;
 }
 
@@ -54,8 +55,8 @@ Vec2 PaintSource::texcoord(int set, Index vertex) const {
   return at != nullptr && at->itemSize == 2 ? pairOf(*at, vertex) : Vec2(0, 0);
 }
 
-std::array<Vec2, 3> PaintSource::texcoords(int set, Index triangle) const {
-  const Index* const corners = &mesh().indices[3 * std::size_t{triangle}];
+std::array<Vec2, 3> PaintSource::texcoords(int set, InputTriangle triangle) const {
+  const Index* const corners = &mesh().indices[cornerOf(triangle, 0)];
   return {texcoord(set, corners[0]), texcoord(set, corners[1]), texcoord(set, corners[2])};
 }
 
@@ -66,12 +67,12 @@ Vec3 PaintSource::position(const InputPlace& place) const {
 
 Vec3 PaintSource::shadingNormal(const InputPlace& place) const {
   Vec3 sum = Vec3::Zero();
-  for (Index k = 0; k < 3; ++k) sum += place.weights[k] * normals_[3 * place.triangle + k];
+  for (Index k = 0; k < 3; ++k) sum += place.weights[k] * normals_[cornerOf(place.triangle, k)];
   return unitOr(sum, faceNormals_[place.triangle]);
 }
 
 PaintSource::Texels PaintSource::lookUp(std::span<const InputPlace> places) const {
-  const Index triangle = places.front().triangle;
+  const InputTriangle triangle = places.front().triangle;
   const Maps& maps = mapsOf(triangle);
   Texels texels;
   std::array<Eigen::Vector4f, MapKinds> sums;
@@ -104,7 +105,7 @@ Eigen::Vector4d PaintSource::vertexColor(const InputPlace& place) const {
   for (int c = 0; c < std::min(4, colors_->itemSize); ++c) {
     sum[c] = 0;
     for (Index k = 0; k < 3; ++k) {
-      const std::size_t v = mesh().indices[3 * place.triangle + k];
+      const std::size_t v = mesh().indices[cornerOf(place.triangle, k)];
       sum[c] += place.weights[k] * colors_->values[v * colors_->itemSize + c];
     }
   }
@@ -118,9 +119,9 @@ Vec3 PaintSource::bent(const Vec3& normal, const InputPlace& place,
   const double scale = materialOf(place.triangle).normalScale;
   Vec3 tangent = Vec3::Zero();
   for (Index k = 0; k < 3; ++k)
-    tangent += place.weights[k] * tangents_[3 * place.triangle + k].head<3>();
+    tangent += place.weights[k] * tangents_[cornerOf(place.triangle, k)].head<3>();
   tangent = unitOr(tangent, Vec3::Zero());
-  const Vec3 bitangent = tangents_[3 * place.triangle][3] * normal.cross(tangent);
+  const Vec3 bitangent = tangents_[cornerOf(place.triangle, 0)][3] * normal.cross(tangent);
   return unitOr(scale * (2 * texel[0] - 1) * tangent + scale * (2 * texel[1] - 1) * bitangent +
                     (2 * texel[2] - 1) * normal,
                 normal);

@@ -10,6 +10,7 @@
 #include "base/input_place.h"
 #include "base/triangle_mesh.h"
 #include "geometry/triangle.h"
+#include "mesh/handles.h"
 #include "textures/painting/texture.h"
 
 namespace remesher {
@@ -44,10 +45,10 @@ class PaintSource {
   PaintSource& operator=(const PaintSource&) = delete;
 
   const TriangleMesh& mesh() const { return *input_.mesh; }
-  Triangle corners(Index triangle) const;
-  const Vec3& faceNormal(Index triangle) const { return faceNormals_[triangle]; }
-  // The triangles around the place of a corner.
-  std::span<const Index> around(Index corner) const;
+  Triangle corners(InputTriangle triangle) const;
+  const Vec3& faceNormal(InputTriangle triangle) const { return faceNormals_[triangle]; }
+  // The triangles around the place of the triangle's corner k.
+  std::span<const InputTriangle> around(InputTriangle triangle, std::size_t k) const;
 
   Vec3 position(const InputPlace& place) const;
   Vec3 shadingNormal(const InputPlace& place) const;  // without the normal map; unit
@@ -56,10 +57,10 @@ class PaintSource {
   Look at(std::span<const InputPlace> places) const;
 
   // The number of texels of a triangle's finest map that lie on it.
-  double texels(Index triangle) const;
+  double texels(InputTriangle triangle) const;
   // The number of texels in which the colours of a triangle's corners blend in hardly visible
   // steps.
-  double colorTexels(Index triangle) const;
+  double colorTexels(InputTriangle triangle) const;
   // The number of texels of a group's largest map.
   double largestMap(Index group) const;
 
@@ -83,13 +84,13 @@ class PaintSource {
 
   Maps mapsFor(const io::Material& material) const;
 
-  const io::Material& materialOf(Index triangle) const;
-  const Maps& mapsOf(Index triangle) const;
+  const io::Material& materialOf(InputTriangle triangle) const;
+  const Maps& mapsOf(InputTriangle triangle) const;
   void linkTriangles();
   void shade();
   void orient();
   Vec2 texcoord(int set, Index vertex) const;
-  std::array<Vec2, 3> texcoords(int set, Index triangle) const;
+  std::array<Vec2, 3> texcoords(int set, InputTriangle triangle) const;
   Texels lookUp(std::span<const InputPlace> places) const;
   Eigen::Vector4d vertexColor(const InputPlace& place) const;
   Vec3 bent(const Vec3& normal, const InputPlace& place, const Eigen::Vector4d& texel) const;
@@ -99,11 +100,12 @@ class PaintSource {
   std::vector<Maps> maps_;                   // per group
   std::vector<const Attribute*> texcoords_;  // by set number; null: the mesh has none
   const Attribute* colors_ = nullptr;
-  std::vector<Vec3> faceNormals_;
+  HandleData<InputTriangle, Vec3> faceNormals_;
   std::vector<Vec3> normals_;              // per corner
   std::vector<Eigen::Vector4d> tangents_;  // per corner; empty: no normal map
   std::vector<Index> place_;               // per vertex: the first at its place
-  std::vector<Index> starts_, around_;     // triangles by place
+  std::vector<Index> starts_;              // by place, in around_
+  std::vector<InputTriangle> around_;      // triangles by place
 };
 
 }  // namespace remesher

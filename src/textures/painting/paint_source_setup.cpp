@@ -69,22 +69,23 @@ void PaintSource::linkTriangles() {
   around_.resize(mesh().indices.size());
   std::vector<Index> next = starts_;
   for (Index h = 0; h < mesh().indices.size(); ++h)
-    around_[next[place_[mesh().indices[h]]]++] = h / 3;
+    around_[next[place_[mesh().indices[h]]]++] = InputTriangle(h / 3);
 }
 
 void PaintSource::shade() {
   const Index count = Index(mesh().triangleCount());
   std::vector<Vec3> sums(mesh().positions.size(), Vec3::Zero());
+  faceNormals_.resize(count);
   for (Index t = 0; t < count; ++t) {
-    const Triangle c = corners(t);
-    faceNormals_.push_back(unitNormal(c[0], c[1], c[2]));
+    const Triangle c = corners(InputTriangle(t));
+    faceNormals_[InputTriangle(t)] = unitNormal(c[0], c[1], c[2]);
     for (Index k = 0; k < 3; ++k)
       sums[place_[mesh().indices[3 * t + k]]] += areaVector(c[0], c[1], c[2]);
   }
   const Attribute* const given = findAttribute(mesh(), "NORMAL");
   for (Index h = 0; h < 3 * count; ++h) {
     const Index v = mesh().indices[h];
-    const Vec3& own = faceNormals_[h / 3];
+    const Vec3& own = faceNormals_[InputTriangle(h / 3)];
     if (given != nullptr && given->itemSize == 3)
       normals_.push_back(unitOr(vectorOf(*given, v), own));
     else
@@ -105,14 +106,14 @@ void PaintSource::orient() {
   std::vector<Vec3> positions;
   std::vector<Vec2> texcoords;
   for (Index h = 0; h < mesh().indices.size(); ++h) {
-    const Texture& map = mapsOf(h / 3).textures[NormalMap];
+    const Texture& map = mapsOf(InputTriangle(h / 3)).textures[NormalMap];
     positions.push_back(mesh().positions[mesh().indices[h]]);
     texcoords.push_back(texcoord(map ? map.texcoord() : 0, mesh().indices[h]));
   }
   tangents_ = computeTangents({positions, normals_, texcoords});
 }
 
-double PaintSource::texels(Index triangle) const {
+double PaintSource::texels(InputTriangle triangle) const {
   double most = 0;
   for (const Texture& map : mapsOf(triangle).textures) {
     if (!map) continue;
@@ -123,7 +124,7 @@ double PaintSource::texels(Index triangle) const {
   return most;
 }
 
-double PaintSource::colorTexels(Index triangle) const {
+double PaintSource::colorTexels(InputTriangle triangle) const {
   // About eight of a byte's levels per texel.
   constexpr double kStep = 1.0 / 32;
   double most = 0;

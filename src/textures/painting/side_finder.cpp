@@ -39,7 +39,7 @@ void SideFinder::enter(const NewTriangle& triangle) {
   reach_ *= kBallMargin;
   ++stamp_;
   near_.clear();
-  const auto add = [&](Index t) {
+  const auto add = [&](InputTriangle t) {
     if (stamps_[t] == stamp_) return;
     stamps_[t] = stamp_;
     near_.push_back(t);
@@ -48,14 +48,14 @@ void SideFinder::enter(const NewTriangle& triangle) {
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (!comesWithin(source_.corners(near_[i]), center, reach_)) continue;
     for (Index k = 0; k < 3; ++k)
-      for (const Index t : source_.around(3 * near_[i] + k)) add(t);
+      for (const InputTriangle t : source_.around(near_[i], k)) add(t);
   }
   facets_.clear();
-  for (const Index t : near_) facets_.push_back(facetOf(t));
+  for (const InputTriangle t : near_) facets_.push_back(facetOf(t));
   last_ = {};
 }
 
-SideFinder::Facet SideFinder::facetOf(Index triangle) const {
+SideFinder::Facet SideFinder::facetOf(InputTriangle triangle) const {
   const Triangle c = source_.corners(triangle);
   const Vec3 area = areaVector(c[0], c[1], c[2]);
   const double squared = area.squaredNorm();

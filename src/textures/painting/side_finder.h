@@ -44,7 +44,7 @@ class SideFinder {
  private:
   // A searched triangle, prepared for intersection with a line.
   struct Facet {
-    Index triangle;
+    InputTriangle triangle;
     Vec3 origin, normal;
     std::array<Vec3, 2> gradients;  // of the first two weights, which are 0 at the origin
   };
@@ -53,7 +53,7 @@ class SideFinder {
     double distance = kInfinity;
   };
 
-  Facet facetOf(Index triangle) const;
+  Facet facetOf(InputTriangle triangle) const;
   // Moves a facet to the front of last_, from position `before`.
   void remember(std::size_t facet, std::size_t before);
   // Where the line meets the facet, if the facet faces the same way. The distance is infinite if
@@ -62,9 +62,9 @@ class SideFinder {
   InputPlace nearest(const Vec3& point, const Vec3& normal) const;
 
   const PaintSource& source_;
-  std::vector<Index> near_;    // the searched triangles
-  std::vector<Facet> facets_;  // the same
-  std::vector<Index> stamps_;  // by triangle: when it was last entered
+  std::vector<InputTriangle> near_;          // the searched triangles
+  std::vector<Facet> facets_;                // the same
+  HandleData<InputTriangle, Index> stamps_;  // when each was last entered
   Index stamp_ = 0;
   double reach_ = 0;
   // The facets that were met last, latest first: the next query mostly meets one of them.

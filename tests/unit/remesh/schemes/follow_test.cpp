@@ -139,7 +139,7 @@ TEST_CASE("follow: every triangle keeps its group, and corners know a place of t
   CHECK(followed->mesh.groups.size() == followed->mesh.triangleCount());
   for (std::size_t h = 0; h < followed->places.size(); ++h) {
     const InputPlace& place = followed->places[h];
-    CHECK(input.groups[place.triangle] == followed->mesh.groups[h / 3]);
+    CHECK(input.groups[place.triangle.index] == followed->mesh.groups[h / 3]);
     CHECK(place.weights.sum() == 1);
     const Index v = followed->mesh.indices[h];
     const float* const value = &followed->mesh.attributes[0].values[3 * std::size_t{v}];

@@ -41,7 +41,7 @@ TEST_CASE("half: each corner knows its place on the whole") {
   const auto on = [&](const InputPlace& place) {
     Vec3 p = Vec3::Zero();
     for (Index k = 0; k < 3; ++k)
-      p += place.weights[k] * ring.positions[ring.indices[3 * place.triangle + k]];
+      p += place.weights[k] * ring.positions[ring.indices[cornerOf(place.triangle, k)]];
     return p;
   };
   for (std::size_t i = 0; i < half->mesh.indices.size(); ++i) {

@@ -71,16 +71,16 @@ struct Hinge {
   // The nearest on the side of the hinge where the corner's triangle is.
   InputPlace placeOf(Index h) const {
     const Vec3& p = mesh.positions[mesh.indices[h]];
-    InputPlace best{0, Vec3::Zero()};
+    InputPlace best{InputTriangle(0), Vec3::Zero()};
     double least = 1e300;
     for (Index t = 0; t < original.triangleCount(); ++t) {
-      const Triangle c = source->corners(t);
+      const Triangle c = source->corners(InputTriangle(t));
       const Vec3 weights = closestBarycentric(p, c[0], c[1], c[2]);
       const double distance =
           (weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2] - p).norm();
       if ((t >= turned_) != (h >= 6) || distance >= least) continue;
       least = distance;
-      best = {t, weights};
+      best = {InputTriangle(t), weights};
     }
     return best;
   }

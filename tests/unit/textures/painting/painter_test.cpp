@@ -46,7 +46,7 @@ struct MappedSquare {
     sources.push_back(sourceOf(mesh, {material}, images));
     for (Index h = 0; h < 6; ++h) {
       const Vec3& p = mesh.positions[mesh.indices[h]];
-      InputPlace place{h / 3, Vec3::Unit(h % 3)};
+      InputPlace place{InputTriangle(h / 3), Vec3::Unit(h % 3)};
       canvas[h / 3].corners[h % 3] = {
           p, Vec3::UnitZ(), Vec3::UnitZ(), {1, 0, 0, -1}, Vec2(p.x(), p.y()) * 16, place};
       canvas[h / 3].source = 0;
@@ -108,7 +108,7 @@ TEST_CASE("painter: a texel shows the point that it is at, and beyond a rim what
                                       Vec3::UnitZ(),
                                       {1, 0, 0, -1},
                                       Vec2(3.5 + 10 * p.x(), 3 + 10 * p.y()),
-                                      {h / 3, Vec3::Unit(h % 3)}};
+                                      {InputTriangle(h / 3), Vec3::Unit(h % 3)}};
       canvas[h / 3].source = 0;
       canvas[h / 3].rims = {0, char(h / 3 == 0 ? rim : 0), 0};
     }
@@ -147,7 +147,7 @@ TEST_CASE("painter: triangles count by how much of the texel lies on them") {
                       Vec3::UnitZ(),
                       {1, 0, 0, -1},
                       corners[k],
-                      {0, Vec3::Unit(Eigen::Index(k))}};
+                      {InputTriangle(0), Vec3::Unit(Eigen::Index(k))}};
   const auto painted = paint({&all, 1}, sources, {1, true, 1}, Progress());
   CHECK(painted.baseColor.texels[0] == srgbOf(0.5));
 }
@@ -165,7 +165,7 @@ TEST_CASE("painter: looks along the shape's normal and writes for that which lig
                        Vec3(0, 0.6, 0.8),
                        {1, 0, 0, -1},
                        Vec2(4 * p.x(), 4 * p.y()),
-                       {0, Vec3::Unit(Eigen::Index(k))}};
+                       {InputTriangle(0), Vec3::Unit(Eigen::Index(k))}};
   }
   const auto painted = paint({&half, 1}, sources, {4, true, 1}, Progress());
   // Up is 0.8 of that normal and 0.6 of the bitangent, (0, -0.8, 0.6).

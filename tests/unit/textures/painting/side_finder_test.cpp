@@ -16,10 +16,11 @@ TEST_CASE("side_finder: of sheets that touch each finds its own") {
   addSquare(mesh, 5e-4, Facing::Down);  // 4, 5: between, facing down
   const auto source = sourceOf(mesh);
   SideFinder finder(*source);
-  const auto found = [&](Index first, double z) {
+  const auto found = [&](Index number, double z) {
+    const InputTriangle first(number);
     finder.enter({{Vec3(0.1, 0.1, 0), Vec3(0.9, 0.1, 0), Vec3(0.9, 0.9, 0)},
                   {InputPlace{first, {1, 0, 0}}, {first, {0, 1, 0}}, {first, {0, 0, 1}}}});
-    return finder.find(Vec3(0.6, 0.4, 1e-4), Vec3(0, 0, z)).triangle;
+    return finder.find(Vec3(0.6, 0.4, 1e-4), Vec3(0, 0, z)).triangle.index;
   };
   CHECK(found(0, 1) == 0);
   CHECK(found(2, 1) == 2);
@@ -35,9 +36,11 @@ TEST_CASE("side_finder: along the normal, not to the nearest") {
   const auto source = sourceOf(mesh);
   SideFinder finder(*source);
   finder.enter({{Vec3(0, 0, 0.5), Vec3(2, 0, 0.5), Vec3(2, 1, 0.5)},
-                {InputPlace{0, {1, 0, 0}}, {4, {0, 1, 0}}, {4, {0, 0, 1}}}});
+                {InputPlace{InputTriangle(0), {1, 0, 0}},
+                 {InputTriangle(4), {0, 1, 0}},
+                 {InputTriangle(4), {0, 0, 1}}}});
   const InputPlace place = finder.find(Vec3(0.9, 0.5, 0.5), Vec3::UnitZ());
-  CHECK(place.triangle < 2);
+  CHECK(place.triangle.index < 2);
   CHECK((source->position(place) - Vec3(0.9, 0.5, 0)).norm() < 1e-12);
 }
 
@@ -53,7 +56,9 @@ TEST_CASE("side_finder: on one sheet it is all the same what was asked for befor
     }
   const auto source = sourceOf(mesh);
   const NewTriangle all{{Vec3(0, 0, 0), Vec3(6, 0, 0), Vec3(6, 6, 0)},
-                        {InputPlace{0, {1, 0, 0}}, {10, {0, 1, 0}}, {70, {0, 1, 0}}}};
+                        {InputPlace{InputTriangle(0), {1, 0, 0}},
+                         {InputTriangle(10), {0, 1, 0}},
+                         {InputTriangle(70), {0, 1, 0}}}};
   SideFinder walking(*source);
   walking.enter(all);
   for (int i = 0; i < 600; ++i) {
