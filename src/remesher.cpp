@@ -102,6 +102,8 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   if (!options.lods.empty()) io::replaceLevels(model);
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options.weld);
+    std::vector<io::Part> given;
+    if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     const Progress body = whole.part(mended, 1);
@@ -110,7 +112,7 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     if (!input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = mending.withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
-      all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));
+      all = remeshBaked(model, {std::move(given), std::move(input.pictures)}, chosen, body);
     else
       all = remeshLevels(model.parts, chosen, body);
     mending.note(all.front().report);

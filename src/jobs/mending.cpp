@@ -56,8 +56,7 @@ RemeshOptions Mending::chosen(RemeshOptions options) const {
 }
 
 RemeshOptions Mending::withPaint(RemeshOptions options, io::Model& model) const {
-  const bool isImplied = repair_ && repair_->isRemade && options.lods.empty() &&
-                         options.textures == Textures::Auto &&
+  const bool isImplied = repair_ && repair_->isRemade && options.textures == Textures::Auto &&
                          model.conventions == io::Conventions::Gltf;
   if (!isImplied) return options;
   options.textures = Textures::Bake;

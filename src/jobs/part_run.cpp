@@ -80,6 +80,11 @@ RemeshOutcome remeshAsShown(PartInput part, const PartTarget& target, const Prog
     options.prefer = Prefer::Even;
     outcome = remeshPart(std::move(part), options, progress);
     outcome.chosen = inReport(rule);
+    outcome.warnings.push_back(
+        {"SHAPE_NOT_PREFERRED",
+         "Vertices where the shape needs them most would make the repaired surface intersect "
+         "itself: its triangles are isotropic instead.",
+         1});
     return outcome;
   } catch (const TooFewVertices& error) {
     target.targets.refuse(target.surface, error);
