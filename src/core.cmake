@@ -335,6 +335,7 @@ set(small
   src/textures/painting/look_borders.cpp
   src/textures/painting/new_surface.cpp
   src/textures/painting/paint_source_setup.cpp
+  src/textures/painting/place_search.cpp
   src/textures/painting/shading.cpp
   src/textures/painting/tangents.cpp
   src/textures/repaint.cpp

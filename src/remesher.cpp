@@ -121,6 +121,8 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
   std::vector<SceneRun> runs = inFile(input.file.name, [&]() -> std::vector<SceneRun> {
     model.parts = joinedPlaces(std::move(model.parts), options.weld);
     if (options.quads) model.parts = cutAlongShorter(std::move(model.parts));
+    std::vector<io::Part> given;
+    if (options.repair != Repair::Off && !input.pictures.empty()) given = model.parts;
     const double mended = kReadShare + (1 - kReadShare) * mendShare(options);
     const Mending mending(model.parts, options, whole.part(kReadShare, mended));
     model.leftOut = mending.leftOut();
@@ -130,7 +132,9 @@ RemeshFileResult remeshFile(FileBundle input, const std::string& outputName,
     if (mending.isRemade() && !input.pictures.empty() && io::canHold(outputName, io::kHoldsImages))
       chosen = withPaint(std::move(chosen), model);
     if (chosen.textures == Textures::Bake)
-      all.push_back(remeshBaked(model, std::move(input.pictures), chosen, body));
+      all = remeshBaked(model,
+                        {given.empty() ? given : mending.kept(given), std::move(input.pictures)},
+                        chosen, body);
     else
       all = remeshLevels(model.parts, heldIn(outputName), chosen, body);
     mending.note(all.front().report);

@@ -57,8 +57,9 @@ RemeshFileResult repairFile(const FileBundle& input, const std::string& outputNa
   const RemeshOptions painting =
       repaired.isRemade && mayPaint ? withPaint(options, model) : options;
   if (painting.textures == Textures::Bake)
-    inFile(input.file.name,
-           [&] { paintRepaired(model, input.pictures, painting, whole.part(kPainted, 1)); });
+    inFile(input.file.name, [&] {
+      paintRepaired(model, {{}, input.pictures}, painting, whole.part(kPainted, 1));
+    });
   whole.phase("write", 1, 1);
   const bool keepsLook = painting.textures == Textures::Auto || painting.textures == Textures::Keep;
   if (keepsLook && repaired.isUnchanged && mayStay(input, outputName, model)) {

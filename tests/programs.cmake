@@ -199,9 +199,11 @@ add_executable(unit_tests
   tests/unit/textures/painting/canvas_test.cpp
   tests/unit/textures/painting/look_borders_test.cpp
   tests/unit/textures/painting/painter_test.cpp
+  tests/unit/textures/painting/place_search_test.cpp
   tests/unit/textures/painting/side_finder_test.cpp
   tests/unit/textures/painting/tangents_test.cpp
   tests/unit/textures/painting/texture_test.cpp
+  tests/unit/textures/repaint_test.cpp
 )
 target_include_directories(unit_tests PRIVATE tests/unit)
 # Without a handler around each: a fourteenth less to compile.

@@ -14,8 +14,8 @@ namespace remesher {
 
 namespace {
 
-// The approximate share of a run's time.
-constexpr double kPaintShare = 0.4;
+// The approximate shares of a run's time.
+constexpr double kPaintShare = 0.4, kLevelsShare = 0.1;
 
 // Materials are read only from glTF and OBJ; colors of vertices from other formats, too.
 void requirePaint(const io::Model& model) {
@@ -57,12 +57,12 @@ std::vector<io::NamedImage> imagesFrom(std::vector<Picture> pictures) {
   return images;
 }
 
-Repaint repaintOf(io::Model& model, std::vector<Picture> pictures) {
+Repaint repaintOf(io::Model& model, PaintInput paint) {
   requirePaint(model);
-  requireImages(model, pictures);
+  requireImages(model, paint.pictures);
   std::erase_if(model.warnings,
                 [](const Warning& w) { return w.code == "MATERIAL_IMAGES_NOT_READ"; });
-  return Repaint(model, imagesFrom(std::move(pictures)));
+  return Repaint(model, std::move(paint.given), imagesFrom(std::move(paint.pictures)));
 }
 
 }  // namespace
@@ -74,16 +74,21 @@ void requireTextured(const std::string& outputName) {
               "Let the output's name end in .glb or .gltf.");
 }
 
-SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
-                     const Progress& progress) {
-  const Repaint repaint = repaintOf(model, std::move(pictures));
-  SceneRun run = remeshParts(repaint.bareParts(), options, progress.part(0, 1 - kPaintShare));
+std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const RemeshOptions& options,
+                                  const Progress& progress) {
+  const Repaint repaint = repaintOf(model, std::move(paint));
+  const std::vector<io::Part> bare = repaint.bareParts();
+  const double painted = options.lods.empty() ? 1 : 1 - kLevelsShare;
+  SceneRun run = remeshParts(bare, options, progress.part(0, 1 - kPaintShare));
   model.parts = std::move(run.parts);
   withinMemory([&] {
-    repaint.paint(model, run.places, options, progress.phase("paint", 1 - kPaintShare, 1));
+    repaint.paint(model, run.places, options, progress.phase("paint", 1 - kPaintShare, painted));
   });
   run.parts = std::move(model.parts);
-  return run;
+  std::vector<SceneRun> levels = simplifiedLevels(bare, run, options, progress.part(painted, 1));
+  for (const SceneRun& level : levels) run.report.lods.push_back(level.report);
+  levels.insert(levels.begin(), std::move(run));
+  return levels;
 }
 
 std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
@@ -94,9 +99,9 @@ std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images) {
   return pictures;
 }
 
-void paintRepaired(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+void paintRepaired(io::Model& model, PaintInput paint, const RemeshOptions& options,
                    const Progress& progress) {
-  const Repaint repaint = repaintOf(model, std::move(pictures));
+  const Repaint repaint = repaintOf(model, std::move(paint));
   model.parts = repaint.bareParts();
   std::vector<std::vector<InputPlace>> places;
   for (const io::Part& part : model.parts) places.push_back(ownPlaces(part.mesh));

@@ -13,20 +13,27 @@
 
 namespace remesher {
 
+// What is painted from, beside the materials.
+struct PaintInput {
+  std::vector<io::Part> given;  // the parts as they came, if repair has changed them; else empty
+  std::vector<Picture> pictures;
+};
+
 // Painted textures need an output format with images: throws UNSUPPORTED.
 void requireTextured(const std::string& outputName);
 
-// Remeshes the model's parts and paints textures for them; the model gets their materials. Throws
+// Remeshes the model's parts and paints textures for them; the model gets their materials. Coarser
+// levels of detail follow, simplified from the painted one, with the same maps. Throws
 // UNSUPPORTED if the model has nothing to paint from, and MISSING_RESOURCE for an image that its
 // materials name and that is not given.
-SceneRun remeshBaked(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
-                     const Progress& progress);
+std::vector<SceneRun> remeshBaked(io::Model& model, PaintInput paint, const RemeshOptions& options,
+                                  const Progress& progress);
 
 // Painted images, as results hand them over.
 std::vector<Picture> picturesFrom(std::vector<io::PaintedImage> images);
 
 // Paints textures for the parts as they are, repaired but not remeshed. Throws as above.
-void paintRepaired(io::Model& model, std::vector<Picture> pictures, const RemeshOptions& options,
+void paintRepaired(io::Model& model, PaintInput paint, const RemeshOptions& options,
                    const Progress& progress);
 
 }  // namespace remesher

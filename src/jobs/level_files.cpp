@@ -32,6 +32,7 @@ io::WrittenFiles writeEach(io::Model model, std::vector<SceneRun>& runs,
     for (File& file : written.files)
       if (names.insert(file.name).second) all.files.push_back(std::move(file));
     all.warnings = joined(std::move(all.warnings), written.warnings);
+    all.images = std::move(written.images);  // the same for every level
   }
   return all;
 }

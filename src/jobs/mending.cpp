@@ -167,8 +167,7 @@ void Mending::note(Report& report) const {
 }
 
 RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
-  if (!options.lods.empty() || options.textures != Textures::Auto ||
-      model.conventions != io::Conventions::Gltf)
+  if (options.textures != Textures::Auto || model.conventions != io::Conventions::Gltf)
     return options;
   options.textures = Textures::Bake;
   model.warnings.push_back(
@@ -176,10 +175,10 @@ RemeshOptions withPaint(RemeshOptions options, io::Model& model) {
   return options;
 }
 
-std::vector<io::Part> without(std::vector<io::Part> parts, const std::vector<char>& isGone) {
+std::vector<io::Part> Mending::kept(std::vector<io::Part> given) const {
   std::vector<io::Part> left;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    if (!isGone[p]) left.push_back(std::move(parts[p]));
+  for (std::size_t p = 0; p < given.size(); ++p)
+    if (!isGone_[p]) left.push_back(std::move(given[p]));
   return left;
 }
 
@@ -189,7 +188,7 @@ RepairedParts repairOnly(std::vector<io::Part>& parts, Held held, const RemeshOp
   parts = joinedPlaces(std::move(parts), options.weld);
   const std::vector<io::Part> originals = parts;
   const Mending mending(parts, options, progress, Mending::Purpose::Itself);
-  const std::vector<io::Part> left = without(originals, mending.isGone());
+  const std::vector<io::Part> left = mending.kept(originals);
   for (std::size_t i = 0; i < parts.size(); ++i)
     parts[i].mesh = inPrecisionOf(left[i].mesh, std::move(parts[i].mesh)).mesh;
   progress.phase("measure", 1, 1);

@@ -42,6 +42,8 @@ class Mending {
 
   // Per part given whether it is gone.
   const std::vector<char>& isGone() const { return isGone_; }
+  // The parts that were given without those that are gone.
+  std::vector<io::Part> kept(std::vector<io::Part> given) const;
   // The numbers in the file of the meshes that are gone.
   std::vector<int> leftOut() const;
 

@@ -261,6 +261,41 @@ std::vector<SceneRun> remeshCoarser(const SceneInput& input, const RemeshOptions
   return runs;
 }
 
+// The options of a level that is simplified from the finest one.
+RemeshOptions optionsOfSimplified(const RemeshOptions& wanted, double share, const Report& finest) {
+  RemeshOptions options;
+  options.prefer = Prefer::Shape;
+  options.textures = Textures::Keep;
+  options.quality = wanted.quality;
+  options.tooFew = TooFew::Raise;
+  if (wanted.faces)
+    options.faces = Index(std::max(1.0, std::floor(share * double(finest.output->triangles))));
+  else
+    options.vertices = Index(std::max(1LL, std::llround(share * double(finest.output->vertices))));
+  return options;
+}
+
+// A level simplified from the finest one; the finest one again if nothing of it can go.
+SceneRun simplified(const InspectedParts& finest, const RemeshOptions& options,
+                    const SceneRun& otherwise, const Progress& progress) {
+  try {
+    return remeshInBudget({finest, Held::Apart}, options, progress);
+  } catch (const Error& error) {
+    if (error.code != ErrorCode::TargetBelowCurves && error.code != ErrorCode::TargetTooSmall)
+      throw;
+  }
+  SceneRun same;
+  same.parts = otherwise.parts;
+  same.report = otherwise.report;
+  same.report.lods.clear();
+  same.report.warnings = {
+      {"LEVEL_NOT_COARSER",
+       "A level of detail is as fine as the one before it: the borders of its charts need all of "
+       "its vertices.",
+       1}};
+  return same;
+}
+
 }  // namespace
 
 Held heldIn(const std::string& outputName) {
@@ -290,6 +325,29 @@ std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held 
                                        progress.part(share, 1))) {
       runs.front().report.lods.push_back(run.report);
       runs.push_back(std::move(run));
+    }
+    return runs;
+  });
+}
+
+std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
+                                       const SceneRun& finest, const RemeshOptions& options,
+                                       const Progress& progress) {
+  return withinMemory([&] {
+    const InspectedParts inspected(finest.parts);
+    std::vector<SceneRun> runs;
+    const double count = double(options.lods.size());
+    for (const double share : options.lods) {
+      PhaseClock clock;
+      const double begin = double(runs.size()) / count;
+      const Progress part = progress.part(begin, begin + 1 / count).timedBy(clock);
+      runs.push_back(simplified(inspected, optionsOfSimplified(options, share, finest.report),
+                                runs.empty() ? finest : runs.back(), part));
+      Report& report = runs.back().report;
+      report.input = finest.report.input;
+      report.fidelity =
+          fidelityOf({originals, runs.back().parts, placesOf(originals)}, Maximum::Sampled, {});
+      report = timed(std::move(report), clock);
     }
     return runs;
   });

@@ -38,4 +38,11 @@ SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions
 std::vector<SceneRun> remeshLevels(const std::vector<io::Part>& originals, Held held,
                                    const RemeshOptions& options, const Progress& progress);
 
+// The coarser levels of detail of a painted result, simplified from it: their corners keep its
+// attributes, so that all levels share its maps. originals: what the result was made of, to which
+// the distances refer. A level that cannot be as coarse as asked for is as coarse as it can be.
+std::vector<SceneRun> simplifiedLevels(const std::vector<io::Part>& originals,
+                                       const SceneRun& finest, const RemeshOptions& options,
+                                       const Progress& progress);
+
 }  // namespace remesher

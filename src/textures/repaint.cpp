@@ -12,10 +12,12 @@
 #include "base/error.h"
 #include "base/legible.h"
 #include "geometry/triangle.h"
+#include "io/model/same_mesh.h"
 #include "textures/charts/unwrap.h"
 #include "textures/map_size.h"
 #include "textures/painting/look_borders.h"
 #include "textures/painting/new_surface.h"
+#include "textures/painting/place_search.h"
 #include "textures/painting/tangents.h"
 
 namespace remesher {
@@ -76,8 +78,10 @@ class Repainting {
     const std::vector<std::vector<InputPlace>>& places;
     const RemeshOptions& options;
     Unshaded unshaded;
+    std::vector<char> areGiven;  // per part, whether its places are on its original
   };
   Repainting(const Input& input, io::Model& model) : input_(input), model_(model) {
+    places_.reserve(model.parts.size());  // surfaces refer to them
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
       const io::Part& original = input.originals[i];
       std::vector<io::Material> materials;
@@ -85,7 +89,9 @@ class Repainting {
         materials.push_back(lookOf(original, g));
       sources_.push_back(std::make_unique<PaintSource>(
           SourceInput{&original.mesh, std::move(materials), input.images, input.unshaded}));
-      surfaces_.emplace_back(model.parts[i].mesh, input.places[i], *sources_.back());
+      places_.push_back(input.areGiven[i] ? input.places[i]
+                                          : placesOn(model.parts[i].mesh, *sources_.back()));
+      surfaces_.emplace_back(model.parts[i].mesh, places_.back(), *sources_.back());
     }
   }
 
@@ -186,13 +192,17 @@ class Repainting {
     }
     const std::vector<std::vector<char>> borders = bordersOf(atlas);
     std::vector<char> cuts;
-    for (const auto& [part, t] : atlas.triangles)
+    std::vector<Index> faces;
+    for (const auto& [part, t] : atlas.triangles) {
+      const auto number = Index(faces.size());
+      faces.push_back(number - (surfaces_[part].kind() == FaceKind::Quads ? t % 2 : 0));
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
         indices.push_back(offsets[part] + surfaces_[part].welded(h));
         cuts.push_back(borders[part][h]);
       }
+    }
     const Index padding = 1 + atlas.size / kPaddingShare;
-    const Unwrapped unwrapped = unwrap({positions, indices, cuts}, {atlas.size, padding});
+    const Unwrapped unwrapped = unwrap({positions, indices, cuts, faces}, {atlas.size, padding});
     if (!(unwrapped.scale > 0) && !input_.options.textureSize && atlas.size < kLargest) return {};
     if (!(unwrapped.scale > 0))
       throw Error(ErrorCode::InvalidOption,
@@ -313,6 +323,7 @@ class Repainting {
   Input input_;
   io::Model& model_;
   std::vector<std::unique_ptr<PaintSource>> sources_;
+  std::vector<std::vector<InputPlace>> places_;
   std::vector<NewSurface> surfaces_;
 };
 
@@ -335,12 +346,15 @@ std::vector<Warning> unpaintedMaps(const std::vector<io::Part>& parts) {
 
 }  // namespace
 
-Repaint::Repaint(const io::Model& model, std::vector<io::NamedImage> images)
-    : originals_(model.parts),
+Repaint::Repaint(const io::Model& model, std::vector<io::Part> given,
+                 std::vector<io::NamedImage> images)
+    : surfaces_(model.parts),
+      originals_(given.empty() ? model.parts : std::move(given)),
       images_(std::move(images)),
       unshaded_(model.conventions == io::Conventions::Gltf ? Unshaded::Flat : Unshaded::Smooth) {
-  for (io::Part& part : originals_)
-    part.mesh = io::converted(std::move(part.mesh), model.conventions, io::Conventions::Gltf);
+  for (std::vector<io::Part>* parts : {&surfaces_, &originals_})
+    for (io::Part& part : *parts)
+      part.mesh = io::converted(std::move(part.mesh), model.conventions, io::Conventions::Gltf);
   std::map<std::string, Index> known;
   for (const io::Part& part : originals_) {
     classes_.emplace_back();
@@ -353,7 +367,7 @@ Repaint::Repaint(const io::Model& model, std::vector<io::NamedImage> images)
 }
 
 std::vector<io::Part> Repaint::bareParts() const {
-  std::vector<io::Part> parts = originals_;
+  std::vector<io::Part> parts = surfaces_;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     TriangleMesh& mesh = parts[p].mesh;
     std::erase_if(mesh.attributes, [](const Attribute& a) { return isPainted(a.semantic); });
@@ -369,7 +383,10 @@ std::vector<io::Part> Repaint::bareParts() const {
 
 void Repaint::paint(io::Model& model, const std::vector<std::vector<InputPlace>>& places,
                     const RemeshOptions& options, const Progress& progress) const {
-  Repainting painting({originals_, images_, classes_, places, options, unshaded_}, model);
+  std::vector<char> areGiven;
+  for (std::size_t p = 0; p < surfaces_.size(); ++p)
+    areGiven.push_back(io::isSame(surfaces_[p].mesh, originals_[p].mesh));
+  Repainting painting({originals_, images_, classes_, places, options, unshaded_, areGiven}, model);
   for (Index c = 0; c < classCount_; ++c)
     painting.paintClass(
         c, progress.part(double(c) / double(classCount_), double(c + 1) / double(classCount_)));

@@ -16,7 +16,8 @@ namespace remesher {
 
 class Repaint {
  public:
-  Repaint(const io::Model& model, std::vector<io::NamedImage> images);
+  // given: the parts as they came, to paint from, if repair has changed the model's; else empty.
+  Repaint(const io::Model& model, std::vector<io::Part> given, std::vector<io::NamedImage> images);
 
   // The parts to be remeshed, without textures, colours and normals. Groups whose materials can
   // share their maps become one group, with the number of the first.
@@ -27,7 +28,8 @@ class Repaint {
              const RemeshOptions& options, const Progress& progress) const;
 
  private:
-  std::vector<io::Part> originals_;
+  std::vector<io::Part> surfaces_;   // to be remeshed
+  std::vector<io::Part> originals_;  // to paint from
   std::vector<io::NamedImage> images_;
   Unshaded unshaded_;
   std::size_t classCount_ = 0;

@@ -24,7 +24,7 @@ function sheets([width, height], begins, wide) {
   }
   const maker = new GltfMaker();
   Object.assign(maker.tree, {
-    images: [{ bufferView: maker.addView(png(width, height, () => [9, 99, 199])),
+    images: [{ bufferView: maker.addView(png(width, height, (x, y) => [9, 99, 8 * (x + y) % 256])),
       mimeType: 'image/png' }],
     textures: [{ source: 0 }],
     materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],

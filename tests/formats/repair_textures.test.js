@@ -6,6 +6,7 @@ import { test } from 'node:test';
 
 import { remeshFile } from 'remesher';
 
+import { addChart, layOut, texels } from '../support/atlas_torus.js';
 import { baked, forEachTexel } from '../support/baked.js';
 import { GltfMaker, validate } from '../support/gltf.js';
 import { png } from '../support/png.js';
@@ -76,4 +77,38 @@ test('textures are kept where that is asked for, and where only holes are closed
   const closed = await mended(shells(false), { repair: 'auto' });
   assert.equal(closed.report.repair.mode, 'holes');
   assert.ok(!isPainted(closed));
+});
+
+/** A torus of two charts, one colour above the middle and another below. */
+function twoCharts() {
+  const mesh = { positions: [], texcoords: [], indices: [] };
+  for (const chart of layOut({ around: [0, 64], across: [0, 16, 32] })) addChart(mesh, chart);
+  const maker = new GltfMaker();
+  Object.assign(maker.tree, {
+    images: [{ bufferView: maker.addView(png(texels, texels,
+      (x, y) => (y < texels / 2 ? seen : hidden))), mimeType: 'image/png' }],
+    textures: [{ source: 0 }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
+  });
+  maker.show([{
+    attributes: {
+      POSITION: maker.add(Float32Array.from(mesh.positions), 'VEC3'),
+      TEXCOORD_0: maker.add(Float32Array.from(mesh.texcoords), 'VEC2'),
+    },
+    indices: maker.addIndices(Uint32Array.from(mesh.indices)),
+    material: 0,
+  }]);
+  return maker.glb();
+}
+
+test('a border of charts is as straight on a surface made anew as on the model', async () => {
+  const result = await mended(twoCharts(), { repair: 'wrap', textures: 'bake', textureSize: 512 });
+  let [wrong, count] = [0, 0];
+  forEachTexel(await baked(result), ({ position: [, , z], colour: [red] }) => {
+    if (Math.abs(z) < 0.02) return;  // of a tube 0.8 thick: where texels of both colours meet
+    count += 1;
+    wrong += (red > 110) === (z > 0) ? 0 : 1;
+  });
+  assert.ok(count > 10_000);
+  assert.equal(wrong, 0, `${wrong} of ${count} texels have the other colour`);
 });

@@ -384,6 +384,8 @@ export default {
   'warning.JOINTS_RELEASED': 'Kanten, an denen die Fläche zertrennt wurde, passen vielleicht nicht '
     + 'mehr aneinander.',
   'warning.LEVELS_REPLACED': 'Die gröberen Stufen, die die Datei hatte, weichen den verlangten.',
+  'warning.LEVEL_NOT_COARSER': 'Eine Detailstufe ist so fein wie die vor ihr: Die Ränder ihrer '
+    + 'Karten brauchen alle Punkte.',
   'warning.MAP_NOT_PAINTED': 'Eine Textur oder Varianten von Materialien können nicht neu gemalt '
     + 'werden und gehen verloren.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Die Materialien nennen Bilder, die nicht gelesen und nicht '
@@ -424,6 +426,8 @@ export default {
     + 'sehen '
     + 'sind.',
   'warning.CAVITIES_FILLED': 'Hohlräume, die von außen nicht zu sehen sind, wurden gefüllt.',
+  'warning.SHAPE_NOT_PREFERRED': 'Punkte dort, wo die Form sie am meisten braucht, ließen die '
+    + 'reparierte Fläche sich selbst schneiden: Ihre Dreiecke sind stattdessen gleichmäßig.',
   'warning.SHEETS_LEFT': 'Blätter wie Karten, Stoff oder Gelände umschließen nichts und blieben, '
     + 'wie '
     + 'sie waren; „einhüllen“ macht dünne Körper aus ihnen.',

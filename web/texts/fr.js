@@ -389,6 +389,8 @@ export default {
     + 'plus.',
   'warning.LEVELS_REPLACED': 'Les niveaux de détail qu’avait le fichier font place à ceux '
     + 'demandés.',
+  'warning.LEVEL_NOT_COARSER': 'Un niveau de détail est aussi fin que le précédent : les bords '
+    + 'de ses îlots ont besoin de tous ses sommets.',
   'warning.MAP_NOT_PAINTED': 'Une texture ou des variantes de matériaux ne peuvent pas être '
     + 'repeintes et sont perdues.',
   'warning.MATERIAL_IMAGES_NOT_READ': 'Les matériaux nomment des images qui ne sont ni lues ni '
@@ -417,6 +419,8 @@ export default {
   'warning.HIDDEN_BODIES_REMOVED': 'Des corps situés dans d’autres, que l’on ne voit pas, ont été '
     + 'retirés.',
   'warning.CAVITIES_FILLED': 'Des cavités invisibles de l’extérieur ont été remplies.',
+  'warning.SHAPE_NOT_PREFERRED': 'Des sommets là où la forme les réclame feraient se couper la '
+    + 'surface réparée : ses triangles sont réguliers à la place.',
   'warning.SHEETS_LEFT': 'Des feuilles (cartes, tissu, terrain) n’enferment rien et sont restées '
     + 'telles quelles ; « envelopper » en fait des solides minces.',
   'warning.PASSED_ON': 'Des maillages sans aire ont été transmis tels quels.',

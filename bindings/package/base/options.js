@@ -118,7 +118,6 @@ export const optionTable = [
       + 'planes at right angles to these axes mirror the quads, whatever the model is' },
   { name: 'textures', flag: '--textures T', type: 'choice',
     choices: ['auto', 'keep', 'drop', 'bake'], default: 'auto',
-    excludes: { value: 'bake', others: { lods: true }, why: 'levels would share no texture' },
     help: 'keep: texture coordinates, along their seams; drop: leave them out; bake (to glTF): '
       + 'new textures, painted '
       + 'from the old, so that seams hold no vertices; auto: keep, but bake from glTF to glTF '
@@ -130,7 +129,8 @@ export const optionTable = [
   { name: 'textureFormat', flag: '--texture-format F', type: 'choice',
     choices: ['png', 'jpeg', 'webp'],
     needs: [{ textures: ['bake'] }, { textures: ['auto'], repair: ['auto', 'solid', 'wrap'] }],
-    help: 'of baked textures; jpeg (if not given) leaves normals and alpha to png' },
+    help: 'of baked textures; jpeg (if not given, and not all images were WebP) leaves normals '
+      + 'and alpha to png' },
   { name: 'repair', flag: '--repair R', type: 'choice',
     choices: ['off', 'holes', 'solid', 'wrap', 'auto'], default: 'off',
     excludes: { others: { density: true, featureEdges: true },
@@ -174,7 +174,8 @@ export const optionTable = [
     help: 'leave out triangles that nobody sees from outside; all others stay as they are' },
   { name: 'lods', flag: '--lods R,R,…', type: 'shares', form: false,
     help: 'coarser levels of detail beside the result, by their shares of its vertices, each from '
-      + 'the original; in a glTF file by MSFT_lod' },
+      + 'the original, or with baked textures from the result, whose maps they share; in a glTF '
+      + 'file by MSFT_lod' },
   { name: 'lodFiles', flag: '--lod-files', type: 'boolean', default: false, form: false,
     needs: [{ lods: true }],
     help: 'a file for each level of detail, called after the result, not one for all' },

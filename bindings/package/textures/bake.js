@@ -7,6 +7,8 @@ import { legible } from '../base/legible.js';
 import { referencesOf } from '../codecs/resources.js';
 import { imagesOf, withImages } from './gltf_images.js';
 import { ImageCrew } from './image_crew.js';
+import { imageHeader } from './image_header.js';
+import { oneValue } from './plain_maps.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Picture} Picture */
@@ -27,6 +29,7 @@ function imagesBeside({ name: model, resources }) {
 export class Bakery {
   #crew;
   #onProgress;
+  #areWebp = false;
 
   /**
    * @param {import('./image_codecs.js').CodecSource} source
@@ -50,9 +53,17 @@ export class Bakery {
       this.#onProgress?.({ phase, fraction: decoding + (1 - decoding - encoding) * fraction }));
   }
 
+  /** WebP if all images came as WebP: programs that read them read new ones, too.
+   * @returns {'webp' | undefined} */
+  get usualFormat() {
+    return this.#areWebp ? 'webp' : undefined;
+  }
+
   /** @param {FileRequest} file @returns {Promise<FileRequest>} with its images decoded */
   async opened(file) {
     const images = isGltf(file.bytes) ? imagesOf(file) : imagesBeside(file);
+    this.#areWebp = images.length > 0
+      && images.every(({ bytes }) => imageHeader(bytes)?.type === 'image/webp');
     const decoded = await this.#crew.run(
       images.map(({ label, bytes }) => ({ work: 'decode', image: { name: label, bytes } })),
       (done) => this.#tell('decode images', shares.decoding * done / (images.length || 1)));
@@ -62,12 +73,13 @@ export class Bakery {
 
   /** @param {any} outcome as the core gives it */
   async closed({ pictures = [], ...outcome }) {
+    const values = pictures.map(oneValue);  // before a worker takes the texels
     const bytes = await this.#crew.run(
       pictures.map((/** @type {Picture} */ image) => ({ work: 'encode', image })),
       (done) => this.#tell('encode images',
         1 - shares.encoding * (1 - done / (pictures.length || 1))));
     const encoded = pictures.map((/** @type {Picture} */ { name, type }, /** @type {number} */ i) =>
-      ({ name, type, bytes: bytes[i] }));
+      ({ name, type, bytes: bytes[i], value: values[i] }));
     return { ...outcome, files: withImages(outcome.files, encoded) };
   }
 

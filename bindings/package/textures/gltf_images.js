@@ -5,6 +5,7 @@
 import { openContainer, packGlb } from '../codecs/gltf_container.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
+import { replacePlainMaps } from './plain_maps.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -112,26 +113,31 @@ export function imagesOf(file) {
   });
 }
 
+/** The numbers of the painted images that the tree shows. @param {any} tree */
+const paintingsIn = (tree) => (tree.images ?? []).flatMap((/** @type {any} */ { uri = '' }) =>
+  (placeholder.test(uri) ? [Number(placeholder.exec(uri)?.[1])] : []));
+
 /** @param {any} tree @param {Uint8Array} chunk @param {NamedBytes[]} encoded */
 function embed(tree, chunk, encoded) {
   const alignment = 8;
   const aligned = (/** @type {number} */ length) => Math.ceil(length / alignment) * alignment;
+  const shown = [...new Set(paintingsIn(tree))];
   let end = aligned(chunk.length);
   const whole = new Uint8Array(
-    encoded.reduce((sum, { bytes }) => sum + aligned(bytes.length), end));
+    shown.reduce((sum, number) => sum + aligned(encoded[number].bytes.length), end));
   whole.set(chunk);
-  const starts = encoded.map(({ bytes }) => {
+  const starts = new Map(shown.map((number) => {
     const start = end;
-    whole.set(bytes, start);
-    end += aligned(bytes.length);
-    return start;
-  });
+    whole.set(encoded[number].bytes, start);
+    end += aligned(encoded[number].bytes.length);
+    return [number, start];
+  }));
   for (const image of tree.images ?? []) {
-    const number = placeholder.exec(image.uri ?? '')?.[1];
+    const [number] = paintingsIn({ images: [image] });
     if (number === undefined) continue;
     delete image.uri;
-    tree.bufferViews.push({ buffer: 0, byteOffset: starts[Number(number)],
-      byteLength: encoded[Number(number)].bytes.length });
+    tree.bufferViews.push({ buffer: 0, byteOffset: starts.get(number),
+      byteLength: encoded[number].bytes.length });
     image.bufferView = tree.bufferViews.length - 1;
   }
   tree.buffers[0].byteLength = whole.length;
@@ -146,35 +152,51 @@ function freeName(files, base, ending) {
   return name;
 }
 
-/** @typedef {NamedBytes & { type: string }} EncodedImage */
+/** value: of all texels, if they have one.
+ * @typedef {NamedBytes & { type: string, value?: number[] }} EncodedImage */
 
-/** @param {any} tree @param {NamedBytes[]} files @param {EncodedImage[]} encoded */
-function layBeside(tree, files, encoded) {
+/** Names for images beside .gltf files, which all these files share.
+ * @param {NamedBytes[]} files @param {EncodedImage[]} encoded */
+function filesOf(files, encoded) {
   const base = files[0].name.replace(/\.[^.]*$/, '');
-  const result = [...files];
+  const all = [...files];
+  return encoded.map(({ name, bytes, type }) => {
+    const file = { name: freeName(all, `${base}_${name}`, extensions[type]), bytes };
+    all.push(file);
+    return file;
+  });
+}
+
+/** @param {any} tree @param {NamedBytes[]} images */
+function namedIn(tree, images) {
   for (const image of tree.images ?? []) {
-    const number = placeholder.exec(image.uri ?? '')?.[1];
+    const [number] = paintingsIn({ images: [image] });
     if (number === undefined) continue;
-    const { name, bytes, type } = encoded[Number(number)];
-    const file = freeName(result, `${base}_${name}`, extensions[type]);
-    image.uri = encodeURIComponent(file);
+    image.uri = encodeURIComponent(images[number].name);
     delete image.mimeType;
-    result.push({ name: file, bytes });
   }
-  result[0] = { name: files[0].name,
-    bytes: new TextEncoder().encode(`${JSON.stringify(tree, undefined, 2)}\n`) };
-  return result;
+  return new TextEncoder().encode(`${JSON.stringify(tree, undefined, 2)}\n`);
 }
 
 /**
- * The files of a result with its painted images, within a .glb or beside a .gltf.
+ * The files of a result with its painted images, within each .glb or beside each .gltf: levels of
+ * detail may be files of their own. Images of one value become factors of their materials.
  * @param {NamedBytes[]} files
  * @param {EncodedImage[]} encoded
  * @returns {NamedBytes[]}
  */
 export function withImages(files, encoded) {
-  const { text, chunk } = openContainer(files[0].bytes);
-  const tree = JSON.parse(text);
-  if (!chunk) return layBeside(tree, files, encoded);
-  return [{ name: files[0].name, bytes: embed(tree, chunk, encoded) }, ...files.slice(1)];
+  const beside = filesOf(files, encoded);
+  /** @type {Set<number>} */
+  const named = new Set();
+  const result = files.map(({ name, bytes }) => {
+    if (!/\.gl(b|tf)$/i.test(name)) return { name, bytes };
+    const { text, chunk } = openContainer(bytes);
+    const tree = JSON.parse(text);
+    replacePlainMaps(tree, encoded.map(({ value }) => value));
+    if (chunk) return { name, bytes: embed(tree, chunk, encoded) };
+    for (const number of paintingsIn(tree)) named.add(number);
+    return { name, bytes: namedIn(tree, beside) };
+  });
+  return [...result, ...beside.filter((_, number) => named.has(number))];
 }

@@ -169,9 +169,9 @@ function withPresetSaid(job, outcome) {
 
 /** Whether textures are baked, or will be if repair makes another surface.
  * @param {FileJob} job */
-function mayPaint({ file, options: { textures = 'auto', repair = 'off', lods } }) {
+function mayPaint({ file, options: { textures = 'auto', repair = 'off' } }) {
   const mayBeMadeAnew = ['solid', 'wrap', 'auto'].includes(String(repair));
-  return textures === 'bake' || (textures === 'auto' && mayBeMadeAnew && !lods
+  return textures === 'bake' || (textures === 'auto' && mayBeMadeAnew
     && isGltf(file.bytes) && namesGltf(file.output));
 }
 
@@ -233,7 +233,9 @@ export class Engine {
     const bakery = new Bakery(this.#codecs, onProgress);
     try {
       const file = await openedBy(bakery, plainJob);
-      return await bakery.closed(await this.#run({ ...plainJob, file }, bakery.onPainting));
+      const options = { textureFormat: bakery.usualFormat, ...plainJob.options };
+      return await bakery.closed(await this.#run({ ...plainJob, file, options },
+        bakery.onPainting));
     } finally {
       bakery.end();
     }

@@ -92,7 +92,7 @@ void LodWriter::add(const FinestLevel& finest, const std::vector<TriangleMesh>& 
     meshes.push_back(tree["meshes"].size());
     tree["meshes"].push_back(finest.mesh);
     rename(tree["meshes"].back(), meshes.size());
-    editor_.replaceGeometry(meshes.back(), level, finest.pools);
+    editor_.replaceGeometry(meshes.back(), level, finest.pools, finest.texcoords);
   }
   for (const std::size_t node : nodesOf_[finest.number]) addNodes(node, meshes);
   declareExtension(tree);

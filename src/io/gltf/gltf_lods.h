@@ -17,6 +17,7 @@ struct FinestLevel {
   std::size_t number;
   Json mesh;
   std::vector<VertexPool> pools;
+  Texcoords texcoords = Texcoords::Kept;
 };
 
 class LodWriter {

@@ -229,6 +229,20 @@ std::size_t usePaintings(Json& primitives, const Part& part, std::size_t firstPa
   return lost;
 }
 
+// A part's mesh as the file has it, with the materials and attributes of paintings, if any.
+FinestLevel finestLevel(const GltfDocument& document, const Model& model, std::size_t number,
+                        std::size_t firstPainting) {
+  const Part& part = model.parts[number];
+  const auto mesh = static_cast<std::size_t>(part.source);
+  FinestLevel finest{mesh, document.tree["meshes"][mesh], vertexPools(document, mesh),
+                     Texcoords::Kept};
+  if (model.paintings.empty()) return finest;
+  finest.pools = paintedPools(part, std::move(finest.pools));
+  finest.texcoords = Texcoords::Painted;
+  usePaintings(finest.mesh["primitives"], part, firstPainting);
+  return finest;
+}
+
 bool isSkinned(const Json& tree, std::size_t mesh) {
   const Json& primitives = tree["meshes"][mesh]["primitives"];
   return std::any_of(primitives.begin(), primitives.end(), [](const Json& primitive) {
@@ -284,12 +298,9 @@ WrittenFiles writeDocument(const GltfDocument& document, const Model& model,
   }
   dropSkins(editor.tree(), jointless);
   LodWriter levels(editor);
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const auto mesh = static_cast<std::size_t>(model.parts[i].source);
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
     if (!model.parts[i].lods.empty())
-      levels.add({mesh, document.tree["meshes"][mesh], vertexPools(document, mesh)},
-                 model.parts[i].lods);
-  }
+      levels.add(finestLevel(document, model, i, firstPainting), model.parts[i].lods);
   editor.lost().accessors.merge(dropNodes(editor.tree(), oldLevels));
   settlePointers(document.tree, editor.tree(), editor.lost());
   editor.lost().accessors.merge(

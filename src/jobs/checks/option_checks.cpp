@@ -11,9 +11,6 @@ void checkTogether(const RemeshOptions& options) {
     throw Error(ErrorCode::InvalidOption,
                 "density and featureEdges number the input's vertices, and repair makes others.",
                 "Repair the mesh first, then remesh the result.");
-  if (options.textures == Textures::Bake && !options.lods.empty())
-    throw Error(ErrorCode::InvalidOption, "Baked textures and levels of detail exclude each other.",
-                "Ask for one of them: --textures, --lods.");
 }
 
 }  // namespace remesher

@@ -39,7 +39,7 @@ std::vector<VertexPair> edgesIn(const Half& half, const std::vector<VertexPair>&
   const auto ofWhole = [&](Index v) {
     const InputPlace& place = half.vertices[v];
     for (Index k = 0; k < 3; ++k)
-      if (place.weights[k] == 1) return first[whole.indices[std::size_t{3} * place.triangle + k]];
+      if (place.weights[k] == 1) return first[whole.indices[cornerOf(place.triangle, k)]];
     return kNone;
   };
   std::set<VertexPair> known;

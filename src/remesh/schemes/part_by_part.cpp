@@ -185,7 +185,7 @@ void takePart(RemeshOutcome& whole, RemeshOutcome made, const SurfacePart& part,
   else
     appendMesh(whole.mesh, made.mesh);
   for (const InputPlace& place : made.places)
-    whole.places.push_back({part.triangles[place.triangle], place.weights});
+    whole.places.push_back({InputTriangle{part.triangles[place.triangle.index]}, place.weights});
   addPlanes(whole.mirrors, made.mirrors);
   std::erase_if(made.warnings, isNumberNote);
   addWarnings(whole.warnings, made.warnings, known);

@@ -51,6 +51,8 @@ class Growth {
         clusters_(surface.indices.size() / 3),
         clusterOf_(surface.indices.size() / 3) {
     for (Index t = 0; t < clusters_.size(); ++t) addTriangle(t);
+    for (Index t = 0; t < surface.faces.size(); ++t)
+      if (surface.faces[t] != t && mayJoin(surface.faces[t], t)) merge(surface.faces[t], t);
     for (Index t = 0; t < clusters_.size(); ++t)
       for (const auto& [other, length] : clusters_[t].neighbours)
         if (t < other) propose(t, other);
@@ -90,6 +92,14 @@ class Growth {
       const Index twin = surface_.twins[h];
       if (twin != kNone && twin / 3 != t) cluster.neighbours[twin / 3] += edgeLength(h);
     }
+  }
+
+  // Whether the triangles of a quad share an edge that is not cut, and neither is turned over as
+  // seen from above the quad.
+  bool mayJoin(Index first, Index second) const {
+    const Cluster &x = clusters_[first], &y = clusters_[second];
+    const Vec3 sum = x.areaVector + y.areaVector;
+    return x.neighbours.contains(second) && x.areaVector.dot(sum) > 0 && y.areaVector.dot(sum) > 0;
   }
 
   void propose(Index a, Index b) {

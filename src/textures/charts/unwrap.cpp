@@ -28,7 +28,7 @@ std::vector<Index> twinsOf(const UnwrapInput& mesh) {
 
 Unwrapped unwrap(const UnwrapInput& mesh, const PackingRules& rules) {
   const std::vector<Index> twins = twinsOf(mesh);
-  const ChartSurface surface{mesh.positions, mesh.indices, twins};
+  const ChartSurface surface{mesh.positions, mesh.indices, twins, mesh.faces};
   const std::vector<FlatChart> charts = layFlat(surface, growCharts(surface));
   std::vector<PlaneChart> flat;
   for (const FlatChart& chart : charts) flat.push_back(chart.plane);

@@ -13,6 +13,8 @@ struct UnwrapInput {
   std::span<const Vec3> positions;
   std::span<const Index> indices;
   std::vector<char> cuts;  // per corner: whether charts end at the edge from it
+  // Per triangle the number of its face, of the first of its triangles; empty: each is a face.
+  std::vector<Index> faces = {};
 };
 
 struct Unwrapped {

@@ -70,6 +70,7 @@ class Borders {
   bool isHigh(Index h) const { return twiceArea(h) > kLowest * texel_ * length(h); }
 
   bool isBorder(Index a, Index b) {
+    if (areOneQuad(surface_.kind(), a / 3, b / 3)) return false;
     if (!isHigh(a) || !isHigh(b)) return false;
     const auto parts = [&](Index i, Index j) { return surface_.normal(i) != surface_.normal(j); };
     return parts(a, nextCorner(b)) || parts(nextCorner(a), b) || jumps(a, b);

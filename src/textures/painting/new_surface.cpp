@@ -18,16 +18,15 @@ Vec3 rounded(const Vec3& v) { return v.cast<float>().cast<double>(); }
 // The values by which copies of a vertex differ.
 using CopyKey = std::array<double, 10>;
 
-// The triangles in the drawing order of the original triangles they lie on: with transparency later
-// triangles lie over earlier ones.
-std::vector<Index> drawingOrder(std::span<const InputPlace> places) {
-  std::vector<InputTriangle> middles;
-  std::vector<Index> order(places.size() / 3);
-  for (std::size_t h = 0; h < places.size(); h += 3) {
-    std::array<InputTriangle, 3> drawn = {places[h].triangle, places[h + 1].triangle,
-                                          places[h + 2].triangle};
+// The faces in the drawing order of the original triangles they lie on: with transparency later
+// faces lie over earlier ones. corners: of a face.
+std::vector<Index> drawingOrder(std::span<const InputPlace> places, std::size_t corners) {
+  std::vector<Index> order(places.size() / corners);
+  std::vector<InputTriangle> middles, drawn(corners, InputTriangle{0});
+  for (std::size_t h = 0; h < places.size(); h += corners) {
+    for (std::size_t k = 0; k < corners; ++k) drawn[k] = places[h + k].triangle;
     std::sort(drawn.begin(), drawn.end());
-    middles.push_back(drawn[1]);
+    middles.push_back(drawn[corners / 2]);
   }
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -51,7 +50,7 @@ NewSurface::NewSurface(const TriangleMesh& mesh, std::span<const InputPlace> pla
   for (const Vec3& p : mesh.positions) positions_.push_back(rounded(p));
   const std::vector<Index> first = weld(mesh.positions);
   for (const Index v : mesh.indices) welded_.push_back(first[v]);
-  for (const auto& [shape, light] : shade(positions_, welded_, places, source))
+  for (const auto& [shape, light] : shade(positions_, welded_, places, source, kind()))
     normals_.push_back({rounded(shape), rounded(light)});
 }
 
@@ -64,13 +63,23 @@ CanvasCorner NewSurface::canvasCorner(Index corner, Index size) const {
           tangents_[corner], texcoord(corner) * size, places_[corner]};
 }
 
+std::optional<Index> NewSurface::cornerInQuad(Index corner) const {
+  if (!mesh_.isQuads || corner / 3 % 2 == 0) return {};
+  const Index first = corner / 3 * 3 - 3;
+  for (Index h = first; h < first + 3; ++h)
+    if (mesh_.indices[h] == mesh_.indices[corner] && texcoords_[h] == texcoords_[corner]) return h;
+  return {};
+}
+
 TriangleMesh NewSurface::painted() const {
   TriangleMesh result;
+  result.isQuads = mesh_.isQuads;
   for (const Attribute& attribute : mesh_.attributes)
     result.attributes.push_back({attribute.semantic, attribute.itemSize, {}});
   Attribute normals{"NORMAL", 3, {}}, tangents{"TANGENT", 4, {}}, texcoords{"TEXCOORD_0", 2, {}};
   std::map<CopyKey, Index> copies;
-  const auto addCorner = [&](Index h) {
+  const auto addCorner = [&](Index corner) {
+    const Index h = cornerInQuad(corner).value_or(corner);
     const Index v = mesh_.indices[h];
     const Vec3& n = normal(h);
     const Vec2& uv = texcoords_[h];
@@ -87,9 +96,12 @@ TriangleMesh NewSurface::painted() const {
     for (const double x : t) tangents.values.push_back(float(x));
     for (const double x : uv) texcoords.values.push_back(float(x));
   };
-  for (const Index t : drawingOrder(places_)) {
-    for (Index h = 3 * t; h < 3 * t + 3; ++h) addCorner(h);
-    if (!mesh_.groups.empty()) result.groups.push_back(mesh_.groups[t]);
+  const Index corners = mesh_.isQuads ? 6 : 3;
+  for (const Index face : drawingOrder(places_, corners)) {
+    for (Index h = corners * face; h < corners * (face + 1); ++h) {
+      addCorner(h);
+      if (!mesh_.groups.empty() && h % 3 == 0) result.groups.push_back(mesh_.groups[h / 3]);
+    }
   }
   for (Attribute* const made : {&normals, &tangents, &texcoords})
     if (made != &tangents || hasTangents_) result.attributes.push_back(std::move(*made));

@@ -3,6 +3,7 @@
 // single precision of files.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@ class NewSurface {
              const PaintSource& source);
 
   const TriangleMesh& mesh() const { return mesh_; }
+  FaceKind kind() const { return mesh_.isQuads ? FaceKind::Quads : FaceKind::Triangles; }
   std::span<const Vec3> positions() const { return positions_; }  // per vertex
   Index welded(Index corner) const { return welded_[corner]; }
 
@@ -42,10 +44,13 @@ class NewSurface {
   CanvasCorner canvasCorner(Index corner, Index size) const;
 
   // The mesh with normals, texture coordinates and, if any were set, tangents. Vertices are copied
-  // where corners differ.
+  // where corners differ; the triangles of a quad stay together and share two vertices.
   TriangleMesh painted() const;
 
  private:
+  // For a corner of a quad's second triangle: the same corner of its first, if it has one.
+  std::optional<Index> cornerInQuad(Index corner) const;
+
   const TriangleMesh& mesh_;
   std::span<const InputPlace> places_;
   std::vector<Vec3> positions_;

@@ -20,8 +20,8 @@ const double kForeign = std::cos(radians(60));
 
 class Shader {
  public:
-  Shader(std::span<const Vec3> positions, std::span<const Index> indices)
-      : positions_(positions), indices_(indices), shared_(indices.size()) {}
+  Shader(std::span<const Vec3> positions, std::span<const Index> indices, FaceKind kind)
+      : positions_(positions), indices_(indices), kind_(kind), shared_(indices.size()) {}
 
   std::vector<CornerNormals> run(std::span<const InputPlace> places, const PaintSource& source) {
     std::vector<Vec3> original;
@@ -32,7 +32,8 @@ class Shader {
       if (edges[e].size() != 2) continue;
       const Index a = edges[e][0], b = edges[e][1];
       if (indices_[a] == indices_[b]) continue;
-      if (parts(a, nextCorner(b)) || parts(nextCorner(a), b)) continue;
+      const bool isWithin = areOneQuad(kind_, a / 3, b / 3);
+      if (!isWithin && (parts(a, nextCorner(b)) || parts(nextCorner(a), b))) continue;
       shared_.unite(a, nextCorner(b));
       shared_.unite(nextCorner(a), b);
     }
@@ -110,14 +111,16 @@ class Shader {
 
   std::span<const Vec3> positions_;
   std::span<const Index> indices_;
+  FaceKind kind_;
   DisjointSets shared_;  // corners
 };
 
 }  // namespace
 
 std::vector<CornerNormals> shade(std::span<const Vec3> positions, std::span<const Index> indices,
-                                 std::span<const InputPlace> places, const PaintSource& source) {
-  return Shader(positions, indices).run(places, source);
+                                 std::span<const InputPlace> places, const PaintSource& source,
+                                 FaceKind kind) {
+  return Shader(positions, indices, kind).run(places, source);
 }
 
 }  // namespace remesher

@@ -16,8 +16,17 @@ struct CornerNormals {
   Vec3 shape, light;
 };
 
+// Quads are pairs of triangles: the edge within a pair is no edge of the surface.
+enum class FaceKind { Triangles, Quads };
+
+// Whether two triangles are one quad.
+inline bool areOneQuad(FaceKind kind, Index t, Index other) {
+  return kind == FaceKind::Quads && t / 2 == other / 2;
+}
+
 // Per corner. indices: of the new mesh, welded by position; places: per corner, on the original.
 std::vector<CornerNormals> shade(std::span<const Vec3> positions, std::span<const Index> indices,
-                                 std::span<const InputPlace> places, const PaintSource& source);
+                                 std::span<const InputPlace> places, const PaintSource& source,
+                                 FaceKind kind = FaceKind::Triangles);
 
 }  // namespace remesher

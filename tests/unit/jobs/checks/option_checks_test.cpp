@@ -18,12 +18,3 @@ TEST_CASE("option checks: options that name vertices exclude repair, which makes
   options.featureEdges = {{0, 1}};
   CHECK_THROWS_AS(checkTogether(options), Error);
 }
-
-TEST_CASE("option checks: levels of detail are not baked") {
-  RemeshOptions options;
-  options.lods = {0.5};
-  options.textures = Textures::Keep;
-  CHECK_NOTHROW(checkTogether(options));
-  options.textures = Textures::Bake;
-  CHECK_THROWS_AS(checkTogether(options), Error);
-}

@@ -269,3 +269,18 @@ TEST_CASE("unwrap: the square is used, by few charts and by many") {
   CHECK(Laid(sphere(), {1024, 4}).use() > 0.5);
   CHECK(Laid(plates(8), {1024, 1}).use() > 0.4);
 }
+
+TEST_CASE("unwrap: both triangles of a quad are in one chart, and share its places there") {
+  for (const TriangleMesh& mesh : {sphere(), waves(0.1), foldedSheet()}) {
+    UnwrapInput input{mesh.positions, mesh.indices, noCuts(mesh)};
+    for (Index t = 0; t < mesh.triangleCount(); ++t) input.faces.push_back(t - t % 2);
+    const Unwrapped unwrapped = unwrap(input, {512, 2});
+    std::size_t split = 0;
+    for (Index t = 0; t < mesh.triangleCount(); t += 2) {
+      split += unwrapped.charts[t] != unwrapped.charts[t + 1];
+      split += unwrapped.corners[3 * t] != unwrapped.corners[3 * t + 3];
+      split += unwrapped.corners[3 * t + 2] != unwrapped.corners[3 * t + 4];
+    }
+    CHECK(split == 0);
+  }
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "textures/painting/place_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remesher {
+
+namespace {
+
+// Surfaces face the same way if the cosine between their normals exceeds this.
+constexpr double kFacesAlike = 0.1;
+// Of the diagonal: places farther away are no better than those that face another way.
+constexpr double kNearBy = 0.05, kFirstLook = 0.0005;
+// How far inside of its triangle a corner's place is looked for, as a share of the way to its
+// middle.
+constexpr double kInside = 0.02;
+
+}  // namespace
+
+PlaceSearch::PlaceSearch(const PaintSource& source)
+    : source_(source),
+      tree_(source.mesh().positions, source.mesh().indices),
+      farthest_(kNearBy * (tree_.box().high - tree_.box().low).norm()) {}
+
+InputPlace PlaceSearch::on(InputTriangle triangle, const Vec3& point) const {
+  const auto [a, b, c] = source_.corners(triangle);
+  return {triangle, closestBarycentric(point, a, b, c)};
+}
+
+InputPlace PlaceSearch::at(const Vec3& point, const Vec3& normal) const {
+  const auto facesAlike = [&](InputTriangle t) {
+    return source_.faceNormal(t).dot(normal) > kFacesAlike;
+  };
+  const TriangleTree::Nearest nearest = tree_.nearest(point);
+  const InputTriangle first{nearest.triangle};
+  if (facesAlike(first)) return on(first, point);
+  const double away = std::sqrt(nearest.squaredDistance);
+  double radius = std::max(2 * away, kFirstLook / kNearBy * farthest_);
+  for (; radius <= std::max(farthest_, 4 * away); radius *= 2) {
+    InputPlace best;
+    double least = radius;
+    const Vec3 reach = Vec3::Constant(radius);
+    tree_.visitOverlapping({point - reach, point + reach}, [&](Index number) {
+      const InputTriangle t{number};
+      if (!facesAlike(t)) return;
+      const InputPlace place = on(t, point);
+      const double distance = (source_.position(place) - point).norm();
+      if (distance > least || (distance == least && t > best.triangle)) return;
+      least = distance;
+      best = place;
+    });
+    if (least < radius) return best;
+  }
+  return on(first, point);
+}
+
+std::vector<InputPlace> placesOn(const TriangleMesh& mesh, const PaintSource& source) {
+  const PlaceSearch search(source);
+  std::vector<InputPlace> places;
+  for (std::size_t h = 0; h < mesh.indices.size(); h += 3) {
+    const auto corner = [&](std::size_t k) { return mesh.positions[mesh.indices[h + k]]; };
+    const Vec3 middle = (corner(0) + corner(1) + corner(2)) / 3;
+    const Vec3 normal = unitNormal(corner(0), corner(1), corner(2));
+    for (std::size_t k = 0; k < 3; ++k)
+      places.push_back(search.at((1 - kInside) * corner(k) + kInside * middle, normal));
+  }
+  return places;
+}
+
+}  // namespace remesher
