@@ -57,7 +57,7 @@ std::vector<std::uint8_t> abaqusBytes(const NamedFaces& surface) {
 
 WrittenFiles writeAbaqus(const Model& model, const std::string& outputName) {
   return {{{outputName, abaqusBytes(namedFacesOf(model))}},
-          droppedAttributes(model, {}, "Abaqus file")};
+          droppedAttributes(model, {kMaterial}, "Abaqus file")};
 }
 
 }  // namespace remesher::io

@@ -100,7 +100,7 @@ void GmshWriter::writeElements() {
 
 WrittenFiles writeGmsh(const Model& model, const std::string& outputName) {
   return {{{outputName, GmshWriter(namedFacesOf(model)).bytes()}},
-          droppedAttributes(model, {}, "Gmsh file")};
+          droppedAttributes(model, {kMaterial}, "Gmsh file")};
 }
 
 }  // namespace remesher::io

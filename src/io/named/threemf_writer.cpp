@@ -141,7 +141,7 @@ WrittenFiles writeThreemf(const Model& model, const std::string& outputName) {
                        digitsFor(meshes, model.isExact ? Digits::OfDoubles : Digits::Fewest));
   writer.writeMaterials(bodies);
   for (const Part& body : bodies) writer.writeObject(body);
-  return {{{outputName, writer.finish()}}, droppedAttributes(model, {}, "3MF file")};
+  return {{{outputName, writer.finish()}}, droppedAttributes(model, {kMaterial}, "3MF file")};
 }
 
 }  // namespace remesher::io

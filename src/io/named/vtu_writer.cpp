@@ -75,7 +75,8 @@ std::vector<std::uint8_t> vtuBytes(const NamedFaces& surface) {
 }  // namespace
 
 WrittenFiles writeVtu(const Model& model, const std::string& outputName) {
-  return {{{outputName, vtuBytes(namedFacesOf(model))}}, droppedAttributes(model, {}, "VTU file")};
+  return {{{outputName, vtuBytes(namedFacesOf(model))}},
+          droppedAttributes(model, {kMaterial}, "VTU file")};
 }
 
 }  // namespace remesher::io
