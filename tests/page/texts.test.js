@@ -14,7 +14,7 @@ import { withWords } from '../../web/words_in_place.js';
 import { filesUnder, readText, root } from '../support/tree.js';
 
 const others = filesUnder('web/texts', /\.js$/)
-  .filter((file) => !/\/(en|options\/\w+)\.js$/.test(file));
+  .filter((file) => !/\/(en|(options|diagnostics)\/\w+)\.js$/.test(file));
 const textsOf = async (file) => (await import(pathToFileURL(`${root}/${file}`))).default;
 
 const inForm = optionTable.filter(({ flag, form }) => flag && form !== false);

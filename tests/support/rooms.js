@@ -80,8 +80,9 @@ export const packageRooms = {
 
 /** @type {Record<string, string[]>} folders of web; '': the page, its build and its server */
 export const pageRooms = {
+  'texts/diagnostics': [],
   'texts/options': [],
-  texts: ['texts/options'],
+  texts: ['texts/diagnostics', 'texts/options'],
   base: ['texts'],
   files: ['base'],
   model: ['base', 'files'],

@@ -97,21 +97,6 @@ export default {
   'help.dropBelow': 'kleinere Stücke weglassen; auto: was klein ist und abseits vom Rest schwebt',
   'help.dropHidden': 'Dreiecke weglassen, die von außen niemand sieht; alle anderen bleiben, wie '
     + 'sie sind',
-  'warning.RIMS_CLOSED': 'Schleifen, die gewollt aussehen, wurden geschlossen; mit „Ränder '
-    + 'behalten“ '
-    + 'bleiben sie offen.',
-  'warning.RIMS_LEFT_OPEN': 'Schleifen, die gewollt aussehen, blieben offen.',
-  'warning.RIMS_NOT_KEPT': 'Ein Gitter hat die Fläche neu gemacht, und es lässt keine '
-    + 'Schleife offen.',
-  'warning.SHEETS_MADE_BODIES': 'Aus Blättern wurden geschlossene Körper.',
-  'warning.SHEETS_NOT_MADE_BODIES': 'Aus Blättern wurden nicht die verlangten Körper: ihre Seiten '
-    + 'schneiden sich so, dass sie nicht exakt zu trennen sind.',
-  'warning.BASE_NOT_MADE': 'Blätter, deren Umriss sich überschlägt, bekamen keinen Sockel.',
-  'warning.PIECES_DROPPED': 'Kleine Stücke wurden weggelassen, wie verlangt.',
-  'warning.SHAPE_NOT_PREFERRED': 'Punkte nach der Form ließen Dreiecke der reparierten Fläche sich '
-    + 'schneiden: es wurden gleichmäßige Dreiecke.',
-  'warning.HIDDEN_DROPPED': 'Dreiecke, die von außen niemand sieht, wurden weggelassen, wie '
-    + 'verlangt.',
   'choice.sheets.thicken': 'zu dünnen Körpern machen',
   'choice.sheets.drop': 'weglassen',
   'landmark.selfIntersections': '{count} Dreiecke schneiden andere',
@@ -128,13 +113,4 @@ export default {
   'reason.sheets': 'Blätter blieben, wie sie waren.',
   'reason.enclosed': 'Mit einem Gitter um Körper neu gemacht.',
   'reason.open': 'Mit einem Gitter neu gemacht.',
-  'warning.SEEN_PARTS_LOST': 'Teile, die von außen zu sehen sind, fehlen dem Ergebnis: sie sind '
-    + 'dünner, als es fein ist, oder liegen in Lücken, die es schließt.',
-  'warning.SHEETS_THICKENED': 'Aus Blättern, die nichts umschließen, wurden dünne Körper hinter '
-    + 'dem, was von ihnen zu sehen ist.',
-  'warning.TEXTURES_PAINTED': 'Die Reparatur hat eine andere Fläche gemacht, daher wurden ihre '
-    + 'Texturen neu gemalt.',
-  'warning.PARTS_MEET': 'Dreiecke von Teilen treffen solche anderer Teile: jedes wurde für sich '
-    + 'repariert, um Namen und Ort zu behalten. In einer STL-Datei werden alle eine Fläche.',
-  'warning.SHEETS_DROPPED': 'Blätter, die nichts umschließen, wurden weggelassen.',
 };

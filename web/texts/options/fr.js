@@ -102,19 +102,6 @@ export default {
   'help.dropHidden': 'omettre les triangles que personne ne voit de l’extérieur ; les autres '
     + 'restent '
     + 'tels quels',
-  'warning.RIMS_CLOSED': 'Des boucles qui semblent voulues ont été fermées ; « garder les '
-    + 'bords » les '
-    + 'laisse ouvertes.',
-  'warning.RIMS_LEFT_OPEN': 'Des boucles qui semblent voulues sont restées ouvertes.',
-  'warning.RIMS_NOT_KEPT': 'Une grille a refait la surface, et ne laisse aucune boucle ouverte.',
-  'warning.SHEETS_MADE_BODIES': 'Des feuilles sont devenues des corps fermés.',
-  'warning.SHEETS_NOT_MADE_BODIES': 'Les feuilles ne sont pas devenues les corps demandés : leurs '
-    + 'côtés se coupent sans pouvoir être séparés exactement.',
-  'warning.BASE_NOT_MADE': 'Des feuilles dont le contour se replie n’ont pas reçu de socle.',
-  'warning.PIECES_DROPPED': 'De petites pièces ont été omises, comme demandé.',
-  'warning.SHAPE_NOT_PREFERRED': 'Des points selon la forme feraient se couper des triangles de la '
-    + 'surface réparée : les triangles sont réguliers.',
-  'warning.HIDDEN_DROPPED': 'Des triangles que personne ne voit ont été omis, comme demandé.',
   'choice.sheets.thicken': 'en faire des solides minces',
   'choice.sheets.drop': 'les omettre',
   'landmark.selfIntersections': '{count} triangles en coupent d’autres',
@@ -131,14 +118,4 @@ export default {
   'reason.sheets': 'Les feuilles sont restées telles quelles.',
   'reason.enclosed': 'Refaite par une grille autour des corps.',
   'reason.open': 'Refaite par une grille.',
-  'warning.SEEN_PARTS_LOST': 'Des parties visibles de l’extérieur manquent au résultat : elles '
-    + 'sont plus minces que sa finesse, ou dans des passages qu’il ferme.',
-  'warning.SHEETS_THICKENED': 'Des feuilles, qui n’enferment rien, sont devenues des solides '
-    + 'minces derrière ce que l’on en voit.',
-  'warning.TEXTURES_PAINTED': 'La réparation a fait une autre surface, ses textures ont donc été '
-    + 'repeintes.',
-  'warning.PARTS_MEET': 'Des triangles de parties en rencontrent d’autres : chaque partie a été '
-    + 'réparée pour elle-même, pour garder son nom et sa place. Dans un fichier STL toutes font '
-    + 'une seule surface.',
-  'warning.SHEETS_DROPPED': 'Des feuilles, qui n’enferment rien, ont été omises.',
 };
