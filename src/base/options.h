@@ -99,7 +99,6 @@ struct RemeshOptions {
   bool dropFloaters = false;        // so are small pieces away from the rest: dropBelow auto
   bool dropHidden = false;          // so are triangles that nobody sees from outside
   std::vector<double> lods;         // shares of the number of vertices, each > 0
-  std::vector<double> lodPixels;    // instead: how many pixels of a screen a level may be off
   bool lodFiles = false;            // a file for each level, not one for all
 
   // Not set by the caller: see PartTargets, PartUnions, fewest_vertices.h, mirrored.h,

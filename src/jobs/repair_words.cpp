@@ -34,13 +34,13 @@ void join(std::vector<PlacedWarning>& all, PlacedWarning warning) {
 
 std::vector<Warning> inWords(std::vector<PlacedWarning> warnings,
                              const std::vector<io::Part>& parts) {
-  constexpr int kDigits = 3;
+  constexpr int kWidthDigits = 3;
   std::vector<Warning> result;
   for (PlacedWarning& placed : warnings) {
     placed.warning.at = placed.at;
     if (placed.at)
       placed.warning.message
-          .append(placed.across > 0 ? " The widest is " + inDigits(placed.across, kDigits) +
+          .append(placed.across > 0 ? " The widest is " + inDigits(placed.across, kWidthDigits) +
                                           " across and lies near ("
                                     : " The first of it lies near (")
           .append(placeInWords(*placed.at, parts))

@@ -31,7 +31,7 @@ Vec3 normalOf(const BuiltMesh& built, Face f) {
 // is one; along flat directions it does not move.
 Vec3 wayOf(const BuiltMesh& built, Vertex v) {
   constexpr double kFlat = 0.05;  // of the largest eigenvalue: planes some 25 degrees apart
-  constexpr double kLongest = 3;
+  constexpr double kLongestMitre = 3;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   Vec3 sum = Vec3::Zero();
   built.mesh.forEachOutgoing(v, [&](Halfedge h) {
@@ -51,7 +51,7 @@ Vec3 wayOf(const BuiltMesh& built, Vertex v) {
     if (solver.eigenvalues()[k] > kFlat * largest)
       way += solver.eigenvectors().col(k).dot(sum) / solver.eigenvalues()[k] *
              solver.eigenvectors().col(k);
-  return way.norm() > kLongest ? Vec3(kLongest / way.norm() * way) : way;
+  return way.norm() > kLongestMitre ? Vec3(kLongestMitre / way.norm() * way) : way;
 }
 
 // The axis that the triangles face, and which way.

@@ -15,11 +15,11 @@ namespace remesher {
 
 namespace {
 
-constexpr Index kLines = 48;          // directions, each both ways
-constexpr double kRaysAtLeast = 2e4;  // points of all triangles together, for each direction
-constexpr Index kMostPoints = 16;     // of a triangle, for each direction
-constexpr Index kMorePoints = 6;      // where a neighbour is seen
-constexpr int kSightRounds = 4;       // of such triangles
+constexpr Index kLines = 48;            // directions, each both ways
+constexpr double kRaysAtLeast = 2e4;    // points of all triangles together, for each direction
+constexpr Index kMostSightPoints = 16;  // of a triangle, for each direction
+constexpr Index kMorePoints = 6;        // where a neighbour is seen
+constexpr int kSightRounds = 4;         // of such triangles
 
 // Spread evenly over half a sphere, by the golden angle.
 Vec3 directionOf(Index line) {
@@ -62,7 +62,7 @@ class Watch {
     for (Index t = 0; t < isSeen_.size(); ++t)
       if (!isSeen_[t]) all.push_back(t);
     const double each = std::ceil(kRaysAtLeast / double(std::max<std::size_t>(all.size(), 1)));
-    look(all, Index(std::min(double(kMostPoints), each)));
+    look(all, Index(std::min(double(kMostSightPoints), each)));
     for (int round = 0; round < kSightRounds; ++round) {
       const std::vector<Index> beside = besideSeen();
       if (beside.empty() || !look(beside, kMorePoints)) break;

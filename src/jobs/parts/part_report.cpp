@@ -66,7 +66,7 @@ bool isLine(const TriangleMesh& mesh, std::size_t first) {
   return hasTwins(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-bool hasLines(const TriangleMesh& mesh) {
+bool hasOnlyLines(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
     if (isLine(mesh, i)) return true;
   return false;
@@ -152,7 +152,7 @@ FidelityReport fidelityOf(const PartPairs& parts, Maximum maximum, std::optional
   const io::Part& first = originals.front();
   const TriangleMesh made = gathered(results, places);
   const bool isByItself = originals.size() == 1 && placeFor(places.front()).linear().isIdentity(0);
-  if (isByItself && (tree || !hasLines(first.mesh)))
+  if (isByItself && (tree || !hasOnlyLines(first.mesh)))
     return measureFidelity(first.mesh, made, maximum, std::move(tree));
   return measureFidelity(gathered(originals, places), made, maximum);
 }

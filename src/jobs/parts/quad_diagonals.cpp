@@ -17,11 +17,11 @@ bool isInside(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 bool isOtherBetter(const std::array<Vec3, 4>& quad) {
-  constexpr double kRounding = 1e-6;  // of the length
+  constexpr double kDiagonalRounding = 1e-6;  // of the length
   const auto& [a, b, c, d] = quad;
   const bool isFirst = isInside(a, b, c, d), isSecond = isInside(b, c, d, a);
   if (isFirst != isSecond) return isSecond;
-  return distance(b, d) < (1 - kRounding) * distance(a, c);
+  return distance(b, d) < (1 - kDiagonalRounding) * distance(a, c);
 }
 
 }  // namespace

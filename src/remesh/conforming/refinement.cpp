@@ -18,7 +18,7 @@ namespace {
 // The shares of a line at which it may be split.
 constexpr std::array<double, 3> kShares = {0.5, 0.4, 0.6};
 
-struct Corners {
+struct FacetCorners {
   std::array<Vec2, 3> at;
 
   Vec2 centre() const { return (at[0] + at[1] + at[2]) / 3; }
@@ -33,9 +33,9 @@ struct Corners {
   }
 };
 
-class Refinement {
+class FacetRefinement {
  public:
-  explicit Refinement(FacetedMesh& mesh) : mesh_(mesh), m_(mesh.mesh()) {}
+  explicit FacetRefinement(FacetedMesh& mesh) : mesh_(mesh), m_(mesh.mesh()) {}
 
   bool run(std::size_t count) {
     flipFacets(mesh_, edgesOf(m_), [](Face) {});
@@ -52,7 +52,7 @@ class Refinement {
   }
 
  private:
-  Corners cornersOf(Face f) const {
+  FacetCorners cornersOf(Face f) const {
     const auto [a, b, c] = m_.vertices(f);
     const Index facet = mesh_.facet(f);
     return {{mesh_.flat(a, facet), mesh_.flat(b, facet), mesh_.flat(c, facet)}};
@@ -61,7 +61,7 @@ class Refinement {
   // Large triangles and needles are bad. A needle between two lines that meet at an acute angle
   // stays one, and counts by its size only.
   double badness(Face f) const {
-    const Corners corners = cornersOf(f);
+    const FacetCorners corners = cornersOf(f);
     const double radius = (corners.circumcentre() - corners.at[0]).norm();
     std::size_t least = 0;
     for (std::size_t k = 1; k < 3; ++k)
@@ -177,6 +177,6 @@ class Refinement {
 
 }  // namespace
 
-bool refineFacets(FacetedMesh& mesh, std::size_t count) { return Refinement(mesh).run(count); }
+bool refineFacets(FacetedMesh& mesh, std::size_t count) { return FacetRefinement(mesh).run(count); }
 
 }  // namespace remesher

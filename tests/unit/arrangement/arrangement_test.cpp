@@ -154,7 +154,7 @@ TriangleMesh figureOfEight(int n, int m) {
     return Vec3(center +
                 0.3 * (circle.x() * along.cross(Vec3::UnitZ()) + circle.y() * Vec3::UnitZ()));
   });
-  return volumeOf(mesh) < 0 ? shapes::turnedOver(mesh) : mesh;
+  return shapes::volumeOf(mesh) < 0 ? shapes::turnedOver(mesh) : mesh;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 io::Part partOf(TriangleMesh mesh) { return {"", std::move(mesh), {Transform::Identity()}}; }
 
-TriangleMesh scaled(TriangleMesh mesh, double factor) {
+TriangleMesh timesSize(TriangleMesh mesh, double factor) {
   for (Vec3& p : mesh.positions) p *= factor;
   return mesh;
 }
@@ -28,7 +28,7 @@ RemeshOptions below(double percent) {
 
 TEST_CASE("dropping: small pieces go, and all others stay bit for bit") {
   const TriangleMesh ball = shapes::icosphere(4);
-  const TriangleMesh speck = soups::moved(scaled(shapes::icosphere(2), 0.01), {2, 0, 0});
+  const TriangleMesh speck = soups::moved(timesSize(shapes::icosphere(2), 0.01), {2, 0, 0});
   std::vector<io::Part> parts = {partOf(soups::joined({speck, ball}))};
   const Dropped dropped = dropSmallPieces(parts, below(2));
   CHECK(parts[0].mesh.positions == ball.positions);
@@ -44,8 +44,8 @@ TEST_CASE("dropping: small pieces go, and all others stay bit for bit") {
 
 TEST_CASE("dropping: pieces are measured in the world, whatever its size") {
   for (const double size : {1.0, 1e-30, 1e30}) {
-    std::vector<io::Part> parts = {partOf(scaled(shapes::icosphere(3), size)),
-                                   partOf(scaled(shapes::cube(1), size))};
+    std::vector<io::Part> parts = {partOf(timesSize(shapes::icosphere(3), size)),
+                                   partOf(timesSize(shapes::cube(1), size))};
     parts[1].instances = {Transform(Eigen::Translation3d(3 * size, 0, 0) * Eigen::Scaling(0.01))};
     const Dropped dropped = dropSmallPieces(parts, below(1));
     CHECK(dropped.report.pieces == 1);
@@ -55,7 +55,7 @@ TEST_CASE("dropping: pieces are measured in the world, whatever its size") {
 }
 
 TEST_CASE("dropping: what other parts hide goes, unless it moves or shows at another place") {
-  const TriangleMesh inner = scaled(shapes::torus(12, 6), 0.2);
+  const TriangleMesh inner = timesSize(shapes::torus(12, 6), 0.2);
   const auto given = [&] {
     return std::vector<io::Part>{partOf(shapes::icosphere(4)), partOf(inner)};
   };

@@ -13,18 +13,12 @@
 #include "support/hostile_shapes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "support/volume_of.h"
 
 using namespace remesher;
+using shapes::volumeOf;
 
 namespace {
-
-double volumeOf(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-    sum += mesh.positions[mesh.indices[i]].dot(
-        mesh.positions[mesh.indices[i + 1]].cross(mesh.positions[mesh.indices[i + 2]]));
-  return sum / 6;
-}
 
 void checkSound(const TriangleMesh& mesh) {
   const MeshReport report = inspectMesh(mesh);

@@ -11,7 +11,7 @@ using namespace remesher::test;
 namespace {
 
 // A tetrahedron whose base is of another material than its sides.
-constexpr std::string_view kTwoMaterials =
+constexpr std::string_view kBaseAndSides =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0.1\nusemtl base\nf 1 3 2\nusemtl side\nf 1 2 4\nf 2 3 4\n"
     "f 3 1 4\n";
 
@@ -30,7 +30,7 @@ std::vector<std::string> namesOf(const io::Part& part) {
 }  // namespace
 
 TEST_CASE("gmsh: an OBJ's materials are physical groups, and come back") {
-  const io::Model model = io::read(textFile("a.obj", kTwoMaterials));
+  const io::Model model = io::read(textFile("a.obj", kBaseAndSides));
   const File written = io::write(model, "o.msh").files[0];
   const io::Model again = io::read({"o.msh", written.bytes});
   REQUIRE(again.parts.size() == 1);

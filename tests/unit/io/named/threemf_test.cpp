@@ -12,7 +12,7 @@ namespace {
 
 const std::string kBegin =
     "<?xml version=\"1.0\"?><model unit=\"inch\" xmlns=\"core\" xmlns:p=\"production\"><resources>";
-const std::string kTetrahedron =
+const std::string kTetrahedronXml =
     "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
     "<vertex x=\"0\" y=\"1\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"1\"/></vertices><triangles>"
     "<triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"1\" p1=\"1\"/><triangle v1=\"0\" v2=\"1\" "
@@ -24,7 +24,7 @@ const std::string kMaterials =
 
 std::string wholeModel() {
   return kBegin + kMaterials + "<object id=\"2\" name=\"tip\" pid=\"1\" pindex=\"0\">" +
-         kTetrahedron + "</object><object id=\"3\"><components><component objectid=\"2\"/>" +
+         kTetrahedronXml + "</object><object id=\"3\"><components><component objectid=\"2\"/>" +
          "<component objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 5 0 "
          "0\"/></components></object>" +
          "</resources><build><item objectid=\"3\" transform=\"1 0 0 0 1 0 0 0 1 0 0 7\"/></build>" +
@@ -69,7 +69,7 @@ TEST_CASE("3mf: objects in other models of the package are found by their paths"
                            "<object id=\"1\"><components><component p:path=\"/3D/Objects/a.model\" "
                            "objectid=\"2\"/></components></object></resources><build><item "
                            "objectid=\"1\"/></build></model>";
-  const File other = textFile("3D/Objects/a.model", kBegin + "<object id=\"2\">" + kTetrahedron +
+  const File other = textFile("3D/Objects/a.model", kBegin + "<object id=\"2\">" + kTetrahedronXml +
                                                         "</object></resources></model>");
   CHECK(io::read(textFile("a.3mf", main), {other}).parts[0].mesh.triangleCount() == 4);
   CHECK(readingFails(textFile("a.3mf", main)).find("MISSING_RESOURCE") == 0);

@@ -45,7 +45,7 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return uri.substr(uri.find(',') + 1);
 }
 
-const std::vector<float> kSquare = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5f};
+const std::vector<float> kGridPoints = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5f};
 
 void checkSquare(const std::string& text) {
   CAPTURE(text);
@@ -62,7 +62,7 @@ void checkSquare(const std::string& text) {
 }  // namespace
 
 TEST_CASE("vtu: arrays as text, as base64 and appended say the same") {
-  const std::vector<std::uint8_t> bytes = bytesWithLength(kSquare);
+  const std::vector<std::uint8_t> bytes = bytesWithLength(kGridPoints);
   checkSquare(grid(array("format=\"ascii\"", "0 0 0 1 0 0\n1 1 0 0 1 .5")) + std::string(kEnd));
   checkSquare(grid(array("format=\"binary\"", "\n  " + base64(bytes) + "\n")) + std::string(kEnd));
   const std::string appended = grid(array("format=\"appended\" offset=\"0\"", ""));
