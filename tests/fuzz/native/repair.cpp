@@ -14,8 +14,8 @@ namespace remesher::fuzz {
 namespace {
 
 // Limits that keep a run well below a second under sanitizers.
-constexpr std::size_t kMostTriangles = 48;
-constexpr unsigned kGroups = 5;
+constexpr std::size_t kMostGiven = 48;
+constexpr unsigned kMaterials = 5;
 constexpr float kSteps = 16;
 
 constexpr std::array kRepairs = {Repair::Auto, Repair::Holes, Repair::Solid, Repair::Wrap};
@@ -39,7 +39,7 @@ RemeshOptions takeOptions(ByteSource& bytes) {
 void addTo(TriangleMesh& mesh, unsigned extras) {
   if (extras & 1)
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-      mesh.groups.push_back(Index(t * 7 % kGroups));
+      mesh.groups.push_back(Index(t * 7 % kMaterials));
   const std::size_t vertices = mesh.positions.size();
   const auto add = [&](const char* semantic, int width) {
     Attribute attribute{semantic, width, {}};
@@ -59,7 +59,7 @@ void judge(const TriangleMesh& made, const TriangleMesh& input, const Report& re
   require(made.groups.empty() == (input.groups.empty() || made.indices.empty()),
           "groups stay where there are some");
   const bool areKnown = std::all_of(made.groups.begin(), made.groups.end(),
-                                    [&](Index group) { return group < kGroups; });
+                                    [&](Index group) { return group < kMaterials; });
   require(areKnown, "groups are those of the input");
   for (const Attribute& attribute : made.attributes)
     require(std::all_of(attribute.values.begin(), attribute.values.end(),
@@ -72,7 +72,7 @@ void judge(const TriangleMesh& made, const TriangleMesh& input, const Report& re
 FileBundle fileOf(const TriangleMesh& mesh, const std::string& name) {
   io::Model model;
   io::Part part{"part", mesh, {Transform::Identity()}};
-  for (Index g = 0; !mesh.groups.empty() && g < kGroups; ++g)
+  for (Index g = 0; !mesh.groups.empty() && g < kMaterials; ++g)
     part.groups.push_back({"group " + std::to_string(g), {}});
   model.parts.push_back(std::move(part));
   io::WrittenFiles written = io::write(model, name);
@@ -97,7 +97,7 @@ void repairSmallMesh(Input input) {
   ByteSource bytes(input);
   const RemeshOptions options = takeOptions(bytes);
   const unsigned extras = bytes.byte(), given = bytes.byte(), askedFor = bytes.byte();
-  TriangleMesh mesh = takeMesh(bytes, kMostTriangles);
+  TriangleMesh mesh = takeMesh(bytes, kMostGiven);
   addTo(mesh, extras);
   try {
     const RepairResult result = repair(mesh, options);
