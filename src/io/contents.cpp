@@ -156,7 +156,8 @@ Content contentOfZip(std::string_view bytes) {
     return bytes.substr(0, kEnds).find(name) != bytes.npos ||
            bytes.substr(bytes.size() - std::min(bytes.size(), kEnds)).find(name) != bytes.npos;
   };
-  if (holds("3D/3dmodel.model")) return {{}, "a 3MF package", "Unpack it, and give its 3D/3dmodel.model."};
+  if (holds("3D/3dmodel.model"))
+    return {{}, "a 3MF package", "Unpack it, and give its 3D/3dmodel.model."};
   if (holds(".usdc") || holds(".usda")) return {{}, "a USDZ file", kExport};
   return {{}, "a ZIP archive", kUnpack};
 }

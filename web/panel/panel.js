@@ -23,7 +23,7 @@ const defaultText = (option, scheme) =>
     ?? t('none')));
 
 /** Whether a slider suits the option: its range is 0 to 1. @param {Option} option */
-const isShare = ({ min, max, off }) => !off && min === 0 && max === 1;
+const isShare = ({ min, max, word }) => !word && min === 0 && max === 1;
 
 /** @param {Option} option @returns {Control} */
 function controlFor(option) {
@@ -51,7 +51,8 @@ const gapIfNone = 2;
 
 /** Whether the option has a slider beside its field; the field takes more values.
  * @param {Option} option */
-const hasHandle = ({ off, above, max }) => max !== undefined && Boolean(off || above === 0);
+const hasHandle = ({ word, above, max }) =>
+  max !== undefined && Boolean(word || above === 0);
 
 /** A slider beside a field that also takes a word.
  * @param {Option} option @param {Control} control */

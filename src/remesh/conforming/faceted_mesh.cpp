@@ -365,10 +365,11 @@ FacetedMesh::Place FacetedMesh::placeAt(const Vec2& place, Index facet, Face sta
   } else {
     found = nearestIn(facet, p);
   }
-  Vec3 position = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-    position += found.barycentric[Eigen::Index(k)] * original_.positions[m.vertices(found.face)[k]];
-  return {found, position};
+  // By differences, so that a coordinate that all three corners have stays as it is.
+  const auto [a, b, c] = m.vertices(found.face);
+  const Vec3& first = original_.positions[a];
+  return {found, first + found.barycentric[1] * (original_.positions[b] - first) +
+                     found.barycentric[2] * (original_.positions[c] - first)};
 }
 
 }  // namespace remesher

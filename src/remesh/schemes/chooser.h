@@ -56,7 +56,7 @@ enum class Fact {
   SimplifiedOrDivided,  // the same, or the original's triangles can be divided to it
   NumberReached,        // by the isotropic triangles
   FacetsMeshed,         // facet by facet, with the number asked for
-  FacetsBetter,         // the same, and isotropic triangles are seen to be away or angles are alike
+  FacetsBetter,         // the same, and isotropic triangles are seen to be away
   UnfinishedFar,        // the unfinished isotropic triangles are hopelessly farther away
   UnfinishedNear,       // the unfinished isotropic triangles are nowhere seen to be away
   IsotropicFar,         // the finished isotropic triangles are seen to be away

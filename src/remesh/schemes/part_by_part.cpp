@@ -2,7 +2,9 @@
 #include "remesh/schemes/part_by_part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -53,6 +55,23 @@ double weightOf(const TriangleMesh& mesh, Index t, const std::vector<float>& den
     for (std::size_t k = 0; k < 3; ++k) mean += density[mesh.indices[std::size_t{3} * t + k]] / 3;
   }
   return mean * area(a, b, c);
+}
+
+// Unites parts that meet along an edge, where the builder cut the surface apart.
+void uniteJoined(DisjointSets& sets, const BuiltMesh& built, const PartNumbers& numbers) {
+  using Ends = std::array<std::array<double, 3>, 2>;
+  std::map<Ends, Index> partAt;
+  const auto coordinatesOf = [&](Vertex v) {
+    const Vec3& p = built.positions[v];
+    return std::array<double, 3>{p.x(), p.y(), p.z()};
+  };
+  for (const Halfedge h : findJoints(built)) {
+    Ends ends = {coordinatesOf(built.mesh.origin(h)), coordinatesOf(built.mesh.tip(h))};
+    std::sort(ends.begin(), ends.end());
+    const Index part = numbers.ofTriangle[built.triangles[HalfedgeMesh::face(h)]];
+    const auto [entry, isNew] = partAt.emplace(ends, part);
+    if (!isNew) sets.unite(part, entry->second);
+  }
 }
 
 // Unites parts that a plane mirrors onto each other: those in which the middles of most of a few
@@ -203,6 +222,7 @@ std::vector<SurfacePart> surfaceParts(const TriangleMesh& input, const BuiltMesh
   if (numbers.count < 2) return {};
   const std::vector<MirrorPlane> planes = planesOf(input, options);
   DisjointSets sets(numbers.count);
+  uniteJoined(sets, built, numbers);
   if (!planes.empty()) uniteImages(sets, input, numbers, planes);
   std::vector<std::vector<Index>> triangles(numbers.count);
   std::vector<double> weights(numbers.count, 0), areas(numbers.count, 0);

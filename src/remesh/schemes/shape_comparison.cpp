@@ -39,31 +39,14 @@ bool isPlain(const TriangleMesh& input, Textures textures) {
          std::none_of(input.attributes.begin(), input.attributes.end(), isDrawn);
 }
 
-// The smallest angles of triangles, in degrees.
-struct Angles {
-  double least = 180, mean = 0;
-
-  void add(const Triangle& triangle, std::size_t count) {
-    const double angle = degrees(minAngle(triangle[0], triangle[1], triangle[2]));
-    least = std::min(least, angle);
-    mean += angle / double(count);
-  }
-};
-
-Angles anglesOf(const TriangleMesh& mesh) {
-  Angles angles;
+// The mean of the triangles' smallest angles, in degrees.
+double meanAngleOf(const TriangleMesh& mesh) {
+  double mean = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-    angles.add({at(0), at(1), at(2)}, mesh.triangleCount());
+    mean += degrees(minAngle(at(0), at(1), at(2))) / double(mesh.triangleCount());
   }
-  return angles;
-}
-
-Angles anglesOf(const WorkingMesh& mesh) {
-  Angles angles;
-  for (Index f = 0; f < mesh.mesh().faceCapacity(); ++f)
-    if (mesh.mesh().isAlive(Face(f))) angles.add(mesh.corners(Face(f)), mesh.mesh().faceCount());
-  return angles;
+  return mean;
 }
 
 // Adds vertices to a mesh of so many places, all at once or a third at a time; then, edges flip
@@ -92,8 +75,8 @@ std::optional<Followed> bestDivided(const Followed& followed, std::size_t places
   std::optional<Followed> plain = divided(followed, places, vertices, {});
   std::optional<Followed> flipped = divided(followed, places, vertices, textures);
   if (!plain || !flipped) return plain ? std::move(plain) : std::move(flipped);
-  return anglesOf(plain->mesh).mean >= anglesOf(flipped->mesh).mean ? std::move(plain)
-                                                                    : std::move(flipped);
+  return meanAngleOf(plain->mesh) >= meanAngleOf(flipped->mesh) ? std::move(plain)
+                                                                : std::move(flipped);
 }
 
 }  // namespace
@@ -201,12 +184,7 @@ std::optional<Followed>& ShapeComparison::conforming() {
 bool ShapeComparison::hasConforming() { return conforming().has_value(); }
 
 bool ShapeComparison::isConformingBetter(const WorkingMesh& isotropic) {
-  constexpr double kNearlySame = 1;  // degrees between means
-  constexpr double kSlim = 20;       // a smallest angle from which on a triangle is no needle
-  if (!hasFlats() || !(hasEnough() || isSeen(isotropic)) || !conforming()) return false;
-  if (isSeen(isotropic)) return true;
-  const Angles own = anglesOf(conforming()->mesh), other = anglesOf(isotropic);
-  return own.mean > other.mean - kNearlySame && own.least >= std::min(other.least, kSlim);
+  return hasFlats() && isSeen(isotropic) && conforming();
 }
 
 bool ShapeComparison::endsEarly(const WorkingMesh& unfinished) {

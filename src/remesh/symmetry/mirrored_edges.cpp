@@ -39,9 +39,8 @@ bool MirroredEdges::isEdge(Vertex a, Vertex b) const {
 
 bool MirroredEdges::isOnGiven(const Vec3& p) {
   if (!tree_) {
-    std::vector<Index> lines;
-    for (const auto& [a, b] : given_) lines.insert(lines.end(), {a, b, b});
-    tree_.emplace(built_.positions.values(), lines);
+    for (const auto& [a, b] : given_) lines_.insert(lines_.end(), {a, b, b});
+    tree_.emplace(built_.positions.values(), lines_);
   }
   return tree_->nearest(p).squaredDistance <= tolerance_ * tolerance_;
 }

@@ -40,7 +40,8 @@ class MirroredEdges {
   const double tolerance_;
   std::multimap<double, Vertex> byX_;
   std::set<VertexPair> edges_, given_;  // by the surface's vertices, the lower first
-  std::optional<TriangleTree> tree_;    // of the given edges
+  std::vector<Index> lines_;            // the given edges as triangles without area
+  std::optional<TriangleTree> tree_;    // of these
 };
 
 }  // namespace remesher
