@@ -28,7 +28,7 @@ test('an open surface comes as near as its boundary lets it, and not beyond', as
   for (const faces of [200, 333]) {
     const { report } = await remesh(sheet(16), { faces, ...draft });
     const { triangles } = report.output;
-    assert.ok(triangles <= faces && triangles >= faces - 2, `${triangles} of ${faces}`);
+    assert.ok(triangles <= faces && triangles >= 0.985 * faces, `${triangles} of ${faces}`);
     assert.deepEqual(report.warnings, []);
   }
 });
