@@ -49,7 +49,7 @@ test('meshes share a budget, and levels take shares of it', async () => {
 test('a budget that no surface like this can keep is said', async () => {
   const { report } = await remesh(ring, { faces: 8, ...draft });
   assert.ok(report.output.triangles > 8);
-  assert.deepEqual(report.warnings.map(({ code }) => code), ['TOO_FEW_FACES']);
+  assert.ok(report.warnings.some(({ code }) => code === 'TOO_FEW_FACES'));
 });
 
 test('a budget is a target like others: two contradict each other', () => {
