@@ -161,7 +161,7 @@ test('what cannot be is refused in a sentence', async () => {
   for (const lods of [[], [0], [-1], ['a'], 0.5, Array(17).fill(0.5)]) {
     await rejectsWith(file({ lods, output: 'glb' }), 'INVALID_OPTION', /lods must be 1 to 16/);
   }
-  await rejectsWith(file({ lodFiles: true }), 'INVALID_OPTION', /no levels of detail/);
+  await rejectsWith(file({ lodFiles: true }), 'INVALID_OPTION', /lodFiles needs lods/);
   await rejectsWith(remeshGeometry(new TorusGeometry(), { lods: [0.5] }), 'INVALID_OPTION',
     /lods does not belong here/);
 });
