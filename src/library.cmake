@@ -24,6 +24,7 @@ install(FILES
   src/base/error.h
   src/base/file.h
   src/base/options.h
+  src/base/paired_part.h
   src/base/phase_clock.h
   src/base/progress.h
   src/base/report.h

@@ -144,7 +144,7 @@ test('wrong words are named, with what to do', () => {
     '--gradation', '1');
   isRefused(/two input files, torus\.off and b\.off/, 'torus.off', 'b.off', '-o', 'x.off');
   isRefused(/--json takes no value/, 'torus.off', '-o', 'x.off', '--json=1');
-  isRefused(/contradict/, 'torus.off', '-o', 'x.off', '--vertices', '9', '--ratio', '1');
+  isRefused(/exclude each other/, 'torus.off', '-o', 'x.off', '--vertices', '9', '--ratio', '1');
   isRefused(/needs a format/, 'torus.off', '-o', '-');
   isRefused(/--vertices does not belong there/,
     'convert', 'torus.off', '-o', 'x.obj', '--vertices', '9');

@@ -10,7 +10,7 @@ import { after, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
 import { convertFile, inspect, remeshFile } from 'remesher';
-import { formats } from 'remesher/formats';
+import { readFormats } from 'remesher/formats';
 
 import { meshopt } from '../fuzz/compressed_case.js';
 import { rejectsWith } from '../support/errors.js';
@@ -22,7 +22,7 @@ after(() => rmSync(folder, { recursive: true }));
 
 const ring = glbBytes(torus(12, 8));
 /** The same model in each format, with the files that it refers to. */
-const models = Object.fromEntries(await Promise.all(formats.map(async (format) => {
+const models = Object.fromEntries(await Promise.all(readFormats.map(async (format) => {
   const { files: [{ bytes }, ...others] } =
     await convertFile(ring, { name: 'a.glb', output: format });
   return [format, { bytes, resources: Object.fromEntries(others.map((file) =>
@@ -32,7 +32,7 @@ const contradictions = (warnings) =>
   warnings.filter(({ code }) => code === 'NAME_CONTRADICTS').map(({ message }) => message);
 
 test('any format is read under any name, and a wrong one is said', async () => {
-  const pairs = formats.flatMap((format) => formats.flatMap((called) =>
+  const pairs = readFormats.flatMap((format) => readFormats.flatMap((called) =>
     ['', '.gz'].map((end) => ({ format, called, end }))));
   for (const { format, called, end } of pairs) {
     const { bytes, resources } = models[format];

@@ -73,7 +73,8 @@ test('a wrap is painted from the visible surface, never from an inner shell', as
 });
 
 test('textures are kept where that is asked for, and where only holes are closed', async () => {
-  assert.ok(!isPainted(await mended(shells(), { repair: 'solid', textures: 'keep' })));
+  const kept = { repair: 'solid', textures: 'keep', textureFormat: undefined };
+  assert.ok(!isPainted(await mended(shells(), kept)));
   const closed = await mended(shells(false), { repair: 'auto' });
   assert.equal(closed.report.repair.mode, 'holes');
   assert.ok(!isPainted(closed));

@@ -19,8 +19,8 @@ const replay = (...words) => spawnSync(program, words.map(String),
   { encoding: 'utf8', timeout: 120_000, stdio: ['ignore', 'pipe', 'pipe'] });
 
 /** Changed copies of each input: what a second or two are enough for. */
-const copies = { glb: 10, gltf: 20, obj: 50, off: 30, ply: 20, stl: 30, builder: 200, remesh: 1,
-  repair: 2 };
+const copies = { glb: 10, gltf: 20, obj: 50, off: 30, ply: 20, stl: 30, msh: 30, vtu: 30, '3mf': 30,
+  builder: 200, remesh: 1, repair: 2 };
 
 test('a target that there is not is refused', () => {
   assert.equal(replay('none', 1, join(folder, 'kept')).status, 2);

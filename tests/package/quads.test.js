@@ -42,11 +42,14 @@ test('quads come beside their triangles, two to each, from the same first corner
   });
 });
 
-test('the surface is closed, of its own kind, with as many vertices within 1 %', async () => {
+test('the surface is closed, of its own kind, with nearly as many vertices', async () => {
   const { mesh, report } = await remesh(round, asked);
   assert.ok([...sidesOf(mesh.quads).values()].every((count) => count === 2));
   assert.equal(eulerCharacteristic(mesh), 0);
-  assert.ok(Math.abs(report.output.vertices - 1500) <= 15, `${report.output.vertices}`);
+  const off = Math.abs(report.output.vertices - 1500) / 1500;
+  assert.ok(off <= 0.04, `${report.output.vertices}`);
+  const isSaid = report.warnings.some(({ code }) => code === 'QUADS_NUMBER_MISSED');
+  assert.equal(isSaid, off > 0.01);
   const { count, scaledJacobian, angleDeviation } = report.output.quads;
   assert.equal(count, mesh.quads.length / 4);
   assert.ok(scaledJacobian.min > 0 && scaledJacobian.mean <= 1);

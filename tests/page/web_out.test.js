@@ -206,7 +206,7 @@ test('OBJ comes with its materials in one ZIP', async () => {
   assert.match(name, /^ring-\d+\.zip$/);
   assert.deepEqual(Object.keys(unzipSync(bytes)).sort(),
     [name.replace('.zip', '.obj'), 'ring.mtl']);
-  // It has nothing to paint from.
-  assert.equal(await page.isVisible('#option-textures'), false);
+  // Its colours can be painted.
+  assert.equal(await page.isVisible('#option-textures'), true);
   assert.doesNotMatch(page.url(), /textures/);
 });

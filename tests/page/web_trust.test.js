@@ -31,7 +31,7 @@ after(() => rmSync(scratch, { recursive: true }));
 const packed = (files) => files.map((file) => brotliCompressSync(readFileSync(join(folder, file)),
   { params: { [constants.BROTLI_PARAM_QUALITY]: 10 } }).length).reduce((sum, size) => sum + size);
 
-test('a first visit loads at most 300 kB of scripts, all that there is has 335', async () => {
+test('a first visit loads at most 300 kB of scripts, all that there is has 340', async () => {
   const first = await site.browser.newPage({ locale: 'de-DE' });
   const loaded = new Set(['offline.js']);  // which keeps the page for the next visit
   first.on('request', (request) => {
@@ -49,7 +49,7 @@ test('a first visit loads at most 300 kB of scripts, all that there is has 335',
   const all = filesUnder(folder.slice(folder.indexOf('build/')), /\.js$/)
     .filter((file) => !/decoder/.test(file))  // with the WebAssembly inside
     .map((file) => join(root, file).slice(folder.length + 1));
-  assert.ok(packed(all) < 335_000, `${packed(all)} bytes`);
+  assert.ok(packed(all) < 340_000, `${packed(all)} bytes`);
 });
 
 test('every address in the page is relative to it', () => {

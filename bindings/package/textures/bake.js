@@ -8,7 +8,6 @@ import { referencesOf } from '../codecs/resources.js';
 import { imagesOf, withImages } from './gltf_images.js';
 import { ImageCrew } from './image_crew.js';
 import { imageHeader } from './image_header.js';
-import { oneValue } from './plain_maps.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').Picture} Picture */
@@ -73,13 +72,12 @@ export class Bakery {
 
   /** @param {any} outcome as the core gives it */
   async closed({ pictures = [], ...outcome }) {
-    const values = pictures.map(oneValue);  // before a worker takes the texels
     const bytes = await this.#crew.run(
       pictures.map((/** @type {Picture} */ image) => ({ work: 'encode', image })),
       (done) => this.#tell('encode images',
         1 - shares.encoding * (1 - done / (pictures.length || 1))));
     const encoded = pictures.map((/** @type {Picture} */ { name, type }, /** @type {number} */ i) =>
-      ({ name, type, bytes: bytes[i], value: values[i] }));
+      ({ name, type, bytes: bytes[i] }));
     return { ...outcome, files: withImages(outcome.files, encoded) };
   }
 

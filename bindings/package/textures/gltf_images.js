@@ -5,7 +5,6 @@
 import { openContainer, packGlb } from '../codecs/gltf_container.js';
 import { RemeshError } from '../base/errors.js';
 import { legible } from '../base/legible.js';
-import { replacePlainMaps } from './plain_maps.js';
 
 /** @typedef {import('../base/messages.js').FileRequest} FileRequest */
 /** @typedef {import('../base/messages.js').NamedBytes} NamedBytes */
@@ -152,8 +151,7 @@ function freeName(files, base, ending) {
   return name;
 }
 
-/** value: of all texels, if they have one.
- * @typedef {NamedBytes & { type: string, value?: number[] }} EncodedImage */
+/** @typedef {NamedBytes & { type: string }} EncodedImage */
 
 /** Names for images beside .gltf files, which all these files share.
  * @param {NamedBytes[]} files @param {EncodedImage[]} encoded */
@@ -180,7 +178,7 @@ function namedIn(tree, images) {
 
 /**
  * The files of a result with its painted images, within each .glb or beside each .gltf: levels of
- * detail may be files of their own. Images of one value become factors of their materials.
+ * detail may be files of their own.
  * @param {NamedBytes[]} files
  * @param {EncodedImage[]} encoded
  * @returns {NamedBytes[]}
@@ -193,7 +191,6 @@ export function withImages(files, encoded) {
     if (!/\.gl(b|tf)$/i.test(name)) return { name, bytes };
     const { text, chunk } = openContainer(bytes);
     const tree = JSON.parse(text);
-    replacePlainMaps(tree, encoded.map(({ value }) => value));
     if (chunk) return { name, bytes: embed(tree, chunk, encoded) };
     for (const number of paintingsIn(tree)) named.add(number);
     return { name, bytes: namedIn(tree, beside) };

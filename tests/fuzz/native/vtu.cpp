@@ -2,5 +2,5 @@
 #include "reading.h"
 
 void remesher::fuzz::readVtu(Input input) {
-  readAndWrite({{"made.vtu", Bytes(input.begin(), input.end())}, {}}, "made.inp");
+  readAndWrite({{"made.vtu", Bytes(input.begin(), input.end())}, {}}, "made.msh");
 }
