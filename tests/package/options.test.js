@@ -63,11 +63,10 @@ test('every default passes its own check', () => {
   }
 });
 
-const isBaking = (/** @type {string} */ name) => ['textureSize', 'textureFormat'].includes(name);
-
 test('ranges hold at their ends', () => {
-  for (const { name, min, max, above } of optionTable) {
-    const others = isBaking(name) ? { textures: 'bake' } : {};
+  for (const { name, min, max, above, needs = [{}] } of optionTable) {
+    const others = Object.fromEntries(Object.entries(needs[0])
+      .map(([other, values]) => [other, values[0]]));
     if (min !== undefined) {
       checkOptions({ ...others, [name]: min });
       refused({ [name]: min - 1 }, 'INVALID_OPTION', new RegExp(`^${name} must be`));
