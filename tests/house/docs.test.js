@@ -2,7 +2,6 @@
 // What there is to read: the reference has all that is public, the site has the papers and needs
 // nothing from elsewhere, and no link leads nowhere. Links to other hosts are not followed.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, normalize } from 'node:path';
@@ -17,6 +16,7 @@ import * as pool from 'remesher/pool';
 import * as three from 'remesher/three';
 
 import { documentation } from '../../web/documentation.js';
+import { buildDocs } from '../support/built_docs.js';
 import { builtPage } from '../support/built_page.js';
 import { startChromium } from '../support/chromium.js';
 import { serve } from '../support/line_of_page.js';
@@ -28,7 +28,7 @@ const papers =
     ...filesUnder('docs', /\.md$/)];
 
 // Not made again as long as what it is made of is the same.
-execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' });
+buildDocs();
 
 const browser = await startChromium({ isLean: true });
 after(() => browser.close());

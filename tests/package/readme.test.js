@@ -3,7 +3,7 @@
 // programs and commands run as they are printed, its figures those of runs. The programs of the
 // papers that it leads to run, too.
 import assert from 'node:assert/strict';
-import { execFileSync, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync }
   from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,6 +13,7 @@ import { after, test } from 'node:test';
 import { convertFile } from 'remesher';
 
 import { addressOf } from '../../bindings/build/addresses.js';
+import { buildDocs } from '../support/built_docs.js';
 import { builtPage } from '../support/built_page.js';
 import { startChromium } from '../support/chromium.js';
 import { call } from '../support/fresh_project.js';
@@ -149,7 +150,7 @@ test('no link is dead: each is absolute, and ours lead to pages of the site', as
   const links = [...references.values(),
     ...direct.filter(({ isPicture }) => !isPicture).map(({ target }) => target)];
   assert.deepEqual(links.filter((link) => !/^https:\/\//.test(link)), []);
-  execFileSync(process.execPath, ['bindings/build/docs.js'], { cwd: root, stdio: 'pipe' });
+  buildDocs();
   const page = await builtPage();
   for (const link of links.filter((one) => one.startsWith(address))) {
     const [path, place] = link.slice(address.length).split('#');
