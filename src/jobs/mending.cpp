@@ -88,7 +88,8 @@ Mending::Mending(std::vector<io::Part>& parts, const RemeshOptions& options,
     requireNoVertexNumbers(options);
     dropped_.emplace();
   }
-  roundToSingle(parts);
+  // A remesher rounds at its end, and makes the same mesh for every format.
+  if (purpose == Purpose::Itself) roundToSingle(parts);
   withinMemory([&] {
     dropPieces(parts, options);
     repair(parts, options, progress, purpose);
