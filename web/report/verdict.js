@@ -121,7 +121,7 @@ function repairLines({ report, diagonal, scale }, { onPlace }) {
   return lines.filter((_, i) => isSaid[i]);
 }
 
-/** Where shape was lost, or kept at the cost of even triangles: the way out.
+/** Where shape was lost, or kept at the cost of isotropic triangles: the way out.
  * @param {Judged} judged @param {VerdictActs} acts @returns {Line[]} */
 function shapeLines({ report, values, largest, diagonal }, { onWithin, onMore }) {
   if (!report.fidelity) return [];

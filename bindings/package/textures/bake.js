@@ -25,7 +25,7 @@ function imagesBeside({ name: model, resources }) {
     ({ name, label: `${legible(model)}: Image ${legible(name)}`, bytes }));
 }
 
-export class Bakery {
+export class Baker {
   #crew;
   #onProgress;
   #areWebp = false;

@@ -176,10 +176,10 @@ function mayPaint({ file, options: { textures = 'auto', repair = 'off' } }) {
 }
 
 /** Unless baking was asked for, images need not be readable: textures are kept then.
- * @param {import('../textures/bake.js').Bakery} bakery @param {FileJob} job */
-async function openedBy(bakery, { file, options }) {
+ * @param {import('../textures/bake.js').Baker} baker @param {FileJob} job */
+async function openedBy(baker, { file, options }) {
   try {
-    return await bakery.opened(file);
+    return await baker.opened(file);
   } catch (error) {
     const isTold = error instanceof RemeshError && error.code !== 'CANCELLED';
     if (options.textures === 'bake' || !isTold) throw error;
@@ -229,15 +229,15 @@ export class Engine {
   async #painted(plainJob, onProgress) {
     const isOfFile = plainJob.kind === 'remeshFile' || plainJob.kind === 'repairFile';
     if (!isOfFile || !mayPaint(plainJob)) return this.#run(plainJob, onProgress);
-    const { Bakery } = await import('../textures/bake.js');
-    const bakery = new Bakery(this.#codecs, onProgress);
+    const { Baker } = await import('../textures/bake.js');
+    const baker = new Baker(this.#codecs, onProgress);
     try {
-      const file = await openedBy(bakery, plainJob);
-      const options = { textureFormat: bakery.usualFormat, ...plainJob.options };
-      return await bakery.closed(await this.#run({ ...plainJob, file, options },
-        bakery.onPainting));
+      const file = await openedBy(baker, plainJob);
+      const options = { textureFormat: baker.usualFormat, ...plainJob.options };
+      return await baker.closed(await this.#run({ ...plainJob, file, options },
+        baker.onPainting));
     } finally {
-      bakery.end();
+      baker.end();
     }
   }
 
