@@ -39,13 +39,14 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".glb", "a GLB", readGltf, writeGlb, kHoldsParts | kHoldsScenes | kHoldsImages},
-    {".gltf", "a glTF", readGltf, writeGltf, kHoldsParts | kHoldsScenes | kHoldsImages},
+    {".glb", "a GLB", readGltf, writeGlb, kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages},
+    {".gltf", "a glTF", readGltf, writeGltf,
+     kHoldsParts | kHoldsMeshes | kHoldsScenes | kHoldsImages},
     {".obj", "an OBJ", readObj, writeObj, kHoldsParts | kHoldsDoubles},
     {".off", "an OFF", readOff, writeOff, kHoldsDoubles},
     {".ply", "a PLY", readPly, writePly, kHoldsDoubles},
     {".stl", "an STL", readStl, writeStl, 0},
-    {".3mf", "a 3MF", readThreemf, writeThreemf, kHoldsParts | kHoldsDoubles},
+    {".3mf", "a 3MF", readThreemf, writeThreemf, kHoldsParts | kHoldsMeshes | kHoldsDoubles},
     {".msh", "a Gmsh file", readGmsh, writeGmsh, kHoldsParts | kHoldsDoubles},
     {".vtu", "a VTU", readVtu, writeVtu, kHoldsParts | kHoldsDoubles},
     {".inp", "an Abaqus input", nullptr, writeAbaqus, kHoldsParts | kHoldsDoubles},

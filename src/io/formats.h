@@ -28,6 +28,7 @@ enum Holds : unsigned {
   kHoldsImages = 2,  // of materials
   kHoldsDoubles = 4,
   kHoldsParts = 8,
+  kHoldsMeshes = 16,  // parts with vertices of their own, which no reader joins
 };
 
 // Whether a file of this name can hold that.

@@ -299,7 +299,7 @@ SceneRun simplified(const InspectedParts& finest, const RemeshOptions& options,
 }  // namespace
 
 Held heldIn(const std::string& outputName) {
-  return io::canHold(outputName, io::kHoldsScenes) ? Held::Apart : Held::AsOne;
+  return io::canHold(outputName, io::kHoldsMeshes) ? Held::Apart : Held::AsOne;
 }
 
 SceneRun remeshParts(const std::vector<io::Part>& originals, const RemeshOptions& options,

@@ -7,6 +7,7 @@ import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
 import { convertFile, inspect, remeshFile, repairFile } from 'remesher';
 
 import { rejectsWith } from '../support/errors.js';
+import { GltfMaker } from '../support/gltf.js';
 import { offText, torus } from '../support/shapes.js';
 
 const off = new TextEncoder().encode(offText(torus()));
@@ -22,6 +23,25 @@ test('a 3MF is a package that is read again, and the same at any time', async ()
   const { input } = await inspect(bytes, { name });
   assert.deepEqual([input.vertices, input.triangles, input.boundaryEdges], [300, 600, 0]);
   assert.deepEqual((await made('3mf')).bytes, bytes);
+});
+
+test('meshes that meet stay apart in a 3MF, and are counted so', async () => {
+  const maker = new GltfMaker();
+  const meshes = [[0, 1], [1, 2]].map(([left, right]) => ({ primitives: [{
+    attributes: { POSITION: maker.add(
+      Float32Array.of(left, 0, 0, right, 0, 0, right, 1, 0, left, 1, 0), 'VEC3') },
+    indices: maker.addIndices(Uint16Array.of(0, 1, 2, 0, 2, 3)),
+  }] }));
+  maker.show(meshes[0].primitives);
+  Object.assign(maker.tree, { meshes, nodes: [{ mesh: 0 }, { mesh: 1 }] });
+  maker.tree.scenes[0].nodes = [0, 1];
+  const halves = maker.glb();
+  const { bytes, name, report } = await remeshFile(halves.bytes,
+    { name: halves.name, output: '3mf', vertices: 40 });
+  const { input } = await inspect(bytes, { name });
+  for (const figure of ['vertices', 'triangles', 'components', 'boundaryEdges']) {
+    assert.equal(report.output[figure], input[figure], figure);
+  }
 });
 
 test('a sound 3MF comes back from repair byte for byte, all of its package', async () => {
