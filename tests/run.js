@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Runs test files side by side:
-//   node tests/run.js               all of them, but those that could only pass again, and lint_cpp
-//   node tests/run.js --again       all of them but lint_cpp
+//   node tests/run.js               all of them, but those that could only pass again, lint_cpp and
+//                                   the integration with other programs
+//   node tests/run.js --again       all of them but lint_cpp and integration
 //   node tests/run.js page gltf     those whose paths contain one of the words
-// Node's own runner leaves one core idle, which is half of a machine with two. One file more than
-// there are cores runs at a time, for those of the page often wait. The files that take longest
+// Node's own runner leaves one core idle, which is half of a machine with two. Two files more than
+// there are cores run at a time, for those of the page often wait. The files that take longest
 // begin first.
 import { availableParallelism } from 'node:os';
 import { basename, join } from 'node:path';
@@ -18,16 +19,17 @@ import { filesUnder, root } from './support/tree.js';
 /** No file takes half as long, even beside others: what does hangs. In milliseconds. */
 const longestRun = 900_000;
 
-/** Minutes that only who changes the sources need spend: `npm run lint` does. */
-const onlyAsked = ['tests/house/lint_cpp.test.js'];
+/** Minutes that only who changes the sources (`npm run lint`) or publishes the package
+ * (`npm run integration`) need spend. */
+const onlyAsked = /lint_cpp\.test|^tests\/integration\//;
 
 /**
  * Those of eight seconds and more; the last to end is one of the short ones. The first that needs
  * the page builds it, while others run that do not.
  */
-const longest = ['lint_cpp', 'unit', 'engines', 'repair', 'laws', 'lint', 'web_trust', 'bundlers',
-  'faults', 'web_out', 'web_everyone', 'web_in', 'web', 'bake', 'queue', 'recipes', 'web_paint',
-  'web_steer', 'web_see', 'package', 'readme', 'rendering'];
+const longest = ['lint_cpp', 'unit', 'web_everyone', 'lint', 'web_trust', 'web_doors', 'faults',
+  'web_see', 'web_out', 'web_steer', 'rendering', 'web_kept', 'web_same', 'web_paint', 'web_in',
+  'repair', 'quads', 'laws', 'fuzz', 'web', 'readme', 'bake', 'package', 'sizes'];
 const rank = (/** @type {string} */ file) => {
   const at = longest.indexOf(basename(file, '.test.js'));
   return at < 0 ? longest.length : at;
@@ -37,7 +39,7 @@ const { values, positionals: words } = parseArgs({
   options: { again: { type: 'boolean' } }, allowPositionals: true,
 });
 const files = filesUnder('tests', /\.test\.js$/)
-  .filter((file) => (words.length === 0 ? !onlyAsked.includes(file)
+  .filter((file) => (words.length === 0 ? !onlyAsked.test(file)
     : words.some((word) => file.includes(word))))
   .sort((a, b) => rank(a) - rank(b));
 if (files.length === 0) {
@@ -62,7 +64,7 @@ const passed = () => {
 if (chosen.length > 0) {
   const { href } = new URL('./support/late_tiering.js', import.meta.url);
   process.env.NODE_OPTIONS = `${process.env.NODE_OPTIONS ?? ''} --import ${href}`.trim();
-  run({ files: chosen.map((file) => join(root, file)), concurrency: availableParallelism() + 1,
+  run({ files: chosen.map((file) => join(root, file)), concurrency: availableParallelism() + 2,
     timeout: longestRun })
     .on('test:fail', ({ file, name }) => {
       process.exitCode = 1;

@@ -8,8 +8,8 @@ import { findHeader, findProgram, isUbuntu, packageManager } from './system.js';
 /** @typedef {import('./system.js').System} System */
 /** @typedef {import('./system.js').Manager} Manager */
 /**
- * @typedef {'package' | 'tests' | 'lint' | 'measure' | 'sanitized' | 'fuzz' | 'bits'
- *   | 'profile'} Part */
+ * @typedef {'package' | 'tests' | 'integration' | 'lint' | 'measure' | 'sanitized' | 'fuzz'
+ *   | 'bits' | 'profile'} Part */
 
 /**
  * @typedef {object} Need
@@ -140,14 +140,15 @@ export const needs = [
   { name: 'doctest', parts: [...checks, 'sanitized'], find: header('doctest/doctest.h'), variable,
     packages: { apt: 'doctest-dev', dnf: 'doctest-devel', pacman: 'doctest', apk: 'doctest-dev',
       brew: 'doctest', nix: 'doctest' } },
-  { name: 'Chromium', parts: ['tests', 'bits'], find: findChromium, variable: 'REMESHER_CHROMIUM',
-    lighter: 'chromium-headless-shell', ubuntu: 'sudo snap install chromium',
+  { name: 'Chromium', parts: ['tests', 'integration', 'bits'], find: findChromium,
+    variable: 'REMESHER_CHROMIUM', lighter: 'chromium-headless-shell',
+    ubuntu: 'sudo snap install chromium',
     packages: { apt: 'chromium', dnf: 'chromium', pacman: 'chromium', apk: 'chromium',
       brew: '--cask chromium', nix: 'chromium' } },
-  { name: 'Redis', parts: ['tests'], find: program('redis-server'),
+  { name: 'Redis', parts: ['integration'], find: program('redis-server'),
     packages: { apt: 'redis-server', dnf: 'valkey-compat-redis', pacman: 'valkey', apk: 'redis',
       brew: 'redis', nix: 'redis' } },
-  { name: 'GNU parallel', parts: ['tests'], find: program('parallel'),
+  { name: 'GNU parallel', parts: ['integration'], find: program('parallel'),
     packages: { apt: 'parallel', dnf: 'parallel', pacman: 'parallel', apk: 'parallel',
       brew: 'parallel', nix: 'parallel' } },
   { name: 'Assimp', parts: ['tests'], find: program('assimp'),

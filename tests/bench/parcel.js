@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests that projects of Parcel can use every entry of the package, as
-// tests/package/bundlers.test.js does for the other bundlers: npm run parcel.
+// tests/integration/bundlers.test.js does for the other bundlers: npm run parcel.
 // Parcel, 111 MB, is installed into a temporary folder.
 
 import { strict as assert } from 'node:assert';

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "remesh/quads/quads.h"
@@ -62,9 +63,12 @@ bool isSaid(const RemeshOutcome& made) {
 }  // namespace
 
 TEST_CASE("counting: balls of any triangles have eight irregular vertices, mirrored") {
-  for (const TriangleMesh& ball : {polarBall(32, 16, Vec3::Ones()), polarBall(17, 9, Vec3::Ones()),
-                                   shapes::icosphere(7), polarBall(32, 16, Vec3(2, 1.3, 1))})
-    for (const Index vertices : {200U, 250U, 400U, 1000U}) {
+  for (const auto& [ball, numbers] : std::vector<std::pair<TriangleMesh, std::vector<Index>>>{
+           {polarBall(32, 16, Vec3::Ones()), {200, 400}},
+           {polarBall(17, 9, Vec3::Ones()), {250}},
+           {shapes::icosphere(7), {200, 1000}},
+           {polarBall(32, 16, Vec3(2, 1.3, 1)), {250, 400}}})
+    for (const Index vertices : numbers) {
       CAPTURE(ball.positions.size());
       CAPTURE(vertices);
       const RemeshOutcome made = quadsOf(ball, vertices);

