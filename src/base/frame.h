@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The coordinates in which a mesh is worked on: about its middle and of about unit size, whatever
-// its place and size in the file. Coordinates in decimals, or of few binary digits, are whole steps,
-// so that no digit is lost on the way here and back.
+// its place and size in the file. Coordinates in decimals, or of few binary digits, are whole
+// steps, so that no digit is lost on the way here and back.
 #pragma once
 
 #include "base/types.h"

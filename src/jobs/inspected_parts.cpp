@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "jobs/parts/part_report.h"
 
 namespace remesher {
@@ -18,12 +21,27 @@ void putInOrder(std::vector<float>& density, const CanonicalOrder& order) {
   density = std::move(made);
 }
 
-// The new numbers of the vertices of edges, if they have any.
-void putInOrder(std::vector<std::pair<Index, Index>>& edges, const CanonicalOrder& order) {
-  for (auto& [a, b] : edges) {
-    if (std::max(a, b) >= order.numbers.size()) continue;
-    a = order.numbers[a], b = order.numbers[b];
+using VertexPairs = std::vector<std::pair<Index, Index>>;
+
+// The vertices of edges by their new numbers. Each pair must be joined by an edge of a triangle.
+VertexPairs inOrder(VertexPairs pairs, const CanonicalOrder& order, const Welding& welding) {
+  if (pairs.empty()) return pairs;
+  std::set<std::pair<Index, Index>> edges;
+  for (Index h = 0; h < welding.corners.size(); ++h)
+    edges.insert(std::minmax(welding.corners[h], welding.corners[nextCorner(h)]));
+  for (auto& [a, b] : pairs) {
+    const Index known = Index(order.numbers.size());
+    const Index from = a < known ? order.numbers[a] : kNone;
+    const Index to = b < known ? order.numbers[b] : kNone;
+    if (from == kNone || to == kNone ||
+        !edges.contains(std::minmax(welding.first[from], welding.first[to])))
+      throw Error(ErrorCode::InvalidOption,
+                  "featureEdges: there is no edge between vertices " + std::to_string(a) + " and " +
+                      std::to_string(b) + ".",
+                  "Give pairs of input vertices that an edge of a triangle joins.");
+    a = from, b = to;
   }
+  return pairs;
 }
 
 // Those with invalid values stay, so that the message on them names the given vertex.
@@ -54,7 +72,8 @@ InspectedParts::InspectedParts(const std::vector<io::Part>& given)
 RemeshOptions InspectedParts::applied(RemeshOptions options) const {
   if (orders_.size() == 1) {
     if (isDensityValid(options.density)) putInOrder(options.density, orders_.front());
-    putInOrder(options.featureEdges, orders_.front());
+    options.featureEdges =
+        inOrder(std::move(options.featureEdges), orders_.front(), weldings_.front());
   }
   return frames_.applied(std::move(options));
 }

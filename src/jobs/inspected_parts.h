@@ -9,8 +9,8 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "io/model/model.h"
-#include "jobs/parts/part_places.h"
 #include "jobs/parts/part_frames.h"
+#include "jobs/parts/part_places.h"
 #include "mesh/canonical_order.h"
 #include "mesh/welding.h"
 

@@ -48,8 +48,7 @@ std::vector<Index> verticesInOrder(const TriangleMesh& mesh) {
   };
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     while (end < order.size() && floats[order[end]] == floats[order[begin]]) ++end;
-    std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end),
-              isBefore);
+    std::sort(order.begin() + std::ptrdiff_t(begin), order.begin() + std::ptrdiff_t(end), isBefore);
   }
   return order;
 }

@@ -51,9 +51,8 @@ Box boxOfTriangles(const std::vector<io::Part>& parts) {
 
 bool isExtreme(const std::vector<io::Part>& parts, const Box& box) {
   const double side = (box.high - box.low).maxCoeff();
-  return !(side > 1 / kExtreme) || !allCoordinates(parts, [](double x, Eigen::Index) {
-    return std::abs(x) < kExtreme;
-  });
+  return !(side > 1 / kExtreme) ||
+         !allCoordinates(parts, [](double x, Eigen::Index) { return std::abs(x) < kExtreme; });
 }
 
 // The power of ten of which all coordinates, times it, are whole numbers.

@@ -72,9 +72,7 @@ HalfBox movedBy(const HalfBox& box, const Vec3& origin) {
 
 bool isMoved(const Transform& place) { return !place.translation().isZero(0); }
 
-bool isIdentity(const Transform& place) {
-  return place.matrix() == Transform::Identity().matrix();
-}
+bool isIdentity(const Transform& place) { return place.matrix() == Transform::Identity().matrix(); }
 
 // Whether all parts are first shown in one space, which is also the world.
 bool areInWorld(const std::vector<io::Part>& parts) {

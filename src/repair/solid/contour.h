@@ -35,8 +35,8 @@ struct Contour {
 struct SolidSource {
   std::span<const Vec3> positions;
   std::span<const Index> corners;
-  bool isSingle;  // positions are written in single precision
-  Frame frame;    // of the positions
+  bool isSingle;                  // positions are written in single precision
+  Frame frame;                    // of the positions
   Ridges ridges = Ridges::Sharp;  // that get vertices
 };
 
